@@ -1,0 +1,38 @@
+"""Assets: links, joints, poses and mass properties, as plain data."""
+
+from artgen.asset.asset import Asset, Base
+from artgen.asset.joint import DYNAMICS, Condition, Coupling, Dependency, Joint, JointKind, rotation
+from artgen.asset.link import MOST_COLLIDERS, Collider, Grasp, Link, Piece, Surface
+from artgen.asset.mass import MassProperties, Moments, polyhedron_moments
+from artgen.asset.outline import Contour, Curve, Outline
+from artgen.asset.shape import PROPERTIES, Mesh, Shape
+from artgen.asset.tree import Branch, Tree
+
+__all__ = [
+    "DYNAMICS",
+    "MOST_COLLIDERS",
+    "PROPERTIES",
+    "Asset",
+    "Base",
+    "Branch",
+    "Collider",
+    "Condition",
+    "Contour",
+    "Coupling",
+    "Curve",
+    "Dependency",
+    "Grasp",
+    "Joint",
+    "JointKind",
+    "Link",
+    "MassProperties",
+    "Mesh",
+    "Moments",
+    "Outline",
+    "Piece",
+    "Shape",
+    "Surface",
+    "Tree",
+    "polyhedron_moments",
+    "rotation",
+]

@@ -1,0 +1,280 @@
+"""The asset: a tree of links and joints with the parameters it was made from."""
+
+import json
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from pathlib import Path
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from artgen.asset.joint import Joint, positions_of_followers
+from artgen.asset.link import Link
+from artgen.asset.mass import MassProperties, total
+from artgen.asset.tree import Tree
+from artgen.errors import AssetError, nearest
+from artgen.materials import Material
+
+Array = NDArray[np.float64]
+Base = Literal["fixed", "free"]
+
+_LIMIT_SLACK = 1e-9  # a position may miss its limit by rounding [rad or m]
+
+
+@dataclass(frozen=True, eq=False)
+class Asset:
+    """An articulated object at rest, in metres, kilograms and radians; z up, front to -y.
+
+    Attributes:
+        name: Identifier, also the name of its files.
+        category: Name of the category that it belongs to.
+        links: Rigid bodies, parents before their children; the first is the base.
+        joints: Degrees of freedom; those that join one pair of links follow each other in order.
+        seed: What its parameters were drawn from; None if it was not sampled.
+        attempt: How many draws were infeasible before this one.
+        parameters: Every parameter with the value that it took.
+        base: Whether the base is fixed to the world or free to move.
+        version: Version of artgen that made it.
+        labels: Semantic labels that the category declares.
+    """
+
+    name: str
+    category: str
+    links: tuple[Link, ...]
+    joints: tuple[Joint, ...]
+    seed: int | None = None
+    attempt: int = 0
+    parameters: Mapping[str, Any] = field(default_factory=dict)
+    base: Base = "fixed"
+    version: str = ""
+    labels: tuple[str, ...] = ()
+
+    @staticmethod
+    def from_tree(tree: Tree, name: str, category: str, **fields: Any) -> "Asset":
+        """Make an asset of an evaluated body.
+
+        Raises:
+            AssetError: A coupling or dependency names an unknown joint, or couplings form a circle.
+        """
+        joints = {joint.name: joint for joint in tree.joints()}
+        for joint in joints.values():
+            _check_references(joint, joints)
+        leaders = positions_of_followers(
+            joints, {joint.name: 0.0 for joint in joints.values() if joint.follows is None}
+        )
+        assert len(leaders) == len(joints)
+        ranged: dict[str, Joint] = {}
+        for joint in joints.values():
+            ranged[joint.name] = _with_followed_limits(joint, joints)
+        return Asset(name, category, tuple(tree.links()), tuple(ranged.values()), **fields)
+
+    @cached_property
+    def _links(self) -> dict[str, Link]:
+        return {link.name: link for link in self.links}
+
+    @cached_property
+    def _joints(self) -> dict[str, Joint]:
+        return {joint.name: joint for joint in self.joints}
+
+    def link(self, name: str) -> Link:
+        """Return the link of that name.
+
+        Raises:
+            AssetError: There is none; the message has the nearest name.
+        """
+        if name not in self._links:
+            raise AssetError(f"asset {self.name!r} has no link {name!r}.{nearest(name, self._links)}")
+        return self._links[name]
+
+    def joint(self, name: str) -> Joint:
+        """Return the joint of that name.
+
+        Raises:
+            AssetError: There is none; the message has the nearest name.
+        """
+        if name not in self._joints:
+            raise AssetError(f"asset {self.name!r} has no joint {name!r}.{nearest(name, self._joints)}")
+        return self._joints[name]
+
+    @cached_property
+    def materials(self) -> tuple[Material, ...]:
+        """The materials of its surfaces and solids, in order of appearance."""
+        found: dict[str, Material] = {}
+        for link in self.links:
+            for material in (item.material for of_link in (link.surfaces, link.colliders) for item in of_link):
+                known = found.setdefault(material.name, material)
+                if known != material:
+                    raise AssetError(
+                        f"asset {self.name!r} has two different materials named {known.name!r}; "
+                        "give one of them another name"
+                    )
+        return tuple(found.values())
+
+    @cached_property
+    def free_joints(self) -> tuple[Joint, ...]:
+        """The joints that are free to be set: neither coupled to another nor locked."""
+        return tuple(joint for joint in self.joints if joint.follows is None and not joint.locked)
+
+    def positions(self, q: Mapping[str, float] | None = None) -> dict[str, float]:
+        """Complete joint positions: those not given stand nearest to 0, coupled ones follow.
+
+        Args:
+            q: Positions by joint name [rad or m].
+
+        Returns:
+            The position of every joint [rad or m].
+
+        Raises:
+            AssetError: A joint is unknown, coupled to another, or beyond its limits.
+        """
+        result = {joint.name: joint.closed for joint in self.joints if joint.follows is None}
+        for name, position in (q or {}).items():
+            joint = self.joint(name)
+            if joint.follows is not None:
+                raise AssetError(
+                    f"joint {name!r} follows {joint.follows.leader!r}; set {joint.follows.leader!r} instead"
+                )
+            if joint.limits is not None:
+                low, high = joint.limits
+                if not low - _LIMIT_SLACK <= position <= high + _LIMIT_SLACK:
+                    raise AssetError(
+                        f"joint {name!r} cannot stand at {position:.6g}; its limits are {low:.6g} to {high:.6g}"
+                    )
+            result[name] = float(position)
+        return {name: value for name, value in self._followed(result).items()}
+
+    def _followed(self, q: dict[str, float]) -> dict[str, float]:
+        positions = positions_of_followers(self._joints, q)
+        return {joint.name: positions[joint.name] for joint in self.joints}
+
+    def blocked(self, q: Mapping[str, float] | None = None) -> tuple[str, ...]:
+        """Return the names of the joints that a dependency forbids to stand where `q` puts them."""
+        positions = self.positions(q)
+        return tuple(
+            joint.name
+            for joint in self.joints
+            if joint.needs is not None and not joint.needs.allows(positions[joint.name], positions)
+        )
+
+    def pose(self, q: Mapping[str, float] | None = None) -> dict[str, Array]:
+        """Return how each link is displaced from rest.
+
+        Args:
+            q: Positions by joint name; those not given stand nearest to 0, coupled ones follow [rad or m].
+
+        Returns:
+            For each link the transform, shape (4, 4), that takes its geometry from rest (asset coordinates) to
+            the pose.
+
+        Raises:
+            AssetError: A joint is unknown, coupled to another, or beyond its limits.
+        """
+        positions = self.positions(q)
+        result = {self.links[0].name: np.eye(4)}
+        for parent, child, joints in self.pairs():
+            transform = result[parent]
+            for joint in joints:
+                transform = transform @ joint.motion(positions[joint.name])
+            result[child] = transform
+        return result
+
+    def pairs(self) -> list[tuple[str, str, tuple[Joint, ...]]]:
+        """Return each pair of joined links, parent first, with its joints in order."""
+        grouped: dict[str, list[Joint]] = {}
+        for joint in self.joints:
+            grouped.setdefault(joint.child, []).append(joint)
+        return [(joints[0].parent, child, tuple(joints)) for child, joints in grouped.items()]
+
+    def origin(self, link: str) -> Array:
+        """Return where a link's own frame lies at rest in asset coordinates, shape (3,) [m].
+
+        The frame of the base is the asset's; that of another link has its origin on the joint nearest to
+        it. All frames are parallel to the asset's axes at rest.
+        """
+        name = self.link(link).name
+        pivots = [joint.pivot for joint in self.joints if joint.child == name]
+        return pivots[-1] if pivots else np.zeros(3)
+
+    @property
+    def mass(self) -> float:
+        """Mass of all links [kg]."""
+        return float(sum(link.mass_properties.mass for link in self.links))
+
+    def mass_properties(self) -> MassProperties:
+        """Return mass, centre and inertia of the whole asset at rest."""
+        return total(link.mass_properties.moments() for link in self.links)
+
+    def bounds(self) -> Array:
+        """Return the corners of the bounding box at rest, shape (2, 3) [m]."""
+        boxes = np.array([link.bounds() for link in self.links])
+        return np.array([boxes[:, 0].min(axis=0), boxes[:, 1].max(axis=0)])
+
+    def with_base(self, base: Base) -> "Asset":
+        """Return the asset with its base fixed to the world or free."""
+        return replace(self, base=base)
+
+    def export(self, directory: str | Path, *, formats: Sequence[str] = ("urdf", "mjcf", "usd")) -> Path:
+        """Write the asset to a directory; see `artgen.export.export`."""
+        from artgen.export import export
+
+        return export(self, directory, formats=formats)
+
+    @staticmethod
+    def load(directory: str | Path) -> "Asset":
+        """Read an asset that `export` wrote; see `artgen.asset.files.load`."""
+        from artgen.asset.files import load
+
+        return load(directory)
+
+    def to_data(self) -> dict[str, Any]:
+        """Return everything but the triangles as JSON data."""
+        return {
+            "format": FORMAT,
+            "name": self.name,
+            "category": self.category,
+            "seed": self.seed,
+            "attempt": self.attempt,
+            "version": self.version,
+            "base": self.base,
+            "labels": list(self.labels),
+            "parameters": dict(self.parameters),
+            "mass": self.mass,
+            "materials": [material.to_data() for material in self.materials],
+            "links": [link.to_data() for link in self.links],
+            "joints": [joint.to_data() for joint in self.joints],
+        }
+
+    def to_json(self) -> str:
+        """Return everything but the triangles as JSON text."""
+        return json.dumps(self.to_data(), indent=1, ensure_ascii=False) + "\n"
+
+
+FORMAT = "artgen-asset-1"
+"""Marks the files that this version of the asset's JSON can be read from."""
+
+
+def _check_references(joint: Joint, joints: Mapping[str, Joint]) -> None:
+    named = [joint.follows.leader] if joint.follows is not None else []
+    if joint.needs is not None:
+        named += joint.needs.condition.joints()
+    for name in named:
+        if name not in joints:
+            verb = "follows" if joint.follows is not None else "needs"
+            raise AssetError(
+                f"joint {joint.name!r} {verb} {name!r}, which is no joint of this asset.{nearest(name, joints)}"
+            )
+        if name == joint.name:
+            raise AssetError(f"joint {joint.name!r} refers to itself")
+
+
+def _with_followed_limits(joint: Joint, joints: Mapping[str, Joint]) -> Joint:
+    """Give a coupled joint the range over which its leader takes it."""
+    if joint.follows is None:
+        return joint
+    leader = _with_followed_limits(joints[joint.follows.leader], joints)
+    if leader.limits is None:
+        return replace(joint, limits=None)
+    ends = sorted(joint.follows.ratio * end + joint.follows.offset for end in leader.limits)
+    return replace(joint, limits=(ends[0], ends[1]))

@@ -1,0 +1,213 @@
+"""Reading an asset back from the directory that it was exported to."""
+
+import json
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+from pathlib import Path
+from typing import Any, NoReturn
+
+import numpy as np
+from numpy.typing import NDArray
+
+from artgen.asset.asset import FORMAT, Asset
+from artgen.asset.joint import Joint
+from artgen.asset.link import Collider, Grasp, Link, Surface
+from artgen.asset.mass import MassProperties
+from artgen.asset.shape import Mesh
+from artgen.colliders import Convex
+from artgen.errors import AssetError, ExportError
+from artgen.materials import Material
+
+Array = NDArray[np.float64]
+
+ASSET_FILE = "asset.json"
+MESH_DIRECTORY = "meshes"
+
+
+def load(directory: str | Path) -> Asset:
+    """Read an asset that was exported to a directory.
+
+    The numbers come from its `asset.json`; the visible faces from `meshes/`, when they are first asked for.
+
+    Args:
+        directory: The directory, or its `asset.json`.
+
+    Raises:
+        ExportError: There is no readable `asset.json`.
+        AssetError: The file is of another format.
+    """
+    path = Path(directory)
+    path = path / ASSET_FILE if path.suffix != ".json" else path
+    try:
+        data = json.loads(path.read_text(encoding="utf-8"))
+    except (OSError, ValueError) as error:
+        raise ExportError(
+            f"cannot read {path}: {error}; is this a directory that artgen exported?"
+        ) from error
+    found = data.get("format") if isinstance(data, dict) else None
+    if found != FORMAT:
+        raise AssetError(f"{path} has format {found!r}; this version reads {FORMAT!r}")
+    try:
+        return _asset(data, path.parent)
+    except (KeyError, TypeError) as error:
+        raise AssetError(f"{path} is damaged ({error!r}); export the asset again") from error
+
+
+def mesh_names(names: Mapping[str, Sequence[str]], taken: Iterable[str] = ()) -> dict[str, tuple[str, ...]]:
+    """Give each named mesh of each link a file name of its own.
+
+    Some clients search a mesh by its base name only, and some disks do not tell capitals from small letters.
+
+    Args:
+        names: Names of the meshes, by link.
+        taken: File names that are already used.
+
+    Returns:
+        The file names of each link's meshes, in the order of their names.
+    """
+    used = {name.lower() for name in taken}
+    result = {}
+    for link, of_link in names.items():
+        files = []
+        for name in of_link:
+            stem = f"{link}_{name}"
+            while f"{stem}.obj".lower() in used:
+                stem += "_"
+            used.add(f"{stem}.obj".lower())
+            files.append(f"{stem}.obj")
+        result[link] = tuple(files)
+    return result
+
+
+def _asset(data: Mapping[str, Any], directory: Path) -> Asset:
+    materials = {item["name"]: Material.from_data(item) for item in data["materials"]}
+    joints = tuple(Joint.from_data(item) for item in data["joints"])
+    files = mesh_names({item["name"]: [each["name"] for each in item["surfaces"]] for item in data["links"]})
+    # the last joint before a link lies on the link's origin; the base has the asset's frame
+    origins = {joint.child: joint.pivot for joint in joints}
+    links = tuple(
+        _StoredLink(
+            item["name"],
+            item["label"],
+            grasps=tuple(
+                Grasp(each["name"], np.array(each["frame"], float), each["width"]) for each in item["grasps"]
+            ),
+            data=item,
+            materials=materials,
+            meshes=tuple(directory / MESH_DIRECTORY / file for file in files[item["name"]]),
+            origin=origins.get(item["name"], np.zeros(3)),
+        )
+        for item in data["links"]
+    )
+    asset = Asset(
+        name=data["name"],
+        category=data["category"],
+        links=links,
+        joints=joints,
+        seed=data["seed"],
+        attempt=data["attempt"],
+        parameters=data["parameters"],
+        base=data["base"],
+        version=data["version"],
+        labels=tuple(data["labels"]),
+    )
+    # a cached property lives in its instance's dictionary; found there, it is not derived from the surfaces
+    vars(asset)["materials"] = tuple(materials.values())
+    return asset
+
+
+@dataclass(frozen=True, eq=False)
+class _StoredLink(Link):
+    """A link whose derived values were stored, instead of being derived from solids.
+
+    Attributes:
+        data: What `Link.to_data` wrote.
+        materials: The asset's materials by name.
+        meshes: The OBJ file of each surface.
+        origin: Origin of the link's frame in asset coordinates at rest, shape (3,) [m].
+    """
+
+    data: Mapping[str, Any] = field(default_factory=dict)
+    materials: Mapping[str, Material] = field(default_factory=dict)
+    meshes: tuple[Path, ...] = ()
+    origin: Array = field(default_factory=lambda: np.zeros(3))
+
+    @cached_property
+    def labels(self) -> tuple[str, ...]:
+        return tuple(self.data["labels"])
+
+    @cached_property
+    def mass_properties(self) -> MassProperties:
+        return MassProperties.from_data(dict(self.data))
+
+    @cached_property
+    def colliders(self) -> tuple[Collider, ...]:
+        return tuple(
+            Collider(_convex(item), item["label"], self.materials[item["material"]])
+            for item in self.data["colliders"]
+        )
+
+    @cached_property
+    def surfaces(self) -> tuple[Surface, ...]:
+        return tuple(
+            Surface(
+                item["name"], item["label"], self.materials[item["material"]], read_obj(path, self.origin)
+            )
+            for item, path in zip(self.data["surfaces"], self.meshes, strict=True)
+        )
+
+    def to_data(self) -> dict[str, Any]:
+        return dict(self.data)
+
+    def moved(self, matrix: Array) -> NoReturn:
+        self._refuse()
+
+    def renamed(self, suffix: str) -> NoReturn:
+        self._refuse()
+
+    def _refuse(self) -> NoReturn:
+        raise AssetError(
+            f"link {self.name!r} was read from files and cannot be changed; generate the asset again"
+        )
+
+
+def _convex(data: Mapping[str, Any]) -> Convex:
+    points = np.array(data["points"], float).reshape(-1, 3)
+    return Convex(data["kind"], np.array(data["pose"], float), tuple(data["size"]), points)
+
+
+def read_obj(path: Path, origin: Array) -> Mesh:
+    """Read the triangles of an OBJ file that artgen wrote.
+
+    Args:
+        path: The file; its vertices have a normal and a texture coordinate each.
+        origin: What to add to its vertices, shape (3,) [m].
+
+    Raises:
+        AssetError: There is no such file, or it is not one of artgen's.
+    """
+    try:
+        lines = path.read_bytes().splitlines()
+    except FileNotFoundError:
+        raise AssetError(
+            f"the asset's surfaces are not in {path.parent}: it was exported without meshes, or the file "
+            f"{path.name} was removed; export it with 'urdf' or 'mjcf' among the formats"
+        ) from None
+    except OSError as error:
+        raise ExportError(f"cannot read {path}: {error.strerror}") from error
+    rows: dict[bytes, list[bytes]] = {b"v": [], b"vn": [], b"vt": [], b"f": []}
+    for line in lines:
+        keyword, _, rest = line.partition(b" ")
+        if keyword in rows:
+            rows[keyword].append(rest)
+    try:
+        corners = _numbers(rows[b"f"], 9).astype(np.int64)[:, ::3] - 1
+        vertices, normals, uvs = _numbers(rows[b"v"], 3), _numbers(rows[b"vn"], 3), _numbers(rows[b"vt"], 2)
+    except ValueError as error:
+        raise AssetError(f"{path} is not a mesh that artgen wrote: {error}") from error
+    return Mesh(vertices + origin, normals, uvs, np.zeros(len(vertices), np.int64), corners)
+
+
+def _numbers(rows: Sequence[bytes], columns: int) -> Array:
+    return np.array(b" ".join(rows).replace(b"/", b" ").split(), float).reshape(-1, columns)

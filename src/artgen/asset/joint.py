@@ -1,0 +1,268 @@
+"""Joints: how a link moves against its parent, what drives it, and on what that depends."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from artgen.errors import AssetError
+
+Array = NDArray[np.float64]
+JointKind = Literal["revolute", "prismatic"]
+
+
+@dataclass(frozen=True)
+class Coupling:
+    """A joint that follows another: position = ratio * leader + offset.
+
+    Attributes:
+        leader: Name of the joint that leads.
+        ratio: [rad/rad, m/rad, rad/m or m/m].
+        offset: [rad or m].
+    """
+
+    leader: str
+    ratio: float
+    offset: float = 0.0
+
+
+@dataclass(frozen=True)
+class Condition:
+    """A region of joint space.
+
+    Attributes:
+        kind: `above` and `below` compare one joint with `value`; `all` and `any` combine `terms`.
+        joint: Name of the compared joint.
+        value: [rad or m].
+        terms: The combined conditions.
+    """
+
+    kind: Literal["above", "below", "all", "any"]
+    joint: str = ""
+    value: float = 0.0
+    terms: tuple["Condition", ...] = ()
+
+    def holds(self, q: Mapping[str, float]) -> bool:
+        """Tell whether the joint positions `q` (of every joint named here) lie in the region."""
+        if self.kind == "above":
+            return q[self.joint] > self.value
+        if self.kind == "below":
+            return q[self.joint] < self.value
+        results = (term.holds(q) for term in self.terms)
+        return all(results) if self.kind == "all" else any(results)
+
+    def joints(self) -> tuple[str, ...]:
+        """Return the names of the joints that the region speaks of, in order of appearance."""
+        if self.joint:
+            return (self.joint,)
+        return tuple(dict.fromkeys(name for term in self.terms for name in term.joints()))
+
+    def renamed(self, names: Mapping[str, str]) -> "Condition":
+        """Return the condition with joints renamed; names not in `names` stay."""
+        return replace(
+            self,
+            joint=names.get(self.joint, self.joint),
+            terms=tuple(term.renamed(names) for term in self.terms),
+        )
+
+    def __str__(self) -> str:
+        """Spell the condition as its author would."""
+        if self.kind in ("above", "below"):
+            return f"{self.joint} {'>' if self.kind == 'above' else '<'} {self.value:.6g}"
+        sign = " & " if self.kind == "all" else " | "
+        return sign.join(f"({term})" for term in self.terms)
+
+    def to_data(self) -> dict[str, Any]:
+        """Return the condition as JSON data."""
+        if self.terms:
+            return {"kind": self.kind, "terms": [term.to_data() for term in self.terms]}
+        return {"kind": self.kind, "joint": self.joint, "value": self.value}
+
+    @staticmethod
+    def from_data(data: Mapping[str, Any]) -> "Condition":
+        """Read what `to_data` wrote."""
+        terms = tuple(Condition.from_data(term) for term in data.get("terms", ()))
+        return Condition(data["kind"], data.get("joint", ""), data.get("value", 0.0), terms)
+
+
+@dataclass(frozen=True)
+class Dependency:
+    """A joint may leave its closed position (0) only where a condition holds.
+
+    Attributes:
+        condition: The region of the other joints in which the joint may move.
+        until: The joint needs the condition only below this position; beyond it the joint is free, as a
+            door is once its latch has left the strike. None: the condition is always needed [rad or m].
+    """
+
+    condition: Condition
+    until: float | None = None
+
+    def allows(self, position: float, q: Mapping[str, float]) -> bool:
+        """Tell whether the joint may stand at `position` while the others stand at `q`."""
+        closed = abs(position) <= 1e-9
+        free = self.until is not None and abs(position) >= self.until
+        return closed or free or self.condition.holds(q)
+
+    def to_data(self) -> dict[str, Any]:
+        """Return the dependency as JSON data."""
+        return {"condition": self.condition.to_data(), "until": self.until}
+
+    @staticmethod
+    def from_data(data: Mapping[str, Any]) -> "Dependency":
+        """Read what `to_data` wrote."""
+        return Dependency(Condition.from_data(data["condition"]), data["until"])
+
+
+@dataclass(frozen=True, eq=False)
+class Joint:
+    """One degree of freedom between two links.
+
+    Several joints may join one pair of links; they act in order, the first nearest to the parent.
+
+    Attributes:
+        name: Identifier, unique in the asset.
+        kind: `revolute` [rad] or `prismatic` [m].
+        axis: Unit vector in asset coordinates at rest, shape (3,).
+        pivot: A point on the axis in asset coordinates at rest, shape (3,) [m].
+        limits: Lowest and highest position; equal ones lock the joint, None is unlimited [rad or m].
+        stiffness: Spring towards `rest` [N m/rad or N/m].
+        damping: [N m s/rad or N s/m].
+        friction: Dry friction that holds the joint [N m or N].
+        rest: Position in which the spring is at ease [rad or m].
+        armature: Inertia added at the joint [kg m^2 or kg].
+        effort: Largest torque or force that an actuator may apply [N m or N].
+        velocity: Largest speed [rad/s or m/s].
+        follows: The coupling to another joint, if any.
+        needs: The dependency on other joints, if any.
+        parent: Name of the parent link; empty until the joint is part of an asset.
+        child: Name of the child link; empty until the joint is part of an asset.
+    """
+
+    name: str
+    kind: JointKind
+    axis: Array
+    pivot: Array
+    limits: tuple[float, float] | None = None
+    stiffness: float = 0.0
+    damping: float = 0.0
+    friction: float = 0.0
+    rest: float = 0.0
+    armature: float = 0.0
+    effort: float = 100.0
+    velocity: float = 10.0
+    follows: Coupling | None = None
+    needs: Dependency | None = None
+    parent: str = ""
+    child: str = ""
+
+    @property
+    def locked(self) -> bool:
+        """Whether the limits leave one position only."""
+        return self.limits is not None and self.limits[0] == self.limits[1]
+
+    @property
+    def closed(self) -> float:
+        """The position nearest to 0 within the limits."""
+        if self.limits is None:
+            return 0.0
+        return min(max(0.0, self.limits[0]), self.limits[1])
+
+    def motion(self, position: float) -> Array:
+        """Return the displacement of the child at a position, shape (4, 4), in asset coordinates at rest."""
+        result = np.eye(4)
+        if self.kind == "prismatic":
+            result[:3, 3] = self.axis * position
+            return result
+        result[:3, :3] = rotation(self.axis, position)
+        result[:3, 3] = self.pivot - result[:3, :3] @ self.pivot
+        return result
+
+    def moved(self, matrix: Array) -> "Joint":
+        """Return the joint carried along by a rigid motion or a reflection, shape (4, 4)."""
+        axis = matrix[:3, :3] @ self.axis
+        if self.kind == "revolute" and np.linalg.det(matrix[:3, :3]) < 0.0:
+            axis = -axis  # a rotation axis is a pseudovector
+        return replace(self, axis=axis, pivot=matrix[:3, :3] @ self.pivot + matrix[:3, 3])
+
+    def renamed(self, names: Mapping[str, str]) -> "Joint":
+        """Return the joint with itself and the joints that it refers to renamed."""
+        follows, needs = self.follows, self.needs
+        if follows is not None:
+            follows = replace(follows, leader=names.get(follows.leader, follows.leader))
+        if needs is not None:
+            needs = replace(needs, condition=needs.condition.renamed(names))
+        return replace(self, name=names.get(self.name, self.name), follows=follows, needs=needs)
+
+    def to_data(self) -> dict[str, Any]:
+        """Return the joint as JSON data."""
+        follows = self.follows
+        return {
+            "name": self.name,
+            "kind": self.kind,
+            "parent": self.parent,
+            "child": self.child,
+            "axis": self.axis.tolist(),
+            "pivot": self.pivot.tolist(),
+            "limits": None if self.limits is None else list(self.limits),
+            **{field: getattr(self, field) for field in DYNAMICS},
+            "follows": None
+            if follows is None
+            else {"leader": follows.leader, "ratio": follows.ratio, "offset": follows.offset},
+            "needs": None if self.needs is None else self.needs.to_data(),
+        }
+
+    @staticmethod
+    def from_data(data: Mapping[str, Any]) -> "Joint":
+        """Read what `to_data` wrote."""
+        limits, follows, needs = data["limits"], data["follows"], data["needs"]
+        return Joint(
+            name=data["name"],
+            kind=data["kind"],
+            parent=data["parent"],
+            child=data["child"],
+            axis=np.array(data["axis"], float),
+            pivot=np.array(data["pivot"], float),
+            limits=None if limits is None else (limits[0], limits[1]),
+            **{field: data[field] for field in DYNAMICS},
+            follows=None if follows is None else Coupling(**follows),
+            needs=None if needs is None else Dependency.from_data(needs),
+        )
+
+
+DYNAMICS = ("stiffness", "damping", "friction", "rest", "armature", "effort", "velocity")
+"""The fields of a joint that are one number each, in SI units."""
+
+
+def rotation(axis: Array, angle: float) -> Array:
+    """Return the rotation about a unit axis, shape (3, 3) (Rodrigues' formula)."""
+    x, y, z = axis
+    cross = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
+    result: Array = np.eye(3) + np.sin(angle) * cross + (1.0 - np.cos(angle)) * (cross @ cross)
+    return result
+
+
+def positions_of_followers(joints: Mapping[str, Joint], q: dict[str, float]) -> dict[str, float]:
+    """Add the positions of coupled joints to those of the free ones.
+
+    Raises:
+        AssetError: Couplings form a circle.
+    """
+    result = dict(q)
+    for name in joints:
+        chain: list[str] = []
+        current = name
+        while current not in result:
+            if current in chain:
+                raise AssetError(f"the couplings of joints {', '.join(sorted(chain))} form a circle")
+            chain.append(current)
+            follows = joints[current].follows
+            assert follows is not None, f"joint {current} has no position"
+            current = follows.leader
+        for follower in reversed(chain):
+            coupling = joints[follower].follows
+            assert coupling is not None
+            result[follower] = coupling.ratio * result[coupling.leader] + coupling.offset
+    return result

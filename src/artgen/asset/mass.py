@@ -1,0 +1,125 @@
+"""Mass, centre of mass and inertia of polyhedra, exactly.
+
+The integrals over a polyhedron are sums over the tetrahedra that its triangles span with a reference
+point; see B. Mirtich, Fast and accurate computation of polyhedral mass properties, 1996.
+"""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from artgen.errors import AssetError
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class Moments:
+    """Integrals over a solid about the origin: 1, x, and x x^T, each times density.
+
+    Attributes:
+        zeroth: Mass [kg] (or volume [m^3] at density 1).
+        first: Shape (3,) [kg m].
+        second: Shape (3, 3) [kg m^2].
+    """
+
+    zeroth: float
+    first: Array
+    second: Array
+
+    def scaled(self, factor: float) -> "Moments":
+        """Return the moments at another density."""
+        return Moments(self.zeroth * factor, self.first * factor, self.second * factor)
+
+
+@dataclass(frozen=True, eq=False)
+class MassProperties:
+    """What a rigid body's motion depends on.
+
+    Attributes:
+        mass: [kg].
+        center: Centre of mass in asset coordinates at rest, shape (3,) [m].
+        inertia: About the centre of mass, along the asset's axes, shape (3, 3) [kg m^2].
+    """
+
+    mass: float
+    center: Array
+    inertia: Array
+
+    def principal(self) -> tuple[Array, Array]:
+        """Return the principal moments, shape (3,), and the rotation to the principal axes, shape (3, 3).
+
+        The rotation's columns are the axes in asset coordinates; its determinant is +1 and its signs
+        do not depend on the linear-algebra library.
+        """
+        moments, axes = np.linalg.eigh(self.inertia)
+        for column in (0, 1):
+            if axes[np.argmax(np.abs(axes[:, column]) > 0.5), column] < 0.0:
+                axes[:, column] = -axes[:, column]
+        axes[:, 2] = np.cross(axes[:, 0], axes[:, 1])
+        return moments, axes
+
+    def moments(self) -> Moments:
+        """Return the moments about the asset's origin that these properties stand for."""
+        about_center = 0.5 * np.trace(self.inertia) * np.eye(3) - self.inertia
+        second = about_center + self.mass * np.outer(self.center, self.center)
+        return Moments(self.mass, self.mass * self.center, second)
+
+    def to_data(self) -> dict[str, Any]:
+        """Return the numbers as JSON data."""
+        return {"mass": self.mass, "center": self.center.tolist(), "inertia": self.inertia.tolist()}
+
+    @staticmethod
+    def from_data(data: dict[str, Any]) -> "MassProperties":
+        """Read what `to_data` wrote."""
+        return MassProperties(data["mass"], np.array(data["center"]), np.array(data["inertia"]))
+
+
+def polyhedron_moments(vertices: Array, triangles: NDArray[np.int64]) -> Moments:
+    """Integrate over a closed polyhedron of density 1.
+
+    Args:
+        vertices: Shape (n, 3) [m].
+        triangles: Counter-clockwise seen from outside, shape (m, 3).
+    """
+    reference = 0.5 * (vertices.min(axis=0) + vertices.max(axis=0))
+    corners = (vertices - reference)[triangles]
+    a, b, c = corners[:, 0], corners[:, 1], corners[:, 2]
+    six_volumes = np.einsum("ij,ij->i", a, np.cross(b, c))
+    volume = float(six_volumes.sum()) / 6.0
+    total = a + b + c
+    first = (six_volumes[:, None] * total).sum(axis=0) / 24.0
+    weighted = six_volumes[:, None] * corners.sum(axis=1)
+    second = total.T @ weighted + sum(
+        corner.T @ (six_volumes[:, None] * corner) for corner in (a, b, c)
+    )
+    return _shifted(Moments(volume, first, second / 120.0), reference)
+
+
+def _shifted(moments: Moments, origin: Array) -> Moments:
+    """Express moments taken about `origin` about the asset's origin."""
+    cross = np.outer(moments.first, origin)
+    return Moments(
+        moments.zeroth,
+        moments.first + moments.zeroth * origin,
+        moments.second + cross + cross.T + moments.zeroth * np.outer(origin, origin),
+    )
+
+
+def total(moments: Iterable[Moments]) -> MassProperties:
+    """Add up solids and express the sum as a rigid body's mass properties.
+
+    Raises:
+        AssetError: The total mass is not positive.
+    """
+    parts = list(moments)
+    mass = float(sum(part.zeroth for part in parts))
+    if not mass > 0.0:
+        raise AssetError(f"a link of mass {mass:.3g} kg cannot move; give it a solid with a density")
+    center = np.sum([part.first for part in parts], axis=0) / mass
+    second = np.sum([part.second for part in parts], axis=0) - mass * np.outer(center, center)
+    second = 0.5 * (second + second.T)
+    return MassProperties(mass, center, np.trace(second) * np.eye(3) - second)

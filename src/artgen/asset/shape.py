@@ -1,0 +1,157 @@
+"""The value of a solid: a watertight manifold, the paint of its faces and its convex pieces, in step."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+
+import numpy as np
+from manifold3d import Error, Manifold, Mesh64
+from numpy.typing import NDArray
+
+from artgen.colliders import Pieces
+from artgen.materials import Material
+
+Array = NDArray[np.float64]
+Indices = NDArray[np.int64]
+
+PROPERTIES = 6
+"""Vertex property channels of every manifold: nx ny nz u v paint."""
+
+_COINCIDENT = 1e-9  # [m]: vertices closer than this are one point of the surface
+_HAS_NORMALS = 2  # bit of a mesh run: the first three channels are normals, to be turned with the solid
+
+
+@dataclass(frozen=True, eq=False)
+class Mesh:
+    """Triangles with normals, texture coordinates and paint.
+
+    Attributes:
+        vertices: Positions, shape (n, 3) [m].
+        normals: Unit normals, shape (n, 3).
+        uvs: Texture coordinates, shape (n, 2) [m].
+        paints: Paint number of each vertex, 0 for the material of the part, shape (n,).
+        triangles: Vertex indices, counter-clockwise seen from outside, shape (m, 3).
+    """
+
+    vertices: Array
+    normals: Array
+    uvs: Array
+    paints: Indices
+    triangles: Indices
+
+
+@dataclass(frozen=True, eq=False)
+class Shape:
+    """A solid.
+
+    Attributes:
+        manifold: The watertight surface, with the channels of `PROPERTIES`.
+        pieces: Convex pieces that cover the solid, found from how it was made.
+        paints: The materials of painted faces by paint number; faces numbered 0 take the part's material.
+    """
+
+    manifold: Manifold
+    pieces: Pieces
+    paints: Mapping[int, Material] = field(default_factory=dict)
+
+    @staticmethod
+    def from_mesh(
+        vertices: Array,
+        normals: Array,
+        uvs: Array,
+        triangles: Indices,
+        pieces: Pieces,
+        *,
+        targets: Indices | None = None,
+        paints: Indices | None = None,
+        paint_materials: Mapping[int, Material] | None = None,
+    ) -> "Shape":
+        """Make a solid of triangles; vertices at one place are joined, whatever their normals.
+
+        Args:
+            vertices: Positions, shape (n, 3) [m].
+            normals: Unit normals, shape (n, 3).
+            uvs: Texture coordinates, shape (n, 2) [m].
+            triangles: Vertex indices, counter-clockwise seen from outside, shape (m, 3).
+            pieces: Convex pieces that cover the solid.
+            targets: For each vertex, the first vertex at the same point of the surface, shape (n,); found
+                by position when the maker does not know.
+            paints: Paint number of each vertex, shape (n,); all 0 by default.
+            paint_materials: Material of each paint number.
+
+        Raises:
+            ValueError: The triangles do not close to a solid of positive volume.
+        """
+        target = _coincident(vertices) if targets is None else targets
+        faces = target[triangles]
+        proper = (
+            (faces[:, 0] != faces[:, 1]) & (faces[:, 1] != faces[:, 2]) & (faces[:, 2] != faces[:, 0])
+        )
+        duplicate = np.flatnonzero(target != np.arange(len(vertices)))
+        properties = np.zeros((len(vertices), 3 + PROPERTIES))
+        properties[:, :3] = vertices[target]
+        properties[:, 3:6] = normals
+        properties[:, 6:8] = uvs
+        if paints is not None:
+            properties[:, 8] = paints
+        kept = triangles[proper].astype(np.uint64)
+        mesh = Mesh64(
+            properties,
+            kept,
+            duplicate.astype(np.uint64),
+            target[duplicate].astype(np.uint64),
+            run_index=np.array([0, 3 * len(kept)], np.uint64),
+            run_original_id=np.array([Manifold.reserve_ids(1)], np.uint32),
+            run_flags=np.array([_HAS_NORMALS], np.uint8),
+        )
+        return Shape(Manifold(mesh), pieces, paint_materials or {}).checked()
+
+    def checked(self) -> "Shape":
+        """Force the manifold and return the shape if it is a solid.
+
+        Raises:
+            ValueError: It is empty, not a closed manifold, not finite, or turned inside out.
+        """
+        status = self.manifold.status()
+        if status != Error.NoError:
+            raise ValueError(f"the surface is not a closed manifold ({status.name})")
+        if self.manifold.is_empty():
+            raise ValueError("the result is empty")
+        volume = self.manifold.volume()
+        if not np.isfinite(volume):
+            raise ValueError("the surface has coordinates that are not finite")
+        if volume <= 0.0:
+            raise ValueError(f"the volume is {volume:.3g} m^3; a solid must have a positive one")
+        return self
+
+    def bounds(self) -> Array:
+        """Return the corners of the bounding box, shape (2, 3) [m]."""
+        return np.array(self.manifold.bounding_box(), float).reshape(2, 3)
+
+    @cached_property
+    def mesh(self) -> Mesh:
+        """The triangles of the surface, in one order for one shape however it was cached."""
+        raw = self.manifold.to_mesh64()
+        properties = np.asarray(raw.vert_properties)
+        triangles = np.asarray(raw.tri_verts).astype(np.int64)
+        normals = properties[:, 3:6]
+        length = np.linalg.norm(normals, axis=1, keepdims=True)
+        return Mesh(
+            np.ascontiguousarray(properties[:, :3]),
+            normals / np.where(length > 0.0, length, 1.0),
+            np.ascontiguousarray(properties[:, 6:8]),
+            np.rint(properties[:, 8]).astype(np.int64),
+            triangles,
+        )
+
+    def transformed(self, matrix: Array) -> "Shape":
+        """Return the shape moved by an affine matrix, shape (4, 4)."""
+        moved = self.manifold.transform(np.ascontiguousarray(matrix[:3]))
+        return Shape(moved, self.pieces.transformed(matrix), self.paints)
+
+
+def _coincident(vertices: Array) -> Indices:
+    """Return for each vertex the first vertex at its place."""
+    quantised = np.rint(vertices / _COINCIDENT).astype(np.int64)
+    _, first, group = np.unique(quantised, axis=0, return_index=True, return_inverse=True)
+    return first[group.ravel()]

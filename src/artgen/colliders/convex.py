@@ -1,0 +1,249 @@
+"""One convex piece: a primitive that simulators know, or the hull of its points."""
+
+import math
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Literal
+
+import numpy as np
+from manifold3d import Manifold
+from numpy.typing import NDArray
+
+from artgen.colliders.approximate import (
+    circle_sides,
+    circumscribed_circle,
+    inscribed_circle,
+    sphere_points,
+)
+from artgen.colliders.polytope import Polytope
+
+Array = NDArray[np.float64]
+Kind = Literal["box", "cylinder", "sphere", "capsule", "hull"]
+
+TOLERANCE = 0.00025
+"""How far facets may stand off a round piece unless said otherwise [m]."""
+
+_SQUARE = 1e-9  # relative error of angles and lengths within which a piece keeps its kind
+_NO_POINTS = np.empty((0, 3))
+_IDENTITY = np.eye(4)
+
+
+@dataclass(frozen=True, eq=False)
+class Convex:
+    """A convex piece of a solid, in asset coordinates.
+
+    Attributes:
+        kind: `box`, `cylinder`, `sphere`, `capsule` (round ones along local z) or `hull`.
+        pose: Rigid transform from the piece's frame to the asset's, shape (4, 4) [m]; identity for hulls.
+        size: box: full lengths (x, y, z); cylinder: (radius, length); sphere: (radius,);
+            capsule: (radius, length between the centres of its ends); hull: () [m].
+        points: Hull vertices in asset coordinates, shape (n, 3) [m]; empty for the other kinds.
+        polytope: The faces of a hull where they are known already.
+    """
+
+    kind: Kind
+    pose: Array
+    size: tuple[float, ...] = ()
+    points: Array = field(default_factory=lambda: _NO_POINTS)
+    polytope: Polytope | None = field(default=None, repr=False)
+
+    @classmethod
+    def box(cls, size: tuple[float, float, float] | Array, pose: Array = _IDENTITY) -> "Convex":
+        """Make a box of full lengths (x, y, z) [m] centred on its frame."""
+        return cls("box", *_checked("box", pose, size, 3))
+
+    @classmethod
+    def cylinder(cls, radius: float, length: float, pose: Array = _IDENTITY) -> "Convex":
+        """Make a cylinder along z of its frame, centred [m]."""
+        return cls("cylinder", *_checked("cylinder", pose, (radius, length), 2))
+
+    @classmethod
+    def sphere(cls, radius: float, pose: Array = _IDENTITY) -> "Convex":
+        """Make a sphere centred on its frame [m]."""
+        return cls("sphere", *_checked("sphere", pose, (radius,), 1))
+
+    @classmethod
+    def capsule(cls, radius: float, length: float, pose: Array = _IDENTITY) -> "Convex":
+        """Make a capsule along z of its frame; the length [m] is between the centres of its round ends."""
+        return cls("capsule", *_checked("capsule", pose, (radius, length), 2))
+
+    @classmethod
+    def hull(cls, points: Array) -> "Convex":
+        """Make the convex hull of points, shape (n, 3) [m]; a rectangular block becomes a box.
+
+        Raises:
+            ValueError: The points are fewer than four, not finite, or lie in one plane.
+        """
+        return cls.of(Polytope.hull(np.asarray(points, np.float64)))
+
+    @classmethod
+    def of(cls, polytope: Polytope) -> "Convex":
+        """Make the piece of a polytope: a box where it is one, else a hull."""
+        return _as_box(polytope) or cls("hull", _IDENTITY, (), polytope.points, polytope)
+
+    @cached_property
+    def faces(self) -> Polytope:
+        """The polytope of a box or hull; of round kinds the one around it at the usual tolerance."""
+        if self.polytope is not None:
+            return self.polytope
+        if self.kind == "hull":
+            return Polytope.hull(self.points)
+        if self.kind == "box":
+            half = np.array(self.size) / 2.0
+            return Polytope.box(-half, half).transformed(self.pose)
+        return self.outer_polytope(TOLERANCE)
+
+    def outer_polytope(self, tolerance: float) -> Polytope:
+        """Return a polytope that contains the piece, exceeding it by the tolerance [m] at most."""
+        if self.kind in ("box", "hull"):
+            return self.faces
+        radius = self.size[0]
+        if self.kind == "cylinder":
+            sides = circle_sides(radius, tolerance)
+            return self._prism(circumscribed_circle(radius, sides))
+        return self._rounded(sphere_points(radius, tolerance))
+
+    def inner_polytope(self, tolerance: float) -> Polytope:
+        """Return a polytope within the piece, falling short by the tolerance [m] at most."""
+        if self.kind in ("box", "hull"):
+            return self.faces
+        radius = self.size[0]
+        if self.kind == "cylinder":
+            return self._prism(inscribed_circle(radius, circle_sides(radius, tolerance)))
+        return self._rounded(sphere_points(radius, tolerance, inscribed=True))
+
+    def _prism(self, polygon: Array) -> Polytope:
+        half = self.size[1] / 2.0
+        return Polytope.prism(polygon, -half, half).transformed(self.pose)
+
+    def _rounded(self, ball: Array) -> Polytope:
+        if self.kind == "capsule":
+            end = np.array([0.0, 0.0, self.size[1] / 2.0])
+            ball = np.concatenate((ball + end, ball - end))
+        return Polytope.hull(ball).transformed(self.pose)
+
+    def outer_points(self, tolerance: float = TOLERANCE) -> Array:
+        """Return vertices of a polytope that contains the piece, exceeding it by the tolerance [m] at most."""
+        return self.outer_polytope(tolerance).points
+
+    def inner_points(self, tolerance: float = TOLERANCE) -> Array:
+        """Return vertices of a polytope within the piece, short of it by the tolerance [m] at most."""
+        return self.inner_polytope(tolerance).points
+
+    def manifold(self, tolerance: float = TOLERANCE) -> Manifold:
+        """Return the piece as a manifold; a round one as a polytope around it."""
+        return self.outer_polytope(tolerance).manifold()
+
+    def bounds(self) -> Array:
+        """Return the corners of the bounding box, shape (2, 3) [m]."""
+        return self._bounds
+
+    @cached_property
+    def _bounds(self) -> Array:
+        if self.kind == "hull":
+            return np.array((self.points.min(axis=0), self.points.max(axis=0)))
+        turn, centre = self.pose[:3, :3], self.pose[:3, 3]
+        axis = np.abs(turn[:, 2])
+        if self.kind == "box":
+            half = np.abs(turn) @ (np.array(self.size) / 2.0)
+        elif self.kind == "sphere":
+            half = np.full(3, self.size[0])
+        elif self.kind == "capsule":
+            half = axis * (self.size[1] / 2.0) + self.size[0]
+        else:
+            rim = np.sqrt(np.maximum(1.0 - axis * axis, 0.0))
+            half = axis * (self.size[1] / 2.0) + rim * self.size[0]
+        return np.array((centre - half, centre + half))
+
+    @cached_property
+    def volume(self) -> float:
+        """The volume [m^3]."""
+        if self.kind == "hull":
+            return self.faces.volume
+        if self.kind == "box":
+            return math.prod(self.size)
+        disc = math.pi * self.size[0] ** 2
+        ball = 4.0 / 3.0 * disc * self.size[0]
+        if self.kind == "sphere":
+            return ball
+        return disc * self.size[1] + (ball if self.kind == "capsule" else 0.0)
+
+    def transformed(self, matrix: Array, tolerance: float = TOLERANCE, *, inner: bool = False) -> "Convex":
+        """Return the piece moved by an affine matrix, shape (4, 4).
+
+        A round piece that is not round afterwards becomes a hull around it (within it where `inner`),
+        facetted to the tolerance [m] before the move.
+
+        Raises:
+            ValueError: The matrix is not finite or flattens the piece.
+        """
+        linear = matrix[:3, :3]
+        determinant = np.linalg.det(linear)
+        if not abs(determinant) > 0.0 or not np.isfinite(matrix).all():
+            raise ValueError(f"a piece cannot be moved by a matrix of determinant {determinant:.3g}")
+        if self.kind == "hull":
+            return Convex.of(self.faces.transformed(matrix))
+        columns = linear @ self.pose[:3, :3]
+        scale = np.sqrt(np.sum(columns * columns, axis=0))
+        gram = (columns / scale).T @ (columns / scale)
+        square = bool(np.abs(gram - np.eye(3)).max() <= _SQUARE)
+        even = abs(scale[0] - scale[1]) <= _SQUARE * scale[0]
+        same = even and abs(scale[0] - scale[2]) <= _SQUARE * scale[0]
+        if square and (self.kind == "box" or (self.kind == "cylinder" and even) or same):
+            pose = np.eye(4)
+            pose[:3, :3] = columns / scale
+            if determinant < 0.0:
+                pose[:3, 0] *= -1.0  # all primitives are their own mirror image
+            pose[:3, 3] = linear @ self.pose[:3, 3] + matrix[:3, 3]
+            factors = scale if self.kind == "box" else scale[[0, 2]]
+            size = tuple(float(s * f) for s, f in zip(self.size, factors, strict=False))
+            return Convex(self.kind, pose, size)
+        shape = self.inner_polytope(tolerance) if inner else self.outer_polytope(tolerance)
+        return Convex.of(shape.transformed(matrix))
+
+
+def _checked(
+    kind: str, pose: Array, size: tuple[float, ...] | Array, count: int
+) -> tuple[Array, tuple[float, ...]]:
+    """Return pose and size of a primitive, or refuse them."""
+    lengths = tuple(float(length) for length in size)
+    if len(lengths) != count or not all(math.isfinite(length) and length > 0.0 for length in lengths):
+        raise ValueError(f"a {kind} needs {count} positive lengths [m], got {lengths}")
+    pose = np.asarray(pose, np.float64)
+    turn = pose[:3, :3]
+    if pose.shape != (4, 4) or not np.isfinite(pose).all() or np.abs(turn.T @ turn - np.eye(3)).max() > 1e-6:
+        raise ValueError(f"a {kind} needs a rigid pose of shape (4, 4), got {pose.tolist()}")
+    return pose, lengths
+
+
+def _as_box(polytope: Polytope) -> Convex | None:
+    """Return a polytope as a box if it is a rectangular block."""
+    if len(polytope.points) != 8 or len(polytope.planes) != 6:
+        return None
+    normals = polytope.planes[:, :3]
+    cosine = normals @ normals.T
+    opposite = np.argmin(cosine, axis=1)
+    square = np.abs(np.abs(cosine) - np.rint(np.abs(cosine))).max() <= _SQUARE
+    if not square or (np.rint(cosine).sum(axis=1) != 0.0).any():
+        return None
+    axes = [j for j in range(6) if j < opposite[j]]
+    if len(axes) != 3:
+        return None
+    # The frame nearest to the asset's: the box that was never turned gets the identity.
+    turn = np.empty((3, 3))
+    size = np.empty(3)
+    free = list(axes)
+    for column in range(3):
+        face = max(free, key=lambda j: abs(normals[j, column]))
+        free.remove(face)
+        turn[:, column] = np.copysign(1.0, normals[face, column]) * normals[face]
+        size[column] = polytope.planes[face, 3] + polytope.planes[opposite[face], 3]
+    if np.linalg.det(turn) < 0.0:
+        turn[:, 2] *= -1.0
+    if np.abs(turn - np.eye(3)).max() <= 1e-12:
+        turn = np.eye(3)
+    pose = np.eye(4)
+    pose[:3, :3] = turn
+    lower, upper = polytope.points.min(axis=0), polytope.points.max(axis=0)
+    pose[:3, 3] = (lower + upper) / 2.0
+    return Convex("box", pose, (float(size[0]), float(size[1]), float(size[2])), polytope=polytope)

@@ -1,0 +1,238 @@
+"""Convex polytopes with their faces, cut by planes without a hull in between.
+
+A polytope keeps its vertices, its face planes and which vertex lies on which face. Two vertices that share
+two faces are the ends of an edge, so a cut needs no search for topology: new vertices lie on the crossing
+edges and inherit the faces of their edge. Face planes are inherited and never refitted, so a long row of cuts
+does not drift.
+"""
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Self
+
+import numpy as np
+from manifold3d import Manifold
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+Mask = NDArray[np.bool_]
+Indices = NDArray[np.int64]
+
+SNAP = 1e-9
+"""A vertex closer to a cutting plane than this lies on it [m]."""
+
+SLIVER = 1e-6
+"""Pieces thinner than this are dropped [m]."""
+
+_COPLANAR = 1e-8  # [m]: hull points closer than this to a face lie on it
+
+_BOX_SIGNS = np.array([[x, y, z] for x in (-0.5, 0.5) for y in (-0.5, 0.5) for z in (-0.5, 0.5)])
+_BOX_NORMALS = np.array(
+    [[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]], dtype=np.float64
+)
+_BOX_CONTACT = _BOX_SIGNS @ _BOX_NORMALS.T == 0.5
+
+
+@dataclass(frozen=True, eq=False)
+class Polytope:
+    """A convex solid bounded by planes.
+
+    Attributes:
+        points: Vertices, shape (n, 3) [m].
+        planes: Faces as (nx, ny, nz, d) with unit outward normals, inside is `n.x <= d`, shape (k, 4).
+        contact: Whether vertex i lies on face j, shape (n, k).
+    """
+
+    points: Array
+    planes: Array
+    contact: Mask
+
+    @classmethod
+    def box(cls, lower: Array, upper: Array) -> Self:
+        """Make an axis-aligned box from its corners, each shape (3,) [m]."""
+        centre, size = (lower + upper) / 2.0, upper - lower
+        planes = np.empty((6, 4))
+        planes[:, :3] = _BOX_NORMALS
+        planes[0::2, 3] = upper
+        planes[1::2, 3] = -lower
+        return cls(centre + _BOX_SIGNS * size, planes, _BOX_CONTACT)
+
+    @classmethod
+    def prism(cls, polygon: Array, bottom: float, top: float) -> Self:
+        """Make a prism along z of a strictly convex counter-clockwise polygon, shape (k, 2) [m]."""
+        count = len(polygon)
+        points = np.empty((2 * count, 3))
+        points[:count, :2] = points[count:, :2] = polygon
+        points[:count, 2] = bottom
+        points[count:, 2] = top
+        side = np.roll(polygon, -1, axis=0) - polygon
+        planes = np.zeros((count + 2, 4))
+        planes[:count, 0] = side[:, 1]
+        planes[:count, 1] = -side[:, 0]
+        planes[:count] /= np.hypot(side[:, 0], side[:, 1])[:, None]
+        planes[:count, 3] = np.sum(planes[:count, :2] * polygon, axis=1)
+        planes[count] = (0.0, 0.0, -1.0, -bottom)
+        planes[count + 1] = (0.0, 0.0, 1.0, top)
+        corner = np.eye(count, dtype=bool) | np.eye(count, k=-1, dtype=bool)
+        corner[0, -1] = True
+        contact = np.zeros((2 * count, count + 2), dtype=bool)
+        contact[:count, :count] = contact[count:, :count] = corner
+        contact[:count, count] = contact[count:, count + 1] = True
+        return cls(points, planes, contact)
+
+    @classmethod
+    def hull(cls, points: Array) -> Self:
+        """Make the convex hull of points, shape (n, 3) [m], without the redundant ones.
+
+        Raises:
+            ValueError: The points are fewer than four, not finite, or lie in one plane.
+        """
+        if points.ndim != 2 or points.shape[1] != 3 or len(points) < 4:
+            raise ValueError(f"a hull needs at least 4 points of shape (n, 3), got shape {points.shape}")
+        if not np.isfinite(points).all():
+            raise ValueError("a hull needs finite points, got NaN or infinity")
+        centre = (points.min(axis=0) + points.max(axis=0)) / 2.0
+        solid = Manifold.hull_points(np.ascontiguousarray(points - centre))
+        if solid.is_empty():
+            raise ValueError(f"the {len(points)} points lie in one plane; a hull needs a volume")
+        mesh = solid.to_mesh64()
+        vertices = np.array(mesh.vert_properties)[:, :3]
+        triangles = np.asarray(mesh.tri_verts).astype(np.int64)
+        planes, contact = _faces(vertices, triangles)
+        while True:
+            corner = np.count_nonzero(contact, axis=1) >= 3
+            face = np.count_nonzero(contact[corner], axis=0) >= 3
+            contact = contact[corner][:, face]
+            vertices, planes = vertices[corner], planes[face]
+            if corner.all() and face.all():
+                break
+        if len(vertices) < 4 or len(planes) < 4:
+            raise ValueError(f"the {len(points)} points lie in one plane to 1e-8 m; a hull needs a volume")
+        planes[:, 3] += planes[:, :3] @ centre
+        return cls(vertices + centre, planes, contact)
+
+    @cached_property
+    def volume(self) -> float:
+        """The volume [m^3]."""
+        return float(self.manifold().volume())
+
+    @cached_property
+    def bounds(self) -> Array:
+        """Corners of the bounding box, shape (2, 3) [m]."""
+        return np.array((self.points.min(axis=0), self.points.max(axis=0)))
+
+    @cached_property
+    def width(self) -> float:
+        """The least thickness measured square to a face [m]."""
+        reach = self.planes[:, :3] @ self.points.T
+        return float((self.planes[:, 3] - reach.min(axis=1)).min())
+
+    def manifold(self) -> Manifold:
+        """Return the solid as a manifold."""
+        return Manifold.hull_points(np.ascontiguousarray(self.points))
+
+    def heights(self, planes: Array) -> Array:
+        """Return how far each vertex lies outside each plane, shape (k, n) [m]."""
+        distances: Array = planes[:, :3] @ self.points.T - planes[:, 3:]
+        return distances
+
+    def transformed(self, matrix: Array) -> "Polytope":
+        """Return the polytope moved by an invertible affine matrix, shape (4, 4)."""
+        linear, shift = matrix[:3, :3], matrix[:3, 3]
+        planes = np.empty_like(self.planes)
+        normals = self.planes[:, :3] @ np.linalg.inv(linear)
+        length = np.sqrt(np.sum(normals * normals, axis=1))
+        planes[:, :3] = normals / length[:, None]
+        planes[:, 3] = self.planes[:, 3] / length + planes[:, :3] @ shift
+        return Polytope(self.points @ linear.T + shift, planes, self.contact)
+
+    def split(self, plane: Array) -> tuple["Polytope | None", "Polytope | None"]:
+        """Return the parts behind and before a plane (nx, ny, nz, d); None for a part without volume."""
+        height = self.points @ plane[:3] - plane[3]
+        if height.max() <= SNAP:
+            return self, None
+        if height.min() >= -SNAP:
+            return None, self
+        below, above = np.flatnonzero(height < -SNAP), np.flatnonzero(height > SNAP)
+        on = np.abs(height) <= SNAP
+        faces = self.contact.astype(np.float32)
+        lower, upper = np.nonzero(faces[below] @ faces[above].T > 1.5)
+        lower, upper = below[lower], above[upper]
+        share = height[lower] / (height[lower] - height[upper])
+        start = self.points[lower]
+        fresh = start + share[:, None] * (self.points[upper] - start)
+        fresh_contact = self.contact[lower] & self.contact[upper]
+        return (
+            self._part(height <= SNAP, on, fresh, fresh_contact, plane),
+            self._part(height >= -SNAP, on, fresh, fresh_contact, -plane),
+        )
+
+    def _part(self, kept: Mask, on: Mask, fresh: Array, fresh_contact: Mask, plane: Array) -> "Polytope":
+        """Assemble one side of a cut from the kept and the fresh vertices."""
+        old = self.contact[kept]
+        count = len(old)
+        contact = np.ones((count + len(fresh), len(self.planes) + 1), dtype=bool)
+        contact[:count, :-1] = old
+        contact[count:, :-1] = fresh_contact
+        contact[:count, -1] = on[kept]
+        face = np.count_nonzero(contact, axis=0) >= 3
+        face[-1] = True
+        planes = np.concatenate((self.planes, plane[None]))
+        return Polytope(np.concatenate((self.points[kept], fresh)), planes[face], contact[:, face])
+
+    def clipped(self, planes: Array) -> "Polytope | None":
+        """Return the part behind all planes, shape (k, 4), or None where nothing thicker than a sliver is."""
+        part: Polytope | None = self
+        for plane in planes[(self.heights(planes) > SNAP).any(axis=1)]:
+            assert part is not None
+            part = part.split(plane)[0]
+            if part is None:
+                return None
+        assert part is not None
+        return part if part is self or part.width >= SLIVER else None
+
+    def inflated(self, margin: float) -> "Polytope":
+        """Return a polytope that holds all points within about `margin` [m] of this one.
+
+        Each face moves outward by the margin; a plane at each vertex keeps sharp edges from growing spikes.
+        """
+        mean = self.contact.astype(np.float64) @ self.planes[:, :3]
+        length = np.sqrt(np.sum(mean * mean, axis=1))
+        mean = mean[length > 1e-9] / length[length > 1e-9, None]
+        reach = (mean @ self.points.T).max(axis=1)
+        planes = np.concatenate((self.planes, np.column_stack((mean, reach))))
+        planes[:, 3] += margin
+        lower, upper = self.bounds
+        grown = Polytope.box(lower - margin, upper + margin).clipped(planes)
+        assert grown is not None
+        return grown
+
+    def contains(self, points: Array, margin: float = 0.0) -> bool:
+        """Tell whether all points, shape (n, 3), are inside or at most `margin` [m] outside the faces."""
+        return bool((self.planes[:, :3] @ points.T - self.planes[:, 3:]).max() <= margin)
+
+
+def _faces(vertices: Array, triangles: Indices) -> tuple[Array, Mask]:
+    """Join the coplanar triangles of a hull to faces: their planes and vertex contacts."""
+    corners = vertices[triangles]
+    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    area = np.sqrt(np.sum(normals * normals, axis=1))
+    sides = corners - np.roll(corners, 1, axis=1)
+    longest = np.sqrt(np.sum(sides * sides, axis=2)).max(axis=1)
+    order = np.argsort(-area, kind="stable")
+    order = order[area[order] > _COPLANAR * longest[order]]  # the normal of a needle means nothing
+    normals = normals[order] / area[order, None]
+    reach = normals @ vertices.T
+    offset = reach.max(axis=1)
+    touching = reach >= offset[:, None] - _COPLANAR
+    seen: dict[bytes, int] = {}
+    for row, key in enumerate(np.packbits(touching, axis=1)):
+        seen.setdefault(key.tobytes(), row)
+    rows = np.fromiter(seen.values(), np.int64)
+    touching = touching[rows]
+    shared = touching.astype(np.float32)
+    common = shared @ shared.T
+    count = np.diagonal(common)
+    inside = (common >= count[:, None]) & (count[None, :] > count[:, None])
+    rows, touching = rows[~inside.any(axis=1)], touching[~inside.any(axis=1)]
+    return np.column_stack((normals[rows], offset[rows])), touching.T

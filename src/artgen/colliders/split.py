@@ -1,0 +1,149 @@
+"""Cut convex pieces by convex pieces: differences and intersections that stay exact."""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from artgen.colliders.convex import Array, Convex
+from artgen.colliders.polytope import SLIVER, SNAP, Polytope
+
+_PARALLEL = 1e-12  # 1 - cosine below which a plane is square to a cylinder's axis
+
+
+@dataclass(frozen=True, eq=False)
+class Facetted:
+    """A piece beside the polytope that stands in for it when it is cut.
+
+    Attributes:
+        piece: The piece, kept as it is where no cut touches it.
+        shape: The piece itself, or the polytope around (or within) it if it is round.
+    """
+
+    piece: Convex
+    shape: Polytope
+
+    @classmethod
+    def around(cls, piece: Convex, tolerance: float) -> "Facetted":
+        """Facet a round piece on the outside, to the tolerance [m]."""
+        return cls(piece, piece.outer_polytope(tolerance))
+
+    @classmethod
+    def within(cls, piece: Convex, tolerance: float) -> "Facetted":
+        """Facet a round piece on the inside, to the tolerance [m]."""
+        return cls(piece, piece.inner_polytope(tolerance))
+
+    @classmethod
+    def of(cls, shape: Polytope) -> "Facetted":
+        """Make the piece of a polytope."""
+        return cls(Convex.of(shape), shape)
+
+
+def subtract(pieces: Sequence[Facetted], cutters: Iterable[Polytope]) -> list[Facetted]:
+    """Return the pieces without the cutters: each cut piece in few convex parts, the others as they were."""
+    rest = list(pieces)
+    for cutter in cutters:
+        kept: list[Facetted] = []
+        touched = _near(rest, cutter.bounds)
+        for near, piece in zip(touched, rest, strict=True):
+            parts = _without(piece, cutter) if near else None
+            kept.extend([piece] if parts is None else parts)
+        rest = kept
+    return rest
+
+
+def intersect(pieces: Sequence[Facetted], others: Sequence[Facetted]) -> list[Facetted]:
+    """Return what each piece shares with each of the others."""
+    shared: list[Facetted] = []
+    for other in others:
+        for near, piece in zip(_near(pieces, other.shape.bounds), pieces, strict=True):
+            if near:
+                common = _common(piece, other)
+                if common is not None:
+                    shared.append(common)
+    return shared
+
+
+def _near(pieces: Sequence[Facetted], bounds: Array) -> list[bool]:
+    """Tell which pieces have a bounding box that reaches into the given one."""
+    if not pieces:
+        return []
+    boxes = np.array([piece.shape.bounds for piece in pieces])
+    reach = (boxes[:, 1] > bounds[0] + SNAP) & (boxes[:, 0] < bounds[1] - SNAP)
+    found: list[bool] = reach.all(axis=1).tolist()
+    return found
+
+
+def _without(piece: Facetted, cutter: Polytope) -> list[Facetted] | None:
+    """Return the parts of a piece outside a cutter, or None if the two share no volume.
+
+    The plane beyond which most of the rest lies cuts first: large parts come off whole, and only the
+    neighbourhood of the cutter is cut into small ones.
+    """
+    if (cutter.heights(piece.shape.planes).min(axis=1) >= -SLIVER).any():
+        return None
+    parts: list[Facetted] = []
+    rest, planes = piece, cutter.planes
+    while True:
+        heights = rest.shape.heights(planes)
+        if (heights.min(axis=1) >= -SLIVER).any():
+            return None
+        reach = heights.max(axis=1)
+        far = int(np.argmax(reach))
+        if reach[far] <= SLIVER:
+            return parts if rest.shape.width >= SLIVER else None
+        inside, outside = _split(rest, planes[far])
+        if outside is not None and outside.shape.width >= SLIVER:
+            parts.append(outside)
+        if inside is None:
+            return None
+        rest = inside
+        planes = np.delete(planes, far, axis=0)
+
+
+def _common(piece: Facetted, other: Facetted) -> Facetted | None:
+    """Return what two pieces share; the one that lies within the other stays as it is."""
+    heights = piece.shape.heights(other.shape.planes)
+    if (heights.min(axis=1) >= -SLIVER).any():
+        return None
+    if heights.max() <= SNAP:
+        return piece
+    if other.shape.heights(piece.shape.planes).max() <= SNAP:
+        return other
+    rest: Facetted | None = piece
+    for plane in other.shape.planes[heights.max(axis=1) > SNAP]:
+        assert rest is not None
+        rest = _split(rest, plane)[0]
+        if rest is None:
+            return None
+    assert rest is not None
+    return rest if rest.shape.width >= SLIVER else None
+
+
+def _split(piece: Facetted, plane: Array) -> tuple[Facetted | None, Facetted | None]:
+    """Split a piece by a plane; a cylinder cut square to its axis leaves cylinders."""
+    inside, outside = piece.shape.split(plane)
+    if inside is piece.shape:
+        return piece, None
+    if outside is piece.shape:
+        return None, piece
+    convex = piece.piece
+    if convex.kind == "cylinder":
+        axis = convex.pose[:3, 2]
+        cosine = float(axis @ plane[:3])
+        if 1.0 - abs(cosine) <= _PARALLEL and inside is not None and outside is not None:
+            return _shortened(convex, inside), _shortened(convex, outside)
+    return (
+        None if inside is None else _Part(inside),
+        None if outside is None else _Part(outside),
+    )
+
+
+def _shortened(cylinder: Convex, shape: Polytope) -> Facetted:
+    """Return the part of a cylinder between the ends of its facetted part."""
+    axis = cylinder.pose[:3, 2]
+    along = (shape.points - cylinder.pose[:3, 3]) @ axis
+    lower, upper = float(along.min()), float(along.max())
+    pose = cylinder.pose.copy()
+    pose[:3, 3] += axis * (lower + upper) / 2.0
+    return Facetted(Convex("cylinder", pose, (cylinder.size[0], upper - lower)), shape)

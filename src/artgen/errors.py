@@ -1,0 +1,64 @@
+"""Every error that artgen raises on purpose.
+
+    ArtgenError
+    ├── BuildError(ValueError)          a category is written wrongly (known while building)
+    │   └── GraphError                  a graph or graph file is malformed
+    ├── ParameterError(ValueError)      an unknown or impossible parameter, distribution or override
+    ├── EvaluationError(RuntimeError)   a kernel failed; names the author's file and line
+    ├── InfeasibleError(RuntimeError)   a sample that `require` ruled out, or no sample is feasible
+    ├── AssetError(ValueError)          an asset is inconsistent, or was asked for what it has not
+    ├── CheckError(RuntimeError)        a check found a fault
+    └── ExportError(OSError)            files could not be written or read
+
+Each is also the natural builtin, so `except ValueError` works. A message says what is wrong, where
+(the author's file and line), the offending value, what is allowed or the nearest name, and what to do.
+"""
+
+import difflib
+from collections.abc import Iterable
+
+
+class ArtgenError(Exception):
+    """Base of every error that artgen raises on purpose."""
+
+
+class BuildError(ArtgenError, ValueError):
+    """A category or generator is written wrongly."""
+
+
+class GraphError(BuildError):
+    """A graph, or a file that holds one, is malformed."""
+
+
+class ParameterError(ArtgenError, ValueError):
+    """A parameter, distribution or override is unknown or impossible."""
+
+
+class EvaluationError(ArtgenError, RuntimeError):
+    """A kernel failed on the values it was given."""
+
+
+class InfeasibleError(ArtgenError, RuntimeError):
+    """A sample violates a requirement of its category."""
+
+
+class AssetError(ArtgenError, ValueError):
+    """An asset is inconsistent, or was asked for something it does not have."""
+
+
+class CheckError(ArtgenError, RuntimeError):
+    """A check found a fault in an asset."""
+
+
+class ExportError(ArtgenError, OSError):
+    """Files could not be written or read."""
+
+
+def nearest(name: str, allowed: Iterable[str]) -> str:
+    """Describe the allowed names, the likeliest first: ` Did you mean 'width'?` or ` Allowed: a, b.`"""
+    options = sorted(allowed)
+    close = difflib.get_close_matches(name, options, 1, cutoff=0.5)
+    if close:
+        return f" Did you mean {close[0]!r}?"
+    shown = ", ".join(options[:12]) + (", ..." if len(options) > 12 else "")
+    return f" Allowed: {shown}." if options else ""

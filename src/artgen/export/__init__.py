@@ -1,0 +1,11 @@
+"""Writers: an asset to URDF, MJCF and USD, and the one function that writes to a disk.
+
+Every writer returns the bytes of its files and a list of what its format cannot say.
+"""
+
+from artgen.export.files import FORMATS, export, write_usd
+from artgen.export.losses import Loss, Written
+from artgen.export.mjcf import write_mjcf
+from artgen.export.urdf import write_urdf
+
+__all__ = ["FORMATS", "Loss", "Written", "export", "write_mjcf", "write_urdf", "write_usd"]

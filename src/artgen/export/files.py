@@ -1,0 +1,191 @@
+"""The only module that writes to a disk: all files of an asset at once, or none."""
+
+import json
+import os
+import shutil
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from artgen.asset import Asset
+from artgen.asset.asset import FORMAT
+from artgen.asset.files import ASSET_FILE
+from artgen.errors import ExportError, nearest
+from artgen.export.losses import Written
+from artgen.export.mjcf import write_mjcf
+from artgen.export.urdf import write_urdf
+
+Writer = Callable[[Asset], Written]
+
+
+def write_usd(asset: Asset) -> Written:
+    """Write an asset as USD; see `artgen.export.usd.write_usd`."""
+    from artgen.export.usd import write_usd as write
+
+    return write(asset)
+
+
+FORMATS: Mapping[str, Writer] = {"urdf": write_urdf, "mjcf": write_mjcf, "usd": write_usd}
+"""The writers by the names of their formats."""
+
+
+def export(asset: Asset, directory: str | Path, *, formats: Sequence[str] = ("urdf", "mjcf", "usd")) -> Path:
+    """Write an asset to a directory: `asset.json` and the files of each format.
+
+    Everything is written beside the directory first and then put in its place, so that a failure leaves no
+    half of an asset and an earlier one untouched. Of an earlier export only those files are kept that artgen
+    did not write.
+
+    Args:
+        asset: The asset.
+        directory: Where to; it is made, or it is empty, or it holds an earlier export.
+        formats: What to write, of `urdf`, `mjcf` and `usd`.
+
+    Returns:
+        The directory.
+
+    Raises:
+        ExportError: A format is unknown, the directory holds other files, or the disk refuses.
+    """
+    files = encode(asset, formats)
+    target = Path(os.path.realpath(directory))
+    kept = _foreign_files(target, files)
+    try:
+        _replace(target, files, kept)
+    except ExportError:
+        raise
+    except OSError as error:
+        reason = error.strerror or str(error)
+        raise ExportError(
+            f"cannot write asset {asset.name!r} to {directory}: {reason}; nothing was changed"
+        ) from error
+    return Path(directory)
+
+
+def encode(asset: Asset, formats: Sequence[str]) -> dict[str, bytes]:
+    """Return the content of every file of an export by its path relative to the directory.
+
+    Raises:
+        ExportError: A format is unknown.
+    """
+    chosen = dict.fromkeys([formats] if isinstance(formats, str) else formats)
+    for name in chosen:
+        if name not in FORMATS:
+            raise ExportError(f"there is no format {name!r}.{nearest(name, FORMATS)}")
+    files: dict[str, bytes] = {}
+    record: dict[str, Any] = {}
+    for name in chosen:
+        written = FORMATS[name](asset)
+        files |= written.files
+        record[name] = {
+            "files": sorted(written.files),
+            "losses": [loss.to_data() for loss in written.losses],
+        }
+    data = asset.to_data() | {"formats": record}
+    files[ASSET_FILE] = (json.dumps(data, indent=1, ensure_ascii=False, allow_nan=False) + "\n").encode()
+    return files
+
+
+def _foreign_files(target: Path, files: Iterable[str]) -> list[str]:
+    """Return the files in a directory that artgen did not write, if an export may replace the others.
+
+    Raises:
+        ExportError: It may not.
+    """
+    try:
+        _recover(target)
+        if not target.exists():
+            return []
+        if not target.is_dir():
+            raise ExportError(f"cannot export to {target}: it is a file; choose another directory")
+        found = sorted(
+            path.relative_to(target).as_posix()
+            for path in target.rglob("*")
+            if path.is_symlink() or not path.is_dir()
+        )
+    except ExportError:
+        raise
+    except OSError as error:
+        raise ExportError(f"cannot export to {target}: {error.strerror or error}") from error
+    if not found:
+        return []
+    earlier = _earlier_files(target)
+    if earlier is None:
+        raise ExportError(
+            f"cannot export to {target}: it holds {found[0]!r} and is no earlier export of artgen; choose "
+            "another directory or empty this one"
+        )
+    foreign = [path for path in found if path not in earlier]
+    overwritten = sorted(set(foreign) & set(files))
+    if overwritten:
+        raise ExportError(
+            f"cannot export to {target}: {overwritten[0]!r} is not artgen's and would be overwritten; "
+            "move it away"
+        )
+    return foreign
+
+
+def _earlier_files(target: Path) -> set[str] | None:
+    """Return the files of the export that a directory holds, or None if it holds none."""
+    try:
+        data = json.loads((target / ASSET_FILE).read_text(encoding="utf-8"))
+        if data["format"] != FORMAT:
+            return None
+        return {ASSET_FILE, *(path for record in data["formats"].values() for path in record["files"])}
+    except (OSError, ValueError, LookupError, TypeError, AttributeError):
+        return None
+
+
+def _replace(target: Path, files: Mapping[str, bytes], kept: Iterable[str]) -> None:
+    """Put a directory with the files, and those to be kept, in the place of the target."""
+    if target.exists() and (os.path.ismount(target) or target in (Path.cwd(), *Path.cwd().parents)):
+        raise ExportError(
+            f"cannot export to {target}: a working directory or mount cannot be replaced as a whole; choose "
+            f"a directory in it, such as {target / 'asset'}"
+        )
+    partial, previous = _sibling(target, "partial"), _sibling(target, "previous")
+    made = _make_parents(target)
+    try:
+        if partial.exists():
+            shutil.rmtree(partial)  # of a process that was killed
+        partial.mkdir()
+        for path, content in files.items():
+            file = partial / path
+            file.parent.mkdir(parents=True, exist_ok=True)
+            file.write_bytes(content)
+        for path in kept:
+            file = partial / path
+            file.parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy2(target / path, file, follow_symlinks=False)
+        if target.exists():
+            target.rename(previous)
+        partial.rename(target)
+    except BaseException:
+        _recover(target)
+        shutil.rmtree(partial, ignore_errors=True)
+        for parent in made:
+            parent.rmdir()
+        raise
+    shutil.rmtree(previous, ignore_errors=True)
+
+
+def _make_parents(target: Path) -> list[Path]:
+    """Make the directories above the target; return those that were made, the innermost first."""
+    missing = [parent for parent in target.parents if not parent.exists()]
+    target.parent.mkdir(parents=True, exist_ok=True)
+    return missing
+
+
+def _recover(target: Path) -> None:
+    """Finish what a process was killed in: put the old directory back, or away if the new one is in place."""
+    previous = _sibling(target, "previous")
+    if not previous.exists():
+        return
+    if target.exists():
+        shutil.rmtree(previous)
+    else:
+        previous.rename(target)
+
+
+def _sibling(target: Path, what: str) -> Path:
+    return target.parent / f".{target.name}.{what}"

@@ -1,0 +1,209 @@
+"""Frames of links and joints, for all writers: nobody else does arithmetic on pivots and origins.
+
+A link's frame has its origin at `asset.origin(link)` and is parallel to the asset's axes when every joint
+stands at 0. Formats that allow one joint between two bodies get an intermediate body after each joint but
+the last of a pair.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from artgen.asset import Asset, Coupling, Joint, Link
+
+Array = NDArray[np.float64]
+
+INTERMEDIATE_MASS = 1e-6
+"""Mass of a body that only joins two joints [kg]; simulators refuse 0."""
+
+INTERMEDIATE_INERTIA = 1e-9
+"""Each principal moment of such a body [kg m^2]; equal ones satisfy the triangle inequality."""
+
+
+@dataclass(frozen=True, eq=False)
+class Frame:
+    """The frame of a body.
+
+    Attributes:
+        name: Name of the link, or of a body that only joins two joints.
+        origin: Its origin with every joint at 0, in asset coordinates, shape (3,) [m]; its axes are then the
+            asset's.
+        placement: The frame in asset coordinates as the asset stands (`asset.positions()`: every joint as
+            near to 0 as its limits let it), shape (4, 4) [m].
+        link: The link; None for a body that only joins two joints.
+    """
+
+    name: str
+    origin: Array
+    placement: Array
+    link: Link | None
+
+
+@dataclass(frozen=True, eq=False)
+class Segment:
+    """One joint between two frames; the origin of the child frame is the joint's pivot.
+
+    Attributes:
+        parent: Frame of the body nearer to the base.
+        child: Frame of the body that moves.
+        joint: The joint; its axis is the same in asset, parent and child coordinates.
+        origin: The child frame in the parent's with the joint at 0, or at its position if it is locked,
+            shape (4, 4) [m].
+    """
+
+    parent: Frame
+    child: Frame
+    joint: Joint
+    origin: Array
+
+
+@dataclass(frozen=True, eq=False)
+class BodyJoint:
+    """A joint as the body that it moves sees it, where one body takes several joints.
+
+    Attributes:
+        joint: The joint.
+        axis: Unit vector in the body's frame, shape (3,).
+        pivot: A point on the axis in the body's frame, shape (3,) [m].
+        position: Where the joint stands when the body is placed as written [rad or m].
+    """
+
+    joint: Joint
+    axis: Array
+    pivot: Array
+    position: float
+
+
+@dataclass(frozen=True, eq=False)
+class BodyFrame:
+    """A body with all joints between it and its parent.
+
+    Attributes:
+        link: The link.
+        parent: Name of the parent link; empty for the base.
+        placement: The body's frame in its parent's as the asset stands, shape (4, 4) [m].
+        joints: The joints that can move, the first nearest to the parent.
+    """
+
+    link: Link
+    parent: str
+    placement: Array
+    joints: tuple[BodyJoint, ...]
+
+
+def translation(offset: Array) -> Array:
+    """Return the shift by an offset, shape (3,), as a transform, shape (4, 4)."""
+    result = np.eye(4)
+    result[:3, 3] = offset
+    return result
+
+
+def local(asset: Asset, link: str, matrix: Array) -> Array:
+    """Express a transform given in asset coordinates at rest in a link's frame, shape (4, 4)."""
+    return translation(-asset.origin(link)) @ matrix
+
+
+def chain(asset: Asset) -> tuple[Segment, ...]:
+    """Return one segment per joint, parents before children, with intermediate frames where needed."""
+    taken = {link.name for link in asset.links}
+    taken |= {grasp.name for link in asset.links for grasp in link.grasps}
+    positions = asset.positions()
+    frames = {asset.links[0].name: base_frame(asset)}
+    segments = []
+    for parent_name, child_name, joints in asset.pairs():
+        parent = frames[parent_name]
+        displacement = parent.placement @ translation(-parent.origin)
+        for joint in joints:
+            last = joint is joints[-1]
+            name = child_name if last else _unused(f"{child_name}_{joint.name}", taken)
+            displacement = displacement @ joint.motion(positions[joint.name])
+            origin = asset.origin(child_name) if last else joint.pivot
+            child = Frame(
+                name, origin, displacement @ translation(origin), asset.link(name) if last else None
+            )
+            fixed = joint.motion(positions[joint.name]) if joint.locked else np.eye(4)
+            segments.append(
+                Segment(parent, child, joint, translation(-parent.origin) @ fixed @ translation(origin))
+            )
+            parent = child
+        frames[child_name] = parent
+    return tuple(segments)
+
+
+def base_frame(asset: Asset) -> Frame:
+    """Return the frame of the base, which is the asset's own."""
+    base = asset.links[0]
+    return Frame(base.name, asset.origin(base.name), np.eye(4), base)
+
+
+def bodies(asset: Asset) -> tuple[BodyFrame, ...]:
+    """Return every body, parents before children, for formats that let one body have several joints."""
+    positions = asset.positions()
+    base = asset.links[0]
+    result = [BodyFrame(base, "", np.eye(4), ())]
+    for parent, child, joints in asset.pairs():
+        origin = asset.origin(child)
+        # what the joints after one do at the written positions stands between it and the body
+        after = np.eye(4)
+        seen: list[BodyJoint] = []
+        for joint in reversed(joints):
+            if not joint.locked:
+                axis = after[:3, :3].T @ joint.axis
+                pivot = after[:3, :3].T @ (joint.pivot - after[:3, 3]) - origin
+                seen.append(BodyJoint(joint, axis, pivot, positions[joint.name]))
+            after = joint.motion(positions[joint.name]) @ after
+        placement = translation(-asset.origin(parent)) @ after @ translation(origin)
+        result.append(BodyFrame(asset.link(child), parent, placement, tuple(reversed(seen))))
+    return tuple(result)
+
+
+def _unused(name: str, taken: set[str]) -> str:
+    while name in taken:
+        name += "_"
+    taken.add(name)
+    return name
+
+
+def quaternion(matrix: Array) -> Array:
+    """Return the rotation of a transform as a unit quaternion (w, x, y, z) with w >= 0, shape (4,)."""
+    m = matrix[:3, :3]
+    # four times each product of two components (Shepperd); the row of the largest one is well conditioned
+    products = np.array(
+        [
+            [1 + m[0, 0] + m[1, 1] + m[2, 2], m[2, 1] - m[1, 2], m[0, 2] - m[2, 0], m[1, 0] - m[0, 1]],
+            [m[2, 1] - m[1, 2], 1 + m[0, 0] - m[1, 1] - m[2, 2], m[1, 0] + m[0, 1], m[0, 2] + m[2, 0]],
+            [m[0, 2] - m[2, 0], m[1, 0] + m[0, 1], 1 - m[0, 0] + m[1, 1] - m[2, 2], m[2, 1] + m[1, 2]],
+            [m[1, 0] - m[0, 1], m[0, 2] + m[2, 0], m[2, 1] + m[1, 2], 1 - m[0, 0] - m[1, 1] + m[2, 2]],
+        ]
+    )
+    row = products[np.argmax(np.diag(products).round(9))]
+    unit: Array = row / np.linalg.norm(row)
+    return -unit if unit[0] < 0.0 else unit
+
+
+def coupling(asset: Asset, joint: Joint) -> Coupling | None:
+    """Return the coupling of a joint to the free joint at the head of its chain of leaders, if it follows."""
+    if joint.follows is None:
+        return None
+    leader = asset.joint(joint.follows.leader)
+    above = coupling(asset, leader)
+    if above is None:
+        return joint.follows
+    ratio, offset = joint.follows.ratio, joint.follows.offset
+    return Coupling(above.leader, ratio * above.ratio, ratio * above.offset + offset)
+
+
+def mass_in_frame(asset: Asset, link: Link) -> tuple[float, Array, Array]:
+    """Return a link's mass [kg], centre of mass and inertia about it, both in the link's frame.
+
+    What is only rounding is set to 0, so that the written text does not depend on the machine.
+
+    Returns:
+        Mass, centre of shape (3,) [m] and inertia of shape (3, 3) [kg m^2].
+    """
+    properties = link.mass_properties
+    center = np.round(properties.center - asset.origin(link.name), 12) + 0.0
+    inertia = properties.inertia
+    real = np.abs(inertia) > 1e-12 * np.trace(inertia)
+    return properties.mass, center, np.where(real, inertia, 0.0)

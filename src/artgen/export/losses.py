@@ -1,0 +1,67 @@
+"""What a writer returns: files as bytes, and the features that its format has no word for."""
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import asdict, dataclass
+
+from artgen.asset import Asset, Joint
+
+
+@dataclass(frozen=True)
+class Loss:
+    """A feature that a format cannot say.
+
+    Attributes:
+        feature: What is lost, e.g. `joint armature`.
+        where: Names of the joints, links or grasps that it concerns, separated by commas.
+        instead: What was written in its place.
+    """
+
+    feature: str
+    where: str
+    instead: str
+
+    def to_data(self) -> dict[str, str]:
+        """Return the loss as JSON data."""
+        return asdict(self)
+
+
+@dataclass(frozen=True)
+class Written:
+    """An asset in one format.
+
+    Attributes:
+        files: Content by path relative to the asset's directory, with forward slashes.
+        losses: What the format cannot say.
+    """
+
+    files: Mapping[str, bytes]
+    losses: tuple[Loss, ...] = ()
+
+
+def loss(feature: str, where: Iterable[str], instead: str) -> tuple[Loss, ...]:
+    """Return one loss if it concerns anything, else none."""
+    names = ", ".join(where)
+    return (Loss(feature, names, instead),) if names else ()
+
+
+def joints_where(asset: Asset, condition: Callable[[Joint], bool]) -> list[str]:
+    """Return the names of the joints for which a condition holds."""
+    return [joint.name for joint in asset.joints if condition(joint)]
+
+
+def dependency_losses(asset: Asset) -> tuple[Loss, ...]:
+    """List the joints that depend on others: no format has a word for it."""
+    return tuple(
+        Loss(
+            "joint dependency",
+            joint.name,
+            f"nothing: the parts' contact must hold it unless {joint.needs.condition}",
+        )
+        for joint in asset.joints
+        if joint.needs is not None
+    )
+
+
+def label_losses(asset: Asset) -> tuple[Loss, ...]:
+    """List the links with semantic labels, for formats that have no word for them."""
+    return loss("semantic labels", [link.name for link in asset.links], "nothing; they are in asset.json")

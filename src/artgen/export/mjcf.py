@@ -1,0 +1,230 @@
+"""MJCF, MuJoCo's format: written to be included in, or attached to, other models.
+
+So there is no floor, light, camera or solver option, and the names of its default classes begin with its own.
+`<exclude>` is never used: parts that touch where they should not are a fault of the asset.
+"""
+
+import xml.etree.ElementTree as ET
+from collections.abc import Iterable
+
+import numpy as np
+from numpy.typing import NDArray
+
+from artgen.asset import Asset, Joint, Link
+from artgen.colliders import Convex
+from artgen.export.frames import BodyFrame, BodyJoint, bodies, coupling, local, mass_in_frame, quaternion
+from artgen.export.losses import Loss, Written, dependency_losses, joints_where, label_losses, loss
+from artgen.export.meshes import MeshFiles, display_color, mesh_files
+from artgen.materials import Material
+
+Array = NDArray[np.float64]
+
+# Time constant [s] and damping ratio of limits, contacts and couplings. MuJoCo takes no time constant below
+# two time steps, which are 2 ms by default; it lengthens this one by itself where steps are longer. At the
+# default of 20 ms a bolt trails its lever and a heavy door sinks into its stop.
+_STIFF = "0.005 1"
+_COUPLING_IMPEDANCE = "0.99 0.9999 0.0001"
+_CONTACT_IMPEDANCE = "0.95 0.99 0.0005"
+
+
+def write_mjcf(asset: Asset) -> Written:
+    """Write an asset as MJCF, with its meshes.
+
+    The model's initial state is `asset.positions()`: every joint as near to 0 as its limits let it.
+
+    Args:
+        asset: The asset.
+
+    Returns:
+        The MJCF and mesh files, and what MJCF cannot say.
+    """
+    meshes = mesh_files(asset)
+    root = ET.Element("mujoco", model=asset.name)
+    ET.SubElement(root, "compiler", angle="radian", autolimits="true", meshdir="meshes")
+    _add_defaults(root, asset)
+    _add_assets(root, asset, meshes)
+    world = ET.SubElement(root, "worldbody")
+    elements: dict[str, ET.Element] = {}
+    for frame in bodies(asset):
+        parent = elements[frame.parent] if frame.parent else world
+        elements[frame.link.name] = _add_body(parent, asset, frame, meshes)
+    _add_couplings(root, asset)
+    ET.indent(root, " ")
+    content = ET.tostring(root, encoding="utf-8", xml_declaration=True) + b"\n"
+    return Written({f"{asset.name}.xml": content, **meshes.files}, _losses(asset))
+
+
+def _class(asset: Asset, what: str = "") -> str:
+    return f"{asset.name}_{what}" if what else asset.name
+
+
+def _add_defaults(root: ET.Element, asset: Asset) -> None:
+    outer = ET.SubElement(ET.SubElement(root, "default"), "default", {"class": _class(asset)})
+    ET.SubElement(outer, "joint", solreflimit=_STIFF)
+    ET.SubElement(outer, "site", group="4", size="0.005")
+    visual = ET.SubElement(outer, "default", {"class": _class(asset, "visual")})
+    ET.SubElement(visual, "geom", type="mesh", group="2", contype="0", conaffinity="0", mass="0")
+    collision = ET.SubElement(outer, "default", {"class": _class(asset, "collision")})
+    ET.SubElement(collision, "geom", group="3", mass="0", solref=_STIFF, solimp=_CONTACT_IMPEDANCE)
+
+
+def _add_assets(root: ET.Element, asset: Asset, meshes: MeshFiles) -> None:
+    parent = ET.SubElement(root, "asset")
+    for material in asset.materials:
+        ET.SubElement(parent, "material", _material(material))
+    for link in asset.links:
+        for file in meshes.surfaces[link.name]:
+            # its faces are seen, not weighed: a surface need not be closed
+            ET.SubElement(parent, "mesh", name=_stem(file), file=file, inertia="shell")
+        for file in meshes.colliders[link.name].values():
+            ET.SubElement(parent, "mesh", name=_stem(file), file=file, inertia="convex")
+
+
+def _material(material: Material) -> dict[str, str]:
+    attributes = {
+        "name": material.name,
+        "rgba": _text([*display_color(material.base_color), material.opacity]),
+        "specular": "0.5",
+        "shininess": _text([1.0 - material.specular_roughness]),
+        "roughness": _text([material.specular_roughness]),
+        "metallic": _text([material.base_metalness]),
+    }
+    if any(material.emission):
+        # MuJoCo's emission is a factor of the colour
+        attributes["emission"] = _text([max(material.emission) / max(*material.base_color, 1e-3)])
+    return attributes
+
+
+def _add_body(parent: ET.Element, asset: Asset, frame: BodyFrame, meshes: MeshFiles) -> ET.Element:
+    link = frame.link
+    body = ET.SubElement(parent, "body", {"name": link.name, **_placed(frame.placement)})
+    if not frame.parent:
+        body.set("childclass", _class(asset))
+        if asset.base == "free":
+            ET.SubElement(body, "freejoint", name=f"{asset.name}_free")
+    mass, center, inertia = mass_in_frame(asset, link)
+    six = [inertia[row, column] for row, column in ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))]
+    ET.SubElement(body, "inertial", pos=_text(center), mass=_text([mass]), fullinertia=_text(six))
+    for joint in frame.joints:
+        ET.SubElement(body, "joint", _joint(joint))
+    for surface, file in zip(link.surfaces, meshes.surfaces[link.name], strict=True):
+        geom = {"name": _stem(file), "class": _class(asset, "visual"), "mesh": _stem(file)}
+        ET.SubElement(body, "geom", geom, material=surface.material.name)
+    _add_colliders(body, asset, link, meshes)
+    for grasp in link.grasps:
+        placed = _placed(local(asset, link.name, grasp.frame))
+        ET.SubElement(body, "site", {"name": grasp.name, **placed})
+    return body
+
+
+def _add_colliders(body: ET.Element, asset: Asset, link: Link, meshes: MeshFiles) -> None:
+    for number, collider in enumerate(link.colliders):
+        name = f"{link.name}_collider_{number}"
+        # sliding friction only: whether contacts also resist torsion is up to the hand that touches them
+        geom = {
+            "name": name,
+            "class": _class(asset, "collision"),
+            "friction": _text([collider.material.friction]),
+        }
+        convex = collider.convex
+        if convex.kind == "hull":
+            geom |= {"type": "mesh", "mesh": _stem(meshes.colliders[link.name][number])}
+        else:
+            geom |= {"type": convex.kind, "size": _text(_half_sizes(convex))}
+            geom |= _placed(local(asset, link.name, convex.pose))
+        ET.SubElement(body, "geom", geom)
+
+
+def _half_sizes(convex: Convex) -> list[float]:
+    if convex.kind == "box":
+        return [length / 2 for length in convex.size]
+    radius, *length = convex.size
+    return [radius, *(each / 2 for each in length)]
+
+
+def _joint(placed: BodyJoint) -> dict[str, str]:
+    joint = placed.joint
+    attributes = {
+        "name": joint.name,
+        "type": "hinge" if joint.kind == "revolute" else "slide",
+        "axis": _text(np.round(placed.axis, 12)),
+    }
+    if joint.kind == "revolute" and np.abs(placed.pivot).max() > 1e-12:
+        attributes["pos"] = _text(np.round(placed.pivot, 12))
+    if joint.limits is None:
+        attributes["limited"] = "false"
+    else:
+        attributes["range"] = _text(joint.limits)
+    if placed.position:
+        attributes["ref"] = _text([placed.position])
+    if joint.stiffness:
+        attributes |= {"stiffness": _text([joint.stiffness]), "springref": _text([joint.rest])}
+    for name, value in (
+        ("damping", joint.damping),
+        ("frictionloss", joint.friction),
+        ("armature", joint.armature),
+    ):
+        if value:
+            attributes[name] = _text([value])
+    attributes["actuatorfrcrange"] = _text([-joint.effort, joint.effort])
+    return attributes
+
+
+def _add_couplings(root: ET.Element, asset: Asset) -> None:
+    follows = {joint.name: coupling(asset, joint) for joint in asset.joints if not joint.locked}
+    equality = None
+    for name, found in follows.items():
+        if found is None:
+            continue
+        equality = ET.SubElement(root, "equality") if equality is None else equality
+        # the polynomial is of the differences from the initial state, in which the coupling holds
+        ET.SubElement(
+            equality,
+            "joint",
+            joint1=name,
+            joint2=found.leader,
+            polycoef=f"0 {_text([found.ratio])} 0 0 0",
+            solref=_STIFF,
+            solimp=_COUPLING_IMPEDANCE,
+        )
+
+
+def _placed(matrix: Array) -> dict[str, str]:
+    """Return position and orientation, without what says nothing."""
+    attributes = {}
+    position, turn = np.round(matrix[:3, 3], 12), np.round(quaternion(matrix), 12)
+    if position.any():
+        attributes["pos"] = _text(position)
+    if turn[1:].any():
+        attributes["quat"] = _text(turn)
+    return attributes
+
+
+def _stem(file: str) -> str:
+    return file.removesuffix(".obj")
+
+
+def _text(numbers: Iterable[float]) -> str:
+    """Spell numbers so far that no two machines differ in the last digit."""
+    return " ".join(f"{float(number) + 0.0:.12g}" for number in numbers)
+
+
+def _losses(asset: Asset) -> tuple[Loss, ...]:
+    def moving(joint: Joint) -> bool:
+        return not joint.locked
+
+    return (
+        *loss("joint velocity limit", joints_where(asset, moving), "nothing"),
+        *loss(
+            "locked joint",
+            joints_where(asset, lambda joint: joint.locked),
+            "no joint: the body is fixed to its parent where the joint holds it",
+        ),
+        *dependency_losses(asset),
+        *loss(
+            "width of a grasp",
+            [grasp.name for link in asset.links for grasp in link.grasps],
+            "a site at the frame; the width is in asset.json",
+        ),
+        *label_losses(asset),
+    )

@@ -1,0 +1,258 @@
+"""URDF through yourdfpy's model, with what its XML writer leaves out added to the tree.
+
+The base link is the root. URDF has no word for a base that is fixed to the world or free: each client is told
+when it loads the file, so neither a `world` link nor a floating joint is written, which would impose one.
+"""
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from artgen.asset import Asset, Joint, Link
+from artgen.colliders import Convex
+from artgen.export.frames import (
+    INTERMEDIATE_INERTIA,
+    INTERMEDIATE_MASS,
+    Segment,
+    chain,
+    coupling,
+    local,
+    mass_in_frame,
+    translation,
+)
+from artgen.export.losses import Loss, Written, dependency_losses, joints_where, label_losses, loss
+from artgen.export.meshes import MeshFiles, display_color, mesh_files
+from artgen.materials import Material
+
+Array = NDArray[np.float64]
+
+_MARKER_MASS = 1e-9  # of the link that marks a grasp [kg]; clients make up a mass where there is none
+_MARKER_INERTIA = 1e-12  # [kg m^2]
+_FAR = 1000.0  # where an unlimited slide ends, since URDF wants limits of it [m]
+_NUMERIC = (
+    "origin", "axis", "limit", "dynamics", "mimic", "mass", "inertia", "box", "cylinder", "sphere", "color",
+)  # fmt: skip
+
+
+def write_urdf(asset: Asset) -> Written:
+    """Write an asset as URDF, with its meshes.
+
+    Args:
+        asset: The asset.
+
+    Returns:
+        The URDF and mesh files, and what URDF cannot say.
+    """
+    from yourdfpy import urdf as model
+
+    meshes = mesh_files(asset)
+    segments = chain(asset)
+    robot = model.Robot(name=asset.name)
+    robot.materials = [_material(material) for material in asset.materials]
+    robot.links = [_link(asset, link, meshes) for link in asset.links]
+    for segment in segments:
+        if segment.child.link is None:
+            robot.links.append(_small_link(segment.child.name, INTERMEDIATE_MASS, INTERMEDIATE_INERTIA))
+        robot.joints.append(_joint(segment))
+    _add_grasps(robot, asset)
+    root = _tree(robot)
+    _add_couplings(root, asset)
+    _add_springs(root, asset)
+    return Written({f"{asset.name}.urdf": _text(root), **meshes.files}, _losses(asset, segments))
+
+
+def _tree(robot: Any) -> Any:
+    """Return the XML tree of yourdfpy's model, materials first as a reader expects them."""
+    from yourdfpy import urdf as model
+
+    # the null handler: mesh files are named here before they exist
+    handler = model.filename_handler_null
+    root = (
+        model.URDF(robot, build_scene_graph=False, load_meshes=False, filename_handler=handler)
+        .write_xml()
+        .getroot()
+    )
+    for number, element in enumerate(root.findall("material")):
+        root.insert(number, element)
+    return root
+
+
+def _material(material: Material) -> Any:
+    from yourdfpy import urdf as model
+
+    rgba = np.array([*display_color(material.base_color), material.opacity])
+    return model.Material(material.name, model.Color(rgba))
+
+
+def _link(asset: Asset, link: Link, meshes: MeshFiles) -> Any:
+    from yourdfpy import urdf as model
+
+    mass, center, inertia = mass_in_frame(asset, link)
+    result = model.Link(link.name, model.Inertial(translation(center), mass, inertia))
+    for surface, file in zip(link.surfaces, meshes.surfaces[link.name], strict=True):
+        geometry = model.Geometry(mesh=model.Mesh(meshes.path(file)))
+        material = model.Material(surface.material.name)
+        result.visuals.append(model.Visual(file.removesuffix(".obj"), np.eye(4), geometry, material))
+    for number, collider in enumerate(link.colliders):
+        name = f"{link.name}_collider_{number}"
+        if collider.convex.kind == "hull":
+            geometry = model.Geometry(mesh=model.Mesh(meshes.path(meshes.colliders[link.name][number])))
+            result.collisions.append(model.Collision(name, np.eye(4), geometry))
+        else:
+            result.collisions += [
+                model.Collision(name + suffix, local(asset, link.name, pose), geometry)
+                for suffix, pose, geometry in _primitives(collider.convex)
+            ]
+    return result
+
+
+def _small_link(name: str, mass: float, moment: float) -> Any:
+    """Return a link without extent; clients refuse or make up what has no mass."""
+    from yourdfpy import urdf as model
+
+    return model.Link(name, model.Inertial(np.eye(4), mass, moment * np.eye(3)))
+
+
+def _primitives(convex: Convex) -> list[tuple[str, Array, Any]]:
+    """Return the primitives that a piece is made of, each with a suffix for its name and its pose."""
+    from yourdfpy import urdf as model
+
+    if convex.kind == "box":
+        return [("", convex.pose, model.Geometry(box=model.Box(np.array(convex.size))))]
+    if convex.kind == "sphere":
+        return [("", convex.pose, model.Geometry(sphere=model.Sphere(convex.size[0])))]
+    radius, length = convex.size
+    cylinder = ("", convex.pose, model.Geometry(cylinder=model.Cylinder(radius, length)))
+    if convex.kind == "cylinder":
+        return [cylinder]
+    # URDF has no capsule: a cylinder between two balls is the same solid
+    ends = [convex.pose @ translation(np.array([0.0, 0.0, end])) for end in (-length / 2, length / 2)]
+    balls = [
+        (f"_end_{number}", end, model.Geometry(sphere=model.Sphere(radius)))
+        for number, end in enumerate(ends)
+    ]
+    return [cylinder, *balls]
+
+
+def _joint(segment: Segment) -> Any:
+    from yourdfpy import urdf as model
+
+    joint = segment.joint
+    result = model.Joint(joint.name, _kind(joint), segment.parent.name, segment.child.name, segment.origin)
+    if joint.locked:
+        return result
+    result.axis = joint.axis
+    result.limit = model.Limit(joint.effort, joint.velocity)
+    if result.type != "continuous":
+        result.limit.lower, result.limit.upper = joint.limits or (-_FAR, _FAR)
+    result.dynamics = model.Dynamics(joint.damping, joint.friction)
+    return result
+
+
+def _kind(joint: Joint) -> str:
+    if joint.locked:
+        return "fixed"
+    return "continuous" if joint.kind == "revolute" and joint.limits is None else joint.kind
+
+
+def _add_grasps(robot: Any, asset: Asset) -> None:
+    """Mark each grasp by a link that is fixed there, which is how URDF names a frame."""
+    from yourdfpy import urdf as model
+
+    taken = {link.name for link in robot.links} | {joint.name for joint in robot.joints}
+    for link in asset.links:
+        for grasp in link.grasps:
+            name = f"grasp_{grasp.name}"
+            while name in taken or f"{name}_mount" in taken:
+                name += "_"
+            taken |= {name, f"{name}_mount"}
+            robot.links.append(_small_link(name, _MARKER_MASS, _MARKER_INERTIA))
+            frame = local(asset, link.name, grasp.frame)
+            robot.joints.append(model.Joint(f"{name}_mount", "fixed", link.name, name, frame))
+
+
+def _add_couplings(root: Any, asset: Asset) -> None:
+    """Add what yourdfpy's model has, but its writer leaves out."""
+    from lxml import etree
+
+    elements = {element.get("name"): element for element in root.iterfind("joint")}
+    for joint in asset.joints:
+        follows = coupling(asset, joint)
+        if follows is not None and not joint.locked:
+            numbers = {"multiplier": repr(follows.ratio), "offset": repr(follows.offset)}
+            etree.SubElement(elements[joint.name], "mimic", joint=follows.leader, **numbers)
+
+
+def _add_springs(root: Any, asset: Asset) -> None:
+    """Add Gazebo's word for a spring, which other clients pass over."""
+    from lxml import etree
+
+    for joint in asset.joints:
+        if joint.stiffness and not joint.locked:
+            spring = etree.SubElement(root, "gazebo", reference=joint.name)
+            etree.SubElement(spring, "springStiffness").text = f"{joint.stiffness:.12g}"
+            etree.SubElement(spring, "springReference").text = f"{joint.rest:.12g}"
+
+
+def _text(root: Any) -> bytes:
+    """Return the XML text, its numbers rounded so far that no two machines differ in the last digit."""
+    from lxml import etree
+
+    for element in root.iter(*_NUMERIC):
+        lengths = element.tag in ("origin", "axis")
+        for key, value in element.items():
+            if key == "joint":
+                continue
+            numbers = [round(float(word), 12) if lengths else float(word) for word in value.split()]
+            element.set(key, " ".join(f"{number + 0.0:.12g}" for number in numbers))
+    etree.indent(root, " ")
+    text: bytes = etree.tostring(root, xml_declaration=True, encoding="utf-8")
+    return text + b"\n"
+
+
+def _losses(asset: Asset, segments: Sequence[Segment]) -> tuple[Loss, ...]:
+    moving = {joint.name for joint in asset.joints if not joint.locked}
+    return (
+        *loss(
+            "joint spring",
+            joints_where(asset, lambda joint: joint.name in moving and joint.stiffness > 0.0),
+            "Gazebo's springStiffness and springReference; other clients have no spring",
+        ),
+        *loss(
+            "joint armature",
+            joints_where(asset, lambda joint: joint.name in moving and joint.armature > 0.0),
+            "nothing",
+        ),
+        *loss(
+            "unlimited slide",
+            joints_where(
+                asset,
+                lambda joint: joint.name in moving and joint.kind == "prismatic" and joint.limits is None,
+            ),
+            f"limits of -{_FAR:g} m and {_FAR:g} m",
+        ),
+        *dependency_losses(asset),
+        *loss(
+            "several joints between two links",
+            [segment.child.name for segment in segments if segment.child.link is None],
+            f"a link of {INTERMEDIATE_MASS:g} kg after each joint but the last",
+        ),
+        *loss(
+            "grasp frame",
+            [grasp.name for link in asset.links for grasp in link.grasps],
+            f"a link named grasp_... of {_MARKER_MASS:g} kg, fixed at the frame; the width is in asset.json",
+        ),
+        *loss(
+            "contact friction",
+            [link.name for link in asset.links if link.colliders],
+            "nothing: clients take their own default; the coefficients are in asset.json",
+        ),
+        *loss(
+            "surface roughness and metalness",
+            [material.name for material in asset.materials],
+            "Pr and Pm in the MTL file, which few clients read",
+        ),
+        *label_losses(asset),
+    )

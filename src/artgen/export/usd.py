@@ -1,0 +1,185 @@
+"""Writing assets to USD: a light text layer with the physics, and a binary layer with the meshes."""
+
+import json
+from collections.abc import Collection, Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from pxr import Sdf, Vt
+
+from artgen.asset import Asset, Grasp, Link
+from artgen.export.frames import (
+    INTERMEDIATE_INERTIA,
+    INTERMEDIATE_MASS,
+    Frame,
+    base_frame,
+    chain,
+    local,
+)
+from artgen.export.losses import Written
+from artgen.export.usd_geometry import (
+    PART_LABEL,
+    write_collider,
+    write_label,
+    write_material,
+    write_surface,
+)
+from artgen.export.usd_joints import joint_losses, write_fixed_joint, write_joints
+from artgen.export.usd_layer import (
+    TYPES,
+    binary,
+    define,
+    new_layer,
+    place,
+    quatf,
+    text,
+    vec3,
+    write,
+)
+
+Array = NDArray[np.float64]
+
+
+def write_usd(asset: Asset) -> Written:
+    """Write an asset to USD.
+
+    `<name>.usda` has the bodies, joints, primitive colliders, materials and labels; as sublayer it has
+    `<name>_geometry.usdc`, which has the meshes. Bodies are siblings below the default prim, unscaled; their
+    frames are the link frames as the asset stands. Joints move along or about x of their frames, in degrees.
+    """
+    writer = _Writer(asset)
+    with Sdf.ChangeBlock():
+        writer.write()
+    geometry = f"{asset.name}_geometry.usdc"
+    writer.physics.subLayerPaths = [f"./{geometry}"]
+    files = {f"{asset.name}.usda": text(writer.physics), geometry: binary(writer.geometry)}
+    return Written(files, joint_losses(asset, writer.segments))
+
+
+class _Writer:
+    """The two layers of one asset.
+
+    Attributes:
+        asset: The asset.
+        physics: The text layer.
+        geometry: The layer of the meshes.
+        segments: The joints with the frames that they join.
+    """
+
+    def __init__(self, asset: Asset) -> None:
+        self.asset = asset
+        self.physics = new_layer(".usda", asset.name)
+        self.geometry = new_layer(".usdc", asset.name)
+        self.segments = chain(asset)
+        taken = {segment.child.name for segment in self.segments} | {asset.links[0].name}
+        self._joints_name = _unused("joints", taken)
+        self._looks_name = _unused("looks", taken)
+
+    def write(self) -> None:
+        """Author both layers."""
+        self._root = _root(self.asset, self.physics)
+        self._meshes = define(self.geometry, self.asset.name)
+        looks = define(self._root, self._looks_name, "Scope")
+        for material in self.asset.materials:
+            write_material(looks, material)
+        self._body(base_frame(self.asset))
+        for segment in self.segments:
+            self._body(segment.child)
+        self._joints()
+
+    def _joints(self) -> None:
+        scope = define(self._root, self._joints_name, "Scope")
+        if self.asset.base == "fixed":
+            name = _unused("root_joint", {joint.name for joint in self.asset.joints})
+            base = self._root.path.AppendChild(self.asset.links[0].name)
+            write_fixed_joint(scope, name, (None, base))
+        write_joints(scope, self.asset, self.segments)
+
+    def _body(self, frame: Frame) -> None:
+        schemas = ["PhysicsRigidBodyAPI", "PhysicsMassAPI"]
+        link = frame.link
+        if link is None:
+            prim = define(self._root, frame.name, "Xform", schemas)
+            _mass(prim, INTERMEDIATE_MASS, np.zeros(3), np.full(3, INTERMEDIATE_INERTIA), np.eye(3))
+        else:
+            if link is self.asset.links[0] and self.asset.base == "free":
+                # which body is the root of a free articulation is left to chance unless one is marked
+                schemas.append("PhysicsArticulationRootAPI")
+            prim = define(self._root, frame.name, "Xform", [*schemas, PART_LABEL])
+            write_label(prim, "part", [link.label])
+            properties = link.mass_properties
+            moments, axes = properties.principal()
+            _mass(prim, properties.mass, properties.center - frame.origin, moments, axes)
+            self._content(prim, link, frame.origin)
+        place(prim, frame.placement)
+
+    def _content(self, prim: Sdf.PrimSpec, link: Link, origin: Array) -> None:
+        """Write what a link looks like, collides with and is held at; meshes go to the binary layer."""
+        looks = self._root.path.AppendChild(self._looks_name)
+        meshes = define(self._meshes, link.name)
+        visuals = define(prim, "visuals", "Scope"), define(meshes, "visuals")
+        for surface in link.surfaces:
+            write_surface(visuals[1], surface, origin, looks.AppendChild(surface.material.name))
+        collisions = define(prim, "collisions", "Scope"), define(meshes, "collisions")
+        for number, collider in enumerate(link.colliders):
+            scope = collisions[collider.convex.kind == "hull"]
+            material = looks.AppendChild(collider.material.name)
+            write_collider(scope, f"{collider.convex.kind}_{number}", collider, origin, material)
+        if link.grasps:
+            grasps = define(prim, "grasps", "Scope")
+            for grasp in link.grasps:
+                _grasp(grasps, grasp, local(self.asset, link.name, grasp.frame))
+
+
+def _root(asset: Asset, layer: Sdf.Layer) -> Sdf.PrimSpec:
+    schemas = ["SemanticsLabelsAPI:category"]
+    if asset.base == "fixed":
+        schemas.insert(0, "PhysicsArticulationRootAPI")
+    prim = define(layer, asset.name, "Xform", schemas)
+    prim.SetInfo("kind", "component")
+    prim.SetInfo("assetInfo", {"name": asset.name, "version": asset.version})
+    origin = {
+        "attempt": asset.attempt,
+        "category": asset.category,
+        "parameters": {name: _custom(value) for name, value in asset.parameters.items()},
+        "seed": _custom(asset.seed),
+        "version": asset.version,
+    }
+    prim.SetInfo("customData", {"artgen": {name: value for name, value in origin.items() if value is not None}})
+    write_label(prim, "category", [asset.category])
+    return prim
+
+
+def _mass(prim: Sdf.PrimSpec, mass: float, center: Array, moments: Array, axes: Array) -> None:
+    """Write all four mass properties: simulators derive those that are missing from the colliders."""
+    write(prim, TYPES.Float, {"physics:mass": mass})
+    write(prim, TYPES.Point3f, {"physics:centerOfMass": vec3(center)})
+    write(prim, TYPES.Float3, {"physics:diagonalInertia": vec3(moments)})
+    write(prim, TYPES.Quatf, {"physics:principalAxes": quatf(axes)})
+
+
+def _grasp(scope: Sdf.PrimSpec, grasp: Grasp, pose: Array) -> None:
+    prim = define(scope, grasp.name, "Xform")
+    prim.SetInfo("customData", {"artgen": {"width": grasp.width}})
+    write(prim, TYPES.Token, {"purpose": "guide"}, uniform=True)
+    place(prim, pose)
+
+
+def _custom(value: Any) -> Any:
+    """Return a parameter as a value that metadata can hold, or as JSON where it has no such type."""
+    if value is None or isinstance(value, bool | str | float):
+        return value
+    if isinstance(value, int) and -(2**31) <= value < 2**31:
+        return value
+    if isinstance(value, Mapping):
+        return {str(name): _custom(item) for name, item in value.items()}
+    if isinstance(value, list | tuple) and all(isinstance(item, int | float) for item in value):
+        return Vt.DoubleArray([float(item) for item in value])
+    return json.dumps(value, default=str)
+
+
+def _unused(name: str, taken: Collection[str]) -> str:
+    while name in taken:
+        name += "_"
+    return name

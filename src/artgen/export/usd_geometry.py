@@ -1,0 +1,173 @@
+"""What a link looks like and what it collides with, as USD prims."""
+
+import numpy as np
+from numpy.typing import NDArray
+from pxr import Sdf, Vt
+
+from artgen.asset import Collider, Surface
+from artgen.export.frames import translation
+from artgen.export.usd_layer import (
+    TYPES,
+    connect,
+    define,
+    int_array,
+    place,
+    relate,
+    vec3,
+    vec3_array,
+    write,
+)
+from artgen.materials import Material
+
+Array = NDArray[np.float64]
+
+PART_LABEL = "SemanticsLabelsAPI:part"
+
+
+def write_material(scope: Sdf.PrimSpec, material: Material) -> None:
+    """Add a material: its preview surface for cameras and its friction for contacts."""
+    prim = define(scope, material.name, "Material", ["PhysicsMaterialAPI"])
+    write(
+        prim,
+        TYPES.Float,
+        {
+            "physics:dynamicFriction": material.friction,
+            "physics:restitution": 0.0,
+            "physics:staticFriction": material.friction,
+        },
+    )
+    shader = define(prim, "surface", "Shader")
+    write(shader, TYPES.Token, {"info:id": "UsdPreviewSurface"}, uniform=True)
+    write(
+        shader,
+        TYPES.Color3f,
+        {"inputs:diffuseColor": vec3(material.base_color), "inputs:emissiveColor": vec3(material.emission)},
+    )
+    write(
+        shader,
+        TYPES.Float,
+        {
+            "inputs:metallic": material.base_metalness,
+            "inputs:opacity": material.opacity,
+            "inputs:roughness": material.specular_roughness,
+        },
+    )
+    Sdf.AttributeSpec(shader, "outputs:surface", TYPES.Token)
+    connect(prim, "outputs:surface", shader.path.AppendProperty("outputs:surface"))
+
+
+def write_surface(scope: Sdf.PrimSpec, surface: Surface, origin: Array, material: Sdf.Path) -> None:
+    """Add the mesh of a surface.
+
+    Args:
+        scope: The prim that it belongs to.
+        surface: The faces, in asset coordinates.
+        origin: The origin of the link's frame, shape (3,) [m].
+        material: The prim of its material.
+    """
+    prim = define(scope, surface.name, "Mesh", ["MaterialBindingAPI", PART_LABEL])
+    _label(prim, surface.label)
+    relate(prim, "material:binding", material)
+    mesh = surface.mesh
+    _mesh(prim, mesh.vertices - origin, mesh.triangles)
+    write(prim, TYPES.Normal3fArray, {"normals": vec3_array(mesh.normals)}, interpolation="vertex")
+    values, indices = _indexed(mesh.uvs)
+    write(prim, TYPES.TexCoord2fArray, {"primvars:st": values}, interpolation="vertex")
+    write(prim, TYPES.IntArray, {"primvars:st:indices": indices})
+
+
+def write_collider(
+    scope: Sdf.PrimSpec, name: str, collider: Collider, origin: Array, material: Sdf.Path
+) -> None:
+    """Add a convex piece that simulators collide with, unseen by cameras.
+
+    Args:
+        scope: The prim that it belongs to.
+        name: Its name.
+        collider: The piece, in asset coordinates.
+        origin: The origin of the link's frame, shape (3,) [m].
+        material: The prim of its material, for friction.
+    """
+    schemas = ["PhysicsCollisionAPI", "MaterialBindingAPI"]
+    convex = collider.convex
+    if convex.kind == "hull":
+        prim = define(scope, name, "Mesh", [*schemas, "PhysicsMeshCollisionAPI"])
+        _hull(prim, collider, origin)
+    else:
+        prim = define(scope, name, _PRIMITIVES[convex.kind], schemas)
+        _primitive(prim, collider, origin)
+    write(prim, TYPES.Token, {"purpose": "guide"}, uniform=True)
+    relate(prim, "material:binding:physics", material)
+
+
+def write_label(prim: Sdf.PrimSpec, taxonomy: str, labels: list[str]) -> None:
+    """Add the semantic labels of a prim that has `SemanticsLabelsAPI:<taxonomy>`."""
+    write(prim, TYPES.TokenArray, {f"semantics:labels:{taxonomy}": Vt.TokenArray(labels)})
+
+
+_PRIMITIVES = {"box": "Cube", "cylinder": "Cylinder", "sphere": "Sphere", "capsule": "Capsule"}
+
+
+def _label(prim: Sdf.PrimSpec, label: str) -> None:
+    write_label(prim, "part", [label])
+
+
+def _primitive(prim: Sdf.PrimSpec, collider: Collider, origin: Array) -> None:
+    convex = collider.convex
+    size = convex.size
+    pose = translation(-origin) @ convex.pose
+    if convex.kind == "box":
+        # a cube has one size only, so a box is a scaled unit cube; the body above it stays unscaled
+        write(prim, TYPES.Double, {"size": 1.0})
+        _extent(prim, np.array([[-0.5] * 3, [0.5] * 3]))
+        place(prim, pose, size)
+        return
+    write(prim, TYPES.Double, {"radius": size[0]})
+    half = np.full(3, size[0])
+    if convex.kind != "sphere":
+        write(prim, TYPES.Double, {"height": size[1]})
+        write(prim, TYPES.Token, {"axis": "Z"}, uniform=True)
+        half[2] = 0.5 * size[1] + (size[0] if convex.kind == "capsule" else 0.0)
+    _extent(prim, np.array([-half, half]))
+    place(prim, pose)
+
+
+def _hull(prim: Sdf.PrimSpec, collider: Collider, origin: Array) -> None:
+    mesh = collider.convex.manifold().to_mesh64()
+    points = np.asarray(mesh.vert_properties)[:, :3] - origin
+    triangles = np.asarray(mesh.tri_verts).astype(np.int64)
+    _mesh(prim, points, triangles)
+    a, b, c = (points[triangles[:, corner]] for corner in range(3))
+    normals = np.cross(b - a, c - a)
+    length = np.linalg.norm(normals, axis=1, keepdims=True)
+    normals = normals / np.where(length > 0.0, length, 1.0)
+    write(prim, TYPES.Normal3fArray, {"normals": vec3_array(normals)}, interpolation="uniform")
+    write(prim, TYPES.Token, {"physics:approximation": "convexHull"}, uniform=True)
+
+
+def _mesh(prim: Sdf.PrimSpec, points: Array, triangles: NDArray[np.int64]) -> None:
+    corners = triangles.ravel()
+    write(prim, TYPES.Point3fArray, {"points": vec3_array(points)})
+    _extent(prim, np.array([points.min(axis=0), points.max(axis=0)]))
+    write(
+        prim,
+        TYPES.IntArray,
+        {
+            "faceVertexCounts": int_array(np.full(len(triangles), 3)),
+            "faceVertexIndices": int_array(corners),
+        },
+    )
+    write(prim, TYPES.Token, {"subdivisionScheme": "none"}, uniform=True)
+
+
+def _extent(prim: Sdf.PrimSpec, corners: Array) -> None:
+    write(prim, TYPES.Float3Array, {"extent": vec3_array(corners)})
+
+
+def _indexed(uvs: Array) -> tuple[Vt.Vec2fArray, Vt.IntArray]:
+    """Return the distinct texture coordinates and the number of each vertex' own."""
+    single = np.ascontiguousarray(uvs, np.float32) + np.float32(0.0)
+    # a pair of singles is one 64-bit key: sorting keys is many times faster than sorting rows
+    keys, indices = np.unique(single.view(np.int64).ravel(), return_inverse=True)
+    values = keys.view(np.float32).reshape(-1, 2)
+    return Vt.Vec2fArray.FromNumpy(np.ascontiguousarray(values)), int_array(indices)

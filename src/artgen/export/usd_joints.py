@@ -1,0 +1,278 @@
+"""Joints as USD prims: frames, limits, springs, friction and couplings.
+
+Plain UsdPhysics knows frames, limits and drives. Friction, armature, largest speed and couplings are written
+with the API schemas of the simulators that read USD; whoever does not know these schemas passes over them.
+"""
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+from pxr import Gf, Sdf
+
+from artgen.asset import Asset, Coupling, Joint
+from artgen.export.frames import INTERMEDIATE_MASS, Segment
+from artgen.export.losses import Loss, dependency_losses, loss
+from artgen.export.usd_layer import TYPES, apply, define, quatf, relate, vec3, write
+
+Array = NDArray[np.float64]
+
+_IDENTITY = np.eye(4)
+
+
+def write_fixed_joint(
+    scope: Sdf.PrimSpec, name: str, bodies: tuple[Sdf.Path | None, Sdf.Path], frame: Array = _IDENTITY
+) -> None:
+    """Join two bodies rigidly.
+
+    Args:
+        scope: The prim that the joint belongs to.
+        name: Its name.
+        bodies: Parent and child; no parent stands for the world.
+        frame: The child's frame in the parent's, shape (4, 4) [m].
+    """
+    prim = define(scope, name, "PhysicsFixedJoint")
+    parent, child = bodies
+    if parent is not None:
+        relate(prim, "physics:body0", parent)
+    relate(prim, "physics:body1", child)
+    _frames(prim, frame[:3, 3], frame[:3, :3], np.eye(3))
+
+
+def write_joints(scope: Sdf.PrimSpec, asset: Asset, segments: Sequence[Segment]) -> None:
+    """Add every joint.
+
+    Args:
+        scope: The prim that the joints belong to; the bodies are its siblings.
+        asset: The asset.
+        segments: Its joints with the frames that they join.
+    """
+    root = scope.path.GetParentPath()
+    limits = _written_limits(asset)
+    positions = asset.positions()
+    for segment in segments:
+        joint = segment.joint
+        bodies = root.AppendChild(segment.parent.name), root.AppendChild(segment.child.name)
+        if joint.locked:
+            write_fixed_joint(scope, joint.name, bodies, segment.origin)
+            continue
+        prim = _joint(scope, segment, bodies)
+        bounds = limits[joint.name]
+        if bounds is not None:
+            lower, upper = (_units(joint) * bound for bound in bounds)
+            write(prim, TYPES.Float, {"physics:lowerLimit": lower, "physics:upperLimit": upper})
+        if _driven(joint):
+            _drive(prim, joint)
+        _passive(prim, joint)
+        if positions[joint.name] != 0.0:
+            _state(prim, joint, positions[joint.name])
+        if joint.follows is not None:
+            _couple(prim, joint, joint.follows, _leader(asset, joint))
+
+
+def joint_losses(asset: Asset, segments: Sequence[Segment]) -> tuple[Loss, ...]:
+    """List what plain UsdPhysics has no word for."""
+    movable = [joint for joint in asset.joints if not joint.locked]
+    leading = [joint for joint in movable if joint.follows is None]
+    followers = [joint for joint in movable if joint.follows is not None]
+    limits = _written_limits(asset)
+    positions = asset.positions()
+    return (
+        *loss(
+            "several joints between two links",
+            [segment.child.name for segment in segments if segment.child.link is None],
+            f"a body of {INTERMEDIATE_MASS:g} kg after each joint but the last",
+        ),
+        *loss("joint friction", [joint.name for joint in movable if joint.friction > 0.0], _IN_EXTENSIONS),
+        *loss("joint armature", [joint.name for joint in movable if joint.armature > 0.0], _IN_EXTENSIONS),
+        *loss("joint velocity limit", [joint.name for joint in leading], _IN_EXTENSIONS),
+        *loss(
+            "joint effort",
+            [joint.name for joint in leading if not _effort_holds(joint)],
+            "no maxForce on the drive, which is a spring and a damper that it would weaken",
+        ),
+        *loss(
+            "joint that does not stand at 0",
+            [joint.name for joint in movable if positions[joint.name] != 0.0],
+            "bodies placed as the joint stands, and PhysicsJointStateAPI",
+        ),
+        *loss(
+            "joint coupling",
+            [joint.name for joint in followers],
+            "PhysxMimicJointAPI with NewtonMimicAPI, or with MjcEqualityJointAPI between a rotation and a slide",
+        ),
+        *loss(
+            "coupling without limits",
+            [joint.name for joint in movable if joint.limits is None and limits[joint.name] is not None],
+            f"limits of at least {_FAR:.3g} either way, since PhysX couples joints with limits only",
+        ),
+        *dependency_losses(asset),
+    )
+
+
+_IN_EXTENSIONS = "PhysxJointAxisAPI and NewtonJointAPI, which other readers do not know"
+
+_FAR = 2.0e5 * math.pi
+"""Limits of a coupled joint without limits: a hundred thousand turns [rad or m]."""
+
+
+def _joint(scope: Sdf.PrimSpec, segment: Segment, bodies: tuple[Sdf.Path, Sdf.Path]) -> Sdf.PrimSpec:
+    """Add the prim of a joint with its frames; it moves along or about x of both."""
+    joint = segment.joint
+    schemas = [f"PhysxJointAxisAPI:{_instance(joint)}", "NewtonJointAPI"]
+    if _driven(joint):
+        schemas.insert(0, f"PhysicsDriveAPI:{_instance(joint)}")
+    prim = define(scope, joint.name, _TYPE_NAMES[joint.kind], schemas)
+    relate(prim, "physics:body0", bodies[0])
+    relate(prim, "physics:body1", bodies[1])
+    write(prim, TYPES.Token, {"physics:axis": "X"}, uniform=True)
+    turn = _turn_from_x(joint.axis)
+    _frames(prim, segment.origin[:3, 3], turn, turn)
+    return prim
+
+
+_TYPE_NAMES = {"revolute": "PhysicsRevoluteJoint", "prismatic": "PhysicsPrismaticJoint"}
+
+
+def _leader(asset: Asset, joint: Joint) -> Joint:
+    assert joint.follows is not None, f"joint {joint.name} follows no other"
+    return asset.joint(joint.follows.leader)
+
+
+def _written_limits(asset: Asset) -> dict[str, tuple[float, float] | None]:
+    """Return the limits to write, with wide ones for coupled joints that have none."""
+    coupled = {joint.name for joint in asset.joints if joint.follows is not None}
+    coupled |= {joint.follows.leader for joint in asset.joints if joint.follows is not None}
+    return {
+        joint.name: _wide(asset, joint) if joint.limits is None and joint.name in coupled else joint.limits
+        for joint in asset.joints
+    }
+
+
+def _wide(asset: Asset, joint: Joint) -> tuple[float, float]:
+    if joint.follows is None:
+        return -_FAR, _FAR
+    ends = _wide(asset, _leader(asset, joint))
+    low, high = sorted(joint.follows.ratio * end + joint.follows.offset for end in ends)
+    return low, high
+
+
+def _driven(joint: Joint) -> bool:
+    """Tell whether a joint has a drive: a coupled one has none but for a spring or damper of its own."""
+    return joint.follows is None or joint.stiffness > 0.0 or joint.damping > 0.0
+
+
+def _instance(joint: Joint) -> str:
+    return "angular" if joint.kind == "revolute" else "linear"
+
+
+def _units(joint: Joint) -> float:
+    """Return USD units per SI unit of the joint's position: degrees, or metres."""
+    return 180.0 / math.pi if joint.kind == "revolute" else 1.0
+
+
+def _frames(prim: Sdf.PrimSpec, position: Array, turn0: Array, turn1: Array) -> None:
+    """Write the joint's frame in either body; it is at the origin of the child."""
+    write(
+        prim,
+        TYPES.Point3f,
+        {"physics:localPos0": vec3(position), "physics:localPos1": Gf.Vec3f(0.0)},
+    )
+    write(
+        prim,
+        TYPES.Quatf,
+        {
+            "physics:localRot0": quatf(turn0),
+            "physics:localRot1": quatf(turn1),
+        },
+    )
+
+
+def _turn_from_x(axis: Array) -> Array:
+    """Return the smallest rotation that takes x to a unit axis, shape (3, 3)."""
+    x, y, z = axis
+    if x < -1.0 + 1e-12:
+        return np.diag([-1.0, -1.0, 1.0])
+    cross = np.array([[0.0, -y, -z], [y, 0.0, 0.0], [z, 0.0, 0.0]])
+    turn: Array = np.eye(3) + cross + cross @ cross / (1.0 + x)
+    return turn
+
+
+def _drive(prim: Sdf.PrimSpec, joint: Joint) -> None:
+    """Write the joint's spring and damper, which are also the handle for an actuator."""
+    prefix = f"drive:{_instance(joint)}:physics:"
+    units = _units(joint)
+    write(prim, TYPES.Token, {prefix + "type": "force"}, uniform=True)
+    values = {
+        "damping": joint.damping / units,
+        "stiffness": joint.stiffness / units,
+        "targetPosition": joint.rest * units,
+    }
+    if _effort_holds(joint):
+        values["maxForce"] = joint.effort
+    write(prim, TYPES.Float, {prefix + name: values[name] for name in sorted(values)})
+
+
+def _effort_holds(joint: Joint) -> bool:
+    """Tell whether the spring and the damper always stay below the effort.
+
+    `maxForce` bounds the drive, which is a passive spring and damper here, while the effort bounds an
+    actuator: written where the spring is stronger, it would change how the part returns by itself.
+    """
+    strongest = joint.damping * joint.velocity
+    if joint.stiffness > 0.0:
+        if joint.limits is None:
+            return False
+        strongest += joint.stiffness * max(abs(limit - joint.rest) for limit in joint.limits)
+    return strongest <= joint.effort
+
+
+def _passive(prim: Sdf.PrimSpec, joint: Joint) -> None:
+    """Write friction, armature and the largest speed."""
+    physx = f"physxJointAxis:{_instance(joint)}:"
+    values = {
+        "newton:armature": joint.armature,
+        "newton:friction": joint.friction,
+        physx + "armature": joint.armature,
+        physx + "dynamicFrictionEffort": joint.friction,
+        physx + "staticFrictionEffort": joint.friction,
+    }
+    # a coupled joint has its leader's speed: a bound of its own would fight the coupling
+    if joint.follows is None:
+        speed = joint.velocity * _units(joint)
+        values |= {"newton:velocityLimit": speed, physx + "maxJointVelocity": speed}
+    write(prim, TYPES.Float, {name: values[name] for name in sorted(values)})
+
+
+def _state(prim: Sdf.PrimSpec, joint: Joint, position: float) -> None:
+    """Write where the joint stands: PhysX takes 0 unless it is told otherwise, wherever the bodies are."""
+    apply(prim, f"PhysicsJointStateAPI:{_instance(joint)}")
+    write(prim, TYPES.Float, {f"state:{_instance(joint)}:physics:position": _units(joint) * position})
+
+
+def _couple(prim: Sdf.PrimSpec, joint: Joint, coupling: Coupling, leader: Joint) -> None:
+    """Write the coupling for PhysX and for Newton.
+
+    PhysX holds `position + gearing * leader + offset = 0` in degrees and metres. It does the same for
+    `NewtonMimicAPI`, `position = coef0 + coef1 * leader`; Newton takes coef1 in radians and metres. They agree
+    on joints of one kind. Between a rotation and a slide they do not, so that Newton is told by a schema that
+    PhysX passes over, MuJoCo's equality in radians and metres.
+    """
+    leader_path = prim.path.ReplaceName(leader.name)
+    offset = coupling.offset * _units(joint)
+    if joint.kind == leader.kind:
+        apply(prim, "NewtonMimicAPI")
+        relate(prim, "newton:mimicJoint", leader_path)
+        write(prim, TYPES.Float, {"newton:mimicCoef0": offset, "newton:mimicCoef1": coupling.ratio})
+    else:
+        apply(prim, "MjcEqualityJointAPI")
+        relate(prim, "mjc:target", leader_path)
+        write(prim, TYPES.Double, {"mjc:coef0": coupling.offset, "mjc:coef1": coupling.ratio})
+    # PhysX wants the name of a rotation axis for slides as well
+    apply(prim, "PhysxMimicJointAPI:rotX")
+    prefix = "physxMimicJoint:rotX:"
+    gearing = coupling.ratio * _units(joint) / _units(leader)
+    relate(prim, prefix + "referenceJoint", leader_path)
+    write(prim, TYPES.Token, {prefix + "referenceJointAxis": "rotX"}, uniform=True)
+    write(prim, TYPES.Float, {prefix + "gearing": -gearing, prefix + "offset": -offset})

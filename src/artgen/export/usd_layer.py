@@ -1,0 +1,154 @@
+"""Short words for writing USD layers.
+
+Prims are authored as specs (`Sdf`), not through a stage: a stage composes and notifies after every word,
+which takes ten times as long. What a stage would check is checked by the validators of `pxr` in the tests.
+"""
+
+import tempfile
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from pxr import Gf, Sdf, Vt
+
+from artgen.errors import ExportError
+from artgen.export.frames import quaternion
+
+Array = NDArray[np.float64]
+
+TYPES = Sdf.ValueTypeNames
+
+
+def new_layer(extension: str, default_prim: str) -> Sdf.Layer:
+    """Make an empty layer in memory with the conventions of every asset: z up, metres, kilograms."""
+    layer = Sdf.Layer.CreateAnonymous(extension)
+    layer.defaultPrim = default_prim
+    root = layer.pseudoRoot
+    root.SetInfo("upAxis", "Z")
+    root.SetInfo("metersPerUnit", 1.0)
+    root.SetInfo("kilogramsPerUnit", 1.0)
+    return layer
+
+
+def define(
+    parent: Sdf.PrimSpec | Sdf.Layer, name: str, type_name: str = "", schemas: Sequence[str] = ()
+) -> Sdf.PrimSpec:
+    """Add a prim; one without a type only adds to what a stronger layer defines.
+
+    Args:
+        parent: The prim, or the layer, that it belongs to.
+        name: Identifier, unique in the parent.
+        type_name: Its schema.
+        schemas: The API schemas applied to it.
+    """
+    specifier = Sdf.SpecifierDef if type_name else Sdf.SpecifierOver
+    prim = Sdf.PrimSpec(parent, name, specifier, type_name)
+    if schemas:
+        apply(prim, *schemas)
+    return prim
+
+
+def apply(prim: Sdf.PrimSpec, *schemas: str) -> None:
+    """Apply API schemas to a prim, after those that it has."""
+    known = prim.GetInfo("apiSchemas").prependedItems
+    prim.SetInfo("apiSchemas", Sdf.TokenListOp.Create(prependedItems=[*known, *schemas]))
+
+
+def write(
+    prim: Sdf.PrimSpec,
+    kind: Sdf.ValueTypeName,
+    values: Mapping[str, Any],
+    *,
+    uniform: bool = False,
+    interpolation: str = "",
+) -> None:
+    """Add attributes of one type to a prim.
+
+    Args:
+        prim: The prim.
+        kind: Their type.
+        values: Their values by name.
+        uniform: Whether their schema says that they cannot vary in time.
+        interpolation: Which elements of a mesh the values belong to, for primvars and normals.
+    """
+    variability = Sdf.VariabilityUniform if uniform else Sdf.VariabilityVarying
+    for name, value in values.items():
+        spec = Sdf.AttributeSpec(prim, name, kind, variability)
+        spec.default = value
+        if interpolation:
+            spec.SetInfo("interpolation", interpolation)
+
+
+def connect(prim: Sdf.PrimSpec, name: str, source: Sdf.Path) -> None:
+    """Add a token attribute that takes its value from another attribute."""
+    spec = Sdf.AttributeSpec(prim, name, TYPES.Token)
+    spec.connectionPathList.explicitItems = [source]
+
+
+def relate(prim: Sdf.PrimSpec, name: str, target: Sdf.Path) -> None:
+    """Add a relationship to one prim."""
+    spec = Sdf.RelationshipSpec(prim, name, custom=False)
+    spec.targetPathList.explicitItems = [target]
+
+
+def place(prim: Sdf.PrimSpec, pose: Array, scale: Sequence[float] | None = None) -> None:
+    """Place a prim in its parent.
+
+    Args:
+        prim: The prim.
+        pose: Rigid transform, shape (4, 4) [m].
+        scale: Factors along its own axes, which act first; None leaves the prim unscaled.
+    """
+    order = ["xformOp:translate", "xformOp:orient"]
+    write(prim, TYPES.Double3, {"xformOp:translate": Gf.Vec3d(*_plain(pose[:3, 3]))})
+    write(prim, TYPES.Quatd, {"xformOp:orient": Gf.Quatd(*_plain(quaternion(pose)))})
+    if scale is not None:
+        order.append("xformOp:scale")
+        write(prim, TYPES.Double3, {"xformOp:scale": Gf.Vec3d(*_plain(scale))})
+    write(prim, TYPES.TokenArray, {"xformOpOrder": Vt.TokenArray(order)}, uniform=True)
+
+
+def vec3(value: Array | Sequence[float]) -> Gf.Vec3f:
+    """Return a vector, shape (3,), in single precision."""
+    return Gf.Vec3f(*_plain(value))
+
+
+def vec3_array(values: Array) -> Vt.Vec3fArray:
+    """Return vectors, shape (n, 3), in single precision."""
+    return Vt.Vec3fArray.FromNumpy(np.ascontiguousarray(values, np.float32) + np.float32(0.0))
+
+
+def int_array(values: NDArray[np.int64]) -> Vt.IntArray:
+    """Return integers, shape (n,)."""
+    return Vt.IntArray.FromNumpy(np.ascontiguousarray(values, np.int32))
+
+
+def quatf(rotation: Array) -> Gf.Quatf:
+    """Return a rotation, shape (3, 3), as a quaternion in single precision."""
+    return Gf.Quatf(*_plain(quaternion(rotation)))
+
+
+def text(layer: Sdf.Layer) -> bytes:
+    """Return a layer as text."""
+    return str(layer.ExportToString()).encode()
+
+
+def binary(layer: Sdf.Layer) -> bytes:
+    """Return a layer in the binary format.
+
+    Raises:
+        ExportError: The temporary directory cannot be written to.
+    """
+    # pxr writes this format to files only
+    with tempfile.TemporaryDirectory() as directory:
+        path = Path(directory) / "layer.usdc"
+        if not layer.Export(str(path)):
+            raise ExportError(f"cannot write the temporary file {path}; free some space or set TMPDIR")
+        return path.read_bytes()
+
+
+def _plain(values: Array | Sequence[float]) -> list[float]:
+    """Return numbers without negative zeros, which would read oddly in the text."""
+    return [float(value) + 0.0 for value in values]

@@ -1,0 +1,188 @@
+"""Evaluation: each distinct subgraph is computed once, and remembered by its content."""
+
+import hashlib
+import math
+import typing
+from collections import Counter, OrderedDict
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from time import perf_counter
+from typing import Any
+
+import numpy as np
+
+from artgen.errors import ArtgenError, EvaluationError, InfeasibleError
+from artgen.graph.handle import Handle, decode
+from artgen.graph.kernel import Operation, alternatives, operation
+from artgen.graph.node import PARAMETER, Node, digest, topological
+
+
+class Cache:
+    """Values of subgraphs by content; the least recently used are forgotten first.
+
+    Args:
+        capacity: How many values are kept.
+    """
+
+    def __init__(self, capacity: int = 4096) -> None:
+        self.capacity = capacity
+        self._values: OrderedDict[str, Any] = OrderedDict()
+
+    def __contains__(self, key: str) -> bool:
+        return key in self._values
+
+    def __len__(self) -> int:
+        return len(self._values)
+
+    def get(self, key: str) -> Any:
+        """Return the value kept under a key that is known to be here."""
+        self._values.move_to_end(key)
+        return self._values[key]
+
+    def put(self, key: str, value: Any) -> None:
+        """Keep a value."""
+        self._values[key] = value
+        if len(self._values) > self.capacity:
+            self._values.popitem(last=False)
+
+
+@dataclass
+class Evaluation:
+    """What an evaluation gave and what it cost.
+
+    Attributes:
+        value: The value of the root.
+        runs: How often each operation's kernel ran.
+        hits: How many values came from the cache.
+        seconds: Time spent in each operation's kernel [s].
+        keys: The content key of each node, by the node's own key.
+    """
+
+    value: Any = None
+    runs: Counter[str] = field(default_factory=Counter)
+    hits: int = 0
+    seconds: dict[str, float] = field(default_factory=dict)
+    keys: dict[str, str] = field(default_factory=dict)
+
+
+def evaluate(
+    handle: Handle, parameters: Mapping[str, Any] | None = None, cache: Cache | None = None
+) -> Evaluation:
+    """Compute the value of a handle.
+
+    Args:
+        handle: Root of the graph.
+        parameters: The value of each parameter that the graph reaches.
+        cache: Values known from earlier evaluations; more are added.
+
+    Raises:
+        EvaluationError: A kernel failed; names its operation, the reason, and the author's line.
+        InfeasibleError: A requirement is violated.
+    """
+    cache = Cache() if cache is None else cache
+    result = Evaluation()
+    order = topological(handle.node)
+    given = parameters or {}
+    result.keys = _content_keys(order, given)
+    values: dict[str, Any] = {}
+    stack = [handle.node]
+    while stack:
+        node = stack[-1]
+        if node.key in values:
+            stack.pop()
+            continue
+        if node.op == PARAMETER:
+            values[node.key] = _parameter_value(node, given)
+            continue
+        content = result.keys[node.key]
+        if content in cache:
+            values[node.key] = cache.get(content)
+            result.hits += 1
+            continue
+        known = operation(node.op)
+        missing = [child for child in _needed(node, known, values) if child.key not in values]
+        if missing:
+            stack.extend(reversed(missing))
+            continue
+        start = perf_counter()
+        values[node.key] = value = _run(node, known, values)
+        result.seconds[node.op] = result.seconds.get(node.op, 0.0) + perf_counter() - start
+        result.runs[node.op] += 1
+        cache.put(content, value)
+    result.value = values[handle.node.key]
+    return result
+
+
+def _content_keys(order: list[Node], parameters: Mapping[str, Any]) -> dict[str, str]:
+    """Hash every node with the values of its parameters in their places."""
+    keys: dict[str, str] = {}
+    for node in order:
+        if node.op == PARAMETER:
+            name = node.inputs["name"]
+            if name not in parameters:
+                raise EvaluationError(f"parameter {name!r} has no value\n  at {node.where}")
+            text = f"{PARAMETER}\0{parameters[name]!r}"
+            keys[node.key] = hashlib.blake2b(text.encode(), digest_size=12).hexdigest()
+        elif node.varies:
+            keys[node.key] = digest(node, lambda child: keys[child.key])
+        else:
+            keys[node.key] = node.key
+    return keys
+
+
+def _parameter_value(node: Node, parameters: Mapping[str, Any]) -> Any:
+    """Return the value of a parameter node in the form that kernels take."""
+    kinds = {handle.__name__: handle for handle in Handle.HANDLES.values()}
+    return kinds[node.inputs["kind"]].decode(parameters[node.inputs["name"]])
+
+
+def _needed(node: Node, known: Operation, values: Mapping[str, Any]) -> list[Node]:
+    """Return the inputs that must be computed next: all, or for a switch the chosen branch only."""
+    if not known.lazy:
+        return list(node.children())
+    condition = node.inputs["condition"]
+    if isinstance(condition, Node):
+        if condition.key not in values:
+            return [condition]
+        condition = values[condition.key]
+    chosen = node.inputs["a" if condition else "b"]
+    return [chosen] if isinstance(chosen, Node) else []
+
+
+def _run(node: Node, known: Operation, values: Mapping[str, Any]) -> Any:
+    inputs = {
+        name: _resolve(node.inputs[name], hint, values, lazy=known.lazy)
+        for name, hint in known.inputs.items()
+    }
+    try:
+        value = known.kernel(**inputs)
+    except InfeasibleError as error:
+        raise InfeasibleError(f"{error}\n  at {node.where}") from None
+    except ArtgenError:
+        raise
+    except Exception as error:
+        reason = str(error) or type(error).__name__
+        raise EvaluationError(f"{node.op} failed: {reason}\n  at {node.where}") from error
+    if isinstance(value, float) and not math.isfinite(value):
+        raise EvaluationError(f"{node.op} gives {value}, which is no finite number\n  at {node.where}")
+    if isinstance(value, np.ndarray):
+        if not np.isfinite(value).all():
+            raise EvaluationError(f"{node.op} gives {value}, which is not finite\n  at {node.where}")
+        value.setflags(write=False)
+    return value
+
+
+def _resolve(value: Any, hint: Any, values: Mapping[str, Any], *, lazy: bool = False) -> Any:
+    """Put values in the place of nodes, and decode literals."""
+    if isinstance(value, Node):
+        return values.get(value.key) if lazy else values[value.key]
+    if isinstance(value, list):
+        for option in alternatives(hint):
+            if typing.get_origin(option) is tuple:
+                members = typing.get_args(option)
+                if members[-1] is Ellipsis:
+                    return tuple(_resolve(item, members[0], values) for item in value)
+                return tuple(
+                    _resolve(item, member, values) for item, member in zip(value, members, strict=True)
+                )
+    return decode(value, hint)

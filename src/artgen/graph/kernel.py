@@ -1,0 +1,112 @@
+"""Registered operations: a kernel computes on values what its constructor records in the graph."""
+
+import inspect
+import types
+import typing
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any, TypeVar, overload
+
+from artgen.errors import GraphError, nearest
+
+F = TypeVar("F", bound=Callable[..., Any])
+
+
+@dataclass(frozen=True, eq=False)
+class Operation:
+    """A registered operation.
+
+    Attributes:
+        name: The kernel's name without leading underscores; also its constructor's name.
+        kernel: Computes the result from the inputs' values, passed by keyword.
+        inputs: The type of each input's value, from the kernel's annotations.
+        result: The type of the result's value.
+        spelling: How Python source spells it, such as `({a} + {b})`; empty: a call of the constructor.
+        lazy: Whether only one of the inputs `a` and `b` is evaluated, as the input `condition` tells.
+        constructor: Name of the function beside the kernel that records the operation.
+    """
+
+    name: str
+    kernel: Callable[..., Any]
+    inputs: Mapping[str, Any]
+    result: Any
+    spelling: str = ""
+    lazy: bool = False
+    constructor: str = ""
+
+    @property
+    def module(self) -> str:
+        """The module that holds the kernel and, beside it, the constructor."""
+        return self.kernel.__module__
+
+
+OPERATIONS: dict[str, Operation] = {}
+"""Every operation by name, filled when the modules that define them are imported."""
+
+
+@overload
+def kernel(function: F) -> F: ...
+@overload
+def kernel(
+    *, name: str = "", spelling: str = "", lazy: bool = False, constructor: str = ""
+) -> Callable[[F], F]: ...
+def kernel(
+    function: F | None = None,
+    *,
+    name: str = "",
+    spelling: str = "",
+    lazy: bool = False,
+    constructor: str = "",
+) -> F | Callable[[F], F]:
+    """Register a function as the kernel of the operation that bears its name.
+
+    Args:
+        function: Computes on values; its annotations tell the constructor what to accept.
+        name: Name of the operation; by default the function's name without leading underscores.
+        spelling: How Python source spells the operation, e.g. `({a} + {b})`.
+        lazy: Evaluate only that one of the inputs `a` and `b` which the input `condition` chooses.
+        constructor: Name of the function beside the kernel that records the operation, where it is not the
+            operation's own name.
+
+    Raises:
+        GraphError: Another kernel has that name.
+    """
+
+    def register(made: F) -> F:
+        operation = name or made.__name__.lstrip("_")
+        if operation in OPERATIONS:
+            other = OPERATIONS[operation].kernel
+            raise GraphError(
+                f"the operation {operation!r} is defined twice, in {other.__module__} and {made.__module__}"
+            )
+        hints = typing.get_type_hints(made, include_extras=True)
+        result = hints.pop("return", None)
+        names = inspect.signature(made).parameters
+        missing = [parameter for parameter in names if parameter not in hints]
+        if missing or result is None:
+            raise GraphError(f"the kernel {operation!r} must annotate {missing or 'its result'}")
+        inputs = {parameter: hints[parameter] for parameter in names}
+        OPERATIONS[operation] = Operation(
+            operation, made, inputs, result, spelling, lazy, constructor or operation
+        )
+        return made
+
+    return register if function is None else register(function)
+
+
+def operation(name: str) -> Operation:
+    """Return the operation of that name.
+
+    Raises:
+        GraphError: There is none; the message has the nearest name.
+    """
+    if name not in OPERATIONS:
+        raise GraphError(f"there is no operation {name!r}.{nearest(name, OPERATIONS)}")
+    return OPERATIONS[name]
+
+
+def alternatives(hint: Any) -> tuple[Any, ...]:
+    """Return the members of a union type, or the type alone."""
+    if isinstance(hint, types.UnionType) or typing.get_origin(hint) is typing.Union:
+        return typing.get_args(hint)
+    return (hint,)

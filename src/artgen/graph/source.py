@@ -1,0 +1,109 @@
+"""Graphs as Python source: what an author would have written, line by line."""
+
+import inspect
+import keyword
+import re
+import sys
+from collections import Counter
+from typing import Any
+
+from artgen.graph.handle import LITERAL_TYPES, Handle, handle_of
+from artgen.graph.kernel import Operation, operation
+from artgen.graph.node import PARAMETER, Node, topological
+
+_LONGEST_LINE = 100
+
+
+def to_python(handle: Handle, name: str = "build") -> str:
+    """Return Python source of a function that builds the graph which a handle reaches.
+
+    Running the source and calling the function gives a handle whose node has the same key.
+    """
+    writer = _Writer(handle)
+    result = writer.expression(handle.node)
+    kind = type(handle_of(handle.node)).__name__
+    imports = "".join(
+        f"from {module} import {', '.join(sorted(names))}\n"
+        for module, names in sorted(writer.imports.items())
+    )
+    body = "".join(f"    {line}\n" for line in writer.lines)
+    return f"{imports}\n\ndef {name}() -> {kind}:\n{body}    return {result}\n"
+
+
+class _Writer:
+    """Names the shared nodes and spells the others where they are used."""
+
+    def __init__(self, handle: Handle) -> None:
+        order = topological(handle.node)
+        uses = Counter(child.key for node in order for child in node.children())
+        self.lines: list[str] = []
+        self.imports: dict[str, set[str]] = {}
+        self._spelled: dict[str, str] = {}
+        self._taken: Counter[str] = Counter()
+        self._import(type(handle_of(handle.node)))
+        for node in order:
+            text = self._spell(node)
+            if uses[node.key] > 1 or len(text) > _LONGEST_LINE:
+                variable = self._variable(node)
+                self.lines.append(f"{variable} = {text}")
+                text = variable
+            self._spelled[node.key] = text
+
+    def expression(self, node: Node) -> str:
+        return self._spelled[node.key]
+
+    def _import(self, made: Any) -> str:
+        name: str = made.__name__
+        self.imports.setdefault(made.__module__, set()).add(name)
+        return name
+
+    def _variable(self, node: Node) -> str:
+        wanted = str(node.inputs.get("label") or node.inputs.get("name") or node.op)
+        wanted = re.sub(r"\W", "_", wanted)
+        if not wanted.isidentifier() or keyword.iskeyword(wanted):
+            wanted = f"_{wanted}"
+        # a suffix keeps variables apart from the functions that the source imports
+        self._taken[wanted] += 1
+        return f"{wanted}_{self._taken[wanted]}"
+
+    def _spell(self, node: Node) -> str:
+        if node.op == PARAMETER:
+            kind = self._import(type(handle_of(node)))
+            return f"{kind}.parameter({node.inputs['name']!r})"
+        known = operation(node.op)
+        arguments = {name: self._value(value) for name, value in node.inputs.items()}
+        infix = known.spelling and any(isinstance(value, Node) for value in node.inputs.values())
+        if infix:
+            return known.spelling.format(**arguments)
+        return self._call(known, node, arguments)
+
+    def _call(self, known: Operation, node: Node, arguments: dict[str, str]) -> str:
+        constructor = getattr(sys.modules[known.module], known.constructor, None)
+        if constructor is None:
+            handle = self._import(type(handle_of(node)))
+            return f"{handle}.record({known.name!r}, {_joined(arguments)})"
+        self.imports.setdefault(known.module, set()).add(known.constructor)
+        for parameter in inspect.signature(constructor).parameters.values():
+            if parameter.kind is parameter.VAR_POSITIONAL:
+                several = node.inputs[parameter.name]
+                spread = [self._value(item) for item in several]
+                rest = {name: text for name, text in arguments.items() if name != parameter.name}
+                return f"{known.constructor}({', '.join([*spread, *([_joined(rest)] if rest else [])])})"
+        return f"{known.constructor}({_joined(arguments)})"
+
+    def _value(self, value: Any) -> str:
+        if isinstance(value, Node):
+            return self._spelled[value.key]
+        if isinstance(value, list):
+            items = [self._value(item) for item in value]
+            return f"({', '.join(items)}{',' if len(items) == 1 else ''})"
+        if isinstance(value, dict):
+            for kind, literal in LITERAL_TYPES.items():
+                if "$" + literal.tag in value:
+                    self._import(kind)
+                    return repr(literal.decode(value["$" + literal.tag]))
+        return repr(value)
+
+
+def _joined(arguments: dict[str, str]) -> str:
+    return ", ".join(f"{name}={text}" for name, text in arguments.items())

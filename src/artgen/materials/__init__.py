@@ -1,0 +1,6 @@
+"""Materials: how a surface looks and what a solid of it weighs and grips."""
+
+from artgen.materials.material import Material
+from artgen.materials.table import MATERIALS, material
+
+__all__ = ["MATERIALS", "Material", "material"]

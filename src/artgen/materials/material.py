@@ -1,0 +1,79 @@
+"""The material: OpenPBR's names for looks, SI units for physics."""
+
+import re
+import zlib
+from dataclasses import asdict, dataclass, replace
+from typing import Any
+
+from artgen.errors import ParameterError
+
+_NAME = re.compile(r"[a-z][a-z0-9_]*\Z")
+
+
+@dataclass(frozen=True)
+class Material:
+    """How a surface looks and what a solid of it weighs and grips.
+
+    Attributes:
+        name: Identifier, unique among the materials of one asset.
+        base_color: Linear RGB albedo, each in 0..1, shape (3,).
+        base_metalness: 0 for dielectrics, 1 for bare metal.
+        specular_roughness: GGX roughness in 0..1.
+        opacity: 1 is opaque; glass lets light through below 1.
+        emission: Linear RGB radiance factor, shape (3,).
+        density: Density of the solid [kg/m^3].
+        friction: Coefficient of dry friction [-].
+    """
+
+    name: str
+    base_color: tuple[float, float, float] = (0.5, 0.5, 0.5)
+    base_metalness: float = 0.0
+    specular_roughness: float = 0.5
+    opacity: float = 1.0
+    emission: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    density: float = 1000.0
+    friction: float = 0.5
+
+    def __post_init__(self) -> None:
+        """Check every field; a bad one is a ParameterError that names it."""
+        if not _NAME.match(self.name):
+            raise ParameterError(
+                f"material name {self.name!r} is not a lower-case identifier; use letters, digits and _"
+            )
+        for field in ("base_color", "emission"):
+            value = tuple(float(channel) for channel in getattr(self, field))
+            if len(value) != 3 or not all(0.0 <= channel <= 1.0 for channel in value):
+                raise ParameterError(f"material {self.name!r}: {field} {value} must be 3 numbers in 0..1")
+            object.__setattr__(self, field, value)
+        for field in ("base_metalness", "specular_roughness", "opacity"):
+            if not 0.0 <= getattr(self, field) <= 1.0:
+                raise ParameterError(
+                    f"material {self.name!r}: {field} {getattr(self, field)} must be in 0..1"
+                )
+        if not self.density > 0.0:
+            raise ParameterError(f"material {self.name!r}: density {self.density} must be positive [kg/m^3]")
+        if not self.friction >= 0.0:
+            raise ParameterError(f"material {self.name!r}: friction {self.friction} must not be negative")
+
+    @property
+    def number(self) -> int:
+        """A stable positive number of the name, which marks painted faces of a mesh."""
+        return zlib.crc32(self.name.encode()) | 1
+
+    def with_(self, **changes: Any) -> "Material":
+        """Return a copy with some fields changed, e.g. a colour drawn for one asset."""
+        try:
+            return replace(self, **changes)
+        except TypeError as error:
+            raise ParameterError(f"material {self.name!r}: {error}") from None
+
+    def to_data(self) -> dict[str, Any]:
+        """Return the fields as JSON data."""
+        data = asdict(self)
+        data["base_color"], data["emission"] = list(self.base_color), list(self.emission)
+        return data
+
+    @staticmethod
+    def from_data(data: dict[str, Any]) -> "Material":
+        """Read what `to_data` wrote."""
+        return Material(**{k: tuple(v) if isinstance(v, list) else v for k, v in data.items()})

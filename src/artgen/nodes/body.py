@@ -1,0 +1,223 @@
+"""Bodies: parts become links, joints join them."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Annotated, Any, ClassVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from artgen import asset as values
+from artgen.asset import Branch, Grasp, Link, Piece, Shape, Tree, rotation
+from artgen.graph import Handle, kernel
+from artgen.materials import Material
+from artgen.nodes.handles import Array3, ArrayN3, Body, PointsLike, Scalar, Solid, VectorLike
+from artgen.nodes.joint import Joint
+from artgen.nodes.vector import unit
+
+Array4x4 = Annotated[NDArray[np.float64], "frame"]
+"""The value of a `Frame`, shape (4, 4)."""
+
+
+class Frame(Handle):
+    """A pose in asset coordinates."""
+
+    __slots__ = ()
+    value_type: ClassVar[Any] = Array4x4
+
+
+@kernel
+def _frame(at: Array3, approach: Array3, closing: Array3) -> Array4x4:
+    z = unit(approach)
+    x = unit(closing - z * float(closing @ z))
+    result = np.eye(4)
+    result[:3, :3] = np.stack([x, np.cross(z, x), z], axis=1)
+    result[:3, 3] = at
+    return result
+
+
+def frame(
+    at: VectorLike, *, approach: VectorLike = (0.0, 1.0, 0.0), closing: VectorLike = (0.0, 0.0, 1.0)
+) -> Frame:
+    """Make the frame at which a hand takes hold.
+
+    Args:
+        at: The point between the fingers in asset coordinates [m].
+        approach: Direction in which the hand comes.
+        closing: Direction along which the fingers close; made perpendicular to `approach`.
+    """
+    return Frame.record(_frame, at=at, approach=approach, closing=closing)
+
+
+def _check_name(name: str, what: str) -> None:
+    if not name.isidentifier() or not name.isascii():
+        raise ValueError(f"{what} {name!r} is no identifier; use letters, digits and _")
+
+
+@kernel
+def _part(
+    solid: Shape,
+    label: str,
+    material: Material,
+    name: str | None,
+    grasp: tuple[Array4x4, ...],
+    grasp_width: float,
+) -> Tree:
+    link_name = label if name is None else name
+    _check_name(label, "label")
+    _check_name(link_name, "link name")
+    if grasp_width <= 0.0:
+        raise ValueError(f"grasp_width must be positive, got {grasp_width:.6g} m")
+    grasps = tuple(
+        Grasp(f"{link_name}_grasp{f'_{index}' if len(grasp) > 1 else ''}", pose, grasp_width)
+        for index, pose in enumerate(grasp)
+    )
+    return Tree(Link(link_name, label, (Piece(label, material, solid),), grasps))
+
+
+def part(
+    solid: Solid,
+    label: str,
+    material: Material,
+    *,
+    name: str | None = None,
+    grasp: Frame | Sequence[Frame] = (),
+    grasp_width: Scalar = 0.08,
+) -> Body:
+    """Make a rigid link of a solid.
+
+    Args:
+        solid: The solid in asset coordinates.
+        label: Semantic label.
+        material: What it is made of.
+        name: Name of the link; by default its label.
+        grasp: Frames at which a hand takes hold, in asset coordinates.
+        grasp_width: Opening that the fingers need [m].
+    """
+    grasps = (grasp,) if isinstance(grasp, Frame) else grasp
+    return Body.record(
+        _part,
+        solid=solid,
+        label=label,
+        material=material,
+        name=name,
+        grasp=grasps,
+        grasp_width=grasp_width,
+    )
+
+
+@kernel
+def _detail(solid: Shape, label: str, material: Material) -> Tree:
+    _check_name(label, "label")
+    return Tree(Link(label, label, (Piece(label, material, solid, visual=True),)))
+
+
+def detail(solid: Solid, label: str, material: Material) -> Body:
+    """Make something that is only seen, such as print or a screw's head: no mass, no collider.
+
+    It has to be welded to a part.
+    """
+    return Body.record(_detail, solid=solid, label=label, material=material)
+
+
+@kernel
+def _weld(bodies: tuple[Tree, ...]) -> Tree:
+    if not bodies:
+        raise ValueError("weld needs at least one body")
+    first = bodies[0].link
+    link = replace(
+        first,
+        pieces=tuple(piece for body in bodies for piece in body.link.pieces),
+        grasps=tuple(grasp for body in bodies for grasp in body.link.grasps),
+    )
+    return Tree(link, tuple(branch for body in bodies for branch in body.branches)).checked()
+
+
+def weld(*bodies: Body) -> Body:
+    """Join bodies rigidly: one link with the name of the first, each solid keeping its label and material.
+
+    Where the solids overlap, the volume counts once, with the density of the first.
+    """
+    return Body.record(_weld, bodies=bodies)
+
+
+@kernel
+def _attach(parent: Tree, child: Tree, joints: tuple[values.Joint, ...]) -> Tree:
+    if not joints:
+        raise ValueError("attach needs at least one joint; weld joins bodies rigidly")
+    return Tree(parent.link, (*parent.branches, Branch(joints, child))).checked()
+
+
+def attach(parent: Body, child: Body, joints: Sequence[Joint]) -> Body:
+    """Join a child to a parent by joints that act in order, the first nearest to the parent."""
+    return Body.record(_attach, parent=parent, child=child, joints=joints)
+
+
+_NOWHERE = Link("nowhere", "nowhere")  # stands for the parent while a branch is copied
+
+
+@kernel
+def _repeat(parent: Tree, child: Tree, joints: tuple[values.Joint, ...], at: ArrayN3) -> Tree:
+    if not joints:
+        raise ValueError("repeat needs at least one joint; array and weld join copies rigidly")
+    branches = []
+    for index, point in enumerate(at):
+        matrix = np.eye(4)
+        matrix[:3, 3] = point
+        copy = Tree(_NOWHERE, (Branch(joints, child),)).moved(matrix).suffixed(f"_{index}")
+        branches.append(copy.branches[0])
+    return Tree(parent.link, (*parent.branches, *branches)).checked()
+
+
+def repeat(parent: Body, child: Body, joints: Sequence[Joint], at: PointsLike) -> Body:
+    """Join a copy of a child, moved to each point, with copies of its joints; suffixed `_0`, `_1`, ..."""
+    return Body.record(_repeat, parent=parent, child=child, joints=joints, at=at)
+
+
+@kernel
+def _translate_body(body: Tree, offset: Array3) -> Tree:
+    matrix = np.eye(4)
+    matrix[:3, 3] = offset
+    return body.moved(matrix)
+
+
+def translate_body(body: Body, offset: VectorLike) -> Body:
+    """Move a body with its joints by a vector [m]."""
+    return Body.record(_translate_body, body=body, offset=offset)
+
+
+@kernel
+def _rotate_body(body: Tree, axis: Array3, angle: float, about: Array3) -> Tree:
+    matrix = np.eye(4)
+    matrix[:3, :3] = rotation(unit(axis), angle)
+    matrix[:3, 3] = about - matrix[:3, :3] @ about
+    return body.moved(matrix)
+
+
+def rotate_body(body: Body, axis: VectorLike, angle: Scalar, about: VectorLike) -> Body:
+    """Turn a body with its joints about an axis through a point by an angle [rad]."""
+    return Body.record(_rotate_body, body=body, axis=axis, angle=angle, about=about)
+
+
+@kernel
+def _mirror_body(body: Tree, normal: Array3) -> Tree:
+    direction = unit(normal)
+    matrix = np.eye(4)
+    matrix[:3, :3] -= 2.0 * np.outer(direction, direction)
+    return body.moved(matrix)
+
+
+def mirror_body(body: Body, normal: VectorLike) -> Body:
+    """Reflect a body with its joints in the plane through the origin with that normal."""
+    return Body.record(_mirror_body, body=body, normal=normal)
+
+
+@kernel
+def _suffix(body: Tree, suffix: str) -> Tree:
+    _check_name(f"x{suffix}", "suffix")
+    return body.suffixed(suffix)
+
+
+def suffix(body: Body, suffix: str) -> Body:
+    """Add a suffix to the names of all links, joints and grasps of a body."""
+    return Body.record(_suffix, body=body, suffix=suffix)

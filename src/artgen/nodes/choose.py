@@ -1,0 +1,94 @@
+"""Choosing between values by a condition, and conditions that a sample must meet."""
+
+from collections.abc import Callable
+from typing import Any, TypeVar, overload
+
+from artgen.errors import BuildError, InfeasibleError
+from artgen.graph import Handle, kernel
+from artgen.graph.node import authors_line
+from artgen.nodes.handles import Body, Bool, Condition_, Float, Path, Points, Profile, Scalar, Solid, Vector
+
+H = TypeVar("H", bound=Handle)
+
+
+def _typed(function: Callable[..., Any], value_type: Any, **others: Any) -> Callable[..., Any]:
+    """Annotate a kernel that works on values of any one type."""
+    function.__annotations__ = {"return": value_type, **others}
+    return function
+
+
+def _register(handle: type[Handle]) -> None:
+    """Register `switch` and `require` for one type of value."""
+
+    def choose(condition: bool, a: Any, b: Any) -> Any:
+        return a if condition else b
+
+    def demand(value: Any, condition: bool, message: str) -> Any:
+        if not condition:
+            raise InfeasibleError(message)
+        return value
+
+    kind, suffix = handle.value_type, handle.__name__.lower()
+    kernel(name=f"switch_{suffix}", lazy=True, constructor="switch")(
+        _typed(choose, kind, condition=bool, a=kind, b=kind)
+    )
+    kernel(name=f"require_{suffix}", constructor="require")(
+        _typed(demand, kind, value=kind, condition=bool, message=str)
+    )
+
+
+_CHOOSABLE = (Float, Bool, Vector, Points, Profile, Path, Solid, Body)
+for _handle in _CHOOSABLE:
+    _register(_handle)
+
+
+@overload
+def switch(condition: Condition_, a: H, b: H) -> H: ...
+@overload
+def switch(condition: Condition_, a: Scalar, b: Scalar) -> Float: ...
+def switch(condition: Condition_, a: Any, b: Any) -> Any:
+    """Return `a` where the condition holds and `b` elsewhere; only the chosen one is computed.
+
+    Args:
+        condition: A Bool, or a Python bool.
+        a: A handle, or a number.
+        b: A handle of the same type, or a number.
+
+    Raises:
+        BuildError: `a` and `b` are of different types.
+    """
+    kind = next((type(value) for value in (a, b) if isinstance(value, Handle)), Float)
+    if kind not in _CHOOSABLE:
+        names = ", ".join(handle.__name__ for handle in _CHOOSABLE)
+        raise BuildError(
+            f"switch chooses between values of {names}, not {kind.__name__}\n  at {authors_line()}"
+        )
+    return kind.record(f"switch_{kind.__name__.lower()}", condition=condition, a=a, b=b)
+
+
+@overload
+def require(value: H, condition: Condition_, message: str) -> H: ...
+@overload
+def require(value: bool, condition: str) -> None: ...
+def require(value: Any, condition: Any, message: str = "") -> Any:
+    """Demand that a condition holds; a sample that violates it is infeasible and drawn again.
+
+    `require(condition, message)` checks a condition that is known while building (of structural
+    parameters). `require(value, condition, message)`, like `value.require(condition, message)`, returns
+    the value on a condition that is known at evaluation: it must be part of what the category returns,
+    since a graph is what the returned handle reaches.
+
+    Raises:
+        InfeasibleError: The condition is known and does not hold.
+        BuildError: A condition that is known at evaluation came without a value.
+    """
+    if isinstance(value, Bool) and isinstance(condition, str) and not message:
+        raise BuildError(
+            "require(condition, message) with a Bool would be reached by nothing\n"
+            f"  at {authors_line()}\n  Attach it to a value: return body.require(condition, message)"
+        )
+    if isinstance(value, bool) and isinstance(condition, str):
+        if not value:
+            raise InfeasibleError(f"{condition}\n  at {authors_line()}")
+        return None
+    return value.require(condition, message)

@@ -1,0 +1,208 @@
+"""Closed curves of the plane as points with analytic normals, and regions made of them."""
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+from manifold3d import CrossSection, FillRule
+from numpy.typing import NDArray
+
+from artgen.asset.outline import Contour, Outline
+from artgen.nodes.surfaces import arc_steps, sides_of
+
+Array = NDArray[np.float64]
+
+CREASE = math.radians(35.0)
+"""A turn below this is taken for the sampling of a smooth curve."""
+
+_SAME = 1e-7  # [m]: points of a contour closer than this are one
+
+
+def side_normals(points: Array) -> Array:
+    """Return the unit normal to the right of each side of a closed polygon, shape (n, 2)."""
+    sides = np.roll(points, -1, axis=0) - points
+    length = np.hypot(sides[:, 0], sides[:, 1])
+    return np.column_stack([sides[:, 1], -sides[:, 0]]) / np.maximum(length, 1e-300)[:, None]
+
+
+def faceted(points: Array) -> Contour:
+    """Return a contour with a corner at each of its points, shape (n, 2)."""
+    normals = side_normals(points)
+    return Contour(points, np.roll(normals, 1, axis=0), normals)
+
+
+def smooth(points: Array, normals: Array) -> Contour:
+    """Return a contour that is smooth at each of its points, both shape (n, 2)."""
+    return Contour(points, normals, normals)
+
+
+def estimated(points: Array) -> Contour:
+    """Return a contour of points alone, shape (n, 2): turns below `CREASE` are smooth, others corners.
+
+    A smooth vertex takes its normal from the adjacent sides weighted by length, so a long straight side
+    beside an arc stays flat.
+    """
+    leaving = side_normals(points)
+    arriving = np.roll(leaving, 1, axis=0)
+    sides = np.roll(points, -1, axis=0) - points
+    length = np.hypot(sides[:, 0], sides[:, 1])[:, None]
+    mean = leaving * length + arriving * np.roll(length, 1, axis=0)
+    mean /= np.maximum(np.linalg.norm(mean, axis=1, keepdims=True), 1e-300)
+    curved = (np.einsum("ij,ij->i", leaving, arriving) > math.cos(CREASE))[:, None]
+    return Contour(points, np.where(curved, mean, arriving), np.where(curved, mean, leaving))
+
+
+def reversed_contour(contour: Contour) -> Contour:
+    """Return the contour run through the other way, which turns a border into a hole."""
+    return Contour(
+        np.ascontiguousarray(contour.points[::-1]),
+        np.ascontiguousarray(-contour.normals_out[::-1]),
+        np.ascontiguousarray(-contour.normals_in[::-1]),
+    )
+
+
+def arc_points(center: Array, radius: float, start: float, sweep: float, steps: int) -> tuple[Array, Array]:
+    """Return points of an arc and their directions from the centre, both shape (steps + 1, 2)."""
+    angle = start + sweep * np.arange(steps + 1) / steps
+    outward = np.column_stack([np.cos(angle), np.sin(angle)])
+    outward[np.abs(outward) < 1e-15] = 0.0
+    return center + radius * outward, outward
+
+
+def circle_contour(radius: float, sides: int | None = None) -> Contour:
+    """Return a circle about the origin, its points on the radius [m]."""
+    points, outward = arc_points(np.zeros(2), radius, 0.0, math.tau, sides or sides_of(radius))
+    return smooth(points[:-1], outward[:-1])
+
+
+def ellipse_contour(radius_x: float, radius_y: float) -> Contour:
+    """Return an ellipse about the origin with its half axes [m] along x and y."""
+    sides = sides_of(max(radius_x, radius_y))
+    unit = circle_contour(1.0, sides).points
+    normals = unit / np.array([radius_x, radius_y])
+    normals /= np.linalg.norm(normals, axis=1, keepdims=True)
+    return smooth(unit * np.array([radius_x, radius_y]), normals)
+
+
+def rounded_polygon(corners: Array, radii: Sequence[float] | Array) -> Contour:
+    """Return a counter-clockwise polygon whose corners are rounded by arcs tangent to its sides.
+
+    Args:
+        corners: Points, shape (n, 2) [m].
+        radii: Radius at each corner, 0 leaves it sharp, shape (n,) [m].
+
+    Raises:
+        ValueError: Two neighbouring arcs need more than the side between them.
+    """
+    count = len(corners)
+    normals = side_normals(corners)
+    length = np.linalg.norm(np.roll(corners, -1, axis=0) - corners, axis=1)
+    turns, reach = np.zeros(count), np.zeros(count)
+    for i in range(count):
+        before, after = normals[i - 1], normals[i]
+        turns[i] = math.atan2(before[0] * after[1] - before[1] * after[0], float(before @ after))
+        reach[i] = radii[i] * math.tan(abs(turns[i]) / 2.0)
+    spare = length - reach - np.roll(reach, -1)
+    if spare.min() < -1e-9:
+        side = int(np.argmin(spare))
+        raise ValueError(
+            f"the rounded corners at points {side} and {(side + 1) % count} need "
+            f"{(length[side] - spare[side]) * 1e3:.3g} mm of a side {length[side] * 1e3:.3g} mm long; "
+            "use a smaller radius"
+        )
+    points, arriving, leaving = [], [], []
+    for i in range(count):
+        before, after, turn = normals[i - 1], normals[i], turns[i]
+        if radii[i] <= 0.0 or abs(turn) < 1e-6:
+            points.append(corners[i : i + 1])
+            arriving.append(before[None])
+            leaving.append(after[None])
+            continue
+        side = math.copysign(1.0, turn)
+        along = np.array([-before[1], before[0]])
+        center = corners[i] - along * reach[i] - side * radii[i] * before
+        start = math.atan2(side * before[1], side * before[0])
+        arc, outward = arc_points(center, radii[i], start, turn, arc_steps(radii[i], turn))
+        points.append(arc)
+        arriving.append(side * outward)
+        leaving.append(side * outward)
+    return without_repeats(Contour(np.concatenate(points), np.concatenate(arriving), np.concatenate(leaving)))
+
+
+def without_repeats(contour: Contour) -> Contour:
+    """Return the contour with neighbouring points at one place joined."""
+    gap = np.linalg.norm(contour.points - np.roll(contour.points, 1, axis=0), axis=1)
+    if gap.min() > _SAME:
+        return contour
+    kept = np.flatnonzero(gap > _SAME)  # each keeps its own place and takes the repeats that follow it
+    last = np.roll(kept, -1) - 1
+    return Contour(contour.points[kept], contour.normals_in[kept], contour.normals_out[last])
+
+
+def signed_area(points: Array) -> float:
+    """Return the area of a polygon [m^2], negative if clockwise."""
+    following = np.roll(points, -1, axis=0)
+    return float(0.5 * (points[:, 0] * following[:, 1] - points[:, 1] * following[:, 0]).sum())
+
+
+def outline_area(contours: Sequence[Contour]) -> float:
+    """Return the area of a region [m^2]."""
+    return sum(signed_area(contour.points) for contour in contours)
+
+
+def section(contours: Sequence[Contour]) -> CrossSection:
+    """Return the region as manifold3d knows it, overlaps resolved."""
+    return CrossSection([contour.points for contour in contours], FillRule.Positive)
+
+
+def is_disjoint(rings: Sequence[Array]) -> bool:
+    """Tell whether rings neither cross each other nor themselves."""
+    area = sum(signed_area(ring) for ring in rings)
+    covered = CrossSection(list(rings), FillRule.Positive).area()
+    return bool(area > 0.0 and abs(covered - area) <= 1e-6 * area + 1e-12)
+
+
+def outline_of(region: CrossSection, what: str) -> Outline:
+    """Return the outline of a region, with estimated normals.
+
+    Raises:
+        ValueError: The region is empty; `what` names the operation.
+    """
+    polygons = region.simplify(_SAME).to_polygons()
+    contours = tuple(
+        estimated(np.asarray(polygon, float))
+        for polygon in polygons
+        if len(polygon) >= 3 and abs(signed_area(np.asarray(polygon, float))) > 1e-12
+    )
+    if not contours:
+        raise ValueError(f"{what} is empty")
+    return Outline(contours)
+
+
+def moved_outline(outline: Outline, matrix: Array, offset: Array) -> Outline:
+    """Return the outline with each point p at matrix @ p + offset, shapes (2, 2) and (2,).
+
+    Raises:
+        ValueError: The matrix flattens the outline.
+    """
+    determinant = float(np.linalg.det(matrix))
+    if abs(determinant) < 1e-12:
+        raise ValueError("the profile would be flattened: no scale may be 0")
+    turn = np.linalg.inv(matrix)
+
+    def moved(contour: Contour) -> Contour:
+        arriving, leaving = (normals @ turn for normals in (contour.normals_in, contour.normals_out))
+        arriving /= np.linalg.norm(arriving, axis=1, keepdims=True)
+        leaving /= np.linalg.norm(leaving, axis=1, keepdims=True)
+        points = contour.points @ matrix.T + offset
+        if determinant > 0.0:
+            return Contour(points, arriving, leaving)
+        # A mirrored contour is run through the other way, so that its outside stays on the right.
+        return Contour(*(np.ascontiguousarray(part[::-1]) for part in (points, leaving, arriving)))
+
+    def moved_polygon(points: Array) -> Array:
+        result = points @ matrix.T + offset
+        return result if determinant > 0.0 else np.ascontiguousarray(result[::-1])
+
+    convex = outline.convex and tuple(moved_polygon(polygon) for polygon in outline.convex)
+    return Outline(tuple(moved(contour) for contour in outline.contours), convex)

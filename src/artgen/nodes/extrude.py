@@ -1,0 +1,117 @@
+"""Extrusions: a profile drawn out along an axis."""
+
+import math
+from collections.abc import Callable, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from artgen.asset.outline import Contour, Outline
+from artgen.asset.shape import Shape
+from artgen.graph import kernel
+from artgen.nodes import inputs
+from artgen.nodes.contours import is_disjoint, moved_outline
+from artgen.nodes.covers import around_extrusion, moved
+from artgen.nodes.handles import Array3, Profile, Scalar, Solid, VectorLike
+from artgen.nodes.surfaces import extrusion, mitres
+
+Array = NDArray[np.float64]
+
+_TWIST_STEP = math.pi / 32.0
+
+
+@kernel
+def _extrude(
+    profile: Outline, length: float, axis: Array3, bevel: float, taper: float, twist: float
+) -> Shape:
+    inputs.positive("length", length)
+    inputs.between("bevel", bevel, 0.0, length / 2.0 * 0.999)
+    inputs.between("taper", taper, -10.0, 0.99, "")
+    inputs.between("twist", twist, -100.0, 100.0, "rad")
+    turn = inputs.frame(axis)
+    if inputs.frame_is_mirrored(turn):
+        profile = moved_outline(profile, np.diag([1.0, -1.0]), np.zeros(2))
+    if bevel > 0.0:
+        _check_bevel(profile.contours, bevel)
+    stations = max(1, math.ceil(abs(twist) / _TWIST_STEP - 1e-9))
+    warp = _warp(length, taper, twist) if taper != 0.0 or twist != 0.0 else None
+    skin = extrusion(profile.contours, length, bevel=bevel, stations=stations, warp=warp).turned(turn)
+    pieces = around_extrusion(profile, length, bevel=bevel, taper=taper, twist=twist, stations=stations)
+    return skin.shape(moved(pieces, inputs.pose(turn)))
+
+
+def extrude(
+    profile: Profile,
+    length: Scalar,
+    *,
+    axis: VectorLike = (0.0, 0.0, 1.0),
+    bevel: Scalar = 0.0,
+    taper: Scalar = 0.0,
+    twist: Scalar = 0.0,
+) -> Solid:
+    """Draw a profile out along an axis, centred on the origin.
+
+    The profile's x and y run along the two other asset axes, in the order X, Y, Z: along Z it lies in
+    (X, Y), along Y (or -Y, the front) in (X, Z), and along X in (Y, Z). Reversing the axis does not mirror
+    the profile; it only swaps the ends, which matters for taper and twist.
+
+    Args:
+        profile: What to draw out.
+        length: Length along the axis [m].
+        axis: Direction of the axis.
+        bevel: Radius to which the edges of both ends are rounded [m].
+        taper: By what share of its size the profile is smaller where the axis ends (-1 doubles it).
+        twist: How far the end of the axis is turned about it, right-handed [rad].
+    """
+    return Solid.record(
+        _extrude, profile=profile, length=length, axis=axis, bevel=bevel, taper=taper, twist=twist
+    )
+
+
+def _check_bevel(contours: Sequence[Contour], bevel: float) -> None:
+    """Check that borders moved inward by the bevel neither fold nor meet.
+
+    Raises:
+        ValueError: They do; the message says what the outline allows.
+    """
+    allowed = math.inf
+    rings = []
+    for contour in contours:
+        inward = mitres(contour)
+        sides = np.roll(contour.points, -1, axis=0) - contour.points
+        shortening = ((np.roll(inward, -1, axis=0) - inward) * sides).sum(axis=1)
+        squared = (sides * sides).sum(axis=1)
+        shrinking = shortening > 1e-12
+        if shrinking.any():
+            allowed = min(allowed, float((squared[shrinking] / shortening[shrinking]).min()))
+        rings.append(contour.points - bevel * inward)
+    if bevel >= allowed:
+        raise ValueError(
+            f"bevel {bevel * 1e3:.3g} mm is too large for the profile, whose sharpest curve or shortest "
+            f"side allows less than {allowed * 1e3:.3g} mm"
+        )
+    if not is_disjoint(rings):
+        raise ValueError(
+            f"bevel {bevel * 1e3:.3g} mm is too large for the profile: the rounded edges of a thin part "
+            "of it would meet; a bevel must stay below half of the thinnest part"
+        )
+
+
+def _warp(length: float, taper: float, twist: float) -> Callable[[Array, Array], tuple[Array, Array]]:
+    """Return the map of a straight extrusion along z to a tapered and twisted one."""
+
+    def warp(vertices: Array, normals: Array) -> tuple[Array, Array]:
+        x, y, z = vertices.T
+        along = z / length + 0.5
+        scale, angle = 1.0 - taper * along, twist * along
+        cosine, sine = np.cos(angle), np.sin(angle)
+        moved_vertices = np.column_stack(
+            [scale * (cosine * x - sine * y), scale * (sine * x + cosine * y), z]
+        )
+        # The normals go with the inverse transpose of the map's derivative, here times the scale.
+        nx, ny, nz = normals.T
+        rise = scale * nz + taper / length * (x * nx + y * ny) - twist / length * scale * (x * ny - y * nx)
+        turned = np.column_stack([cosine * nx - sine * ny, sine * nx + cosine * ny, rise])
+        return moved_vertices, turned / np.linalg.norm(turned, axis=1, keepdims=True)
+
+    return warp

@@ -1,0 +1,118 @@
+"""Checks of what kernels are given, with messages that name the value and its unit."""
+
+import math
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+
+def positive(name: str, value: float, unit: str = "m") -> float:
+    """Return a value that is finite and above zero.
+
+    Raises:
+        ValueError: It is not.
+    """
+    if not (math.isfinite(value) and value > 0.0):
+        raise ValueError(f"{name} must be positive, got {value:g} {unit}")
+    return float(value)
+
+
+def between(name: str, value: float, low: float, high: float, unit: str = "m") -> float:
+    """Return a value within `low` and `high`, both allowed.
+
+    Raises:
+        ValueError: It is outside or not finite.
+    """
+    if not low <= value <= high:
+        raise ValueError(f"{name} must be within {low:g} and {high:g} {unit}, got {value:g} {unit}")
+    return float(value)
+
+
+def finite(name: str, value: float, unit: str = "m") -> float:
+    """Return a value that is a finite number.
+
+    Raises:
+        ValueError: It is not.
+    """
+    if not math.isfinite(value):
+        raise ValueError(f"{name} must be a finite number, got {value:g} {unit}")
+    return float(value)
+
+
+def vector(name: str, value: Any) -> Array:
+    """Return three finite numbers, shape (3,).
+
+    Raises:
+        ValueError: They are not three, or not finite.
+    """
+    array = np.asarray(value, float)
+    if array.shape != (3,):
+        raise ValueError(f"{name} must have 3 components, got shape {array.shape}")
+    if not np.isfinite(array).all():
+        raise ValueError(f"{name} must be finite, got ({', '.join(f'{x:g}' for x in array)})")
+    return array
+
+
+def points(name: str, value: Any, dimension: int, least: int) -> Array:
+    """Return at least `least` finite points, shape (n, dimension).
+
+    Raises:
+        ValueError: There are fewer, or they have another dimension or are not finite.
+    """
+    array = np.asarray(value, float)
+    if array.ndim != 2 or array.shape[1] != dimension:
+        raise ValueError(f"{name} must be points of shape (n, {dimension}), got shape {array.shape}")
+    if len(array) < least:
+        raise ValueError(f"{name} needs at least {least} points, got {len(array)}")
+    if not np.isfinite(array).all():
+        bad = int(np.flatnonzero(~np.isfinite(array).all(axis=1))[0])
+        raise ValueError(f"{name} must be finite; point {bad} is {tuple(array[bad].tolist())}")
+    return array
+
+
+def direction(name: str, value: Any) -> Array:
+    """Return the unit vector along a direction, shape (3,).
+
+    Raises:
+        ValueError: The direction is not finite or has no length.
+    """
+    array = vector(name, value)
+    length = float(np.linalg.norm(array))
+    if length < 1e-12:
+        raise ValueError(f"{name} must have a direction, got a vector of length {length:g}")
+    return array / length
+
+
+def frame(axis: Any, name: str = "axis") -> Array:
+    """Return the rotation, shape (3, 3), whose columns place local x, y and z for a solid made along z.
+
+    Local z goes along `axis` and local x along the first of the asset's axes, in the order X, Y, Z,
+    that is not the one nearest to `axis` (made perpendicular to it). Z gives the identity.
+
+    Raises:
+        ValueError: The axis has no direction.
+    """
+    along = direction(name, axis)
+    near = int(np.argmax(np.abs(along)))
+    first = np.zeros(3)
+    first[0 if near else 1] = 1.0
+    across = first - along * (first @ along)
+    across /= np.linalg.norm(across)
+    return np.column_stack([across, np.cross(along, across), along]) + 0.0
+
+
+def frame_is_mirrored(rotation: Array) -> bool:
+    """Tell whether local y of a `frame` runs against the last of the asset's two other axes."""
+    near = int(np.argmax(np.abs(rotation[:, 2])))
+    return bool(rotation[1 if near == 2 else 2, 1] < 0.0)
+
+
+def pose(rotation: Array, origin: Any = (0.0, 0.0, 0.0)) -> Array:
+    """Return the affine matrix, shape (4, 4), of a linear part (3, 3) and an origin (3,)."""
+    matrix = np.eye(4)
+    matrix[:3, :3] = rotation
+    matrix[:3, 3] = origin
+    return matrix

@@ -1,0 +1,359 @@
+"""Joints, couplings and dependencies."""
+
+from typing import Any, ClassVar, Literal
+
+import numpy as np
+
+from artgen import asset as values
+from artgen.graph import Handle, kernel
+from artgen.nodes.handles import Array3, Scalar, VectorLike
+from artgen.nodes.vector import unit
+
+Limits = tuple[Scalar, Scalar] | None
+
+
+class Coupling(Handle):
+    """The law by which a joint follows another: `ratio * leader + offset`."""
+
+    __slots__ = ()
+    value_type: ClassVar[Any] = values.Coupling
+
+    @classmethod
+    def lift(cls, value: Any) -> Any:
+        """Accept a Coupling, or a Joint that is followed one to one."""
+        return (1.0 * value).node if isinstance(value, Joint) else super().lift(value)
+
+    def __add__(self, offset: Scalar) -> "Coupling":
+        """Shift the follower [rad or m]."""
+        return Coupling.record("coupling_shift", coupling=self, by=offset)
+
+    def __sub__(self, offset: Scalar) -> "Coupling":
+        """Shift the follower back [rad or m]."""
+        return self + (-offset)
+
+    def __mul__(self, factor: Scalar) -> "Coupling":
+        """Gear the follower."""
+        return Coupling.record("coupling_scale", coupling=self, factor=factor)
+
+    def __neg__(self) -> "Coupling":
+        """Turn the follower round."""
+        return self * -1.0
+
+    __radd__, __rmul__ = __add__, __mul__
+
+
+class Condition(Handle):
+    """A region of joint space."""
+
+    __slots__ = ()
+    value_type: ClassVar[Any] = values.Condition
+
+    def __and__(self, other: "Condition") -> "Condition":
+        """Intersect two regions."""
+        return Condition.record("condition_all", a=self, b=other)
+
+    def __or__(self, other: "Condition") -> "Condition":
+        """Unite two regions."""
+        return Condition.record("condition_any", a=self, b=other)
+
+    def until(self, position: Scalar) -> "Dependency":
+        """Ask for the condition only while the dependent joint stands below a position [rad or m]."""
+        return Dependency.record("dependency", condition=self, until=position)
+
+
+class Dependency(Handle):
+    """Where a joint may leave its closed position."""
+
+    __slots__ = ()
+    value_type: ClassVar[Any] = values.Dependency
+
+    @classmethod
+    def lift(cls, value: Any) -> Any:
+        """Accept a Dependency, or a Condition that is always needed."""
+        if isinstance(value, Condition):
+            return Dependency.record("dependency", condition=value, until=None).node
+        return super().lift(value)
+
+
+class Joint(Handle):
+    """A joint to attach a child with. Its arithmetic makes couplings, its comparisons conditions."""
+
+    __slots__ = ()
+    value_type: ClassVar[Any] = values.Joint
+
+    @property
+    def name(self) -> str:
+        """The joint's name."""
+        name: str = self.node.inputs["name"]
+        return name
+
+    def __mul__(self, ratio: Scalar) -> Coupling:
+        """Make a coupling that gears this joint."""
+        return Coupling.record("coupling", leader=self.name, ratio=ratio, offset=0.0)
+
+    def __add__(self, offset: Scalar) -> Coupling:
+        """Make a coupling that shifts this joint [rad or m]."""
+        return self * 1.0 + offset
+
+    def __sub__(self, offset: Scalar) -> Coupling:
+        """Make a coupling that shifts this joint back [rad or m]."""
+        return self * 1.0 - offset
+
+    def __neg__(self) -> Coupling:
+        """Make a coupling that turns this joint round."""
+        return self * -1.0
+
+    __radd__, __rmul__ = __add__, __mul__
+
+    def __gt__(self, position: Scalar) -> Condition:
+        """Make the condition that this joint stands above a position [rad or m]."""
+        return Condition.record("joint_above", joint=self.name, position=position)
+
+    def __lt__(self, position: Scalar) -> Condition:
+        """Make the condition that this joint stands below a position [rad or m]."""
+        return Condition.record("joint_below", joint=self.name, position=position)
+
+    __ge__, __le__ = __gt__, __lt__
+
+
+@kernel
+def _coupling(leader: str, ratio: float, offset: float) -> values.Coupling:
+    if ratio == 0.0:
+        raise ValueError(f"a coupling to {leader!r} with ratio 0 would not move; lock the joint instead")
+    return values.Coupling(leader, ratio, offset)
+
+
+@kernel
+def _coupling_shift(coupling: values.Coupling, by: float) -> values.Coupling:
+    return values.Coupling(coupling.leader, coupling.ratio, coupling.offset + by)
+
+
+@kernel
+def _coupling_scale(coupling: values.Coupling, factor: float) -> values.Coupling:
+    return _coupling(coupling.leader, coupling.ratio * factor, coupling.offset * factor)
+
+
+@kernel
+def _joint_above(joint: str, position: float) -> values.Condition:
+    return values.Condition("above", joint, position)
+
+
+@kernel
+def _joint_below(joint: str, position: float) -> values.Condition:
+    return values.Condition("below", joint, position)
+
+
+@kernel(spelling="({a} & {b})")
+def _condition_all(a: values.Condition, b: values.Condition) -> values.Condition:
+    return values.Condition("all", terms=(a, b))
+
+
+@kernel(spelling="({a} | {b})")
+def _condition_any(a: values.Condition, b: values.Condition) -> values.Condition:
+    return values.Condition("any", terms=(a, b))
+
+
+@kernel
+def _dependency(condition: values.Condition, until: float | None) -> values.Dependency:
+    if until is not None and until <= 0.0:
+        raise ValueError(f"until must be positive, got {until:.6g}: a joint needs nothing at 0")
+    return values.Dependency(condition, until)
+
+
+_NOT_NEGATIVE = ("stiffness", "damping", "friction", "armature")
+_POSITIVE = ("effort", "velocity")
+
+
+@kernel
+def _joint(
+    name: str,
+    kind: Literal["revolute", "prismatic"],
+    pivot: Array3,
+    axis: Array3,
+    limits: tuple[float, float] | None,
+    stiffness: float,
+    damping: float,
+    friction: float,
+    rest: float,
+    armature: float,
+    effort: float,
+    velocity: float,
+    follows: values.Coupling | None,
+    needs: values.Dependency | None,
+) -> values.Joint:
+    if not name.isidentifier() or not name.isascii():
+        raise ValueError(f"joint name {name!r} is no identifier; use letters, digits and _")
+    if limits is not None and limits[0] > limits[1]:
+        raise ValueError(
+            f"joint {name!r} has limits {limits[0]:.6g} to {limits[1]:.6g}: the lower one comes first"
+        )
+    if follows is not None and limits is not None:
+        raise ValueError(
+            f"joint {name!r} follows {follows.leader!r}, which gives it its range; leave its limits out"
+        )
+    dynamics = {
+        "stiffness": stiffness,
+        "damping": damping,
+        "friction": friction,
+        "armature": armature,
+        "effort": effort,
+        "velocity": velocity,
+    }
+    for field in _NOT_NEGATIVE:
+        if dynamics[field] < 0.0:
+            raise ValueError(f"joint {name!r}: {field} {dynamics[field]:.6g} must not be negative")
+    for field in _POSITIVE:
+        if dynamics[field] <= 0.0:
+            raise ValueError(f"joint {name!r}: {field} {dynamics[field]:.6g} must be positive")
+    return values.Joint(
+        name,
+        kind,
+        unit(np.asarray(axis)),
+        np.asarray(pivot),
+        limits,
+        rest=rest,
+        follows=follows,
+        needs=needs,
+        **dynamics,
+    )
+
+
+def joint(
+    name: str,
+    kind: Literal["revolute", "prismatic"],
+    *,
+    pivot: VectorLike,
+    axis: VectorLike,
+    limits: Limits,
+    stiffness: Scalar,
+    damping: Scalar,
+    friction: Scalar,
+    rest: Scalar,
+    armature: Scalar,
+    effort: Scalar,
+    velocity: Scalar,
+    follows: "Coupling | Joint | None",
+    needs: Condition | Dependency | None,
+) -> Joint:
+    """Make a joint of either kind; see `Revolute` and `Prismatic`."""
+    return Joint.record(
+        _joint,
+        name=name,
+        kind=kind,
+        pivot=pivot,
+        axis=axis,
+        limits=limits,
+        stiffness=stiffness,
+        damping=damping,
+        friction=friction,
+        rest=rest,
+        armature=armature,
+        effort=effort,
+        velocity=velocity,
+        follows=follows,
+        needs=needs,
+    )
+
+
+def Revolute(  # noqa: N802 - reads as the type of joint that it makes
+    name: str,
+    *,
+    axis: VectorLike,
+    pivot: VectorLike = (0.0, 0.0, 0.0),
+    limits: Limits = None,
+    stiffness: Scalar = 0.0,
+    damping: Scalar = 0.0,
+    friction: Scalar = 0.0,
+    rest: Scalar = 0.0,
+    armature: Scalar = 0.0,
+    effort: Scalar = 100.0,
+    velocity: Scalar = 10.0,
+    follows: "Coupling | Joint | None" = None,
+    needs: Condition | Dependency | None = None,
+) -> Joint:
+    """Make a joint that turns about an axis, counter-clockwise seen against the axis.
+
+    Args:
+        name: Identifier, unique in the asset.
+        axis: Direction of the axis in asset coordinates.
+        pivot: A point on the axis in asset coordinates at rest [m].
+        limits: Lowest and highest angle [rad]; equal ones lock it, None is unlimited.
+        stiffness: Spring towards `rest` [N m/rad].
+        damping: [N m s/rad].
+        friction: Dry friction that holds the joint [N m].
+        rest: Angle at which the spring is at ease; beyond a limit for a spring under tension [rad].
+        armature: Inertia added at the joint [kg m^2].
+        effort: Largest torque that an actuator may apply [N m].
+        velocity: Largest speed [rad/s].
+        follows: Coupling to another joint, such as `4.0 * pedal + 0.02`; gives the limits.
+        needs: Where the joint may leave 0, such as `handle > 0.5`, or `(handle > 0.5).until(0.06)`.
+    """
+    return joint(
+        name,
+        "revolute",
+        pivot=pivot,
+        axis=axis,
+        limits=limits,
+        stiffness=stiffness,
+        damping=damping,
+        friction=friction,
+        rest=rest,
+        armature=armature,
+        effort=effort,
+        velocity=velocity,
+        follows=follows,
+        needs=needs,
+    )
+
+
+def Prismatic(  # noqa: N802 - reads as the type of joint that it makes
+    name: str,
+    *,
+    axis: VectorLike,
+    limits: Limits = None,
+    pivot: VectorLike = (0.0, 0.0, 0.0),
+    stiffness: Scalar = 0.0,
+    damping: Scalar = 0.0,
+    friction: Scalar = 0.0,
+    rest: Scalar = 0.0,
+    armature: Scalar = 0.0,
+    effort: Scalar = 100.0,
+    velocity: Scalar = 1.0,
+    follows: "Coupling | Joint | None" = None,
+    needs: Condition | Dependency | None = None,
+) -> Joint:
+    """Make a joint that slides along an axis.
+
+    Args:
+        name: Identifier, unique in the asset.
+        axis: Direction of the slide in asset coordinates.
+        limits: Lowest and highest position [m]; equal ones lock it, None is unlimited.
+        pivot: Where the joint's frame lies in asset coordinates at rest [m].
+        stiffness: Spring towards `rest` [N/m].
+        damping: [N s/m].
+        friction: Dry friction that holds the joint [N].
+        rest: Position at which the spring is at ease; beyond a limit for a spring under tension [m].
+        armature: Mass added at the joint [kg].
+        effort: Largest force that an actuator may apply [N].
+        velocity: Largest speed [m/s].
+        follows: Coupling to another joint, such as `0.02 * handle`; gives the limits.
+        needs: Where the joint may leave 0, such as `door > 1.2`.
+    """
+    return joint(
+        name,
+        "prismatic",
+        pivot=pivot,
+        axis=axis,
+        limits=limits,
+        stiffness=stiffness,
+        damping=damping,
+        friction=friction,
+        rest=rest,
+        armature=armature,
+        effort=effort,
+        velocity=velocity,
+        follows=follows,
+        needs=needs,
+    )
+
+

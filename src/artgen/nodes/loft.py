@@ -1,0 +1,177 @@
+"""Lofts: straight sides between profiles at different heights."""
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from artgen.asset.outline import Contour, Outline
+from artgen.asset.shape import Shape
+from artgen.graph import kernel
+from artgen.nodes import inputs
+from artgen.nodes.contours import CREASE, moved_outline
+from artgen.nodes.covers import around_chain
+from artgen.nodes.handles import Array3, Profile, Scalar, Solid, VectorLike
+from artgen.nodes.surfaces import Rail, Sheets, Skin, triangulated
+
+Array = NDArray[np.float64]
+
+_SHARE = 1e-7  # of a border's length: positions along it closer than this are one
+
+
+@kernel
+def _loft(profiles: tuple[Outline, ...], heights: tuple[float, ...], axis: Array3) -> Shape:
+    if len(profiles) < 2 or len(profiles) != len(heights):
+        raise ValueError(
+            f"a loft needs at least 2 profiles and a height for each, got {len(profiles)} profiles and "
+            f"{len(heights)} heights"
+        )
+    levels = np.array(heights)
+    if not (np.isfinite(levels).all() and (np.diff(levels) > 1e-9).all()):
+        raise ValueError(f"the heights of a loft must ascend, got {', '.join(f'{h:g}' for h in heights)} m")
+    turn = inputs.frame(axis)
+    if inputs.frame_is_mirrored(turn):
+        profiles = tuple(moved_outline(each, np.diag([1.0, -1.0]), np.zeros(2)) for each in profiles)
+    contours = _matched([_border(at, outline) for at, outline in enumerate(profiles)])
+    rings = np.stack(
+        [
+            np.column_stack([contour.points, np.full(len(contour.points), level)])
+            for contour, level in zip(contours, levels, strict=True)
+        ]
+    )
+    return _skin(contours, rings).turned(turn).shape(around_chain([ring @ turn.T for ring in rings]))
+
+
+def loft(
+    profiles: Sequence[Profile],
+    heights: Sequence[Scalar],
+    *,
+    axis: VectorLike = (0.0, 0.0, 1.0),
+) -> Solid:
+    """Join profiles at heights along an axis by straight sides.
+
+    Profiles lie as in `extrude`. Each border starts at the right, half way up, and equal shares of the
+    borders' lengths are joined.
+
+    Args:
+        profiles: At least two, each convex and without holes.
+        heights: Where each is along the axis, ascending [m].
+        axis: Direction of the axis.
+    """
+    return Solid.record(_loft, profiles=profiles, heights=heights, axis=axis)
+
+
+def _border(at: int, outline: Outline) -> Contour:
+    """Return the one border of a profile, begun at the right, half way up.
+
+    Raises:
+        ValueError: The profile has holes or parts, or is not convex.
+    """
+    if len(outline.contours) != 1:
+        raise ValueError(
+            f"profile {at} of the loft has {len(outline.contours)} borders; each must have one, without holes"
+        )
+    contour = outline.contours[0]
+    points = contour.points
+    side = np.roll(points, -1, axis=0) - points
+    following = np.roll(side, -1, axis=0)
+    turn = side[:, 0] * following[:, 1] - side[:, 1] * following[:, 0]
+    if turn.min() < -1e-6 * float((side * side).sum(axis=1).max()):
+        raise ValueError(f"profile {at} of the loft is not convex; loft its convex parts and unite them")
+    level = 0.5 * (points[:, 1].min() + points[:, 1].max())
+    height = points[:, 1] - level
+    height[np.abs(height) < 1e-9] = 0.0
+    rising = int(np.flatnonzero((height <= 0.0) & (np.roll(height, -1) > 0.0))[0])
+    share = height[rising] / (height[rising] - np.roll(height, -1)[rising])
+    parts = [np.roll(part, -rising - 1, axis=0) for part in (points, contour.normals_in, contour.normals_out)]
+    if share == 0.0:
+        return Contour(*(np.roll(part, 1, axis=0) for part in parts))
+    start = points[rising] + share * side[rising]
+    normal = (1.0 - share) * contour.normals_out[rising] + share * parts[1][0]
+    normal /= np.linalg.norm(normal)
+    return Contour(*(np.concatenate([[new], part]) for new, part in zip((start, normal, normal), parts, strict=True)))
+
+
+def _shares(contour: Contour) -> Array:
+    """Return the position of each vertex along the border as a share of its length, then 1, shape (n + 1,)."""
+    sides = np.roll(contour.points, -1, axis=0) - contour.points
+    total = np.concatenate([[0.0], np.cumsum(np.hypot(sides[:, 0], sides[:, 1]))])
+    return np.asarray(total / total[-1])
+
+
+def _matched(contours: Sequence[Contour]) -> list[Contour]:
+    """Return the borders with vertices at the same shares of their lengths: those of all of them."""
+    shares = [_shares(contour) for contour in contours]
+    every = np.sort(np.concatenate([share[:-1] for share in shares]))
+    every = every[np.concatenate([[True], np.diff(every) > _SHARE])]
+    every = every[every < 1.0 - _SHARE]
+    return [_sampled(contour, share, every) for contour, share in zip(contours, shares, strict=True)]
+
+
+def _sampled(contour: Contour, share: Array, wanted: Array) -> Contour:
+    side = np.clip(np.searchsorted(share, wanted + 2.0 * _SHARE, side="right") - 1, 0, len(share) - 2)
+    part = (wanted - share[side]) / (share[side + 1] - share[side])
+    at_vertex = np.abs(wanted - share[side]) <= 2.0 * _SHARE
+    part = np.where(at_vertex, 0.0, part)[:, None]
+    following = (side + 1) % len(contour.points)
+    points = (1.0 - part) * contour.points[side] + part * contour.points[following]
+    between = (1.0 - part) * contour.normals_out[side] + part * contour.normals_in[following]
+    between /= np.linalg.norm(between, axis=1, keepdims=True)
+    vertex = at_vertex[:, None]
+    return Contour(
+        points,
+        np.where(vertex, contour.normals_in[side], between),
+        np.where(vertex, contour.normals_out[side], between),
+    )
+
+
+def _skin(contours: Sequence[Contour], rings: Array) -> Skin:
+    corner = np.any(
+        [np.einsum("ij,ij->i", each.normals_in, each.normals_out) < 1.0 - 1e-9 for each in contours], axis=0
+    )
+    rails = [Rail.along(contour, corner) for contour in contours]
+    plane = np.stack([rail.normals for rail in rails])
+    places = rings[:, rails[0].vertex]
+    slant = np.diff(places, axis=0)
+    below = _tilted(plane[:-1], slant)
+    above = _tilted(plane[1:], slant)
+    length = np.linalg.norm(slant, axis=2).mean(axis=1)
+    travelled = np.concatenate([[0.0], np.cumsum(length)])
+    level, normals, strips = [0], [below[0]], []
+    for at in range(1, len(rings)):
+        strips.append((len(level) - 1, len(level)))
+        level.append(at)
+        arriving = above[at - 1]
+        if at == len(rings) - 1:
+            normals.append(arriving)
+        elif np.einsum("ij,ij->i", arriving, below[at]).min() > math.cos(CREASE):
+            mean = arriving + below[at]
+            normals.append(mean / np.linalg.norm(mean, axis=1, keepdims=True))
+        else:
+            level.append(at)
+            normals += [arriving, below[at]]
+    levels = np.array(level)
+    first = np.searchsorted(levels, levels)
+    uvs = np.empty((len(levels), places.shape[1], 2))
+    uvs[..., 0] = np.stack([rail.distance for rail in rails])[levels]
+    uvs[..., 1] = travelled[levels, None]
+    sheets = Sheets()
+    place = sheets.grid(
+        rails[0], places[levels], np.stack(normals), uvs, strips=np.array(strips), places=first
+    )
+    for row, sign in ((0, -1.0), (-1, 1.0)):
+        flat = contours[row].points
+        triangles = triangulated([flat])
+        sheets.cap(
+            place[row], rings[row], np.array([0.0, 0.0, sign]), flat, triangles if sign > 0 else triangles[:, ::-1]
+        )
+    return sheets.skin()
+
+
+def _tilted(normals: Array, slant: Array) -> Array:
+    """Return normals of the plane, shape (r, c, 2), tilted square to the slant of the sides, (r, c, 3)."""
+    tilted = np.empty(slant.shape)
+    tilted[..., :2] = normals * slant[..., 2:]
+    tilted[..., 2] = -(normals * slant[..., :2]).sum(axis=-1)
+    return np.asarray(tilted / np.linalg.norm(tilted, axis=-1, keepdims=True))

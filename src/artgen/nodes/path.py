@@ -1,0 +1,266 @@
+"""Paths: lines in space that sweeps follow."""
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from artgen.asset.outline import Curve
+from artgen.graph import kernel
+from artgen.nodes import inputs
+from artgen.nodes.handles import Array3, Path, Scalar, VectorLike
+from artgen.nodes.surfaces import CHORD, arc_steps
+
+Array = NDArray[np.float64]
+
+_MOST_SAMPLES = 200
+
+
+def _unit_rows(vectors: Array) -> Array:
+    return vectors / np.maximum(np.linalg.norm(vectors, axis=1, keepdims=True), 1e-300)
+
+
+@kernel
+def _line(start: Array3, end: Array3) -> Curve:
+    points = np.stack([inputs.vector("start", start), inputs.vector("end", end)])
+    along = points[1] - points[0]
+    length = float(np.linalg.norm(along))
+    if length < 1e-9:
+        raise ValueError("a line needs two different points, its start and end are one")
+    return Curve(points, tangents=np.stack([along / length] * 2))
+
+
+def line(start: VectorLike, end: VectorLike) -> Path:
+    """Make a straight path between two points [m]."""
+    return Path.record(_line, start=start, end=end)
+
+
+@kernel
+def _polyline(points: tuple[Array3, ...], fillet: float, closed: bool) -> Curve:
+    corners = inputs.points("the polyline", points or np.zeros((0, 3)), 3, 3 if closed else 2)
+    inputs.between("fillet", fillet, 0.0, math.inf)
+    following = np.roll(corners, -1, axis=0)
+    length = np.linalg.norm(following - corners, axis=1)
+    sides = len(corners) if closed else len(corners) - 1
+    if length[:sides].min() < 1e-9:
+        at = int(np.argmin(length[:sides]))
+        raise ValueError(f"points {at} and {(at + 1) % len(corners)} of the polyline are one point")
+    if fillet == 0.0:
+        return Curve(corners, closed)
+    return _filleted(corners, (following - corners) / length[:, None], length, fillet, closed)
+
+
+def _filleted(corners: Array, along: Array, length: Array, fillet: float, closed: bool) -> Curve:
+    count = len(corners)
+    bends = range(count) if closed else range(1, count - 1)
+    turn, reach = np.zeros(count), np.zeros(count)
+    for i in bends:
+        turn[i] = math.acos(float(np.clip(along[i - 1] @ along[i], -1.0, 1.0)))
+        if turn[i] > math.radians(175.0):
+            raise ValueError(f"the polyline turns back on itself at point {i}; no fillet fits there")
+        reach[i] = fillet * math.tan(turn[i] / 2.0)
+    for i in range(count if closed else count - 1):
+        needed = float(reach[i] + reach[(i + 1) % count])
+        if needed > length[i] + 1e-9:
+            raise ValueError(
+                f"the fillets at points {i} and {(i + 1) % count} of the polyline need {needed:.4g} m "
+                f"of a segment {length[i]:.4g} m long; use a smaller fillet than {fillet:g} m"
+            )
+    points, tangents = [], []
+    for i in range(count):
+        before, after = along[i - 1], along[i]
+        if turn[i] < 1e-6:
+            end = not closed and i == count - 1
+            points.append(corners[i : i + 1])
+            tangents.append((before if end else after)[None])
+            continue
+        inward = after - before * math.cos(turn[i])
+        inward /= np.linalg.norm(inward)
+        steps = max(2, arc_steps(fillet, turn[i]))
+        angle = turn[i] * np.arange(steps + 1)[:, None] / steps
+        center = corners[i] - before * reach[i] + inward * fillet
+        points.append(center + fillet * (before * np.sin(angle) - inward * np.cos(angle)))
+        tangents.append(before * np.cos(angle) + inward * np.sin(angle))
+    return _without_repeats(np.concatenate(points), np.concatenate(tangents), closed)
+
+
+def _without_repeats(points: Array, tangents: Array, closed: bool) -> Curve:
+    gap = np.linalg.norm(points - np.roll(points, 1, axis=0), axis=1)
+    if not closed:
+        gap[0] = math.inf
+    kept = gap > 1e-7
+    return Curve(points[kept], closed, tangents[kept])
+
+
+def polyline(points: Sequence[VectorLike], *, fillet: Scalar = 0.0, closed: bool = False) -> Path:
+    """Make a path of straight segments.
+
+    Args:
+        points: Corners [m].
+        fillet: Radius of the arcs that replace the corners [m]; 0 leaves them sharp.
+        closed: Whether the last point joins the first.
+    """
+    return Path.record(_polyline, points=points, fillet=fillet, closed=closed)
+
+
+@kernel
+def _arc(center: Array3, radius: float, start: float, sweep: float, axis: Array3) -> Curve:
+    inputs.positive("radius", radius)
+    inputs.finite("start", start, "rad")
+    if not 1e-3 <= abs(sweep) <= math.tau + 1e-9:
+        raise ValueError(f"sweep must be within 0.001 and 2 pi either way, got {sweep:g} rad")
+    turn = inputs.frame(axis)
+    closed = abs(sweep) >= math.tau - 1e-9
+    steps = max(2, arc_steps(radius, sweep))
+    angle = start + sweep * np.arange(steps if closed else steps + 1) / steps
+    zero = np.zeros(len(angle))
+    points = inputs.vector("center", center) + radius * np.column_stack([np.cos(angle), np.sin(angle), zero]) @ turn.T
+    sign = math.copysign(1.0, sweep)
+    return Curve(points, closed, sign * np.column_stack([-np.sin(angle), np.cos(angle), zero]) @ turn.T)
+
+
+def arc(
+    center: VectorLike,
+    radius: Scalar,
+    *,
+    start: Scalar = 0.0,
+    sweep: Scalar = math.pi,
+    axis: VectorLike = (0.0, 0.0, 1.0),
+) -> Path:
+    """Make an arc of a circle; a sweep of 2 pi closes it.
+
+    Angles are right-handed about `axis`, and 0 is along X (along Y for an axis along X).
+
+    Args:
+        center: Centre of the circle [m].
+        radius: Its radius [m].
+        start: Angle of the first point [rad].
+        sweep: Angle from the first to the last point, negative for the other way [rad].
+        axis: Direction about which it turns.
+    """
+    return Path.record(_arc, center=center, radius=radius, start=start, sweep=sweep, axis=axis)
+
+
+def _cubic(controls: Array, steps: int, last: bool) -> tuple[Array, Array]:
+    """Return samples and tangents of a cubic Bezier segment, shape (4, 3); `last` includes its end."""
+    t = (np.arange(steps + 1 if last else steps) / steps)[:, None]
+    s = 1.0 - t
+    points = s**3 * controls[0] + 3 * s * s * t * controls[1] + 3 * s * t * t * controls[2] + t**3 * controls[3]
+    speed = (
+        s * s * (controls[1] - controls[0])
+        + 2.0 * s * t * (controls[2] - controls[1])
+        + t * t * (controls[3] - controls[2])
+    )
+    chord = controls[3] - controls[0]
+    return points, _unit_rows(np.where(np.linalg.norm(speed, axis=1, keepdims=True) < 1e-12, chord, speed))
+
+
+def _steps_of(controls: Array) -> int:
+    """Return how many chords a Bezier curve gets: its second differences bound their error."""
+    bend = np.linalg.norm(controls[2:] - 2.0 * controls[1:-1] + controls[:-2], axis=1).max()
+    degree = len(controls) - 1
+    needed = math.sqrt(degree * (degree - 1) * bend / (8.0 * CHORD))
+    return int(min(_MOST_SAMPLES, max(4, math.ceil(needed))))
+
+
+@kernel
+def _bezier(points: tuple[Array3, ...]) -> Curve:
+    controls = inputs.points("the curve", points or np.zeros((0, 3)), 3, 3)
+    steps = _steps_of(controls)
+    t = (np.arange(steps + 1) / steps)[:, None]
+
+    def value(level: Array) -> Array:
+        # De Casteljau for all samples at once
+        layers = np.repeat(level[:, None, :], len(t), axis=1)
+        while len(layers) > 1:
+            layers = (1.0 - t) * layers[:-1] + t * layers[1:]
+        return np.asarray(layers[0])
+
+    tangents = value(np.diff(controls, axis=0))
+    if np.linalg.norm(tangents, axis=1).min() < 1e-12:
+        raise ValueError("the curve stands still somewhere; move its control points apart")
+    return Curve(value(controls), False, _unit_rows(tangents))
+
+
+def bezier(points: Sequence[VectorLike]) -> Path:
+    """Make a Bezier curve from its first control point to its last, drawn towards those between [m]."""
+    return Path.record(_bezier, points=points)
+
+
+@kernel
+def _spline(points: tuple[Array3, ...], closed: bool) -> Curve:
+    through = inputs.points("the spline", points or np.zeros((0, 3)), 3, 3 if closed else 2)
+    gap = np.linalg.norm(np.roll(through, -1, axis=0) - through, axis=1)
+    count = len(through)
+    segments = count if closed else count - 1
+    if gap[:segments].min() < 1e-9:
+        at = int(np.argmin(gap[:segments]))
+        raise ValueError(f"points {at} and {(at + 1) % count} of the spline are one point")
+    slopes = _centripetal_slopes(through, closed)
+    samples, tangents = [], []
+    for i in range(segments):
+        a, b = through[i], through[(i + 1) % count]
+        reach = gap[i] / 3.0
+        controls = np.stack([a, a + slopes[i] * reach, b - slopes[(i + 1) % count] * reach, b])
+        last = not closed and i == segments - 1
+        part, directions = _cubic(controls, _steps_of(controls), last)
+        samples.append(part)
+        tangents.append(directions)
+    return Curve(np.concatenate(samples), closed, np.concatenate(tangents))
+
+
+def _centripetal_slopes(through: Array, closed: bool) -> Array:
+    """Return a unit tangent at each point: that of the parabola through it and its neighbours."""
+    before = through - np.roll(through, 1, axis=0)
+    after = np.roll(before, -1, axis=0)
+    near = np.linalg.norm(before, axis=1, keepdims=True)
+    far = np.linalg.norm(after, axis=1, keepdims=True)
+    slopes = before / near**2 + after / far**2
+    if not closed:
+        if len(through) == 2:
+            slopes[0] = slopes[1] = after[0]
+        else:
+            slopes[0] = 2.0 * after[0] / far[0] - _unit_rows(slopes[1:2])[0]
+            slopes[-1] = 2.0 * before[-1] / near[-1] - _unit_rows(slopes[-2:-1])[0]
+    stuck = np.linalg.norm(slopes, axis=1, keepdims=True) < 1e-9
+    return _unit_rows(np.where(stuck, after, slopes))
+
+
+def spline(points: Sequence[VectorLike], *, closed: bool = False) -> Path:
+    """Make a smooth curve through points [m].
+
+    Args:
+        points: Where it passes.
+        closed: Whether it returns to the first point.
+    """
+    return Path.record(_spline, points=points, closed=closed)
+
+
+@kernel
+def _helix(radius: float, pitch: float, turns: float, axis: Array3) -> Curve:
+    inputs.positive("radius", radius)
+    inputs.positive("pitch", pitch)
+    inputs.between("turns", turns, 0.01, 100.0, "")
+    turn = inputs.frame(axis)
+    steps = max(4, math.ceil(turns * arc_steps(radius, math.tau)))
+    angle = math.tau * turns * np.arange(steps + 1) / steps
+    rise = pitch * angle / math.tau
+    points = np.column_stack([radius * np.cos(angle), radius * np.sin(angle), rise - 0.5 * pitch * turns])
+    slope = np.full(len(angle), pitch / math.tau)
+    tangents = np.column_stack([-radius * np.sin(angle), radius * np.cos(angle), slope])
+    return Curve(points @ turn.T, False, _unit_rows(tangents) @ turn.T)
+
+
+def helix(
+    radius: Scalar, pitch: Scalar, turns: Scalar, *, axis: VectorLike = (0.0, 0.0, 1.0)
+) -> Path:
+    """Make a right-handed helix centred on the origin.
+
+    Args:
+        radius: Radius of the cylinder it winds around [m].
+        pitch: Advance in one turn [m].
+        turns: Number of turns.
+        axis: Direction of its axis.
+    """
+    return Path.record(_helix, radius=radius, pitch=pitch, turns=turns, axis=axis)

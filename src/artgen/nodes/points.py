@@ -1,0 +1,117 @@
+"""Lists of points: rows, grids, rings, and points along a path."""
+
+import numpy as np
+
+from artgen.asset import Curve
+from artgen.graph import kernel
+from artgen.nodes.handles import Array3, ArrayN3, Path, Points, Scalar, VectorLike
+from artgen.nodes.vector import unit
+
+
+def _check_count(count: int, what: str) -> None:
+    if count < 1:
+        raise ValueError(f"{what} must be at least 1, got {count}")
+
+
+@kernel
+def _points(vectors: tuple[Array3, ...]) -> ArrayN3:
+    return np.array(vectors, float).reshape(-1, 3)
+
+
+def points(*vectors: VectorLike) -> Points:
+    """Make a list of points [m]."""
+    return Points.record(_points, vectors=vectors)
+
+
+@kernel
+def _row(start: Array3, step: Array3, count: int) -> ArrayN3:
+    _check_count(count, "the count of points in a row")
+    return start + np.arange(count)[:, None] * step
+
+
+def row(start: VectorLike, step: VectorLike, count: int) -> Points:
+    """Make `count` points from `start` on, each a `step` further [m]."""
+    return Points.record(_row, start=start, step=step, count=count)
+
+
+@kernel
+def _grid(center: Array3, u: Array3, v: Array3, columns: int, rows: int) -> ArrayN3:
+    _check_count(columns, "the columns of a grid")
+    _check_count(rows, "the rows of a grid")
+    across = np.arange(columns) - (columns - 1) / 2
+    up = np.arange(rows) - (rows - 1) / 2
+    return np.asarray(
+        (center + up[:, None, None] * v + across[None, :, None] * u).reshape(-1, 3)
+    )
+
+
+def grid(center: VectorLike, u: VectorLike, v: VectorLike, *, columns: int, rows: int) -> Points:
+    """Make a grid about its centre: neighbours differ by `u` along a row and by `v` between rows [m]."""
+    return Points.record(_grid, center=center, u=u, v=v, columns=columns, rows=rows)
+
+
+@kernel
+def _ring_points(center: Array3, radius: float, axis: Array3, count: int, start: float) -> ArrayN3:
+    _check_count(count, "the count of points in a ring")
+    if radius <= 0.0:
+        raise ValueError(f"radius must be positive, got {radius:.6g} m")
+    u, v = plane_of(unit(axis))
+    angles = start + 2.0 * np.pi * np.arange(count) / count
+    return np.asarray(center + radius * (np.cos(angles)[:, None] * u + np.sin(angles)[:, None] * v))
+
+
+def ring_points(
+    center: VectorLike, radius: Scalar, *, count: int, axis: VectorLike = (0.0, 0.0, 1.0), start: Scalar = 0.0
+) -> Points:
+    """Make points evenly spaced on a circle about an axis [m].
+
+    The angle `start` [rad] counts from the x axis (from y for the axis x) counter-clockwise.
+    """
+    return Points.record(_ring_points, center=center, radius=radius, axis=axis, count=count, start=start)
+
+
+def plane_of(axis: Array3) -> tuple[Array3, Array3]:
+    """Return two unit vectors that form a right-handed frame with a unit axis."""
+    # the axes x, y, z give (y, z), (x, -z) and (x, y), so that rings start where a reader expects
+    helper = np.array([0.0, 1.0, 0.0]) if abs(axis[0]) > 0.9 else np.array([1.0, 0.0, 0.0])
+    u = unit(helper - axis * float(helper @ axis))
+    return u, np.cross(axis, u)
+
+
+@kernel
+def _along(path: Curve, count: int) -> ArrayN3:
+    _check_count(count, "the count of points along a path")
+    samples = np.vstack([path.points, path.points[:1]]) if path.closed else path.points
+    lengths = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(samples, axis=0), axis=1))])
+    if count == 1:
+        wanted = lengths[-1:] / 2
+    elif path.closed:
+        wanted = lengths[-1] * np.arange(count) / count
+    else:
+        wanted = np.linspace(0.0, lengths[-1], count)
+    return np.stack([np.interp(wanted, lengths, samples[:, axis]) for axis in range(3)], axis=1)
+
+
+def along(path: Path, count: int) -> Points:
+    """Make points evenly spaced along a path, both ends included (a single one lies in the middle)."""
+    return Points.record(_along, path=path, count=count)
+
+
+@kernel
+def _points_move(points: ArrayN3, offset: Array3) -> ArrayN3:
+    return points + offset
+
+
+def points_move(points: Points, offset: VectorLike) -> Points:
+    """Move all points by a vector [m]."""
+    return Points.record(_points_move, points=points, offset=offset)
+
+
+@kernel
+def _points_scale(points: ArrayN3, factor: float) -> ArrayN3:
+    return points * factor
+
+
+def points_scale(points: Points, factor: Scalar) -> Points:
+    """Multiply all points by a number."""
+    return Points.record(_points_scale, points=points, factor=factor)

@@ -1,0 +1,331 @@
+"""Primitive solids: boxes and round things, centred on the origin unless they say otherwise."""
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from artgen.asset.outline import Contour
+from artgen.asset.shape import Shape
+from artgen.colliders import Bounded, Convex, Exact, Pieces
+from artgen.graph import kernel
+from artgen.nodes import inputs
+from artgen.nodes.contours import arc_points, circle_contour, faceted, rounded_polygon
+from artgen.nodes.covers import (
+    around_cylinder,
+    around_hull,
+    around_lathe,
+    around_rounded_box,
+    moved,
+)
+from artgen.nodes.handles import Array3, Scalar, Solid, VectorLike
+from artgen.nodes.surfaces import bevel_steps, extrusion, lathe, rounded_box, sides_of
+
+Array = NDArray[np.float64]
+
+UP = (0.0, 0.0, 1.0)
+
+
+@kernel
+def _box(x: float, y: float, z: float, bevel: float) -> Shape:
+    size = np.array([inputs.positive("size x", x), inputs.positive("size y", y), inputs.positive("size z", z)])
+    inputs.between("bevel", bevel, 0.0, float(size.min()) / 2.0)
+    if bevel == 0.0:
+        return rounded_box(size, 0.0, 0).shape(Exact((Convex.box(size),)))
+    steps = max(1, bevel_steps(bevel) // 2)
+    return rounded_box(size, bevel, steps).shape(around_rounded_box(size, bevel))
+
+
+def box(x: Scalar, y: Scalar, z: Scalar, *, bevel: Scalar = 0.0) -> Solid:
+    """Make a box centred on the origin.
+
+    Args:
+        x: Length along X [m].
+        y: Length along Y [m].
+        z: Length along Z [m].
+        bevel: Radius to which all edges and corners are rounded [m]; 0 leaves them sharp.
+    """
+    return Solid.record(_box, x=x, y=y, z=z, bevel=bevel)
+
+
+def _axial(radius: float, half: float, bevel: float, top_radius: float | None = None) -> Contour:
+    """Return the (r, z) half section of a cylinder or frustum, its rims rounded."""
+    top = radius if top_radius is None else top_radius
+    corners = [(0.0, -half), (radius, -half), (top, half), (0.0, half)]
+    points = np.array([corner for at, corner in enumerate(corners) if at in (0, 3) or corner[0] > 0.0])
+    if bevel == 0.0:
+        return faceted(points)
+    return rounded_polygon(points, [bevel if point[0] > 0.0 else 0.0 for point in points])
+
+
+@kernel
+def _cylinder(radius: float, length: float, axis: Array3, bevel: float) -> Shape:
+    inputs.positive("radius", radius)
+    inputs.positive("length", length)
+    inputs.between("bevel", bevel, 0.0, min(radius, length / 2.0) * 0.999)
+    turn = inputs.frame(axis)
+    skin = lathe([_axial(radius, length / 2.0, bevel)]).turned(turn)
+    pieces = around_cylinder(radius, length, sides_of(radius), inputs.pose(turn), bevel)
+    return skin.shape(pieces)
+
+
+def cylinder(radius: Scalar, length: Scalar, *, axis: VectorLike = UP, bevel: Scalar = 0.0) -> Solid:
+    """Make a cylinder centred on the origin.
+
+    Args:
+        radius: Its radius [m]; the facets stay inside of it.
+        length: Length along the axis [m].
+        axis: Direction of the axis.
+        bevel: Radius to which both rims are rounded [m].
+    """
+    return Solid.record(_cylinder, radius=radius, length=length, axis=axis, bevel=bevel)
+
+
+@kernel
+def _bore(radius: float, length: float, axis: Array3) -> Shape:
+    inputs.positive("radius", radius)
+    inputs.positive("length", length)
+    turn = inputs.frame(axis)
+    sides = sides_of(radius)
+    outside = radius / math.cos(math.pi / sides)
+    skin = lathe([_axial(outside, length / 2.0, 0.0)], sides=sides).turned(turn)
+    return skin.shape(around_cylinder(outside, length, sides, inputs.pose(turn)))
+
+
+def bore(radius: Scalar, length: Scalar, *, axis: VectorLike = UP) -> Solid:
+    """Make a tool that drills a hole, centred on the origin: a shaft of `radius` fits what it leaves.
+
+    It is a cylinder with its facets outside of the radius, where those of `cylinder` are inside.
+
+    Args:
+        radius: Radius of the hole [m].
+        length: Length along the axis [m].
+        axis: Direction of the axis.
+    """
+    return Solid.record(_bore, radius=radius, length=length, axis=axis)
+
+
+@kernel
+def _frustum(bottom_radius: float, top_radius: float, length: float, axis: Array3, bevel: float) -> Shape:
+    inputs.between("bottom radius", bottom_radius, 0.0, math.inf)
+    inputs.between("top radius", top_radius, 0.0, math.inf)
+    inputs.positive("the larger radius", max(bottom_radius, top_radius))
+    inputs.positive("length", length)
+    inputs.between("bevel", bevel, 0.0, math.inf)
+    turn = inputs.frame(axis)
+    contour = _axial(bottom_radius, length / 2.0, bevel, top_radius)
+    return lathe([contour]).turned(turn).shape(moved(around_lathe([contour]), inputs.pose(turn)))
+
+
+def frustum(
+    bottom_radius: Scalar,
+    top_radius: Scalar,
+    length: Scalar,
+    *,
+    axis: VectorLike = UP,
+    bevel: Scalar = 0.0,
+) -> Solid:
+    """Make a truncated cone centred on the origin; a radius of 0 makes it pointed.
+
+    Args:
+        bottom_radius: Radius where the axis starts [m].
+        top_radius: Radius where the axis ends [m].
+        length: Length along the axis [m].
+        axis: Direction from bottom to top.
+        bevel: Radius to which both rims are rounded [m].
+    """
+    return Solid.record(
+        _frustum,
+        bottom_radius=bottom_radius,
+        top_radius=top_radius,
+        length=length,
+        axis=axis,
+        bevel=bevel,
+    )
+
+
+def _half_ellipse(radius: float, half: float, start: float) -> Contour:
+    """Return the (r, z) section of an ellipsoid from an angle [rad] to its upper pole."""
+    sides = sides_of(max(radius, half))
+    steps = max(2, math.ceil(sides * (0.5 * math.pi - start) / math.tau - 1e-9))
+    unit, _ = arc_points(np.zeros(2), 1.0, start, 0.5 * math.pi - start, steps)
+    normals = unit / np.array([radius, half])
+    normals /= np.linalg.norm(normals, axis=1, keepdims=True)
+    return _onto_axis(unit * np.array([radius, half]), normals)
+
+
+def _onto_axis(points: Array, normals: Array) -> Contour:
+    """Close a smooth (r, z) line along the axis (and along a flat base where it starts away from it)."""
+    points, normals = points.copy(), normals.copy()
+    points[-1, 0] = 0.0
+    if points[0, 0] > 1e-9:
+        points = np.concatenate([[[0.0, points[0, 1]]], points])
+        base = np.array([[0.0, -1.0]])
+        arriving = np.concatenate([[[-1.0, 0.0]], base, normals[1:]])
+        leaving = np.concatenate([base, normals[:-1], [[-1.0, 0.0]]])
+        return Contour(points, arriving, leaving)
+    points[0, 0] = 0.0
+    arriving, leaving = normals.copy(), normals.copy()
+    arriving[0] = leaving[-1] = (-1.0, 0.0)
+    return Contour(points, arriving, leaving)
+
+
+@kernel
+def _sphere(radius: float) -> Shape:
+    inputs.positive("radius", radius)
+    skin = lathe([_half_ellipse(radius, radius, -0.5 * math.pi)])
+    return skin.shape(_rounded(Convex.sphere(radius), skin.vertices))
+
+
+def _rounded(primitive: Convex, vertices: Array) -> Pieces:
+    """Return the pieces of a convex mesh whose vertices lie on a round primitive."""
+    within = around_hull(vertices)
+    return Bounded(lambda tolerance: (primitive,), within.inner)
+
+
+def sphere(radius: Scalar) -> Solid:
+    """Make a sphere [m] about the origin."""
+    return Solid.record(_sphere, radius=radius)
+
+
+@kernel
+def _ellipsoid(radius_x: float, radius_y: float, radius_z: float) -> Shape:
+    radii = np.array(
+        [inputs.positive(f"radius {name}", r) for name, r in (("x", radius_x), ("y", radius_y), ("z", radius_z))]
+    )
+    skin = lathe([_half_ellipse(1.0, 1.0, -0.5 * math.pi)], sides=sides_of(float(radii.max())))
+    vertices = skin.vertices * radii
+    normals = skin.normals / radii
+    normals /= np.linalg.norm(normals, axis=1, keepdims=True)
+    # Texture coordinates of the unit sphere are angles: the two main half axes give them lengths.
+    uvs = skin.uvs * np.array([math.sqrt(radius_x * radius_y), radius_z])
+    return Shape.from_mesh(
+        vertices, normals, uvs, skin.triangles, around_hull(vertices), targets=skin.targets
+    )
+
+
+def ellipsoid(radius_x: Scalar, radius_y: Scalar, radius_z: Scalar) -> Solid:
+    """Make an ellipsoid about the origin.
+
+    Args:
+        radius_x: Half axis along X [m].
+        radius_y: Half axis along Y [m].
+        radius_z: Half axis along Z [m].
+    """
+    return Solid.record(_ellipsoid, radius_x=radius_x, radius_y=radius_y, radius_z=radius_z)
+
+
+@kernel
+def _dome(radius: float, height: float | None, axis: Array3) -> Shape:
+    inputs.positive("radius", radius)
+    rise = radius if height is None else inputs.positive("height", height)
+    turn = inputs.frame(axis)
+    skin = lathe([_half_ellipse(radius, rise, 0.0)]).turned(turn)
+    return skin.shape(around_hull(skin.vertices))
+
+
+def dome(radius: Scalar, *, height: Scalar | None = None, axis: VectorLike = UP) -> Solid:
+    """Make half of a sphere or ellipsoid, the centre of its flat base at the origin.
+
+    Args:
+        radius: Radius of the base [m].
+        height: Height above the base [m]; the radius by default.
+        axis: Direction from the base to the top.
+    """
+    return Solid.record(_dome, radius=radius, height=height, axis=axis)
+
+
+@kernel
+def _capsule(radius: float, length: float, axis: Array3) -> Shape:
+    inputs.positive("radius", radius)
+    inputs.between("length", length, 2.0 * radius, math.inf)
+    half = length / 2.0 - radius
+    if half < 1e-9:
+        return _sphere(radius)
+    turn = inputs.frame(axis)
+    steps = max(2, sides_of(radius) // 4)
+    low, low_out = arc_points(np.array([0.0, -half]), radius, -0.5 * math.pi, 0.5 * math.pi, steps)
+    high, high_out = arc_points(np.array([0.0, half]), radius, 0.0, 0.5 * math.pi, steps)
+    contour = _onto_axis(np.concatenate([low, high]), np.concatenate([low_out, high_out]))
+    skin = lathe([contour]).turned(turn)
+    return skin.shape(_rounded(Convex.capsule(radius, 2.0 * half, inputs.pose(turn)), skin.vertices))
+
+
+def capsule(radius: Scalar, length: Scalar, *, axis: VectorLike = UP) -> Solid:
+    """Make a cylinder with half spheres at both ends, centred on the origin.
+
+    Args:
+        radius: Its radius [m].
+        length: Overall length along the axis [m], at least twice the radius.
+        axis: Direction of the axis.
+    """
+    return Solid.record(_capsule, radius=radius, length=length, axis=axis)
+
+
+@kernel
+def _torus(major: float, minor: float, axis: Array3) -> Shape:
+    inputs.positive("major radius", major)
+    inputs.between("minor radius", minor, 1e-6, major * 0.999)
+    turn = inputs.frame(axis)
+    circle = circle_contour(minor)
+    contour = Contour(circle.points + np.array([major, 0.0]), circle.normals_in, circle.normals_out)
+    return lathe([contour]).turned(turn).shape(moved(around_lathe([contour]), inputs.pose(turn)))
+
+
+def torus(major: Scalar, minor: Scalar, *, axis: VectorLike = UP) -> Solid:
+    """Make a torus about the origin.
+
+    Args:
+        major: Radius of the circle on which the tube's centre runs [m].
+        minor: Radius of the tube [m], less than the major radius.
+        axis: Direction of the axis.
+    """
+    return Solid.record(_torus, major=major, minor=minor, axis=axis)
+
+
+@kernel
+def _tube(outer: float, inner: float, length: float, axis: Array3, bevel: float) -> Shape:
+    inputs.positive("inner radius", inner)
+    if not outer > inner:
+        raise ValueError(f"the outer radius {outer:g} m must exceed the inner radius {inner:g} m")
+    inputs.positive("length", length)
+    inputs.between("bevel", bevel, 0.0, min(outer - inner, length) / 2.0 * 0.999)
+    turn = inputs.frame(axis)
+    half = length / 2.0
+    corners = np.array([[inner, -half], [outer, -half], [outer, half], [inner, half]])
+    contour = rounded_polygon(corners, [bevel] * 4) if bevel > 0.0 else faceted(corners)
+    return lathe([contour]).turned(turn).shape(moved(around_lathe([contour]), inputs.pose(turn)))
+
+
+def tube(
+    outer: Scalar, inner: Scalar, length: Scalar, *, axis: VectorLike = UP, bevel: Scalar = 0.0
+) -> Solid:
+    """Make a round tube centred on the origin.
+
+    Args:
+        outer: Outer radius [m].
+        inner: Radius of the hole [m].
+        length: Length along the axis [m].
+        axis: Direction of the axis.
+        bevel: Radius to which the four rims are rounded [m].
+    """
+    return Solid.record(_tube, outer=outer, inner=inner, length=length, axis=axis, bevel=bevel)
+
+
+@kernel
+def _wedge(x: float, y: float, z: float) -> Shape:
+    half = [inputs.positive(f"size {name}", size) / 2.0 for name, size in (("x", x), ("y", y), ("z", z))]
+    ramp = faceted(np.array([[-half[1], -half[2]], [half[1], -half[2]], [half[1], half[2]]]))
+    skin = extrusion([ramp], x).turned(inputs.frame((1.0, 0.0, 0.0)))
+    return skin.shape(Exact((Convex.hull(skin.vertices),)))
+
+
+def wedge(x: Scalar, y: Scalar, z: Scalar) -> Solid:
+    """Make a ramp that rises from the front (-Y) to the back; its bounding box is centred on the origin.
+
+    Args:
+        x: Width along X [m].
+        y: Depth along Y [m].
+        z: Height at the back [m].
+    """
+    return Solid.record(_wedge, x=x, y=y, z=z)

@@ -1,0 +1,336 @@
+"""Profiles: regions of the plane, x to the right and y up, for extrusions, lathes and sweeps.
+
+Unless it says otherwise, a profile is centred on the origin. `a | b`, `a - b` and `a & b` combine profiles.
+"""
+
+import math
+from collections.abc import Sequence
+from typing import Literal
+
+import numpy as np
+from manifold3d import CrossSection, JoinType
+
+from artgen.asset.outline import Contour, Outline
+from artgen.graph import kernel
+from artgen.nodes import inputs
+from artgen.nodes.contours import (
+    arc_points,
+    circle_contour,
+    ellipse_contour,
+    faceted,
+    is_disjoint,
+    moved_outline,
+    outline_of,
+    reversed_contour,
+    rounded_polygon,
+    section,
+    signed_area,
+    without_repeats,
+)
+from artgen.nodes.handles import Profile, Scalar
+from artgen.nodes.surfaces import arc_steps, sides_of
+
+
+def _convex(contour: Contour) -> Outline:
+    return Outline((contour,), (contour.points,))
+
+
+@kernel
+def _rectangle(width: float, height: float, radius: float) -> Outline:
+    inputs.positive("width", width)
+    inputs.positive("height", height)
+    inputs.between("radius", radius, 0.0, min(width, height) / 2.0)
+    x, y = width / 2.0, height / 2.0
+    corners = np.array([[-x, -y], [x, -y], [x, y], [-x, y]])
+    return _convex(rounded_polygon(corners, [radius] * 4) if radius > 0.0 else faceted(corners))
+
+
+def rectangle(width: Scalar, height: Scalar, *, radius: Scalar = 0.0) -> Profile:
+    """Make a rectangle centred on the origin.
+
+    Args:
+        width: Length along x [m].
+        height: Length along y [m].
+        radius: Radius of the corners [m], at most half the shorter side.
+    """
+    return Profile.record(_rectangle, width=width, height=height, radius=radius)
+
+
+@kernel
+def _circle(radius: float) -> Outline:
+    return _convex(circle_contour(inputs.positive("radius", radius)))
+
+
+def circle(radius: Scalar) -> Profile:
+    """Make a circle [m] about the origin."""
+    return Profile.record(_circle, radius=radius)
+
+
+@kernel
+def _ellipse(radius_x: float, radius_y: float) -> Outline:
+    inputs.positive("radius x", radius_x)
+    inputs.positive("radius y", radius_y)
+    return _convex(ellipse_contour(radius_x, radius_y))
+
+
+def ellipse(radius_x: Scalar, radius_y: Scalar) -> Profile:
+    """Make an ellipse about the origin.
+
+    Args:
+        radius_x: Half of its width [m].
+        radius_y: Half of its height [m].
+    """
+    return Profile.record(_ellipse, radius_x=radius_x, radius_y=radius_y)
+
+
+@kernel
+def _polygon(points: tuple[tuple[float, float], ...], radius: float) -> Outline:
+    corners = inputs.points("the polygon", points or np.zeros((0, 2)), 2, 3)
+    inputs.between("radius", radius, 0.0, math.inf)
+    following = np.roll(corners, -1, axis=0)
+    short = np.linalg.norm(following - corners, axis=1) < 1e-7
+    if short.any():
+        at = int(np.flatnonzero(short)[0])
+        raise ValueError(f"points {at} and {(at + 1) % len(corners)} of the polygon are one point")
+    area = signed_area(corners)
+    if abs(area) < 1e-12:
+        raise ValueError("the polygon has no area; its points lie on one line")
+    if area < 0.0:
+        corners = np.ascontiguousarray(corners[::-1])
+    if not is_disjoint([corners]):
+        raise ValueError("the sides of the polygon cross each other; give its points in order around it")
+    contour = rounded_polygon(corners, [radius] * len(corners)) if radius > 0.0 else faceted(corners)
+    sides = np.roll(corners, -1, axis=0) - corners
+    after = np.roll(sides, -1, axis=0)
+    is_convex = bool((sides[:, 0] * after[:, 1] - sides[:, 1] * after[:, 0] >= 0.0).all())
+    return Outline((contour,), (contour.points,) if is_convex else None)
+
+
+def polygon(points: Sequence[tuple[Scalar, Scalar]], *, radius: Scalar = 0.0) -> Profile:
+    """Make a polygon of its corners, given in order in either direction.
+
+    Args:
+        points: Corners (x, y) [m].
+        radius: Radius to which every corner is rounded [m].
+    """
+    return Profile.record(_polygon, points=points, radius=radius)
+
+
+@kernel
+def _regular_polygon(sides: int, radius: float) -> Outline:
+    if sides < 3:
+        raise ValueError(f"a regular polygon has at least 3 sides, got {sides}")
+    inputs.positive("radius", radius)
+    angle = math.pi * (1.5 + (2.0 * np.arange(sides) + 1.0) / sides)
+    return _convex(faceted(radius * np.column_stack([np.cos(angle), np.sin(angle)])))
+
+
+def regular_polygon(sides: int, radius: Scalar) -> Profile:
+    """Make a regular polygon about the origin, one side at the bottom.
+
+    Args:
+        sides: How many sides.
+        radius: Distance of the corners from the origin [m].
+    """
+    return Profile.record(_regular_polygon, sides=sides, radius=radius)
+
+
+@kernel
+def _slot(length: float, width: float) -> Outline:
+    inputs.positive("width", width)
+    inputs.between("length", length, width, math.inf)
+    half, radius = (length - width) / 2.0, width / 2.0
+    steps = arc_steps(radius, math.pi)
+    right, right_outward = arc_points(np.array([half, 0.0]), radius, -0.5 * math.pi, math.pi, steps)
+    left, left_outward = arc_points(np.array([-half, 0.0]), radius, 0.5 * math.pi, math.pi, steps)
+    normals = np.concatenate([right_outward, left_outward])
+    return _convex(without_repeats(Contour(np.concatenate([right, left]), normals, normals)))
+
+
+def slot(length: Scalar, width: Scalar) -> Profile:
+    """Make a slot with round ends, centred on the origin.
+
+    Args:
+        length: Overall length along x [m], at least the width.
+        width: Length along y, twice the radius of the ends [m].
+    """
+    return Profile.record(_slot, length=length, width=width)
+
+
+@kernel
+def _ring(outer: float, inner: float) -> Outline:
+    inputs.positive("inner radius", inner)
+    if not outer > inner:
+        raise ValueError(f"the outer radius {outer:g} m must exceed the inner radius {inner:g} m")
+    sides = sides_of(outer)
+    hole = reversed_contour(circle_contour(inner, sides))
+    return Outline((circle_contour(outer, sides), hole))
+
+
+def ring(outer: Scalar, inner: Scalar) -> Profile:
+    """Make a ring about the origin.
+
+    Args:
+        outer: Outer radius [m].
+        inner: Radius of the hole [m].
+    """
+    return Profile.record(_ring, outer=outer, inner=inner)
+
+
+@kernel
+def _bow(radius: float, width: float, start: float, sweep: float) -> Outline:
+    inputs.positive("radius", radius)
+    inputs.between("width", width, 1e-6, 2.0 * radius * (1.0 - 1e-6))
+    inputs.finite("start", start, "rad")
+    inputs.between("sweep", sweep, 1e-3, math.tau * 0.999, "rad")
+    outer, inner = radius + width / 2.0, radius - width / 2.0
+    steps = arc_steps(outer, sweep)
+    there, outward = arc_points(np.zeros(2), outer, start, sweep, steps)
+    back, inward = arc_points(np.zeros(2), inner, start + sweep, -sweep, steps)
+    points = np.concatenate([there, back])
+    arriving = np.concatenate([outward, -inward])
+    leaving = arriving.copy()
+    head = np.array([-outward[-1, 1], outward[-1, 0]])
+    tail = np.array([outward[0, 1], -outward[0, 0]])
+    leaving[steps] = arriving[steps + 1] = head
+    leaving[-1] = arriving[0] = tail
+    return Outline((Contour(points, arriving, leaving),))
+
+
+def bow(radius: Scalar, width: Scalar, *, start: Scalar = 0.0, sweep: Scalar = math.pi) -> Profile:
+    """Make a band bent along a circle about the origin, with flat ends.
+
+    Args:
+        radius: Radius of its centre line [m].
+        width: Width of the band across the line [m].
+        start: Angle of its first end, from x towards y [rad].
+        sweep: Angle to its other end, counter-clockwise [rad].
+    """
+    return Profile.record(_bow, radius=radius, width=width, start=start, sweep=sweep)
+
+
+@kernel
+def _offset(profile: Outline, distance: float, join: Literal["round", "miter"]) -> Outline:
+    inputs.finite("distance", distance)
+    if abs(distance) < 1e-9:
+        return profile
+    kind = JoinType.Round if join == "round" else JoinType.Miter
+    region = section(profile.contours).offset(distance, kind, 4.0, sides_of(abs(distance)))
+    return outline_of(region, f"the profile after an offset of {distance * 1e3:g} mm")
+
+
+def offset(profile: Profile, distance: Scalar, *, join: Literal["round", "miter"] = "round") -> Profile:
+    """Move the border of a profile outward, or inward where the distance is negative.
+
+    Args:
+        profile: What to grow or shrink.
+        distance: How far [m].
+        join: Whether outer corners become round or stay sharp.
+    """
+    return Profile.record(_offset, profile=profile, distance=distance, join=join)
+
+
+def _is_far_from(a: Outline, b: Outline) -> bool:
+    lows = [np.min([contour.points.min(axis=0) for contour in each.contours], axis=0) for each in (a, b)]
+    highs = [np.max([contour.points.max(axis=0) for contour in each.contours], axis=0) for each in (a, b)]
+    return bool((lows[0] > highs[1]).any() or (lows[1] > highs[0]).any())
+
+
+@kernel(spelling="({a} | {b})")
+def _profile_union(a: Outline, b: Outline) -> Outline:
+    if _is_far_from(a, b):
+        convex = a.convex + b.convex if a.convex is not None and b.convex is not None else None
+        return Outline(a.contours + b.contours, convex)
+    return outline_of(section(a.contours) + section(b.contours), "the union of the profiles")
+
+
+def profile_union(a: Profile, b: Profile) -> Profile:
+    """Unite two profiles; also written `a | b`."""
+    return Profile.record(_profile_union, a=a, b=b)
+
+
+@kernel(spelling="({a} - {b})")
+def _profile_difference(a: Outline, b: Outline) -> Outline:
+    if _is_far_from(a, b):
+        return a
+    kept = _pierced(a, b)
+    if kept is not None:
+        return kept
+    return outline_of(section(a.contours) - section(b.contours), "the difference of the profiles")
+
+
+def _pierced(a: Outline, b: Outline) -> Outline | None:
+    """Return `a - b` where b is made of borders wholly inside of a, with their exact normals; else None."""
+    if any(signed_area(contour.points) < 0.0 for contour in b.contours):
+        return None
+    whole: CrossSection = section(a.contours)
+    holes = section(b.contours)
+    if (holes - whole).area() > 1e-12:
+        return None
+    contours = (*a.contours, *(reversed_contour(contour) for contour in b.contours))
+    area = whole.area() - sum(signed_area(contour.points) for contour in b.contours)
+    touches = (whole - holes).num_contour() != len(contours)
+    return None if touches or area <= 1e-12 else Outline(contours)
+
+
+def profile_difference(a: Profile, b: Profile) -> Profile:
+    """Take the second profile out of the first; also written `a - b`."""
+    return Profile.record(_profile_difference, a=a, b=b)
+
+
+@kernel(spelling="({a} & {b})")
+def _profile_intersection(a: Outline, b: Outline) -> Outline:
+    return outline_of(section(a.contours) ^ section(b.contours), "the intersection of the profiles")
+
+
+def profile_intersection(a: Profile, b: Profile) -> Profile:
+    """Keep what two profiles have in common; also written `a & b`."""
+    return Profile.record(_profile_intersection, a=a, b=b)
+
+
+@kernel
+def _profile_translate(profile: Outline, x: float, y: float) -> Outline:
+    offset = np.array([inputs.finite("x", x), inputs.finite("y", y)])
+    return moved_outline(profile, np.eye(2), offset)
+
+
+def profile_translate(profile: Profile, x: Scalar = 0.0, y: Scalar = 0.0) -> Profile:
+    """Move a profile [m]; also written `profile.at(x, y)`."""
+    return Profile.record(_profile_translate, profile=profile, x=x, y=y)
+
+
+@kernel
+def _profile_rotate(profile: Outline, angle: float) -> Outline:
+    cosine, sine = math.cos(inputs.finite("angle", angle, "rad")), math.sin(angle)
+    return moved_outline(profile, np.array([[cosine, -sine], [sine, cosine]]), np.zeros(2))
+
+
+def profile_rotate(profile: Profile, angle: Scalar) -> Profile:
+    """Turn a profile about the origin, counter-clockwise [rad]; also written `profile.rotate(angle)`."""
+    return Profile.record(_profile_rotate, profile=profile, angle=angle)
+
+
+@kernel
+def _profile_scale(profile: Outline, x: float, y: float) -> Outline:
+    scale = np.diag([inputs.finite("scale x", x, ""), inputs.finite("scale y", y, "")])
+    return moved_outline(profile, scale, np.zeros(2))
+
+
+def profile_scale(profile: Profile, x: Scalar, y: Scalar) -> Profile:
+    """Scale a profile about the origin; a negative factor mirrors. Also written `profile.scale(x, y)`."""
+    return Profile.record(_profile_scale, profile=profile, x=x, y=y)
+
+
+@kernel
+def _profile_mirror(profile: Outline, x: float, y: float) -> Outline:
+    normal = np.array([inputs.finite("x", x, ""), inputs.finite("y", y, "")])
+    length = float(np.hypot(x, y))
+    if length < 1e-12:
+        raise ValueError("the normal of the mirror must have a direction, got (0, 0)")
+    normal /= length
+    return moved_outline(profile, np.eye(2) - 2.0 * np.outer(normal, normal), np.zeros(2))
+
+
+def profile_mirror(profile: Profile, x: Scalar = 1.0, y: Scalar = 0.0) -> Profile:
+    """Reflect a profile in the line through the origin whose normal is (x, y); also `profile.mirror(x, y)`."""
+    return Profile.record(_profile_mirror, profile=profile, x=x, y=y)

@@ -1,0 +1,45 @@
+"""Lathe work: a profile turned about an axis."""
+
+import math
+
+from artgen.asset.outline import Contour, Outline
+from artgen.asset.shape import Shape
+from artgen.graph import kernel
+from artgen.nodes import inputs
+from artgen.nodes.covers import around_lathe, moved
+from artgen.nodes.handles import Array3, Profile, Scalar, Solid, VectorLike
+from artgen.nodes.surfaces import lathe
+
+_ON_AXIS = 1e-7  # [m]: points nearer to the axis lie on it
+
+
+@kernel
+def _revolve(profile: Outline, angle: float, axis: Array3) -> Shape:
+    inputs.between("angle", angle, 0.001, math.tau + 1e-9, "rad")
+    least = min(float(contour.points[:, 0].min()) for contour in profile.contours)
+    if least < -_ON_AXIS:
+        raise ValueError(
+            f"the profile reaches x = {least:g} m; all of it must be at x >= 0, which is the radius "
+            "(profile.at(x, y) moves it)"
+        )
+    contours = []
+    for contour in profile.contours:
+        points = contour.points.copy()
+        points[points[:, 0] < _ON_AXIS, 0] = 0.0
+        contours.append(Contour(points, contour.normals_in, contour.normals_out))
+    turn = inputs.frame(axis)
+    pieces = around_lathe(contours, angle)
+    return lathe(contours, angle=angle).turned(turn).shape(moved(pieces, inputs.pose(turn)))
+
+
+def revolve(
+    profile: Profile, *, angle: Scalar = math.tau, axis: VectorLike = (0.0, 0.0, 1.0)
+) -> Solid:
+    """Turn a profile about an axis through the origin: its x is the radius, its y runs along the axis.
+
+    Args:
+        profile: What to turn, all of it at x >= 0.
+        angle: How far [rad], right-handed about the axis from X on (from Y on for an axis along X).
+        axis: Direction of the axis.
+    """
+    return Solid.record(_revolve, profile=profile, angle=angle, axis=axis)

@@ -1,0 +1,443 @@
+"""Meshes of solids from their curves: numpy arrays with analytic normals and texture coordinates in metres.
+
+A side surface is a grid: columns run along a contour (a `Rail`), rows across it. Vertices are doubled where
+normals or texture coordinates jump; `targets` says which of them are one point of the surface.
+"""
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+from manifold3d import triangulate
+from numpy.typing import NDArray
+
+from artgen.asset.outline import Contour
+from artgen.asset.shape import Shape
+from artgen.colliders import Pieces
+
+Array = NDArray[np.float64]
+Indices = NDArray[np.int64]
+
+CHORD = 0.0002
+"""How far the facets of a round thing may stay inside of it [m], between the least and the most facets."""
+
+
+def sides_of(radius: float) -> int:
+    """Return how many facets a circle of that radius [m] gets: 12 to 64, a multiple of 4."""
+    if radius <= CHORD:
+        return 12
+    needed = math.pi / math.acos(1.0 - CHORD / radius)
+    least = 12 if radius < 0.002 else 16
+    return min(64, max(least, 4 * math.ceil(needed / 4.0 - 1e-9)))
+
+
+def arc_steps(radius: float, sweep: float) -> int:
+    """Return how many chords an arc of that radius [m] and sweep [rad] gets."""
+    return max(1, math.ceil(sides_of(radius) * abs(sweep) / math.tau - 1e-9))
+
+
+def bevel_steps(bevel: float) -> int:
+    """Return how many chords the quarter circle of a bevelled edge gets."""
+    if bevel <= 0.0:
+        return 0
+    return 2 if bevel < 0.002 else 4 if bevel <= 0.01 else 6
+
+
+@dataclass(frozen=True, eq=False)
+class Skin:
+    """The closed surface of a solid.
+
+    Attributes:
+        vertices: Positions, shape (n, 3) [m].
+        normals: Unit normals, shape (n, 3).
+        uvs: Texture coordinates, shape (n, 2) [m].
+        triangles: Vertex indices, counter-clockwise seen from outside, shape (m, 3).
+        targets: For each vertex, the first vertex at the same point of the surface, shape (n,).
+    """
+
+    vertices: Array
+    normals: Array
+    uvs: Array
+    triangles: Indices
+    targets: Indices
+
+    def turned(self, rotation: Array) -> "Skin":
+        """Return the surface turned by a rotation, shape (3, 3)."""
+        if np.array_equal(rotation, np.eye(3)):
+            return self
+        return Skin(
+            self.vertices @ rotation.T, self.normals @ rotation.T, self.uvs, self.triangles, self.targets
+        )
+
+    def shape(self, pieces: Pieces) -> Shape:
+        """Return the solid of this surface and of the convex pieces that cover it.
+
+        Raises:
+            ValueError: The surface does not enclose a positive volume.
+        """
+        return Shape.from_mesh(
+            self.vertices, self.normals, self.uvs, self.triangles, pieces, targets=self.targets
+        )
+
+
+@dataclass(frozen=True, eq=False)
+class Rail:
+    """The columns that a contour gives to a grid: two at each corner and at the seam (its first vertex).
+
+    Attributes:
+        vertex: Contour vertex of each column, shape (c,).
+        normals: Outward unit normal in the plane of the contour, shape (c, 2).
+        distance: Length along the contour, shape (c,) [m].
+        start: Column in which each side of the contour starts, shape (n,).
+        end: Column in which it ends, shape (n,).
+    """
+
+    vertex: Indices
+    normals: Array
+    distance: Array
+    start: Indices
+    end: Indices
+
+    @staticmethod
+    def along(contour: Contour, breaks: NDArray[np.bool_] | None = None) -> "Rail":
+        """Return the columns of a contour; `breaks` asks for two columns at more vertices, shape (n,)."""
+        count = len(contour.points)
+        corner = np.einsum("ij,ij->i", contour.normals_in, contour.normals_out) < 1.0 - 1e-9
+        if breaks is not None:
+            corner |= breaks
+        arrive = np.empty(count, np.int64)
+        leave = np.empty(count, np.int64)
+        width = 1 + corner[1:]
+        arrive[1:] = np.cumsum(width) - width + 1
+        leave[1:] = arrive[1:] + corner[1:]
+        leave[0], arrive[0] = 0, 1 + width.sum()
+        columns = int(arrive[0]) + 1
+        vertex = np.empty(columns, np.int64)
+        normals = np.empty((columns, 2))
+        distance = np.empty(columns)
+        sides = np.roll(contour.points, -1, axis=0) - contour.points
+        total = np.cumsum(np.hypot(sides[:, 0], sides[:, 1]))
+        travelled = np.concatenate([[0.0], total[:-1]])
+        for column, normal in ((arrive, contour.normals_in), (leave, contour.normals_out)):
+            vertex[column] = np.arange(count)
+            normals[column] = normal
+            distance[column] = travelled
+        distance[arrive[0]] = total[-1]
+        return Rail(vertex, normals, distance, leave, np.roll(arrive, -1))
+
+
+class Sheets:
+    """A surface in the making: grids and caps, joined where their places are the same."""
+
+    def __init__(self) -> None:
+        self._vertices: list[Array] = []
+        self._normals: list[Array] = []
+        self._uvs: list[Array] = []
+        self._triangles: list[Indices] = []
+        self._targets: list[Indices] = []
+        self._count = 0
+
+    def grid(
+        self,
+        rail: Rail,
+        vertices: Array,
+        normals: Array,
+        uvs: Array,
+        *,
+        strips: Indices | None = None,
+        places: Indices | None = None,
+        poles: NDArray[np.bool_] | None = None,
+        flipped: bool = False,
+    ) -> Indices:
+        """Add the side surface of a contour.
+
+        Args:
+            rail: The columns.
+            vertices: Positions, shape (r, c, 3) [m].
+            normals: Unit normals, shape (r, c, 3).
+            uvs: Texture coordinates, shape (r, c, 2) [m].
+            strips: Pairs of rows between which there are faces, shape (s, 2); all neighbours by default.
+            places: For each row, the first row at the same place, shape (r,); all apart by default.
+            poles: Contour vertices that are one point in all rows, shape (n,).
+            flipped: Whether columns x rows turn inward.
+
+        Returns:
+            The vertex that stands for each contour vertex in each row, shape (r, n).
+        """
+        rows, columns = vertices.shape[:2]
+        lower = np.arange(rows - 1) if strips is None else strips[:, 0]
+        upper = lower + 1 if strips is None else strips[:, 1]
+        first = rail.start  # at the seam and at corners the leaving column stands for both
+        index = np.arange(rows) if places is None else places
+        place = index[:, None] * columns + first[None, :]
+        if poles is not None:
+            place = np.where(poles[None, :], first[None, :], place)
+        place += self._count
+        base = self._count
+        corner = [
+            base + row[:, None] * columns + column[None, :]
+            for row, column in (
+                (lower, rail.start),
+                (lower, rail.end),
+                (upper, rail.end),
+                (upper, rail.start),
+            )
+        ]
+        if flipped:
+            corner = [corner[0], corner[3], corner[2], corner[1]]
+        quads = np.stack(
+            [corner[0], corner[1], corner[2], corner[0], corner[2], corner[3]], axis=-1
+        ).reshape(-1, 3)
+        self._add(vertices, normals, uvs, quads, place[:, rail.vertex].ravel())
+        return place
+
+    def cap(self, places: Indices, vertices: Array, normal: Array, uvs: Array, triangles: Indices) -> None:
+        """Add a flat face over contours.
+
+        Args:
+            places: The vertices that stand for the contours' vertices, shape (n,).
+            vertices: Positions, shape (n, 3) [m].
+            normal: Unit normal, shape (3,).
+            uvs: Texture coordinates, shape (n, 2) [m].
+            triangles: Triangles over the contours' vertices, shape (m, 3).
+        """
+        normals = np.broadcast_to(normal, (len(vertices), 3))
+        self._add(vertices, normals, uvs, triangles + self._count, places)
+
+    def _add(self, vertices: Array, normals: Array, uvs: Array, triangles: Indices, targets: Indices) -> None:
+        flat = vertices.reshape(-1, 3)
+        self._vertices.append(flat)
+        self._normals.append(normals.reshape(-1, 3))
+        self._uvs.append(uvs.reshape(-1, 2))
+        self._triangles.append(triangles)
+        self._targets.append(targets)
+        self._count += len(flat)
+
+    def skin(self) -> Skin:
+        """Return what was added as one surface."""
+        return Skin(
+            np.concatenate(self._vertices),
+            np.concatenate(self._normals),
+            np.concatenate(self._uvs),
+            np.concatenate(self._triangles),
+            np.concatenate(self._targets),
+        )
+
+
+def triangulated(rings: Sequence[Array]) -> Indices:
+    """Return triangles over plane rings (outer ones counter-clockwise, holes clockwise), shape (m, 3)."""
+    return np.asarray(triangulate(list(rings)), np.int64).reshape(-1, 3)
+
+
+def extrusion(
+    contours: Sequence[Contour],
+    length: float,
+    *,
+    bevel: float = 0.0,
+    stations: int = 1,
+    warp: Callable[[Array, Array], tuple[Array, Array]] | None = None,
+) -> Skin:
+    """Extrude contours along z, centred on z = 0, with rounded edges at both ends.
+
+    Args:
+        contours: Outer borders and holes.
+        length: Length along z [m].
+        bevel: Radius of the rounded edges of both ends [m]; the outline must allow it.
+        stations: Number of strips between the ends, for a warp to bend.
+        warp: Moves vertices (n, 3) and normals (n, 3) of the straight extrusion.
+    """
+    inset, level, lean, rise = _end_rows(length, bevel, stations)
+    rows = len(level)
+    sheets = Sheets()
+    places: list[Indices] = []
+    rings: list[Array] = []
+    along = np.concatenate([[0.0], np.cumsum(np.hypot(np.diff(inset), np.diff(level)))]) - length / 2.0
+    for contour in contours:
+        rail = Rail.along(contour)
+        tight = mitres(contour)
+        columns = len(rail.vertex)
+        vertices = np.empty((rows, columns, 3))
+        plan = contour.points - inset[:, None, None] * tight
+        vertices[..., :2] = plan[:, rail.vertex]
+        vertices[..., 2] = level[:, None]
+        normals = np.empty((rows, columns, 3))
+        normals[..., :2] = lean[:, None, None] * rail.normals
+        normals[..., 2] = rise[:, None]
+        uvs = np.empty((rows, columns, 2))
+        uvs[..., 0] = rail.distance
+        uvs[..., 1] = along[:, None]
+        places.append(sheets.grid(rail, vertices, normals, uvs))
+        rings.append(plan[0])
+    flat = np.concatenate(rings)
+    triangles = triangulated(rings)
+    ends = np.concatenate([place[[0, -1]] for place in places], axis=1)
+    for row, side, faces in ((0, -1.0, triangles[:, ::-1]), (1, 1.0, triangles)):
+        lid = np.column_stack([flat, np.full(len(flat), side * length / 2.0)])
+        sheets.cap(ends[row], lid, np.array([0.0, 0.0, side]), flat, faces)
+    skin = sheets.skin()
+    if warp is None:
+        return skin
+    vertices, normals = warp(skin.vertices, skin.normals)
+    return Skin(vertices, normals, skin.uvs, skin.triangles, skin.targets)
+
+
+def _end_rows(length: float, bevel: float, stations: int) -> tuple[Array, Array, Array, Array]:
+    """Return inset [m], level z [m], and the share of the side's normal and of z in the normal, per row."""
+    half = length / 2.0
+    middle = np.linspace(-1.0, 1.0, stations + 1)
+    steps = bevel_steps(bevel)
+    if steps == 0:
+        return np.zeros(stations + 1), middle * half, np.ones(stations + 1), np.zeros(stations + 1)
+    turn = np.linspace(0.5 * np.pi, 0.0, steps + 1)
+    inset = bevel * (1.0 - np.cos(turn))
+    level = -half + bevel * (1.0 - np.sin(turn))
+    lean, rise = np.cos(turn), -np.sin(turn)
+    lean[0], inset[-1], rise[-1], lean[-1] = 0.0, 0.0, 0.0, 1.0
+    inner = middle[1:-1] * (half - bevel)
+    zeros = np.zeros(len(inner))
+    return (
+        np.concatenate([inset, zeros, inset[::-1]]),
+        np.concatenate([level, inner, -level[::-1]]),
+        np.concatenate([lean, zeros + 1.0, lean[::-1]]),
+        np.concatenate([rise, zeros, -rise[::-1]]),
+    )
+
+
+def mitres(contour: Contour) -> Array:
+    """Return how far each vertex goes outward when all sides go outward by one metre, shape (n, 2)."""
+    both = contour.normals_in + contour.normals_out
+    scale = 1.0 + np.einsum("ij,ij->i", contour.normals_in, contour.normals_out)
+    return both / np.maximum(scale, 1e-6)[:, None]
+
+
+def lathe(contours: Sequence[Contour], *, angle: float = math.tau, sides: int | None = None) -> Skin:
+    """Turn contours in the (r, z) plane about z, from the x axis on.
+
+    Args:
+        contours: Outer borders and holes in (r, z), with no r below 0.
+        angle: How far to turn [rad]; 2 pi closes the solid.
+        sides: Facets of the full circle; from the largest radius by default.
+    """
+    full = angle >= math.tau - 1e-9
+    widest = max(float(contour.points[:, 0].max()) for contour in contours)
+    facets = sides or sides_of(widest)
+    steps = facets if full else max(1, math.ceil(facets * angle / math.tau - 1e-9))
+    cosine, sine = _turns(steps, math.tau if full else angle)
+    rows = np.arange(steps + 1)
+    turn = rows * ((math.tau if full else angle) / steps)
+    seam = np.where(rows == steps, 0, rows) if full else None
+    sheets = Sheets()
+    places: list[Indices] = []
+    for contour in contours:
+        level = _level_sides(contour)
+        rail = Rail.along(contour, level != np.roll(level, 1))
+        flat = np.zeros(len(rail.vertex), bool)
+        flat[rail.start[level]] = True
+        flat[rail.end[level]] = True
+        vertices = _turned(contour.points[rail.vertex], cosine, sine)
+        normals = _turned(rail.normals, cosine, sine)
+        uvs = np.empty((*vertices.shape[:2], 2))
+        uvs[..., 0] = turn[:, None] * float(contour.points[:, 0].max())
+        uvs[..., 1] = rail.distance
+        uvs[:, flat] = vertices[:, flat, :2]
+        poles = contour.points[:, 0] == 0.0
+        places.append(sheets.grid(rail, vertices, normals, uvs, places=seam, poles=poles, flipped=True))
+    if not full:
+        rings = [contour.points for contour in contours]
+        flat_points = np.concatenate(rings)
+        triangles = triangulated(rings)
+        ends = np.concatenate([place[[0, -1]] for place in places], axis=1)
+        section = _turned(flat_points, cosine[[0, -1]], sine[[0, -1]])
+        for row, faces in ((0, triangles), (1, triangles[:, ::-1])):
+            sign, at = (-1.0, 0) if row == 0 else (1.0, -1)
+            normal = np.array([-sine[at] * sign, cosine[at] * sign, 0.0])
+            sheets.cap(ends[row], section[row], normal, flat_points, faces)
+    return sheets.skin()
+
+
+def _level_sides(contour: Contour) -> NDArray[np.bool_]:
+    """Return which sides of a contour in (r, z) are flat discs or rings, shape (n,)."""
+    following = np.roll(contour.normals_in, -1, axis=0)
+    return (np.abs(contour.normals_out[:, 1]) > 1.0 - 1e-12) & (np.abs(following[:, 1]) > 1.0 - 1e-12)
+
+
+def _turned(plane: Array, cosine: Array, sine: Array) -> Array:
+    """Return (r, z) points turned about z, shape (rows, points, 3)."""
+    out = np.empty((len(cosine), len(plane), 3))
+    out[..., 0] = cosine[:, None] * plane[:, 0]
+    out[..., 1] = sine[:, None] * plane[:, 0]
+    out[..., 2] = plane[:, 1]
+    return out
+
+
+@lru_cache(maxsize=64)
+def _turns(steps: int, angle: float) -> tuple[Array, Array]:
+    """Return cosines and sines of the rows of a lathe, exact in the quarters of a full turn."""
+    turn = np.arange(steps + 1) * (angle / steps)
+    cosine, sine = np.cos(turn), np.sin(turn)
+    for values in (cosine, sine):
+        values[np.abs(values) < 1e-15] = 0.0
+        values.flags.writeable = False
+    return cosine, sine
+
+
+@lru_cache(maxsize=16)
+def _unit_box(steps: int) -> tuple[Array, Array, Indices, Indices]:
+    """Return directions and signs (n, 3) of a box with rounded edges, its triangles and its targets."""
+    quarter = np.tan(np.linspace(0.0, np.pi / 4.0, steps + 1)) if steps else np.zeros(1)
+    across = np.concatenate([-quarter[::-1], quarter])
+    side = np.concatenate([-np.ones(steps + 1), np.ones(steps + 1)])
+    count = len(across)
+    directions = np.zeros((6, count, count, 3))
+    signs = np.zeros((6, count, count, 3))
+    for face in range(6):
+        axis, sign = face // 2, 1.0 - 2.0 * (face % 2)
+        u, v = (axis + 1) % 3, (axis + 2) % 3
+        directions[face, ..., axis] = signs[face, ..., axis] = sign
+        directions[face, ..., u] = across[:, None] * sign
+        directions[face, ..., v] = across[None, :]
+        signs[face, ..., u] = side[:, None] * sign
+        signs[face, ..., v] = side[None, :]
+    directions /= np.linalg.norm(directions, axis=-1, keepdims=True)
+    cell = np.arange(count - 1)
+    corner = cell[:, None] * count + cell[None, :]
+    quads = np.stack(
+        [corner, corner + count, corner + count + 1, corner, corner + count + 1, corner + 1], axis=-1
+    ).reshape(-1, 3)
+    triangles = np.concatenate([quads + face * count * count for face in range(6)])
+    flat_directions, flat_signs = directions.reshape(-1, 3), signs.reshape(-1, 3)
+    # A vertex on the border of a face is also on its neighbour: same direction and, unless the box is
+    # sharp (where the direction is that of the face), same corner.
+    where = flat_signs if steps == 0 else np.concatenate([flat_directions, flat_signs], axis=1)
+    _, first, group = np.unique(np.rint(where * 1e6), axis=0, return_index=True, return_inverse=True)
+    targets = first[group.ravel()]
+    for array in (flat_directions, flat_signs, triangles, targets):
+        array.flags.writeable = False
+    return flat_directions, flat_signs, triangles, targets
+
+
+def rounded_box(size: Array, bevel: float, steps: int) -> Skin:
+    """Make a box about the origin whose edges and corners are rounded.
+
+    Args:
+        size: Full lengths, shape (3,) [m].
+        bevel: Radius of the edges [m], at most half the smallest length.
+        steps: Chords in 45 degrees of an edge; 0 makes a sharp box.
+    """
+    directions, signs, triangles, targets = _unit_box(steps)
+    half = size / 2.0
+    radius = min(bevel, 0.999 * float(half.min())) if steps else 0.0
+    vertices = signs * (half - radius) + directions * radius
+    grain = int(np.argmax(half))
+    uvs = np.empty((len(vertices), 2))
+    per_face = len(vertices) // 6
+    for face in range(6):
+        axis = face // 2
+        u, v = (axis + 1) % 3, (axis + 2) % 3
+        if u == grain:
+            u, v = v, u
+        rows = slice(face * per_face, (face + 1) * per_face)
+        uvs[rows] = vertices[rows][:, [u, v]]
+    return Skin(vertices, directions, uvs, triangles, targets)

@@ -1,0 +1,203 @@
+"""Sweeps: a profile drawn along a path."""
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from artgen.asset.outline import Contour, Curve, Outline
+from artgen.asset.shape import Shape
+from artgen.graph import kernel
+from artgen.nodes.contours import CREASE
+from artgen.nodes.covers import around_sweep
+from artgen.nodes.handles import Path, Profile, Solid
+from artgen.nodes.surfaces import Rail, Sheets, Skin, triangulated
+
+Array = NDArray[np.float64]
+Row = tuple[float, float, float]
+
+_SHARPEST = math.radians(150.0)
+
+
+class _Stations:
+    """Where a sweep puts its profile: one place per path vertex, with the frame of the profile's plane.
+
+    Attributes:
+        points: Path vertices, shape (n, 3) [m]; of a closed path the first is repeated.
+        frames: Columns x, y and tangent of each plane, shape (n, 3, 3).
+        stretch: Matrices that widen the profile where the path has a corner (a mitre), shape (n, 3, 3).
+        before, after: Turns from the plane to the directions of the adjacent segments, shape (n, 3, 3).
+        sharp: Whether the vertex is a corner, shape (n,).
+    """
+
+    def __init__(self, path: Curve) -> None:
+        closed = path.closed
+        segments = np.roll(path.points, -1, axis=0) - path.points
+        if not closed:
+            segments = segments[:-1]
+        length = np.linalg.norm(segments, axis=1)
+        directions = segments / length[:, None]
+        arriving = np.concatenate([directions[-1:] if closed else directions[:1], directions])
+        leaving = np.concatenate([directions, directions[:1] if closed else directions[-1:]])
+        self.points = np.concatenate([path.points, path.points[:1]]) if closed else path.points
+        self.distance = np.concatenate([[0.0], np.cumsum(length)])
+        cosine = np.clip(np.einsum("ij,ij->i", arriving, leaving), -1.0, 1.0)
+        turn = np.arccos(cosine)
+        if turn.max() > _SHARPEST:
+            at = int(np.argmax(turn))
+            raise ValueError(
+                f"the path turns back by {math.degrees(turn[at]):.0f} degrees at {_place(self.points[at])}; "
+                "a sweep allows 150; give it a fillet or another point"
+            )
+        tangents = arriving + leaving
+        if path.tangents is not None:
+            known = path.tangents
+            tangents = np.concatenate([known, known[:1]]) if closed else known
+        tangents = tangents / np.linalg.norm(tangents, axis=1, keepdims=True)
+        self.sharp = turn > CREASE
+        self.frames = _transported(tangents, self.distance, closed)
+        self.before = _turns_between(tangents, arriving)
+        self.after = _turns_between(tangents, leaving)
+        self.stretch = _mitres(arriving, leaving, cosine, path.tangents is not None)
+
+
+def _place(point: Array) -> str:
+    return f"({point[0]:.4g}, {point[1]:.4g}, {point[2]:.4g}) m"
+
+
+def _mitres(arriving: Array, leaving: Array, cosine: Array, is_curve: bool) -> Array:
+    """Return the matrices, shape (n, 3, 3), that widen a section across each corner."""
+    stretch = np.broadcast_to(np.eye(3), (len(cosine), 3, 3)).copy()
+    if is_curve:  # the path's vertices sample a curve whose plane sections are the profile itself
+        return stretch
+    bend = leaving - arriving
+    size = np.linalg.norm(bend, axis=1)
+    bent = size > 1e-9
+    across = bend[bent] / size[bent, None]
+    widening = 1.0 / np.sqrt((1.0 + cosine[bent]) / 2.0) - 1.0
+    stretch[bent] += widening[:, None, None] * across[:, :, None] * across[:, None, :]
+    return stretch
+
+
+def _turns_between(source: Array, target: Array) -> Array:
+    """Return the least rotations, shape (n, 3, 3), that take unit vectors (n, 3) to others."""
+    axis = np.cross(source, target)
+    cosine = np.einsum("ij,ij->i", source, target)
+    skew = np.zeros((len(source), 3, 3))
+    skew[:, 0, 1], skew[:, 0, 2], skew[:, 1, 2] = -axis[:, 2], axis[:, 1], -axis[:, 0]
+    skew -= skew.transpose(0, 2, 1)
+    return np.eye(3) + skew + skew @ skew / (1.0 + cosine)[:, None, None]
+
+
+def _transported(tangents: Array, distance: Array, closed: bool) -> Array:
+    """Return frames that follow the tangents without turning about them, shape (n, 3, 3).
+
+    The profile's y starts as far upward as it can (along Y where the path starts vertically). Around a
+    closed path the turn that remains is spread over its length.
+    """
+    start = tangents[0]
+    up = np.array([0.0, 0.0, 1.0]) if abs(start[2]) < 0.999 else np.array([0.0, 1.0, 0.0])
+    first = up - start * (start @ up)
+    first /= np.linalg.norm(first)
+    rows = _carried(first, tangents)
+    ups = np.array(rows)
+    if closed:
+        axis = np.cross(ups[0], ups[-1])
+        missing = math.atan2(float(axis @ start), float(ups[0] @ ups[-1]))
+        angle = -missing * distance / distance[-1]
+        side = np.cross(tangents, ups)
+        ups = np.cos(angle)[:, None] * ups + np.sin(angle)[:, None] * side
+        ups[-1] = ups[0]
+    return np.stack([np.cross(ups, tangents), ups, tangents], axis=-1)
+
+
+def _carried(first: Array, tangents: Array) -> list[Row]:
+    """Carry a normal along tangents by the least rotation from each to the next; plain floats, for speed."""
+    ax, ay, az = first.tolist()
+    rows: list[Row] = [(ax, ay, az)]
+    px, py, pz = tangents[0].tolist()
+    for qx, qy, qz in tangents[1:].tolist():
+        # The rotation from p to q adds to a normal of p: -(a.q) / (1 + p.q) (p + q)
+        share = (ax * qx + ay * qy + az * qz) / (1.0 + px * qx + py * qy + pz * qz)
+        ax, ay, az = ax - share * (px + qx), ay - share * (py + qy), az - share * (pz + qz)
+        size = math.sqrt(ax * ax + ay * ay + az * az)
+        ax, ay, az = ax / size, ay / size, az / size
+        rows.append((ax, ay, az))
+        px, py, pz = qx, qy, qz
+    return rows
+
+
+def _spread(stations: _Stations, plane: Array) -> Array:
+    """Return points of the profile's plane at all stations, shape (stations, points, 3)."""
+    axes = stations.stretch @ stations.frames[:, :, :2]
+    return stations.points[:, None, :] + np.einsum("sij,pj->spi", axes, plane)
+
+
+@kernel
+def _sweep(profile: Outline, path: Curve) -> Shape:
+    stations = _Stations(path)
+    for contour in profile.contours:
+        rings = _spread(stations, contour.points)
+        along = stations.frames[:, :, 2]
+        advance = np.einsum("spi,si->sp", np.diff(rings, axis=0), along[:-1] + along[1:])
+        if advance.min() <= 0.0:
+            at = stations.points[int(np.argmin(advance.min(axis=1)))]
+            raise ValueError(
+                f"the path bends too tightly for the profile near {_place(at)}: the inside of the bend "
+                "folds; use a larger radius or a thinner profile"
+            )
+    pieces = around_sweep(profile, lambda polygon: list(_spread(stations, polygon)), path.closed)
+    return _swept_skin(profile.contours, stations, path.closed).shape(pieces)
+
+
+def sweep(profile: Profile, path: Path) -> Solid:
+    """Draw a profile along a path; corners of the path are mitred.
+
+    Seen against the direction of travel the profile's x is right and its y starts as far upward as it can
+    (for a path that starts upward: x along X and y along Y). It never turns about the path.
+
+    Args:
+        profile: The cross-section; the path runs through its origin.
+        path: Where it goes; a closed path makes a closed ring.
+    """
+    return Solid.record(_sweep, profile=profile, path=path)
+
+
+def _swept_skin(contours: Sequence[Contour], stations: _Stations, closed: bool) -> Skin:
+    count = len(stations.points)
+    # A corner of the path has two rows, one for each side of its crease.
+    doubled = stations.sharp.copy()
+    doubled[[0, -1]] = False
+    station = np.repeat(np.arange(count), 1 + doubled)
+    second = np.concatenate([[False], station[1:] == station[:-1]])
+    first_row = np.searchsorted(station, station)
+    if closed:
+        first_row[-1] = 0
+    strips = np.flatnonzero(~second[1:])
+    turn = np.where(second[:, None, None], stations.after[station], stations.before[station])
+    turn[~stations.sharp[station]] = np.eye(3)
+    if closed and stations.sharp[0]:
+        turn[0], turn[-1] = stations.after[0], stations.before[0]
+    axes = turn @ stations.frames[station][:, :, :2]
+    sheets = Sheets()
+    places = []
+    for contour in contours:
+        rail = Rail.along(contour)
+        vertices = _spread(stations, contour.points)[station][:, rail.vertex]
+        normals = np.einsum("sij,cj->sci", axes, rail.normals)
+        uvs = np.empty((*vertices.shape[:2], 2))
+        uvs[..., 0] = rail.distance
+        uvs[..., 1] = stations.distance[station][:, None]
+        rows = np.column_stack([strips, strips + 1])
+        places.append(sheets.grid(rail, vertices, normals, uvs, strips=rows, places=first_row))
+    if not closed:
+        rings = [contour.points for contour in contours]
+        flat = np.concatenate(rings)
+        triangles = triangulated(rings)
+        ends = np.concatenate([place[[0, -1]] for place in places], axis=1)
+        section = _spread(stations, flat)[[0, -1]]
+        tangents = stations.frames[[0, -1], :, 2]
+        sheets.cap(ends[0], section[0], -tangents[0], flat, triangles[:, ::-1])
+        sheets.cap(ends[1], section[1], tangents[1], flat, triangles)
+    return sheets.skin()

@@ -1,0 +1,158 @@
+"""Lettering: the outlines of a string as a profile."""
+
+import functools
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from artgen.asset.outline import Contour, Outline
+from artgen.graph import kernel
+from artgen.nodes import inputs
+from artgen.nodes.contours import is_disjoint, moved_outline, outline_of, section
+from artgen.nodes.handles import Profile, Scalar
+
+Array = NDArray[np.float64]
+
+_SMOOTH = 0.94
+"""Cosine of the turn (20 degrees) below which curves of a letter join smoothly."""
+
+_STEP = 0.45  # [rad]: how much of a curve's turn one side takes
+
+
+@functools.cache
+def _font() -> Any:
+    # Imported on first use: reading a font is not for `import artgen`.
+    from font_roboto import RobotoMedium
+    from fontTools.ttLib import TTFont
+
+    return TTFont(RobotoMedium, lazy=True)
+
+
+def _curve(points: Array) -> tuple[Array, Array]:
+    """Return samples of a quadratic Bezier curve but for its start, and the tangents at all, start included.
+
+    Args:
+        points: Start, control point and end, shape (3, 2).
+    """
+    first, last = points[1] - points[0], points[2] - points[1]
+    cross = abs(first[0] * last[1] - first[1] * last[0])
+    steps = max(1, int(np.ceil(np.arctan2(cross, float(first @ last)) / _STEP)))
+    t = (np.arange(steps + 1) / steps)[:, None]
+    tangents = (1.0 - t) * first + t * last
+    samples = (1.0 - t) ** 2 * points[0] + 2.0 * t * (1.0 - t) * points[1] + t**2 * points[2]
+    return samples[1:], tangents
+
+
+def _contour(curves: list[Array]) -> Contour | None:
+    """Join lines (2 points) and quadratic curves (3 points) that close up, in units of the font."""
+    points: list[Array] = []
+    arriving: list[Array] = []
+    leaving: list[Array] = []
+    for curve in curves:
+        if len(curve) == 2:
+            samples = curve[1:]
+            tangents = np.stack([curve[1] - curve[0]] * 2)
+        else:
+            samples, tangents = _curve(curve)
+        points.extend(samples)
+        arriving.extend(tangents[1:])
+        leaving.extend(tangents[:-1])
+    if len(points) < 3:
+        return None
+    normals = []
+    for tangents_at in (np.array(arriving), np.array([*leaving[1:], leaving[0]])):
+        across = np.column_stack([tangents_at[:, 1], -tangents_at[:, 0]])
+        normals.append(across / np.linalg.norm(across, axis=1, keepdims=True))
+    mean = normals[0] + normals[1]
+    mean /= np.maximum(np.linalg.norm(mean, axis=1, keepdims=True), 1e-12)
+    joined = (np.einsum("ij,ij->i", *normals) > _SMOOTH)[:, None]
+    # TrueType borders run clockwise: turned around, their outside is on the right.
+    return Contour(
+        np.array(points)[::-1],
+        np.where(joined, -mean, -normals[1])[::-1],
+        np.where(joined, -mean, -normals[0])[::-1],
+    )
+
+
+@functools.lru_cache(maxsize=256)
+def _glyph(character: str) -> tuple[tuple[Contour, ...], float]:
+    """Return the contours of a character and how far it moves the pen, in capital heights.
+
+    Raises:
+        ValueError: The font has no such character.
+    """
+    from fontTools.pens.basePen import decomposeQuadraticSegment
+    from fontTools.pens.recordingPen import DecomposingRecordingPen
+
+    font = _font()
+    name = font.getBestCmap().get(ord(character))
+    if name is None:
+        family = font["name"].getDebugName(4)
+        raise ValueError(f"the font {family} has no character {character!r} (U+{ord(character):04X})")
+    glyphs = font.getGlyphSet()
+    pen = DecomposingRecordingPen(glyphs)
+    glyphs[name].draw(pen)
+    unit = 1.0 / font["OS/2"].sCapHeight
+    contours: list[Contour] = []
+    curves: list[Array] = []
+    at = start = (0.0, 0.0)
+    for verb, arguments in pen.value:
+        if verb == "moveTo":
+            at = start = arguments[0]
+            curves = []
+        elif verb == "lineTo":
+            curves.append(np.array([at, arguments[0]], float))
+            at = arguments[0]
+        elif verb == "qCurveTo":
+            for control, end in decomposeQuadraticSegment(arguments):
+                curves.append(np.array([at, control, end], float))
+                at = end
+        else:
+            if at != start:
+                curves.append(np.array([at, start], float))
+            contour = _contour([curve for curve in curves if np.abs(np.diff(curve, axis=0)).max() > 0])
+            if contour is not None:
+                contours.append(Contour(contour.points * unit, contour.normals_in, contour.normals_out))
+    return tuple(contours), glyphs[name].width * unit
+
+
+@kernel
+def _text(string: str, height: float, align: Literal["left", "center", "right"]) -> Outline:
+    inputs.positive("height", height)
+    contours: list[Contour] = []
+    pen = 0.0
+    for character in string:
+        glyph, advance = _glyph(character)
+        contours.extend(
+            Contour(one.points + np.array([pen, 0.0]), one.normals_in, one.normals_out) for one in glyph
+        )
+        pen += advance
+    if not contours:
+        raise ValueError(f"the text {string!r} has nothing to show")
+    outline = Outline(tuple(contours))
+    if not is_disjoint([contour.points for contour in contours]):
+        # Parts of a letter overlap (a crossed stroke, an accent on its letter).
+        outline = outline_of(section(outline.contours), f"the text {string!r}")
+    shift = {"left": 0.0, "center": -0.5 * pen, "right": -pen}[align]
+    rise = -0.5 if align == "center" else 0.0
+    return moved_outline(outline, np.eye(2) * height, np.array([shift, rise]) * height)
+
+
+def text(
+    string: str, height: Scalar, *, align: Literal["left", "center", "right"] = "center"
+) -> Profile:
+    """Make the outlines of a line of text, set in Roboto Medium.
+
+    Args:
+        string: What it says; known while building.
+        height: Height of the capital letters [m].
+        align: `center` centres the line on the origin, in both directions; `left` and `right` put the
+            origin on the base line at that end.
+    """
+    return Profile.record(_text, string=string, height=height, align=align)
+
+
+def text_width(string: str) -> float:
+    """Return the length of a line of text, in heights of its capital letters."""
+    return sum(_glyph(character)[1] for character in string)
