@@ -249,3 +249,14 @@ def draw_positions() -> Callable[[Asset, int], dict[str, float]]:
         return result
 
     return draw
+
+
+@pytest.fixture(scope="session")
+def make_asset() -> Callable[[str], Asset]:
+    """Return a function that makes one of the assets anew."""
+    makers: dict[str, Callable[[], Asset]] = {
+        "cabinet": make_cabinet,
+        "free_cabinet": lambda: make_cabinet(base="free"),
+        "nested": make_nested,
+    }
+    return lambda name: makers[name]()

@@ -1,9 +1,24 @@
-"""Convex pieces of solids: how simulators and proofs see a part."""
+"""Convex pieces of solids: how simulators and proofs see a part.
 
-from artgen.colliders.convex import Array, Convex, Kind
-from artgen.colliders.pieces import Bounded, Exact, Pieces, budgeted, difference, intersection, union
+Pieces are known from how a solid was made, not found in its mesh: primitives are their own piece, a union
+concatenates, a difference splits the pieces by the faces of the cutter's pieces.
+"""
+
+from artgen.colliders.budget import budgeted, budgeted_together
+from artgen.colliders.convex import TOLERANCE, Array, Convex, Kind
+from artgen.colliders.makers import (
+    chain_pieces,
+    cylinder_pieces,
+    hull_pieces,
+    prism_pieces,
+    round_pieces,
+)
+from artgen.colliders.pieces import Bounded, Exact, Pieces, difference, intersection, union
+from artgen.colliders.polygon import decompose_polygon
+from artgen.colliders.revolve import revolve_pieces
 
 __all__ = [
+    "TOLERANCE",
     "Array",
     "Bounded",
     "Convex",
@@ -11,7 +26,15 @@ __all__ = [
     "Kind",
     "Pieces",
     "budgeted",
+    "budgeted_together",
+    "chain_pieces",
+    "cylinder_pieces",
+    "decompose_polygon",
     "difference",
+    "hull_pieces",
     "intersection",
+    "prism_pieces",
+    "revolve_pieces",
+    "round_pieces",
     "union",
 ]

@@ -39,9 +39,7 @@ def inscribed_circle(radius: float, sides: int) -> Array:
 def _geodesic(frequency: int) -> tuple[Array, float]:
     """Return points of a subdivided icosahedron on the unit sphere and the distance of its nearest face."""
     golden = (1.0 + math.sqrt(5.0)) / 2.0
-    corners = np.array(
-        [(0.0, s, t * golden) for s in (-1.0, 1.0) for t in (-1.0, 1.0)], dtype=np.float64
-    )
+    corners = np.array([(0.0, s, t * golden) for s in (-1.0, 1.0) for t in (-1.0, 1.0)], dtype=np.float64)
     corners = np.concatenate([np.roll(corners, shift, axis=1) for shift in range(3)])
     mesh = Manifold.hull_points(corners).to_mesh64()
     corners = np.array(mesh.vert_properties)[:, :3]

@@ -3,79 +3,205 @@
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Sequence
 
+import numpy as np
+
 from artgen.colliders.convex import Array, Convex
+from artgen.colliders.merge import few_vertices, joined
+from artgen.colliders.polytope import Polytope
+from artgen.colliders.split import Facetted, intersect, subtract
+
+Cover = tuple[Convex, ...]
+
+_RIGID = 1e-12  # relative error of scale within which a motion is rigid
+_MANY = 10**9  # more vertices than any piece has
 
 
 class Pieces(ABC):
-    """A convex cover of one solid."""
+    """A convex cover of one solid, evaluated when asked for and kept for each tolerance."""
 
-    @abstractmethod
-    def outer(self, tolerance: float) -> tuple[Convex, ...]:
-        """Return pieces whose union contains the solid."""
+    def __init__(self) -> None:
+        self._known: dict[tuple[str, float, int], Cover] = {}
 
-    @abstractmethod
-    def inner(self, tolerance: float) -> tuple[Convex, ...]:
-        """Return pieces whose union the solid contains."""
+    def outer(self, tolerance: float) -> Cover:
+        """Return pieces whose union contains the solid.
+
+        Args:
+            tolerance: How far the pieces may exceed the solid where it is round [m].
+
+        Raises:
+            ValueError: The tolerance is not positive.
+        """
+        return self._remembered(("outer", tolerance, 0), self._outer)
+
+    def inner(self, tolerance: float) -> Cover:
+        """Return pieces whose union the solid contains.
+
+        Args:
+            tolerance: How far the pieces may fall short of the solid where it is round [m].
+
+        Raises:
+            ValueError: The tolerance is not positive.
+        """
+        return self._remembered(("inner", tolerance, 0), self._inner)
+
+    def simplified(self, tolerance: float, most_vertices: int = 64) -> Cover:
+        """Return the outer pieces joined where that adds nothing, none with more vertices than allowed."""
+        return self._remembered(
+            ("simplified", tolerance, most_vertices), lambda limit: self._simplified(limit, most_vertices)
+        )
 
     def transformed(self, matrix: Array) -> "Pieces":
         """Return the cover moved by an affine matrix, shape (4, 4)."""
-        raise NotImplementedError
+        matrix = np.asarray(matrix, np.float64)
+        if matrix.shape != (4, 4) or not np.isfinite(matrix).all():
+            raise ValueError(f"a transform must be a finite matrix of shape (4, 4), got {matrix.tolist()}")
+        return Transformed(self, matrix)
+
+    @abstractmethod
+    def _outer(self, tolerance: float) -> Cover:
+        """Compute the pieces that contain the solid."""
+
+    @abstractmethod
+    def _inner(self, tolerance: float) -> Cover:
+        """Compute the pieces that the solid contains."""
+
+    def _remembered(self, key: tuple[str, float, int], compute: Callable[[float], Cover]) -> Cover:
+        tolerance = key[1]
+        if not 0.0 < tolerance < float("inf"):
+            raise ValueError(f"the tolerance of convex pieces must be positive, got {tolerance} m")
+        if key not in self._known:
+            self._known[key] = compute(tolerance)
+        return self._known[key]
+
+    def _simplified(self, tolerance: float, most_vertices: int) -> Cover:
+        pieces = joined(self.outer(tolerance), most_vertices)
+        return tuple(small for piece in pieces for small in few_vertices(piece, most_vertices, tolerance))
 
 
 class Exact(Pieces):
-    """Pieces that are the very solid."""
+    """Pieces that are the very solid.
+
+    Args:
+        convexes: The pieces.
+    """
 
     def __init__(self, convexes: Sequence[Convex]) -> None:
-        self.convexes = tuple(convexes)
+        super().__init__()
+        self._convexes = tuple(convexes)
 
-    def outer(self, tolerance: float) -> tuple[Convex, ...]:
-        """Return the pieces."""
-        return self.convexes
+    def _outer(self, tolerance: float) -> Cover:
+        return self._convexes
 
-    def inner(self, tolerance: float) -> tuple[Convex, ...]:
-        """Return the pieces."""
-        return self.convexes
+    def _inner(self, tolerance: float) -> Cover:
+        return self._convexes
 
 
 class Bounded(Pieces):
-    """Pieces computed by two functions of the tolerance."""
+    """Pieces that two functions of the tolerance compute.
 
-    def __init__(
-        self,
-        outer: Callable[[float], tuple[Convex, ...]],
-        inner: Callable[[float], tuple[Convex, ...]],
-    ) -> None:
-        self._outer = outer
-        self._inner = inner
+    Args:
+        outer: Computes pieces that contain the solid; the `outer` of other pieces will do.
+        inner: Computes pieces that the solid contains.
+    """
 
-    def outer(self, tolerance: float) -> tuple[Convex, ...]:
-        """Return pieces whose union contains the solid."""
-        return self._outer(tolerance)
+    def __init__(self, outer: Callable[[float], Cover], inner: Callable[[float], Cover]) -> None:
+        super().__init__()
+        self._compute_outer = outer
+        self._compute_inner = inner
 
-    def inner(self, tolerance: float) -> tuple[Convex, ...]:
-        """Return pieces whose union the solid contains."""
-        return self._inner(tolerance)
+    def _outer(self, tolerance: float) -> Cover:
+        return tuple(self._compute_outer(tolerance))
+
+    def _inner(self, tolerance: float) -> Cover:
+        return tuple(self._compute_inner(tolerance))
+
+
+class Transformed(Pieces):
+    """The pieces of a solid that was moved by an affine matrix."""
+
+    def __init__(self, base: Pieces, matrix: Array) -> None:
+        super().__init__()
+        self._base, self._matrix = (
+            (base._base, matrix @ base._matrix) if isinstance(base, Transformed) else (base, matrix)
+        )
+        scale = float(np.linalg.norm(self._matrix[:3, :3], 2))
+        if not scale > 0.0:
+            raise ValueError(f"pieces cannot be moved by a matrix that flattens them: {matrix.tolist()}")
+        self._scale = 1.0 if abs(scale - 1.0) <= _RIGID else scale
+
+    def _outer(self, tolerance: float) -> Cover:
+        fine = tolerance / self._scale
+        return tuple(piece.transformed(self._matrix, fine) for piece in self._base.outer(fine))
+
+    def _inner(self, tolerance: float) -> Cover:
+        fine = tolerance / self._scale
+        return tuple(piece.transformed(self._matrix, fine, inner=True) for piece in self._base.inner(fine))
+
+
+class _Union(Pieces):
+    def __init__(self, parts: Sequence[Pieces]) -> None:
+        super().__init__()
+        self._parts = tuple(parts)
+
+    def _outer(self, tolerance: float) -> Cover:
+        return tuple(piece for part in self._parts for piece in part.outer(tolerance))
+
+    def _inner(self, tolerance: float) -> Cover:
+        return tuple(piece for part in self._parts for piece in part.inner(tolerance))
+
+
+class _Difference(Pieces):
+    def __init__(self, solid: Pieces, cutter: Pieces) -> None:
+        super().__init__()
+        self._solid, self._cutter = solid, cutter
+
+    def _outer(self, tolerance: float) -> Cover:
+        around = [Facetted.around(piece, tolerance) for piece in self._solid.outer(tolerance)]
+        return _cut(around, [piece.inner_polytope(tolerance) for piece in self._cutter.inner(tolerance)])
+
+    def _inner(self, tolerance: float) -> Cover:
+        within = [Facetted.within(piece, tolerance) for piece in self._solid.inner(tolerance)]
+        return _cut(within, [piece.outer_polytope(tolerance) for piece in self._cutter.outer(tolerance)])
+
+
+class _Intersection(Pieces):
+    def __init__(self, first: Pieces, second: Pieces) -> None:
+        super().__init__()
+        self._first, self._second = first, second
+
+    def _outer(self, tolerance: float) -> Cover:
+        first, second = (
+            [Facetted.around(piece, tolerance) for piece in pieces.outer(tolerance)]
+            for pieces in (self._first, self._second)
+        )
+        return tuple(part.convex() for part in intersect(first, second))
+
+    def _inner(self, tolerance: float) -> Cover:
+        first, second = (
+            [Facetted.within(piece, tolerance) for piece in pieces.inner(tolerance)]
+            for pieces in (self._first, self._second)
+        )
+        return tuple(part.convex() for part in intersect(first, second))
+
+
+def _cut(pieces: Sequence[Facetted], cutters: Sequence[Polytope]) -> Cover:
+    """Subtract the cutters; what several of them cut is put together again where it fits."""
+    rest = [part.convex() for part in subtract(pieces, cutters)]
+    if len(cutters) > 1 and len(rest) > len(pieces):
+        rest = joined(rest, _MANY)
+    return tuple(rest)
 
 
 def union(*pieces: Pieces) -> Pieces:
     """Return the cover of the union."""
-    return Bounded(
-        lambda t: sum((p.outer(t) for p in pieces), ()), lambda t: sum((p.inner(t) for p in pieces), ())
-    )
+    return pieces[0] if len(pieces) == 1 else _Union(pieces)
 
 
-def difference(a: Pieces, b: Pieces) -> Pieces:
-    """Return the cover of `a - b`."""
-    raise NotImplementedError
+def difference(solid: Pieces, cutter: Pieces) -> Pieces:
+    """Return the cover of a solid without a cutter; exact where the cutter's pieces are."""
+    return _Difference(solid, cutter)
 
 
-def intersection(a: Pieces, b: Pieces) -> Pieces:
-    """Return the cover of `a & b`."""
-    raise NotImplementedError
-
-
-def budgeted(
-    pieces: Pieces, *, most_pieces: int = 64, most_vertices: int = 64, tolerance: float = 0.00025
-) -> tuple[Convex, ...]:
-    """Return the collider set that a simulator carries."""
-    return pieces.outer(tolerance)
+def intersection(first: Pieces, second: Pieces) -> Pieces:
+    """Return the cover of what two solids share."""
+    return _Intersection(first, second)

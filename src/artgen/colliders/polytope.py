@@ -122,6 +122,23 @@ class Polytope:
         return np.array((self.points.min(axis=0), self.points.max(axis=0)))
 
     @cached_property
+    def face_means(self) -> Array:
+        """Mean of the vertices of each face, shape (k, 3) [m]."""
+        on = self.contact.T.astype(np.float64)
+        means: Array = (on @ self.points) / on.sum(axis=1, keepdims=True)
+        return means
+
+    @cached_property
+    def face_spreads(self) -> Array:
+        """Mean square distance of the vertices of each face from their mean, shape (k,) [m^2]."""
+        on = self.contact.T.astype(np.float64)
+        around = self.points - self.points.mean(axis=0)
+        square = (on @ np.sum(around * around, axis=1)) / on.sum(axis=1)
+        mean = self.face_means - self.points.mean(axis=0)
+        spreads: Array = square - np.sum(mean * mean, axis=1)
+        return spreads
+
+    @cached_property
     def width(self) -> float:
         """The least thickness measured square to a face [m]."""
         reach = self.planes[:, :3] @ self.points.T

@@ -16,27 +16,26 @@ class Facetted:
     """A piece beside the polytope that stands in for it when it is cut.
 
     Attributes:
-        piece: The piece, kept as it is where no cut touches it.
         shape: The piece itself, or the polytope around (or within) it if it is round.
+        kept: The piece as it was made, where it is known.
     """
 
-    piece: Convex
     shape: Polytope
+    kept: Convex | None = None
 
     @classmethod
     def around(cls, piece: Convex, tolerance: float) -> "Facetted":
         """Facet a round piece on the outside, to the tolerance [m]."""
-        return cls(piece, piece.outer_polytope(tolerance))
+        return cls(piece.outer_polytope(tolerance), piece)
 
     @classmethod
     def within(cls, piece: Convex, tolerance: float) -> "Facetted":
         """Facet a round piece on the inside, to the tolerance [m]."""
-        return cls(piece, piece.inner_polytope(tolerance))
+        return cls(piece.inner_polytope(tolerance), piece)
 
-    @classmethod
-    def of(cls, shape: Polytope) -> "Facetted":
-        """Make the piece of a polytope."""
-        return cls(Convex.of(shape), shape)
+    def convex(self) -> Convex:
+        """Return the piece."""
+        return self.kept or Convex.of(self.shape)
 
 
 def subtract(pieces: Sequence[Facetted], cutters: Iterable[Polytope]) -> list[Facetted]:
@@ -127,15 +126,14 @@ def _split(piece: Facetted, plane: Array) -> tuple[Facetted | None, Facetted | N
         return piece, None
     if outside is piece.shape:
         return None, piece
-    convex = piece.piece
-    if convex.kind == "cylinder":
-        axis = convex.pose[:3, 2]
-        cosine = float(axis @ plane[:3])
-        if 1.0 - abs(cosine) <= _PARALLEL and inside is not None and outside is not None:
-            return _shortened(convex, inside), _shortened(convex, outside)
+    cylinder = piece.kept
+    if cylinder is not None and cylinder.kind == "cylinder" and inside is not None and outside is not None:
+        cosine = float(cylinder.pose[:3, 2] @ plane[:3])
+        if 1.0 - abs(cosine) <= _PARALLEL:
+            return _shortened(cylinder, inside), _shortened(cylinder, outside)
     return (
-        None if inside is None else _Part(inside),
-        None if outside is None else _Part(outside),
+        None if inside is None else Facetted(inside),
+        None if outside is None else Facetted(outside),
     )
 
 
@@ -146,4 +144,4 @@ def _shortened(cylinder: Convex, shape: Polytope) -> Facetted:
     lower, upper = float(along.min()), float(along.max())
     pose = cylinder.pose.copy()
     pose[:3, 3] += axis * (lower + upper) / 2.0
-    return Facetted(Convex("cylinder", pose, (cylinder.size[0], upper - lower)), shape)
+    return Facetted(shape, Convex("cylinder", pose, (cylinder.size[0], upper - lower)))

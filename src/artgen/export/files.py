@@ -4,6 +4,7 @@ import json
 import os
 import shutil
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -144,36 +145,34 @@ def _replace(target: Path, files: Mapping[str, bytes], kept: Iterable[str]) -> N
             f"a directory in it, such as {target / 'asset'}"
         )
     partial, previous = _sibling(target, "partial"), _sibling(target, "previous")
-    made = _make_parents(target)
+    missing = [parent for parent in target.parents if not parent.exists()]
     try:
+        target.parent.mkdir(parents=True, exist_ok=True)
         if partial.exists():
             shutil.rmtree(partial)  # of a process that was killed
         partial.mkdir()
         for path, content in files.items():
-            file = partial / path
-            file.parent.mkdir(parents=True, exist_ok=True)
-            file.write_bytes(content)
+            _file_in(partial, path).write_bytes(content)
         for path in kept:
-            file = partial / path
-            file.parent.mkdir(parents=True, exist_ok=True)
-            shutil.copy2(target / path, file, follow_symlinks=False)
+            shutil.copy2(target / path, _file_in(partial, path), follow_symlinks=False)
         if target.exists():
             target.rename(previous)
         partial.rename(target)
     except BaseException:
         _recover(target)
         shutil.rmtree(partial, ignore_errors=True)
-        for parent in made:
-            parent.rmdir()
+        for parent in missing:  # the innermost first
+            with suppress(OSError):
+                parent.rmdir()
         raise
     shutil.rmtree(previous, ignore_errors=True)
 
 
-def _make_parents(target: Path) -> list[Path]:
-    """Make the directories above the target; return those that were made, the innermost first."""
-    missing = [parent for parent in target.parents if not parent.exists()]
-    target.parent.mkdir(parents=True, exist_ok=True)
-    return missing
+def _file_in(directory: Path, path: str) -> Path:
+    """Return a file in a directory, having made the directories between them."""
+    file = directory / path
+    file.parent.mkdir(parents=True, exist_ok=True)
+    return file
 
 
 def _recover(target: Path) -> None:

@@ -139,14 +139,14 @@ def _root(asset: Asset, layer: Sdf.Layer) -> Sdf.PrimSpec:
     prim = define(layer, asset.name, "Xform", schemas)
     prim.SetInfo("kind", "component")
     prim.SetInfo("assetInfo", {"name": asset.name, "version": asset.version})
-    origin = {
+    made = {
         "attempt": asset.attempt,
         "category": asset.category,
-        "parameters": {name: _custom(value) for name, value in asset.parameters.items()},
-        "seed": _custom(asset.seed),
+        "parameters": asset.parameters,
+        "seed": asset.seed,
         "version": asset.version,
     }
-    prim.SetInfo("customData", {"artgen": {name: value for name, value in origin.items() if value is not None}})
+    prim.SetInfo("customData", {"artgen": _dictionary(made)})
     write_label(prim, "category", [asset.category])
     return prim
 
@@ -166,14 +166,19 @@ def _grasp(scope: Sdf.PrimSpec, grasp: Grasp, pose: Array) -> None:
     place(prim, pose)
 
 
+def _dictionary(values: Mapping[str, Any]) -> dict[str, Any]:
+    """Return values as metadata, which has no word for None."""
+    return {str(name): _custom(value) for name, value in values.items() if value is not None}
+
+
 def _custom(value: Any) -> Any:
-    """Return a parameter as a value that metadata can hold, or as JSON where it has no such type."""
-    if value is None or isinstance(value, bool | str | float):
+    """Return a value of a type that metadata can hold, as JSON text where there is no such type."""
+    if isinstance(value, bool | str | float):
         return value
     if isinstance(value, int) and -(2**31) <= value < 2**31:
         return value
     if isinstance(value, Mapping):
-        return {str(name): _custom(item) for name, item in value.items()}
+        return _dictionary(value)
     if isinstance(value, list | tuple) and all(isinstance(item, int | float) for item in value):
         return Vt.DoubleArray([float(item) for item in value])
     return json.dumps(value, default=str)

@@ -100,12 +100,12 @@ def joint_losses(asset: Asset, segments: Sequence[Segment]) -> tuple[Loss, ...]:
         *loss(
             "joint coupling",
             [joint.name for joint in followers],
-            "PhysxMimicJointAPI with NewtonMimicAPI, or with MjcEqualityJointAPI between a rotation and a slide",
+            "PhysxMimicJointAPI and NewtonMimicAPI, or MjcEqualityJointAPI between a rotation and a slide",
         ),
         *loss(
             "coupling without limits",
             [joint.name for joint in movable if joint.limits is None and limits[joint.name] is not None],
-            f"limits of at least {_FAR:.3g} either way, since PhysX couples joints with limits only",
+            "limits a hundred thousand turns away, since PhysX couples joints with limits only",
         ),
         *dependency_losses(asset),
     )
@@ -254,10 +254,10 @@ def _state(prim: Sdf.PrimSpec, joint: Joint, position: float) -> None:
 def _couple(prim: Sdf.PrimSpec, joint: Joint, coupling: Coupling, leader: Joint) -> None:
     """Write the coupling for PhysX and for Newton.
 
-    PhysX holds `position + gearing * leader + offset = 0` in degrees and metres. It does the same for
-    `NewtonMimicAPI`, `position = coef0 + coef1 * leader`; Newton takes coef1 in radians and metres. They agree
-    on joints of one kind. Between a rotation and a slide they do not, so that Newton is told by a schema that
-    PhysX passes over, MuJoCo's equality in radians and metres.
+    PhysX holds `position + gearing * leader + offset = 0` in degrees and metres, and does the same for
+    `NewtonMimicAPI`, `position = coef0 + coef1 * leader`. Newton takes coef1 in radians and metres. The two
+    agree on joints of one kind only: between a rotation and a slide Newton is told by a schema that PhysX
+    passes over, MuJoCo's equality in radians and metres.
     """
     leader_path = prim.path.ReplaceName(leader.name)
     offset = coupling.offset * _units(joint)

@@ -1,6 +1,7 @@
 """Lettering: the outlines of a string as a profile."""
 
 import functools
+from collections.abc import Iterator, Sequence
 from typing import Any, Literal
 
 import numpy as np
@@ -82,7 +83,6 @@ def _glyph(character: str) -> tuple[tuple[Contour, ...], float]:
     Raises:
         ValueError: The font has no such character.
     """
-    from fontTools.pens.basePen import decomposeQuadraticSegment
     from fontTools.pens.recordingPen import DecomposingRecordingPen
 
     font = _font()
@@ -94,10 +94,19 @@ def _glyph(character: str) -> tuple[tuple[Contour, ...], float]:
     pen = DecomposingRecordingPen(glyphs)
     glyphs[name].draw(pen)
     unit = 1.0 / font["OS/2"].sCapHeight
-    contours: list[Contour] = []
+    contours = [_contour(curves) for curves in _borders(pen.value)]
+    kept = (contour for contour in contours if contour is not None)
+    scaled = tuple(Contour(each.points * unit, each.normals_in, each.normals_out) for each in kept)
+    return scaled, glyphs[name].width * unit
+
+
+def _borders(drawing: Sequence[tuple[str, tuple[Any, ...]]]) -> Iterator[list[Array]]:
+    """Yield the lines (2 points) and quadratic curves (3 points) of each border that a pen recorded."""
+    from fontTools.pens.basePen import decomposeQuadraticSegment
+
     curves: list[Array] = []
     at = start = (0.0, 0.0)
-    for verb, arguments in pen.value:
+    for verb, arguments in drawing:
         if verb == "moveTo":
             at = start = arguments[0]
             curves = []
@@ -105,16 +114,17 @@ def _glyph(character: str) -> tuple[tuple[Contour, ...], float]:
             curves.append(np.array([at, arguments[0]], float))
             at = arguments[0]
         elif verb == "qCurveTo":
+            if arguments[-1] is None:  # a border of control points alone starts between two of them
+                last, first = arguments[-2], arguments[0]
+                at = start = (0.5 * (first[0] + last[0]), 0.5 * (first[1] + last[1]))
+                curves, arguments = [], (*arguments[:-1], start)
             for control, end in decomposeQuadraticSegment(arguments):
                 curves.append(np.array([at, control, end], float))
                 at = end
         else:
             if at != start:
                 curves.append(np.array([at, start], float))
-            contour = _contour([curve for curve in curves if np.abs(np.diff(curve, axis=0)).max() > 0])
-            if contour is not None:
-                contours.append(Contour(contour.points * unit, contour.normals_in, contour.normals_out))
-    return tuple(contours), glyphs[name].width * unit
+            yield [curve for curve in curves if np.abs(np.diff(curve, axis=0)).max() > 0.0]
 
 
 @kernel

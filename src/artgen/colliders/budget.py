@@ -1,0 +1,67 @@
+"""The final collider set of a solid: few enough pieces, each with few enough vertices."""
+
+from collections.abc import Sequence
+
+from artgen.colliders.convex import TOLERANCE, Convex
+from artgen.colliders.merge import condensed
+from artgen.colliders.pieces import Pieces
+
+_COARSER = (0.0005, 0.001)  # [m]: tolerances tried when a solid needs too many pieces
+_MARGIN = 0.001  # [m]: how far joined pieces may stand off the solid
+
+
+def budgeted(
+    pieces: Pieces, *, most_pieces: int = 64, most_vertices: int = 64, tolerance: float = TOLERANCE
+) -> tuple[Convex, ...]:
+    """Return convex pieces around a solid that a simulator can carry.
+
+    Round things are facetted to the tolerance; over the budget to 0.5 mm, then 1 mm, then pieces are joined
+    as long as all of their hull stays within about 1 mm of the solid. A cavity is never closed.
+
+    Args:
+        pieces: The solid.
+        most_pieces: How many pieces there may be.
+        most_vertices: How many vertices a hull may have.
+        tolerance: How far the pieces may exceed the solid where it is round [m].
+
+    Raises:
+        ValueError: The solid needs more pieces.
+    """
+    return budgeted_together(
+        [pieces], most_pieces=most_pieces, most_vertices=most_vertices, tolerance=tolerance
+    )[0]
+
+
+def budgeted_together(
+    solids: Sequence[Pieces],
+    *,
+    most_pieces: int = 64,
+    most_vertices: int = 64,
+    tolerance: float = TOLERANCE,
+) -> list[tuple[Convex, ...]]:
+    """Return convex pieces around several solids that share one budget; otherwise as `budgeted`.
+
+    Raises:
+        ValueError: The solids need more pieces.
+    """
+    if most_pieces < 1 or most_vertices < 8:
+        raise ValueError(
+            f"a budget needs at least 1 piece and 8 vertices, got {most_pieces} pieces of {most_vertices} vertices"
+        )
+    covers: list[tuple[Convex, ...]] = []
+    fewest = None
+    for limit in (tolerance, *(coarse for coarse in _COARSER if coarse > tolerance)):
+        found = [solid.simplified(limit, most_vertices) for solid in solids]
+        count = sum(map(len, found))
+        if count <= most_pieces:
+            return found
+        if fewest is None or count < fewest:
+            covers, fewest = found, count
+    merged = condensed(covers, most_pieces, most_vertices, _MARGIN)
+    count = sum(map(len, merged))
+    if count > most_pieces:
+        raise ValueError(
+            f"the solid needs {fewest} convex pieces, {count} after joining those that leave its cavities open; "
+            f"at most {most_pieces} are allowed: cut fewer or simpler holes, or make it of several parts"
+        )
+    return [tuple(group) for group in merged]

@@ -1,0 +1,206 @@
+"""Convex pieces of the solids that constructors make: round ones, prisms, chains and hulls."""
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from artgen.colliders.approximate import enclosing, inscribed_points
+from artgen.colliders.convex import Array, Convex
+from artgen.colliders.pieces import Bounded, Cover, Exact, Pieces
+from artgen.colliders.polygon import convex_hull, decompose_polygon
+from artgen.colliders.polytope import SLIVER, Polytope
+
+_IDENTITY = np.eye(4)
+_MOST_PRISM_VERTICES = 64
+_STRAIGHT = 1e-9  # [m]: rings whose points stray less from straight lines are one prism
+
+
+def hull_pieces(points: Array) -> Pieces:
+    """Return the cover of a convex solid with the given mesh vertices, shape (n, 3) [m].
+
+    Raises:
+        ValueError: The points are fewer than four, not finite, or lie in one plane.
+    """
+    solid = Convex.hull(points)
+    if solid.kind == "box" or len(solid.points) <= 16:
+        return Exact([solid])
+    return Bounded(lambda tolerance: (solid,), lambda tolerance: _thinned_hull(solid, tolerance))
+
+
+def round_pieces(primitive: Convex, points: Array) -> Pieces:
+    """Return the cover of a convex mesh whose vertices, shape (n, 3) [m], lie on (or in) a round primitive.
+
+    The primitive is what contains the mesh; what the mesh contains is the hull of some of its vertices.
+    """
+    solid = Convex.hull(points)
+    return Bounded(lambda tolerance: (primitive,), lambda tolerance: _thinned_hull(solid, tolerance))
+
+
+def _thinned_hull(solid: Convex, tolerance: float) -> Cover:
+    return (Convex.hull(inscribed_points(solid.faces.points, tolerance)),)
+
+
+def cylinder_pieces(radius: float, length: float, pose: Array = _IDENTITY, mesh_sides: int = 32) -> Pieces:
+    """Return the cover of a cylinder along z of its pose, centred [m].
+
+    Args:
+        radius: Radius on which the vertices of the mesh lie [m].
+        length: Length along z [m].
+        pose: Rigid transform, shape (4, 4).
+        mesh_sides: Sides of the mesh, whose first vertex is at angle 0.
+
+    Raises:
+        ValueError: A length is not positive or the mesh has fewer than three sides.
+    """
+    if mesh_sides < 3:
+        raise ValueError(f"a cylinder needs at least 3 sides, got {mesh_sides}")
+    cylinder = Convex.cylinder(radius, length, pose)
+    angle = np.arange(mesh_sides) * (2.0 * np.pi / mesh_sides)
+    rim = radius * np.column_stack((np.cos(angle), np.sin(angle)))
+
+    def inner(tolerance: float) -> Cover:
+        polygon = rim[:: _mesh_step(radius, mesh_sides, tolerance)]
+        prism = Polytope.prism(polygon, -length / 2.0, length / 2.0)
+        return (Convex.of(prism.transformed(cylinder.pose)),)
+
+    return Bounded(lambda tolerance: (cylinder,), inner)
+
+
+def _mesh_step(radius: float, mesh_sides: int, tolerance: float) -> int:
+    """Return how many sides of a mesh one chord may replace, dividing the sides evenly."""
+    for step in range(mesh_sides // 4, 1, -1):
+        if mesh_sides % step == 0 and radius * (1.0 - math.cos(math.pi * step / mesh_sides)) <= tolerance:
+            return step
+    return 1
+
+
+def prism_pieces(
+    contours: Sequence[Array],
+    bottom: float,
+    top: float,
+    pose: Array = _IDENTITY,
+    *,
+    convex: Sequence[Array] | None = None,
+) -> Pieces:
+    """Return the cover of an extruded profile.
+
+    Args:
+        contours: Outer borders counter-clockwise and holes clockwise, each shape (n, 2) [m].
+        bottom: Lower end along z of the pose [m].
+        top: Upper end along z of the pose [m].
+        pose: Rigid transform, shape (4, 4).
+        convex: Convex counter-clockwise polygons, each shape (k, 2), whose union is the region, where they
+            are known; else they are found.
+
+    Raises:
+        ValueError: The ends are not in order, or a contour is not finite.
+    """
+    if not bottom < top:
+        raise ValueError(f"a prism needs its bottom below its top, got {bottom} m and {top} m")
+    known = None if convex is None else [convex_hull(np.asarray(polygon)) for polygon in convex]
+
+    def cover(tolerance: float, *, inner: bool) -> Cover:
+        polygons = known
+        if polygons is None:
+            polygons = decompose_polygon(contours, tolerance, inner=inner)
+        elif inner:
+            polygons = [
+                loop for part in known or [] for loop in decompose_polygon([part], tolerance, inner=True)
+            ]
+        prisms = (Polytope.prism(polygon, bottom, top) for polygon in polygons)
+        return tuple(
+            Convex.of((prism if inner else _fewer_sides(prism, tolerance)).transformed(pose))
+            for prism in prisms
+            if prism.width >= SLIVER
+        )
+
+    return Bounded(
+        lambda tolerance: cover(tolerance, inner=False), lambda tolerance: cover(tolerance, inner=True)
+    )
+
+
+def _fewer_sides(prism: Polytope, tolerance: float) -> Polytope:
+    """Return a prism around a prism of many sides with at most 32, if the tolerance allows."""
+    if len(prism.points) <= _MOST_PRISM_VERTICES // 2:
+        return prism
+    around, excess = enclosing(prism, _MOST_PRISM_VERTICES, tolerance)
+    return around if excess <= tolerance else prism
+
+
+def chain_pieces(rings: Sequence[Array], *, closed: bool = False) -> Pieces:
+    """Return the cover of a sweep or loft: hulls of neighbouring rings, few where the chain is straight.
+
+    Args:
+        rings: Cross-sections along the chain, all with the same number of points in corresponding order, each
+            convex and shape (k, 3) [m]. A profile that is not convex is swept as several chains.
+        closed: Whether the last ring joins the first.
+
+    Raises:
+        ValueError: There are too few rings, or they differ in the number of points.
+    """
+    table = [np.asarray(ring, np.float64) for ring in rings]
+    if len(table) < (3 if closed else 2) or len({ring.shape for ring in table}) != 1:
+        raise ValueError(
+            f"a chain needs at least {3 if closed else 2} rings with equally many points, "
+            f"got {[len(ring) for ring in table]}"
+        )
+    stack = np.stack([*table, table[0]] if closed else table)
+    if not np.isfinite(stack).all():
+        raise ValueError("a chain needs finite rings, got NaN or infinity")
+
+    def outer(tolerance: float) -> Cover:
+        return tuple(
+            Convex.hull(stack[a : b + 1].reshape(-1, 3)) for a, b in _straight_runs(stack, tolerance)
+        )
+
+    def inner(tolerance: float) -> Cover:
+        del tolerance
+        links = (_inner_link(stack[a], stack[b]) for a, b in _straight_runs(stack, _STRAIGHT))
+        return tuple(Convex.of(link) for link in links if link is not None)
+
+    return Bounded(outer, inner)
+
+
+def _straight_runs(stack: Array, tolerance: float) -> list[tuple[int, int]]:
+    """Return spans of rings in which all points stay within the tolerance of straight lines."""
+    runs: list[tuple[int, int]] = []
+    start = 0
+    while start < len(stack) - 1:
+        end = start + 1
+        while end + 1 < len(stack) and _is_straight(stack[start : end + 2], tolerance):
+            end += 1
+        runs.append((start, end))
+        start = end
+    return runs
+
+
+def _is_straight(rings: Array, tolerance: float) -> bool:
+    """Tell whether the points of the rings stay near the lines between the first ring and the last."""
+    line = rings[-1] - rings[0]
+    square = np.maximum(np.sum(line * line, axis=1), 1e-30)
+    middle = rings[1:-1] - rings[0]
+    share = np.clip(np.sum(middle * line, axis=2) / square, 0.0, 1.0)
+    off = middle - share[..., None] * line
+    return bool(np.sqrt(np.sum(off * off, axis=2)).max() <= tolerance)
+
+
+def _inner_link(first: Array, last: Array) -> Polytope | None:
+    """Return a polytope within the mesh between two rings.
+
+    Where the sides of the mesh are not flat their diagonals may dip below the hull: it is drawn in by the dip,
+    but not at its ends, so that a row of links has no walls in between.
+    """
+    hull = Polytope.hull(np.concatenate((first, last)))
+    near, far = np.roll(first, -1, axis=0), np.roll(last, -1, axis=0)
+    across = np.cross(near - first, last - first)
+    across /= np.maximum(np.sqrt(np.sum(across * across, axis=1)), 1e-30)[:, None]
+    dip = float(np.abs(np.sum((far - first) * across, axis=1)).max())
+    if dip <= _STRAIGHT:
+        return hull
+    planes = hull.planes.copy()
+    ends = [
+        (np.abs(planes[:, :3] @ ring.T - planes[:, 3:]).max(axis=1) <= _STRAIGHT) for ring in (first, last)
+    ]
+    planes[~(ends[0] | ends[1]), 3] -= dip
+    return hull.clipped(planes)

@@ -1,0 +1,199 @@
+"""Join convex pieces: where nothing is added always, where little is added to meet a budget."""
+
+import heapq
+from collections.abc import Sequence
+
+import numpy as np
+
+from artgen.colliders.approximate import enclosing
+from artgen.colliders.convex import Array, Convex
+from artgen.colliders.polytope import SLIVER, Polytope
+from artgen.colliders.split import Facetted, subtract
+
+_SAME = 1e-7  # [m]: faces that meet nearer than this are one face seen from both sides
+_DIRECTION = np.array([0.5364, 0.6312, 0.5603])  # a direction that no construction prefers
+
+
+def joined(pieces: Sequence[Convex], most_vertices: int) -> list[Convex]:
+    """Drop pieces within others and join pairs whose hull adds nothing.
+
+    Two pieces that meet in one whole face of both, each behind the other faces of the other, are one convex
+    solid; the largest faces are tried first.
+    """
+    rest = _outermost(pieces)
+    while True:
+        taken: set[int] = set()
+        fresh: list[Convex] = []
+        for first, second in _meeting(rest):
+            if first in taken or second in taken:
+                continue
+            hull = _hull(rest[first].faces, rest[second].faces, most_vertices)
+            if hull is not None:
+                taken.update((first, second))
+                fresh.append(Convex.of(hull))
+        if not fresh:
+            return rest
+        rest = [piece for index, piece in enumerate(rest) if index not in taken] + fresh
+
+
+def _hull(first: Polytope, second: Polytope, most_vertices: int) -> Polytope | None:
+    """Return the hull of two pieces if it has few enough vertices."""
+    hull = Polytope.hull(np.concatenate((first.points, second.points)))
+    return hull if len(hull.points) <= most_vertices else None
+
+
+def _outermost(pieces: Sequence[Convex]) -> list[Convex]:
+    """Return the pieces that do not lie within another one; of equal ones the first."""
+    if len(pieces) < 2:
+        return list(pieces)
+    boxes = np.array([piece.bounds() for piece in pieces])
+    within = (boxes[:, None, 0] >= boxes[None, :, 0] - _SAME).all(axis=2)
+    within &= (boxes[:, None, 1] <= boxes[None, :, 1] + _SAME).all(axis=2)
+    np.fill_diagonal(within, False)
+    dropped: set[int] = set()
+    for small, large in np.argwhere(within).tolist():
+        if small in dropped or large in dropped or pieces[large].kind not in ("box", "hull"):
+            continue
+        if pieces[large].faces.contains(pieces[small].outer_points(), SLIVER):
+            dropped.add(small)
+    return [piece for index, piece in enumerate(pieces) if index not in dropped]
+
+
+def _meeting(pieces: Sequence[Convex]) -> list[tuple[int, int]]:
+    """Return the pairs that join without adding anything, those with the largest common face first."""
+    flat = [index for index, piece in enumerate(pieces) if piece.kind in ("box", "hull")]
+    if len(flat) < 2:
+        return []
+    shapes = [pieces[index].faces for index in flat]
+    sizes = [len(shape.planes) for shape in shapes]
+    owner = np.repeat(np.arange(len(flat)), sizes)
+    face = np.concatenate([np.arange(size) for size in sizes])
+    means = np.concatenate([shape.face_means for shape in shapes])
+    spreads = np.concatenate([shape.face_spreads for shape in shapes])
+    normals = np.concatenate([shape.planes[:, :3] for shape in shapes])
+    along = means @ _DIRECTION
+    order = np.argsort(along, kind="stable")
+    along = along[order]
+    pairs: list[tuple[float, int, int]] = []
+    for shift in range(1, len(order)):
+        close = np.flatnonzero(along[shift:] - along[:-shift] <= _SAME)
+        if not len(close):
+            break
+        left, right = order[close], order[close + shift]
+        same = np.abs(means[left] - means[right]).max(axis=1) <= _SAME
+        same &= np.sum(normals[left] * normals[right], axis=1) <= -1.0 + _SAME
+        same &= np.abs(spreads[left] - spreads[right]) <= _SAME * (1.0 + spreads[left])
+        for one, two in zip(left[same].tolist(), right[same].tolist(), strict=True):
+            first, second = int(owner[one]), int(owner[two])
+            if _behind(shapes[first], shapes[second], face[one]) and _behind(
+                shapes[second], shapes[first], face[two]
+            ):
+                pairs.append((-float(spreads[one]), flat[min(first, second)], flat[max(first, second)]))
+    return [(first, second) for _, first, second in sorted(pairs)]
+
+
+def _behind(shape: Polytope, other: Polytope, common: int) -> bool:
+    """Tell whether another polytope lies behind all faces of a shape but the common one."""
+    planes = np.delete(shape.planes, common, axis=0)
+    return bool(other.heights(planes).max() <= _SAME)
+
+
+def condensed(
+    groups: Sequence[Sequence[Convex]], most_pieces: int, most_vertices: int, margin: float
+) -> list[list[Convex]]:
+    """Join pairs within each group, least added volume first, until all groups together meet the budget.
+
+    A pair is joined only if all of its hull is within about `margin` [m] of the group's pieces, so a cavity
+    that is wider than that stays open. The result may still be over the budget.
+    """
+    return _Condenser(groups, most_vertices, margin).run(most_pieces)
+
+
+class _Condenser:
+    """Pieces that are being joined, and the pairs that may be next."""
+
+    def __init__(self, groups: Sequence[Sequence[Convex]], most_vertices: int, margin: float) -> None:
+        self._most_vertices = most_vertices
+        self._margin = margin
+        self._solid = [[piece.faces for piece in group] for group in groups]
+        self._inflated: dict[tuple[int, int], Polytope] = {}
+        self._alive: dict[int, tuple[int, Convex]] = {}
+        self._queue: list[tuple[float, int, int, Polytope]] = []
+        self._next = 0
+        for number, group in enumerate(groups):
+            for piece in group:
+                self._add(number, piece)
+
+    def run(self, most_pieces: int) -> list[list[Convex]]:
+        """Join pairs until the budget is met or no pair is left."""
+        while len(self._alive) > most_pieces and self._queue:
+            _, first, second, hull = heapq.heappop(self._queue)
+            if first not in self._alive or second not in self._alive:
+                continue
+            group = self._alive[first][0]
+            if self._covered(group, hull):
+                del self._alive[first], self._alive[second]
+                self._add(group, Convex.of(hull))
+        result: list[list[Convex]] = [[] for _ in self._solid]
+        for group, piece in self._alive.values():
+            result[group].append(piece)
+        return result
+
+    def _add(self, group: int, piece: Convex) -> None:
+        """Add a piece, and its pairs with its neighbours to the queue."""
+        number, self._next = self._next, self._next + 1
+        lower, upper = piece.bounds()
+        for other, (its_group, neighbour) in self._alive.items():
+            bounds = neighbour.bounds()
+            if its_group != group or (bounds[0] > upper + self._margin).any():
+                continue
+            if (bounds[1] < lower - self._margin).any():
+                continue
+            hull = _hull(piece.faces, neighbour.faces, self._most_vertices)
+            if hull is not None:
+                added = hull.volume - piece.volume - neighbour.volume
+                heapq.heappush(self._queue, (added, other, number, hull))
+        self._alive[number] = (group, piece)
+
+    def _covered(self, group: int, hull: Polytope) -> bool:
+        """Tell whether a hull is within the margin of the group's solid."""
+        left = [Facetted(hull)]
+        lower, upper = hull.bounds
+        for index, shape in enumerate(self._solid[group]):
+            if (shape.bounds[0] > upper + self._margin).any() or (
+                shape.bounds[1] < lower - self._margin
+            ).any():
+                continue
+            key = (group, index)
+            if key not in self._inflated:
+                self._inflated[key] = shape.inflated(self._margin)
+            left = subtract(left, [self._inflated[key]])
+            if not left:
+                return True
+        return False
+
+
+def few_vertices(piece: Convex, most_vertices: int, tolerance: float, *, halvings: int = 2) -> list[Convex]:
+    """Return pieces around a piece, none with more vertices than allowed.
+
+    One piece where it exceeds the given one by the tolerance [m] at most, else two halves, each again so.
+    """
+    if piece.kind != "hull" or len(piece.points) <= most_vertices:
+        return [piece]
+    around, excess = enclosing(piece.faces, most_vertices, tolerance)
+    if excess <= tolerance or halvings == 0:
+        return [Convex.of(around)]
+    halves: list[Convex] = []
+    for half in piece.faces.split(_middle(piece.bounds())):
+        if half is not None:
+            halves.extend(few_vertices(Convex.of(half), most_vertices, tolerance, halvings=halvings - 1))
+    return halves
+
+
+def _middle(bounds: Array) -> Array:
+    """Return the plane square to the longest side of a bounding box, through its middle."""
+    axis = int(np.argmax(bounds[1] - bounds[0]))
+    plane = np.zeros(4)
+    plane[axis] = 1.0
+    plane[3] = bounds[:, axis].mean()
+    return plane

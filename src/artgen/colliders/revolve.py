@@ -1,0 +1,221 @@
+"""Convex pieces of turned solids."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from artgen.colliders.convex import Array, Convex
+from artgen.colliders.pieces import Bounded, Cover, Pieces
+from artgen.colliders.polygon import convex_hull, signed_area
+from artgen.colliders.polytope import SLIVER, SNAP
+
+_IDENTITY = np.eye(4)
+_EXACT = 1e-9  # [m]: tolerance of parts that must lie within the solid
+_WIDEST = np.pi / 2.0  # [rad] of a hollow sector, at most
+
+Span = tuple[float, float]
+Slab = tuple[Span, Span, Span]  # z, then r at the lower and at the upper end
+
+
+def revolve_pieces(
+    contours: Sequence[Array],
+    start: float = 0.0,
+    angle: float = 2.0 * np.pi,
+    mesh_segments: int = 32,
+    pose: Array = _IDENTITY,
+) -> Pieces:
+    """Return the cover of a profile turned about z.
+
+    The mesh has its vertices at `r (cos a, sin a)` for `mesh_segments` equal steps of a from `start`.
+
+    Args:
+        contours: Profile in (r, z), r >= 0: outer borders counter-clockwise, holes clockwise, shape (n, 2) [m].
+        start: Angle at which the mesh begins [rad].
+        angle: Angle that it spans, 0 to 2 pi [rad].
+        mesh_segments: Facets of the mesh around the axis.
+        pose: Rigid transform, shape (4, 4).
+
+    Raises:
+        ValueError: The profile is empty, not finite or crosses the axis, or the angle is out of range.
+    """
+    loops = [np.asarray(contour, np.float64) for contour in contours]
+    if not loops or not all(np.isfinite(loop).all() for loop in loops):
+        raise ValueError("a turned profile needs finite contours")
+    least = min(float(loop[:, 0].min()) for loop in loops)
+    if least < -SNAP:
+        raise ValueError(f"a turned profile must not cross the axis, it reaches r = {least} m")
+    if not 0.0 < angle <= 2.0 * np.pi + 1e-9 or mesh_segments < 3:
+        raise ValueError(
+            f"a turn needs an angle within 0 and 2 pi and at least 3 segments, got {angle} rad, {mesh_segments}"
+        )
+    lathe = _Lathe(loops, start, min(angle, 2.0 * np.pi), mesh_segments, pose)
+    return Bounded(lathe.outer, lathe.inner)
+
+
+class _Lathe:
+    """A turned profile."""
+
+    def __init__(self, loops: list[Array], start: float, angle: float, segments: int, pose: Array) -> None:
+        self._slabs = _slabs(loops)
+        self._full = angle >= 2.0 * np.pi - 1e-9
+        self._angle = angle
+        self._segments = segments
+        self._angles = start + np.arange(segments + 1) * (angle / segments)
+        self._pose = np.asarray(pose, np.float64)
+
+    def outer(self, tolerance: float) -> Cover:
+        """Return pieces that contain the mesh."""
+        return tuple(
+            piece
+            for part in _profile_parts(self._slabs, tolerance)
+            for piece in self._turned(part, tolerance)
+        )
+
+    def inner(self, tolerance: float) -> Cover:
+        """Return pieces that the mesh contains."""
+        pieces: list[Convex] = []
+        for part in _profile_parts(self._slabs, _EXACT):
+            if self._full and _is_solid(part):
+                step = self._step(float(part[:, 0].max()), tolerance)
+                pieces.append(self._hull(part, self._angles[:-1:step]))
+            elif _is_solid(part) and self._angle <= np.pi:
+                pieces.append(self._hull(part, self._angles))
+            else:
+                pieces.extend(
+                    self._hull(part, self._angles[index : index + 2]) for index in range(self._segments)
+                )
+        return tuple(pieces)
+
+    def _turned(self, part: Array, tolerance: float) -> list[Convex]:
+        """Return pieces around a turned convex part of the profile."""
+        solid = _is_solid(part)
+        if solid and self._full:
+            return [self._cylinder(part) or self._hull(part, self._angles[:-1])]
+        if solid and self._angle <= np.pi:
+            return [self._hull(part, self._angles)]
+        bore = 0.0 if solid else _bore_radius(part)
+        step = self._step(bore, tolerance)
+        count = -(-self._segments // step)
+        ends = np.rint(np.arange(count + 1) * (self._segments / count)).astype(np.int64).tolist()
+        return [
+            self._hull(part, self._angles[here : there + 1])
+            for here, there in zip(ends[:-1], ends[1:], strict=True)
+        ]
+
+    def _step(self, radius: float, tolerance: float) -> int:
+        """Return how many facets a chord at a radius may replace."""
+        half = self._angle / self._segments / 2.0
+        step = 1
+        while (step + 1) * 2.0 * half <= _WIDEST and radius * (1.0 - np.cos((step + 1) * half)) <= tolerance:
+            step += 1
+        if not self._full:
+            return step
+        return max(divisor for divisor in range(1, step + 1) if self._segments % divisor == 0)
+
+    def _hull(self, part: Array, angles: Array) -> Convex:
+        turn = np.column_stack((np.cos(angles), np.sin(angles)))
+        points = np.empty((len(angles), len(part), 3))
+        points[..., :2] = turn[:, None, :] * part[None, :, :1]
+        points[..., 2] = part[:, 1]
+        return Convex.hull(points.reshape(-1, 3) @ self._pose[:3, :3].T + self._pose[:3, 3])
+
+    def _cylinder(self, part: Array) -> Convex | None:
+        """Return a part as a cylinder if it is one."""
+        radius = float(part[:, 0].max())
+        bottom, top = float(part[:, 1].min()), float(part[:, 1].max())
+        if len(part) != 4 or abs(signed_area(part) - radius * (top - bottom)) > 1e-9 * radius * (
+            top - bottom
+        ):
+            return None
+        pose = self._pose.copy()
+        pose[:3, 3] += pose[:3, 2] * (bottom + top) / 2.0
+        return Convex.cylinder(radius, top - bottom, pose)
+
+
+def _is_solid(part: Array) -> bool:
+    """Tell whether the full turn of a convex part is convex: it and its mirror image are one."""
+    if part[:, 0].min() > SNAP:
+        return False
+    both = convex_hull(np.concatenate((part, part * (-1.0, 1.0))))
+    area = signed_area(part)
+    return abs(signed_area(both) - 2.0 * area) <= 1e-9 * area
+
+
+def _bore_radius(part: Array) -> float:
+    """Return the greatest radius of the side of a convex part that faces the axis [m]."""
+    low, high = part[:, 1].min(), part[:, 1].max()
+    ends = [float(part[np.abs(part[:, 1] - level) <= SNAP, 0].min()) for level in (low, high)]
+    return max(ends)
+
+
+def _slabs(loops: Sequence[Array]) -> list[list[Slab]]:
+    """Cut a profile at the heights of its vertices: the trapezoids of each slab, from the axis outward."""
+    edges = [(loop[i - 1], loop[i]) for loop in loops for i in range(len(loop))]
+    levels: list[float] = []
+    for level in sorted({float(z) for loop in loops for z in loop[:, 1]}):
+        if not levels or level - levels[-1] > SNAP:
+            levels.append(level)
+    slabs: list[list[Slab]] = []
+    for bottom, top in zip(levels[:-1], levels[1:], strict=True):
+        middle = (bottom + top) / 2.0
+        crossing: list[tuple[float, float, float]] = []
+        for one, two in edges:
+            if (one[1] - middle) * (two[1] - middle) < 0.0:
+                slope = (two[0] - one[0]) / (two[1] - one[1])
+                at = [max(float(one[0] + slope * (z - one[1])), 0.0) for z in (middle, bottom, top)]
+                crossing.append((at[0], at[1], at[2]))
+        crossing.sort()
+        slabs.append(
+            [
+                ((bottom, top), (left[1], right[1]), (left[2], right[2]))
+                for left, right in zip(crossing[0::2], crossing[1::2], strict=True)
+            ]
+        )
+    return slabs
+
+
+def _profile_parts(slabs: Sequence[Sequence[Slab]], tolerance: float) -> list[Array]:
+    """Join trapezoids that lie on each other while their hull exceeds them by the tolerance at most."""
+    stacks: list[list[Slab]] = []
+    growing: list[list[Slab]] = []
+    for slab in slabs:
+        fresh: list[list[Slab]] = []
+        for trapezoid in slab:
+            below = next((stack for stack in growing if _continues(stack[-1], trapezoid)), None)
+            if below is not None and _nearly_convex([*below, trapezoid], tolerance):
+                below.append(trapezoid)
+            else:
+                below = [trapezoid]
+                stacks.append(below)
+            fresh.append(below)
+        growing = fresh
+    parts = [convex_hull(_corners(stack)) for stack in stacks]
+    return [part for part in parts if len(part) >= 3 and np.ptp(part, axis=0).min() > SLIVER]
+
+
+def _continues(below: Slab, above: Slab) -> bool:
+    """Tell whether a trapezoid stands on all of another one's upper end."""
+    return (
+        abs(below[0][1] - above[0][0]) <= SNAP
+        and abs(below[2][0] - above[1][0]) <= SNAP
+        and abs(below[2][1] - above[1][1]) <= SNAP
+    )
+
+
+def _nearly_convex(stack: Sequence[Slab], tolerance: float) -> bool:
+    """Tell whether the hull of stacked trapezoids exceeds their sides by the tolerance at most."""
+    corners = _corners(stack)
+    hollow = corners[:, 0].min() > SNAP or any(slab[1][0] > SNAP or slab[2][0] > SNAP for slab in stack)
+    hull = convex_hull(corners if hollow else np.concatenate((corners, corners * (-1.0, 1.0))))
+    sides = np.roll(hull, -1, axis=0) - hull
+    normals = np.column_stack((sides[:, 1], -sides[:, 0])) / np.hypot(sides[:, 0], sides[:, 1])[:, None]
+    offset = np.sum(normals * hull, axis=1)
+    chain = corners if hollow else corners[corners[:, 0] > SNAP]
+    return not len(chain) or float((offset - chain @ normals.T).min(axis=1).max()) <= tolerance
+
+
+def _corners(stack: Sequence[Slab]) -> Array:
+    """Return the corners of stacked trapezoids, shape (n, 2) [m]."""
+    return np.array(
+        [(r, z) for heights, *ends in stack for z, end in zip(heights, ends, strict=True) for r in end]
+    )

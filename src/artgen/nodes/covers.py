@@ -1,0 +1,161 @@
+"""The convex pieces of the solids that kernels make."""
+
+import math
+from collections.abc import Callable, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from artgen import colliders
+from artgen.asset.outline import Contour, Outline
+from artgen.colliders import Bounded, Convex, Pieces
+from artgen.nodes.surfaces import mitres, sides_of
+
+Array = NDArray[np.float64]
+
+_SOFT_EDGE = 0.012
+"""Edges of a box rounded by more than this [m] show in its collider; below, it is a plain box."""
+
+
+def moved(pieces: Pieces, matrix: Array) -> Pieces:
+    """Return pieces moved by an affine matrix, shape (4, 4)."""
+    return pieces if np.array_equal(matrix, np.eye(4)) else pieces.transformed(matrix)
+
+
+def around_rounded_box(size: Array, bevel: float) -> Pieces:
+    """Return the pieces of a box about the origin whose edges are rounded by `bevel` [m]."""
+
+    def outer(tolerance: float) -> tuple[Convex, ...]:
+        if bevel <= max(_SOFT_EDGE, tolerance):
+            return (Convex.box(size),)
+        return (_chamfered(size, bevel * math.tan(math.pi / 8.0), bevel),)
+
+    def inner(tolerance: float) -> tuple[Convex, ...]:
+        inset = bevel * (1.0 - 1.0 / math.sqrt(3.0))
+        if inset <= tolerance:
+            return (Convex.box(size - 2.0 * inset),)
+        return (_chamfered(size, 0.0, bevel),)
+
+    return Bounded(outer, inner)
+
+
+def _chamfered(size: Array, reach: float, bevel: float) -> Convex:
+    """Return the hull of a box's faces without the `bevel` along their borders, but for `reach` of it [m]."""
+    signs = np.array([[x, y, z] for x in (-1.0, 1.0) for y in (-1.0, 1.0) for z in (-1.0, 1.0)])
+    half, core = size / 2.0, np.maximum(size / 2.0 - bevel + reach, 1e-6 * size)
+    faces = [np.where(np.arange(3) == axis, half, core) for axis in range(3)]
+    return Convex.hull(np.concatenate([signs * face for face in faces]))
+
+
+def around_cylinder(
+    radius: float, length: float, sides: int, matrix: Array, bevel: float = 0.0
+) -> Pieces:
+    """Return the pieces of a cylinder along local z whose mesh has its vertices on the radius.
+
+    Args:
+        radius: Its radius [m].
+        length: Its length [m].
+        sides: Facets of its mesh.
+        matrix: Rigid pose, shape (4, 4).
+        bevel: Radius of its rounded rims [m].
+    """
+    whole = colliders.cylinder_pieces(radius, length, matrix, sides)
+    if bevel == 0.0:
+        return whole
+    shorter = colliders.cylinder_pieces(radius, length - 2.0 * bevel, matrix, sides)
+    thinner = colliders.cylinder_pieces(radius - bevel, length, matrix, sides)
+    return Bounded(whole.outer, lambda tolerance: shorter.inner(tolerance) + thinner.inner(tolerance))
+
+
+def around_hull(vertices: Array) -> Pieces:
+    """Return the pieces of a convex solid with these corners, shape (n, 3) [m]."""
+    return colliders.hull_pieces(vertices)
+
+
+def around_lathe(contours: Sequence[Contour], angle: float = math.tau) -> Pieces:
+    """Return the pieces of a lathe solid about z.
+
+    Args:
+        contours: Borders and holes in (r, z), as the lathe got them.
+        angle: How far they are turned, from x on [rad].
+    """
+    widest = max(float(contour.points[:, 0].max()) for contour in contours)
+    return colliders.revolve_pieces([contour.points for contour in contours], angle, sides_of(widest))
+
+
+def around_extrusion(
+    profile: Outline, length: float, *, bevel: float, taper: float, twist: float, stations: int
+) -> Pieces:
+    """Return the pieces of an extrusion along z, centred on z = 0.
+
+    Args:
+        profile: The profile, in the plane of local x and y.
+        length: Length along z [m].
+        bevel: Radius of the rounded edges of both ends [m].
+        taper: Share by which the upper end is smaller.
+        twist: How far the upper end is turned [rad].
+        stations: Number of straight strips in which the mesh is twisted.
+    """
+    half = length / 2.0
+    borders = [contour.points for contour in profile.contours]
+    if taper == 0.0 and twist == 0.0:
+        whole = _prisms(profile, borders, -half, half)
+        if bevel == 0.0:
+            return whole
+        inset = [contour.points - bevel * mitres(contour) for contour in profile.contours]
+        shorter = _prisms(profile, borders, bevel - half, half - bevel)
+        thinner = colliders.prism_pieces(inset, -half, half)
+        return Bounded(whole.outer, lambda tolerance: shorter.inner(tolerance) + thinner.inner(tolerance))
+
+    def rings(low: float, high: float) -> Callable[[Array], list[Array]]:
+        def place(polygon: Array) -> list[Array]:
+            made = []
+            for level in np.linspace(low, high, stations + 1):
+                along = level / length + 0.5
+                scale, angle = 1.0 - taper * along, twist * along
+                cosine, sine = scale * math.cos(angle), scale * math.sin(angle)
+                flat = polygon @ np.array([[cosine, sine], [-sine, cosine]])
+                made.append(np.column_stack([flat, np.full(len(flat), level)]))
+            return made
+
+        return place
+
+    whole = around_sweep(profile, rings(-half, half), closed=False)
+    if bevel == 0.0:
+        return whole
+    shorter = around_sweep(profile, rings(bevel - half, half - bevel), closed=False)
+    return Bounded(whole.outer, shorter.inner)
+
+
+def _prisms(profile: Outline, borders: list[Array], low: float, high: float) -> Pieces:
+    return colliders.prism_pieces(borders, low, high)
+
+
+def around_sweep(profile: Outline, place: Callable[[Array], list[Array]], closed: bool) -> Pieces:
+    """Return the pieces of a profile drawn through stations.
+
+    Args:
+        profile: The profile.
+        place: Takes points of its plane, shape (k, 2), to those at each station, each shape (k, 3).
+        closed: Whether the last station joins the first (which it repeats).
+    """
+    borders = [contour.points for contour in profile.contours]
+    simple = len(borders) == 1 and profile.convex is not None and len(profile.convex) == 1
+
+    def chains(parts: Sequence[Array]) -> list[Pieces]:
+        return [around_chain(place(part), closed) for part in parts]
+
+    def outer(tolerance: float) -> tuple[Convex, ...]:
+        parts = [borders[0]] if simple else colliders.decompose_polygon(borders, tolerance)
+        return tuple(piece for chain in chains(parts) for piece in chain.outer(tolerance))
+
+    def inner(tolerance: float) -> tuple[Convex, ...]:
+        parts = [borders[0]] if simple else colliders.decompose_polygon(borders, tolerance, inner=True)
+        return tuple(piece for chain in chains(parts) for piece in chain.inner(tolerance))
+
+    return Bounded(outer, inner)
+
+
+def around_chain(rings: Sequence[Array], closed: bool = False) -> Pieces:
+    """Return the pieces of convex rings joined one to the next, each shape (k, 3) [m]."""
+    return colliders.chain_pieces(list(rings[:-1] if closed else rings), closed)

@@ -1,0 +1,266 @@
+"""Combining solids: union, difference, intersection, hull, split and shell, and paint.
+
+Surfaces keep their normals, texture coordinates and paint through all of them; a cut face has those of the
+solid that cut it.
+"""
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+from manifold3d import Manifold, OpType
+from numpy.typing import NDArray
+
+from artgen import colliders
+from artgen.asset.shape import Shape
+from artgen.colliders import Convex, Exact
+from artgen.graph import kernel
+from artgen.materials import Material
+from artgen.nodes import inputs
+from artgen.nodes.covers import around_hull
+from artgen.nodes.handles import Array3, Scalar, Solid, VectorLike
+from artgen.nodes.resurface import faceted_shape, with_properties
+from artgen.nodes.surfaces import rounded_box
+
+Array = NDArray[np.float64]
+
+_PAINT = 8  # column of the paint number in the vertex table
+_FULL = 0.999  # share of its hull that a convex solid fills
+
+
+def _paints(shapes: Sequence[Shape]) -> Mapping[int, Material]:
+    """Return the paints of several shapes.
+
+    Raises:
+        ValueError: Two different materials have one name, so that their faces could not be told apart.
+    """
+    merged: dict[int, Material] = {}
+    for shape in shapes:
+        for number, material in shape.paints.items():
+            if merged.setdefault(number, material) != material:
+                raise ValueError(f"two different materials are both named {material.name!r}; rename one")
+    return merged
+
+
+def _combined(manifold: Manifold, pieces: colliders.Pieces, shapes: Sequence[Shape], what: str) -> Shape:
+    """Return a checked result; `what` says why it could be empty."""
+    if manifold.is_empty():
+        raise ValueError(what)
+    return Shape(manifold, pieces, _paints(shapes)).checked()
+
+
+def united(shapes: Sequence[Shape]) -> Shape:
+    """Return the union of shapes.
+
+    Raises:
+        ValueError: There are none.
+    """
+    if not shapes:
+        raise ValueError("a union needs at least one solid, got none")
+    if len(shapes) == 1:
+        return shapes[0]
+    if len(shapes) == 2:
+        manifold = shapes[0].manifold + shapes[1].manifold
+    else:
+        manifold = Manifold.batch_boolean([shape.manifold for shape in shapes], OpType.Add)
+    pieces = colliders.union(*(shape.pieces for shape in shapes))
+    return _combined(manifold, pieces, shapes, "the union is empty")
+
+
+@kernel
+def _union(solids: tuple[Shape, ...]) -> Shape:
+    return united(solids)
+
+
+def union(*solids: Solid) -> Solid:
+    """Unite solids; two are also written `a | b`. Overlaps count once."""
+    return Solid.record(_union, solids=solids)
+
+
+@kernel(spelling="({a} - {b})")
+def _difference(a: Shape, b: Shape) -> Shape:
+    return _combined(
+        a.manifold - b.manifold,
+        colliders.difference(a.pieces, b.pieces),
+        (a, b),
+        "the difference is empty: the second solid swallows the first",
+    )
+
+
+def difference(a: Solid, b: Solid) -> Solid:
+    """Cut the second solid out of the first; also written `a - b`."""
+    return Solid.record(_difference, a=a, b=b)
+
+
+@kernel(spelling="({a} & {b})")
+def _intersection(a: Shape, b: Shape) -> Shape:
+    return _combined(
+        a.manifold ^ b.manifold,
+        colliders.intersection(a.pieces, b.pieces),
+        (a, b),
+        "the intersection is empty: the solids do not meet",
+    )
+
+
+def intersection(a: Solid, b: Solid) -> Solid:
+    """Keep what two solids have in common; also written `a & b`."""
+    return Solid.record(_intersection, a=a, b=b)
+
+
+def _corners(shapes: Sequence[Shape]) -> Array:
+    return np.concatenate([shape.mesh.vertices for shape in shapes])
+
+
+@kernel
+def _hull(solids: tuple[Shape, ...]) -> Shape:
+    if not solids:
+        raise ValueError("a hull needs at least one solid, got none")
+    vertices = np.ascontiguousarray(_corners(solids))
+    return faceted_shape(Manifold.hull_points(vertices), around_hull(vertices))
+
+
+def hull(*solids: Solid) -> Solid:
+    """Make the convex hull of solids: the least convex solid that contains them all."""
+    return Solid.record(_hull, solids=solids)
+
+
+def half_space(shape: Shape, point: Array, normal: Array) -> Shape:
+    """Return a box that covers what a shape has behind a plane, its top face on the plane."""
+    low, high = shape.bounds()
+    middle = 0.5 * (low + high)
+    reach = 1.1 * float(np.linalg.norm(high - low)) + abs(float((middle - point) @ normal))
+    turn = inputs.frame(normal)
+    size = np.array([2.0 * reach, 2.0 * reach, reach])
+    foot = middle - normal * float((middle - point) @ normal)
+    matrix = inputs.pose(turn, foot - normal * (reach / 2.0))
+    box = rounded_box(size, 0.0, 0).shape(Exact((Convex.box(size),)))
+    return box.transformed(matrix)
+
+
+@kernel
+def _split(solid: Shape, point: Array3, normal: Array3) -> Shape:
+    across = inputs.direction("normal", normal)
+    place = inputs.vector("point", point)
+    behind = half_space(solid, place, -across)
+    return _combined(
+        solid.manifold ^ behind.manifold,
+        colliders.intersection(solid.pieces, behind.pieces),
+        (solid,),
+        "nothing is left: the whole solid lies behind the plane",
+    )
+
+
+def split(solid: Solid, *, point: VectorLike, normal: VectorLike) -> Solid:
+    """Keep what a solid has on the side of a plane to which its normal points.
+
+    Args:
+        solid: What to cut.
+        point: A point on the plane [m].
+        normal: Square to the plane, towards the part to keep.
+    """
+    return Solid.record(_split, solid=solid, point=point, normal=normal)
+
+
+@kernel
+def _shell(solid: Shape, thickness: float, open: Array3 | None) -> Shape:
+    inputs.positive("thickness", thickness)
+    vertices = np.ascontiguousarray(solid.mesh.vertices)
+    around = Manifold.hull_points(vertices)
+    filled = solid.manifold.volume() / around.volume()
+    if filled < _FULL:
+        raise ValueError(
+            f"shell needs a convex solid, this one fills only {100.0 * filled:.0f} % of its hull; "
+            "subtract a smaller solid from it instead"
+        )
+    inner = _inset(around, thickness)
+    if open is not None:
+        out = inputs.direction("open", open)
+        depth = thickness + float((vertices @ out).max() - (inner @ out).max())
+        inner = np.concatenate([inner, inner + out * depth])
+    cavity = faceted_shape(Manifold.hull_points(np.ascontiguousarray(inner)), around_hull(inner))
+    return _combined(
+        solid.manifold - cavity.manifold,
+        colliders.difference(solid.pieces, cavity.pieces),
+        (solid,),
+        "nothing is left of the shell",
+    )
+
+
+def _inset(solid: Manifold, distance: float) -> Array:
+    """Return the corners of a convex solid whose faces all moved inward, shape (n, 3) [m].
+
+    A face n.x <= d about an inner point becomes the point n / d; the hull of these has one face for each
+    corner of the solid.
+
+    Raises:
+        ValueError: Nothing is left inside.
+    """
+    mesh = solid.to_mesh64()
+    corners = np.array(mesh.vert_properties)[:, :3][np.asarray(mesh.tri_verts).astype(np.int64)]
+    across = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    size = np.linalg.norm(across, axis=1)
+    longest = np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2).max(axis=1)
+    sound = size > 1e-6 * longest**2
+    normals = across[sound] / size[sound, None]
+    reach = np.einsum("ij,ij->i", normals, corners[sound, 0]) - distance
+    centre = _deepest(normals, reach)
+    depth = reach - normals @ centre
+    if depth.min() <= 1e-6:
+        raise ValueError(
+            f"thickness {distance:g} m leaves no cavity: the solid is only about "
+            f"{2.0 * (distance + float(depth.min())):.3g} m thick"
+        )
+    dual = Manifold.hull_points(np.ascontiguousarray(normals / depth[:, None])).to_mesh64()
+    faces = np.array(dual.vert_properties)[:, :3][np.asarray(dual.tri_verts).astype(np.int64)]
+    poles = np.cross(faces[:, 1] - faces[:, 0], faces[:, 2] - faces[:, 0])
+    height = np.einsum("ij,ij->i", poles, faces[:, 0])
+    area = np.linalg.norm(poles, axis=1)
+    proper = area > 1e-12 * area.max()
+    return np.asarray(centre + poles[proper] / height[proper, None])
+
+
+def _deepest(normals: Array, reach: Array) -> Array:
+    """Return a point far from all planes n.x <= d, by steps away from the nearest ones, shape (3,)."""
+    point = np.linalg.lstsq(normals, reach, rcond=None)[0]
+    step = float(np.abs(reach - normals @ point).max())
+    best, best_depth = point, float((reach - normals @ point).min())
+    for _ in range(200):
+        depth = reach - normals @ point
+        nearest = int(np.argmin(depth))
+        if depth[nearest] > best_depth:
+            best, best_depth = point, float(depth[nearest])
+        point = point - normals[nearest] * step
+        step *= 0.93
+    return best
+
+
+def shell(solid: Solid, thickness: Scalar, *, open: VectorLike | None = None) -> Solid:
+    """Hollow a convex solid out, leaving walls.
+
+    Args:
+        solid: A convex solid.
+        thickness: Thickness of the walls [m].
+        open: The side without a wall, as a direction; all sides have walls by default.
+    """
+    return Solid.record(_shell, solid=solid, thickness=thickness, open=open)
+
+
+@kernel
+def _paint(solid: Shape, material: Material) -> Shape:
+    number = material.number
+
+    def mark(table: Array) -> None:
+        table[:, _PAINT] = number
+
+    return Shape(with_properties(solid.manifold, mark), solid.pieces, {number: material}).checked()
+
+
+def paint(solid: Solid, material: Material) -> Solid:
+    """Give all faces of a solid a material of their own, whatever part they end up in.
+
+    The paint stays on the faces through booleans: a painted tool leaves painted cuts.
+
+    Args:
+        solid: What to paint.
+        material: How its faces look. Weight and friction stay those of the part.
+    """
+    return Solid.record(_paint, solid=solid, material=material)

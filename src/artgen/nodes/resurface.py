@@ -1,0 +1,105 @@
+"""New surfaces for old solids: other normals, texture coordinates or paint on the same triangles."""
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+from manifold3d import Manifold, Mesh64
+from numpy.typing import NDArray
+
+from artgen.asset.shape import Shape
+from artgen.colliders import Pieces
+from artgen.nodes.contours import CREASE
+
+Array = NDArray[np.float64]
+
+_HAS_NORMALS = np.array([2], np.uint8)
+
+
+def with_properties(manifold: Manifold, change: Callable[[Array], None]) -> Manifold:
+    """Return the manifold after `change` wrote into its vertex table: x y z, then the channels, shape (n, 9)."""
+    raw = manifold.to_mesh64()
+    table = np.array(raw.vert_properties)
+    change(table)
+    triangles = np.array(raw.tri_verts)
+    return Manifold(
+        Mesh64(
+            table,
+            triangles,
+            np.array(raw.merge_from_vert),
+            np.array(raw.merge_to_vert),
+            run_index=np.array([0, 3 * len(triangles)], np.uint64),
+            run_original_id=np.array([Manifold.reserve_ids(1)], np.uint32),
+            run_flags=_HAS_NORMALS,
+        )
+    )
+
+
+def faceted_shape(solid: Manifold, pieces: Pieces) -> Shape:
+    """Return the shape of a bare manifold: normals split at creases, texture projected along them.
+
+    Raises:
+        ValueError: The manifold is empty or inside out.
+    """
+    if solid.is_empty():
+        raise ValueError("the result is empty")
+    raw = solid.to_mesh64()
+    places = np.array(raw.vert_properties)[:, :3]
+    triangles = np.asarray(raw.tri_verts).astype(np.int64)
+    corners = places[triangles]
+    across = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    size = np.linalg.norm(across, axis=1)
+    flat = across / np.maximum(size, 1e-300)[:, None]
+    normals = _corner_normals(triangles, flat, across, corners)
+    vertices = corners.reshape(-1, 3)
+    side = np.repeat(np.argmax(np.abs(flat), axis=1), 3)
+    # v runs upward, or to the back on faces that look up or down
+    u = np.choose(side, [vertices[:, 1], vertices[:, 0], vertices[:, 0]])
+    v = np.choose(side, [vertices[:, 2], vertices[:, 2], vertices[:, 1]])
+    table = np.column_stack([vertices, normals, u, v, np.repeat(np.arange(len(triangles)) * 0, 3)])
+    _, first, group = np.unique(
+        np.column_stack([triangles.ravel(), side, np.rint(normals * 1e6).astype(np.int64)]),
+        axis=0,
+        return_index=True,
+        return_inverse=True,
+    )
+    group = group.ravel()
+    kept = table[first]
+    origin = triangles.ravel()[first]
+    target = np.full(len(places), -1)
+    target[origin[::-1]] = np.arange(len(first))[::-1]
+    return Shape.from_mesh(
+        kept[:, :3],
+        kept[:, 3:6],
+        kept[:, 6:8],
+        group.reshape(-1, 3),
+        pieces,
+        targets=target[origin],
+    )
+
+
+def _corner_normals(triangles: NDArray[np.int64], flat: Array, across: Array, corners: Array) -> Array:
+    """Return a normal for each corner of each triangle, shape (3 m, 3): the mean of its smooth surroundings.
+
+    Faces count by the angle that they take at the vertex, so that the cut of a face does not matter.
+    """
+    count = len(triangles)
+    following, before = np.roll(corners, -1, axis=1) - corners, np.roll(corners, 1, axis=1) - corners
+    cosine = np.einsum("ijk,ijk->ij", following, before)
+    sine = np.linalg.norm(across, axis=1)[:, None]
+    angle = np.arctan2(np.broadcast_to(sine, cosine.shape), cosine).ravel()
+    vertex = triangles.ravel()
+    face = np.repeat(np.arange(count), 3)
+    order = np.argsort(vertex, kind="stable")
+    start = np.searchsorted(vertex[order], np.arange(vertex.max() + 2))
+    fans = np.diff(start)
+    normals = np.zeros((3 * count, 3))
+    for size in np.unique(fans[fans > 0]).tolist():
+        heads = start[:-1][fans == size]
+        corner = order[heads[:, None] + np.arange(size)]
+        turned = flat[face[corner]]
+        near = np.einsum("vik,vjk->vij", turned, turned) > math.cos(CREASE)
+        weight = near * angle[corner][:, None, :]
+        normals[corner.ravel()] = np.einsum("vij,vjk->vik", weight, turned).reshape(-1, 3)
+    length = np.linalg.norm(normals, axis=1, keepdims=True)
+    return np.where(length > 1e-12, normals / np.maximum(length, 1e-300), np.repeat(flat, 3, axis=0))

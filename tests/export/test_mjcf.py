@@ -1,0 +1,164 @@
+"""What the MJCF says, and how the asset moves in MuJoCo."""
+
+import xml.etree.ElementTree as ET
+from collections.abc import Callable
+from pathlib import Path
+
+import mujoco
+import numpy as np
+import pytest
+
+from artgen.asset import Asset
+from artgen.export import Written, export, write_mjcf
+
+
+@pytest.fixture(scope="module")
+def written(cabinet: Asset) -> Written:
+    return write_mjcf(cabinet)
+
+
+@pytest.fixture(scope="module")
+def model(cabinet: Asset, tmp_path_factory: pytest.TempPathFactory) -> mujoco.MjModel:
+    directory = export(cabinet, tmp_path_factory.mktemp("mjcf") / "cabinet", formats=("mjcf",))
+    return mujoco.MjModel.from_xml_path(str(directory / "cabinet_7.xml"))
+
+
+def test_dynamics_reach_the_model(model: mujoco.MjModel) -> None:
+    hinge = model.joint("lid_hinge")
+    assert hinge.stiffness[0] == 1.5
+    assert model.qpos_spring[hinge.qposadr[0]] == -0.3
+    assert hinge.damping[0] == 0.2
+    assert hinge.frictionloss[0] == 0.1
+    assert hinge.armature[0] == 0.002
+    np.testing.assert_array_equal(model.jnt_actfrcrange[hinge.id], [-40.0, 40.0])
+
+
+def test_joints_of_one_pair_share_a_body_in_order(model: mujoco.MjModel) -> None:
+    body = model.body("knob")
+    first = body.jntadr[0]
+    assert body.jntnum[0] == 2
+    assert [model.joint(first + index).name for index in range(2)] == ["knob_slide", "knob_turn"]
+
+
+def test_locked_joint_is_no_joint(model: mujoco.MjModel) -> None:
+    assert model.body("foot").jntnum[0] == 0
+    assert "foot_lock" not in {model.joint(index).name for index in range(model.njnt)}
+
+
+def test_visual_geoms_neither_touch_nor_weigh(model: mujoco.MjModel) -> None:
+    visual = model.geom_group == 2
+    assert visual.sum() == 9
+    assert not model.geom_contype[visual].any()
+    assert not model.geom_conaffinity[visual].any()
+    assert model.nexclude == 0
+
+
+def test_colliders_have_the_volume_of_their_pieces(cabinet: Asset) -> None:
+    """The masses that MuJoCo gives to the colliders at density 1 are volumes, hulls included."""
+    root = ET.fromstring(write_mjcf(cabinet).files["cabinet_7.xml"])
+    for geom in root.iterfind("default/default/default/geom"):
+        if geom.get("group") == "3":
+            geom.attrib.pop("mass")
+            geom.set("density", "1")
+    for body in root.iter("body"):
+        body.remove(body.find("inertial"))  # type: ignore[arg-type]
+    files = {Path(path).name: text for path, text in write_mjcf(cabinet).files.items()}
+    spec = mujoco.MjSpec.from_string(ET.tostring(root, encoding="unicode"), assets=files)
+    spec.meshdir = ""
+    model = spec.compile()
+    boxes = [0.02 * 0.4 * 0.6] * 2 + [0.56 * 0.02 * 0.6] + [0.56 * 0.38 * 0.02] * 2 + [0.2 * 0.01 * 0.2]
+    radius, length = 0.01, 0.06
+    expected = {
+        "body": sum(boxes),
+        "lid": 0.6 * 0.4 * 0.02,
+        "dial": np.pi * 0.03**2 * 0.02,
+        "knob": 4 / 3 * np.pi * 0.02**3,
+        "bolt": np.pi * radius**2 * (length + 4 / 3 * radius),
+    }
+    for name, volume in expected.items():
+        assert model.body(name).mass[0] == pytest.approx(volume, rel=1e-6), name
+
+
+def test_each_collider_has_the_friction_of_its_material(model: mujoco.MjModel, cabinet: Asset) -> None:
+    for link in cabinet.links:
+        for number, collider in enumerate(link.colliders):
+            geom = model.geom(f"{link.name}_collider_{number}")
+            assert geom.friction[0] == pytest.approx(collider.material.friction)
+
+
+def test_grasp_is_a_site_at_its_frame(model: mujoco.MjModel, cabinet: Asset) -> None:
+    data = mujoco.MjData(model)
+    mujoco.mj_kinematics(model, data)
+    frame = cabinet.link("lid").grasps[0].frame
+    np.testing.assert_allclose(data.site("lid_edge").xpos, frame[:3, 3], atol=1e-9)
+    np.testing.assert_allclose(data.site("lid_edge").xmat.reshape(3, 3), frame[:3, :3], atol=1e-9)
+
+
+def test_base_is_free_only_when_the_asset_is(cabinet: Asset, free_cabinet: Asset) -> None:
+    for asset, joints in ((cabinet, 0), (free_cabinet, 1)):
+        root = ET.fromstring(write_mjcf(asset).files["cabinet_7.xml"])
+        assert len(root.findall(".//freejoint")) == joints
+
+
+def test_initial_state_is_within_limits(model: mujoco.MjModel, cabinet: Asset) -> None:
+    positions = cabinet.positions()
+    assert positions["tray_slide"] == 0.02
+    for name, value in positions.items():
+        if not cabinet.joint(name).locked:
+            assert model.qpos0[model.joint(name).qposadr[0]] == pytest.approx(value)
+
+
+def test_bolt_follows_its_lever_closely_while_it_is_driven(model: mujoco.MjModel) -> None:
+    data = mujoco.MjData(model)
+    lever, bolt = model.joint("lever_turn"), model.joint("bolt_slide")
+    worst = 0.0
+    for step in range(1000):
+        data.qfrc_applied[lever.dofadr[0]] = 1.2 * np.sin(step / 40.0)
+        mujoco.mj_step(model, data)
+        follows = -0.02 * data.qpos[lever.qposadr[0]] + 0.005
+        worst = max(worst, abs(data.qpos[bolt.qposadr[0]] - follows))
+    assert worst < 1e-4
+
+
+def test_heavy_tray_stops_at_its_limit(model: mujoco.MjModel) -> None:
+    data = mujoco.MjData(model)
+    tray = model.joint("tray_slide")
+    data.qfrc_applied[tray.dofadr[0]] = 50.0
+    for _ in range(1000):
+        mujoco.mj_step(model, data)
+    assert data.qpos[tray.qposadr[0]] == pytest.approx(0.2, abs=5e-4)
+
+
+def test_two_assets_attach_to_one_scene(cabinet: Asset, nested: Asset, tmp_path: Path) -> None:
+    scene = mujoco.MjSpec()
+    for asset in (cabinet, nested, cabinet):
+        directory = export(asset, tmp_path / asset.name, formats=("mjcf",))
+        child = mujoco.MjSpec.from_file(str(directory / f"{asset.name}.xml"))
+        place = scene.worldbody.add_frame(pos=[len(scene.bodies), 0, 0])
+        scene.attach(child, prefix=f"n{len(scene.bodies)}_", frame=place)
+    model = scene.compile()
+    assert model.njnt == 2 * 7 + 4
+    assert model.neq == 3
+
+
+@pytest.mark.parametrize(
+    ("feature", "where"),
+    [
+        ("joint velocity limit", "lid_hinge"),
+        ("locked joint", "foot_lock"),
+        ("joint dependency", "lid_hinge"),
+        ("width of a grasp", "lid_edge"),
+        ("semantic labels", "lid"),
+    ],
+)
+def test_what_mjcf_cannot_say_is_listed(written: Written, feature: str, where: str) -> None:
+    found = [loss for loss in written.losses if loss.feature == feature]
+    assert len(found) == 1
+    assert where in found[0].where.split(", ")
+
+
+@pytest.mark.parametrize("fixture", ["cabinet", "free_cabinet", "nested"])
+def test_same_asset_gives_same_bytes(
+    fixture: str, request: pytest.FixtureRequest, make_asset: Callable[[str], Asset]
+) -> None:
+    assert write_mjcf(request.getfixturevalue(fixture)).files == write_mjcf(make_asset(fixture)).files

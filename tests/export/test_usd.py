@@ -1,0 +1,505 @@
+"""USD as pxr reads it back, against the asset."""
+
+import os
+import subprocess
+import sys
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+from numpy.typing import NDArray
+from pxr import Gf, Usd, UsdGeom, UsdPhysics, UsdSemantics, UsdShade, UsdValidation
+
+from artgen.asset import Asset, Joint
+from artgen.export.frames import chain
+from artgen.export.usd import write_usd
+from artgen.export.usd_layer import quatf
+
+Array = NDArray[np.float64]
+
+ASSETS = ("cabinet", "free_cabinet", "nested")
+
+anew = settings(
+    max_examples=15, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
+)
+
+
+@pytest.fixture(scope="module")
+def stages(tmp_path_factory, cabinet, free_cabinet, nested) -> dict[str, tuple[Asset, Usd.Stage]]:
+    """Every asset with its stage, opened from files."""
+    result = {}
+    for name, asset in zip(ASSETS, (cabinet, free_cabinet, nested), strict=True):
+        result[name] = (asset, _opened(asset, tmp_path_factory.mktemp(name)))
+    return result
+
+
+def _opened(asset: Asset, directory: Path) -> Usd.Stage:
+    for name, content in write_usd(asset).files.items():
+        (directory / name).write_bytes(content)
+    return Usd.Stage.Open(str(directory / f"{asset.name}.usda"))
+
+
+def _prim(stage: Usd.Stage, path: str) -> Usd.Prim:
+    prim = stage.GetDefaultPrim().GetPrimAtPath(path)
+    assert prim, f"no prim {path}"
+    return prim
+
+
+def _joint(stage: Usd.Stage, name: str) -> Usd.Prim:
+    return _prim(stage, f"joints/{name}")
+
+
+def _value(prim: Usd.Prim, name: str) -> object:
+    attribute = prim.GetAttribute(name)
+    assert attribute.HasAuthoredValue(), f"{prim.GetPath()} has no {name}"
+    return attribute.Get()
+
+
+def _matrix(matrix: Gf.Matrix4d) -> Array:
+    return np.array(matrix).T
+
+
+def _placement(prim: Usd.Prim) -> Array:
+    return _matrix(UsdGeom.Xformable(prim).ComputeLocalToWorldTransform(Usd.TimeCode.Default()))
+
+
+def _frame(position: Gf.Vec3f, turn: Gf.Quatf) -> Array:
+    result = np.eye(4)
+    result[:3, :3] = _matrix(Gf.Matrix4d().SetRotate(Gf.Quatd(turn)))[:3, :3]
+    result[:3, 3] = position
+    return result
+
+
+def _moved(joint: UsdPhysics.Joint, position: float) -> Array:
+    """Return the child in the parent as a simulator computes it: along or about x of the joint's frame."""
+    motion = np.eye(4)
+    if joint.GetPrim().IsA(UsdPhysics.RevoluteJoint):
+        angle = np.radians(position)
+        motion[1:3, 1:3] = [[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]]
+    elif joint.GetPrim().IsA(UsdPhysics.PrismaticJoint):
+        motion[0, 3] = position
+    first = _frame(joint.GetLocalPos0Attr().Get(), joint.GetLocalRot0Attr().Get())
+    second = _frame(joint.GetLocalPos1Attr().Get(), joint.GetLocalRot1Attr().Get())
+    return first @ motion @ np.linalg.inv(second)
+
+
+def _simulated(stage: Usd.Stage, q: dict[str, float]) -> dict[str, Array]:
+    """Return the pose of every body from the joints alone; q in degrees and metres."""
+    bodies: dict[str, Array] = {}
+    for prim in _prim(stage, "joints").GetChildren():
+        joint = UsdPhysics.Joint(prim)
+        parents, children = joint.GetBody0Rel().GetTargets(), joint.GetBody1Rel().GetTargets()
+        if not parents:
+            bodies[children[0].name] = _frame(joint.GetLocalPos0Attr().Get(), joint.GetLocalRot0Attr().Get())
+            continue
+        parent = bodies.setdefault(parents[0].name, np.eye(4))
+        bodies[children[0].name] = parent @ _moved(joint, q.get(prim.GetName(), 0.0))
+    return bodies
+
+
+def _units(joint: Joint) -> float:
+    return 180.0 / np.pi if joint.kind == "revolute" else 1.0
+
+
+def _origin(asset: Asset, link: str) -> Array:
+    result = np.eye(4)
+    result[:3, 3] = asset.origin(link)
+    return result
+
+
+@pytest.mark.parametrize("name", ASSETS)
+def test_no_validator_finds_anything(stages, name, capfd):
+    _, stage = stages[name]
+    validators = UsdValidation.ValidationRegistry().GetOrLoadAllValidators()
+    assert len(validators) > 20
+    errors = UsdValidation.ValidationContext(validators).Validate(stage)
+    assert [error.GetMessage() for error in errors] == []
+    assert capfd.readouterr() == ("", "")
+
+
+@pytest.mark.parametrize("name", ASSETS)
+@given(data=st.data())
+@anew
+def test_bodies_stand_where_the_asset_puts_them(stages, name, data):
+    asset, stage = stages[name]
+    q = {
+        joint.name: data.draw(st.floats(*(joint.limits or (-6.0, 6.0))), label=joint.name)
+        for joint in asset.free_joints
+    }
+    positions = asset.positions(q)
+    bodies = _simulated(stage, {n: p * _units(asset.joint(n)) for n, p in positions.items()})
+    for link, displacement in asset.pose(q).items():
+        assert bodies[link] == pytest.approx(displacement @ _origin(asset, link), abs=1e-6)
+
+
+@pytest.mark.parametrize("name", ASSETS)
+def test_bodies_are_placed_as_the_asset_stands(stages, name):
+    asset, stage = stages[name]
+    for link, displacement in asset.pose().items():
+        prim = _prim(stage, link)
+        assert _placement(prim) == pytest.approx(displacement @ _origin(asset, link), abs=1e-12)
+        assert not UsdGeom.XformCommonAPI(prim) or "xformOp:scale" not in _value(prim, "xformOpOrder")
+    between = [segment.child for segment in chain(asset) if segment.child.link is None]
+    for frame in between:
+        assert _placement(_prim(stage, frame.name)) == pytest.approx(frame.placement, abs=1e-12)
+
+
+@pytest.mark.parametrize("name", ASSETS)
+def test_mass_properties_are_the_assets(stages, name):
+    asset, stage = stages[name]
+    for link in asset.links:
+        mass = UsdPhysics.MassAPI(_prim(stage, link.name))
+        expected = link.mass_properties
+        axes = _matrix(Gf.Matrix4d().SetRotate(Gf.Quatd(mass.GetPrincipalAxesAttr().Get())))[:3, :3]
+        inertia = axes @ np.diag(mass.GetDiagonalInertiaAttr().Get()) @ axes.T
+        assert mass.GetMassAttr().Get() == pytest.approx(expected.mass, rel=1e-6)
+        assert mass.GetCenterOfMassAttr().Get() + asset.origin(link.name) == pytest.approx(
+            expected.center, abs=1e-6
+        )
+        assert inertia == pytest.approx(expected.inertia, abs=1e-6 * np.abs(expected.inertia).max())
+
+
+def test_bodies_between_joints_are_light_and_valid(stages):
+    _, stage = stages["cabinet"]
+    mass = UsdPhysics.MassAPI(_prim(stage, "knob_knob_slide"))
+    assert 0.0 < mass.GetMassAttr().Get() < 1e-4
+    low, middle, high = sorted(mass.GetDiagonalInertiaAttr().Get())
+    assert 0.0 < high <= low + middle
+
+
+def test_several_joints_act_in_order_parent_first(stages):
+    _, stage = stages["cabinet"]
+    slide, turn = (UsdPhysics.Joint(_joint(stage, name)) for name in ("knob_slide", "knob_turn"))
+    assert [path.name for path in slide.GetBody0Rel().GetTargets()] == ["body"]
+    assert slide.GetBody1Rel().GetTargets() == turn.GetBody0Rel().GetTargets()
+    assert [path.name for path in turn.GetBody1Rel().GetTargets()] == ["knob"]
+
+
+@pytest.mark.parametrize("name", ASSETS)
+def test_limits_are_in_degrees_and_metres(stages, name):
+    asset, stage = stages[name]
+    coupled = {joint.name for joint in asset.joints if joint.follows is not None}
+    coupled |= {joint.follows.leader for joint in asset.joints if joint.follows is not None}
+    for joint in asset.joints:
+        prim = _joint(stage, joint.name)
+        if joint.locked:
+            assert prim.IsA(UsdPhysics.FixedJoint)
+        elif joint.limits is not None:
+            ends = [_value(prim, "physics:lowerLimit"), _value(prim, "physics:upperLimit")]
+            assert ends == pytest.approx(np.array(joint.limits) * _units(joint), rel=1e-6, abs=1e-9)
+            assert _value(prim, "physics:axis") == "X"
+        elif joint.name in coupled:
+            assert _value(prim, "physics:upperLimit") > 360.0 * 1e4
+        else:
+            assert prim.GetAttribute("physics:lowerLimit").Get() == -np.inf
+            assert prim.GetAttribute("physics:upperLimit").Get() == np.inf
+
+
+def test_springs_and_friction_are_per_degree(stages):
+    asset, stage = stages["cabinet"]
+    joint, prim = asset.joint("lid_hinge"), _joint(stage, "lid_hinge")
+    drive = UsdPhysics.DriveAPI(prim, "angular")
+    assert drive.GetTypeAttr().Get() == "force"
+    assert drive.GetStiffnessAttr().Get() == pytest.approx(np.radians(joint.stiffness))
+    assert drive.GetDampingAttr().Get() == pytest.approx(np.radians(joint.damping))
+    assert drive.GetTargetPositionAttr().Get() == pytest.approx(np.degrees(joint.rest))
+    for instance in ("physxJointAxis:angular:staticFrictionEffort", "newton:friction"):
+        assert _value(prim, instance) == pytest.approx(joint.friction)
+    for instance in ("physxJointAxis:angular:armature", "newton:armature"):
+        assert _value(prim, instance) == pytest.approx(joint.armature)
+    for instance in ("physxJointAxis:angular:maxJointVelocity", "newton:velocityLimit"):
+        assert _value(prim, instance) == pytest.approx(np.degrees(joint.velocity))
+    slide = UsdPhysics.DriveAPI(_joint(stage, "knob_slide"), "linear")
+    assert slide.GetDampingAttr().Get() == pytest.approx(asset.joint("knob_slide").damping)
+
+
+@pytest.mark.parametrize(
+    ("changes", "bounded"),
+    [
+        ({"stiffness": 10.0, "rest": -0.6, "limits": (0.0, 1.4), "effort": 21.0}, True),
+        ({"stiffness": 10.0, "rest": -0.6, "limits": (0.0, 1.4), "effort": 19.0}, False),
+        ({"stiffness": 10.0, "limits": None}, False),
+        ({"stiffness": 0.0, "damping": 2.0, "velocity": 10.0, "effort": 19.0}, False),
+        ({"stiffness": 0.0, "damping": 0.0, "effort": 0.001}, True),
+    ],
+)
+def test_effort_never_weakens_the_joints_own_spring(tmp_path, cabinet, changes, bounded):
+    clean = {"damping": 0.0, "needs": None} | changes
+    joints = tuple(replace(joint, **clean) if joint.name == "lid_hinge" else joint for joint in cabinet.joints)
+    asset = replace(cabinet, joints=joints)
+    drive = UsdPhysics.DriveAPI(_joint(_opened(asset, tmp_path), "lid_hinge"), "angular")
+    expected = clean.get("effort", 40.0) if bounded else np.inf
+    assert drive.GetMaxForceAttr().Get() == pytest.approx(expected)
+    lost = [loss.where for loss in write_usd(asset).losses if loss.feature == "joint effort"]
+    assert lost == ([] if bounded else ["lid_hinge"])
+
+
+def test_coupling_of_a_slide_with_a_rotation_is_in_each_simulators_units(stages):
+    asset, stage = stages["cabinet"]
+    prim, coupling = _joint(stage, "bolt_slide"), asset.joint("bolt_slide").follows
+    schemas = prim.GetMetadata("apiSchemas").GetAddedOrExplicitItems()
+    assert "NewtonMimicAPI" not in schemas  # PhysX and Newton would read it in different units
+    # PhysX: position + gearing * leader + offset = 0 in metres and degrees
+    degrees = 30.0
+    expected = coupling.ratio * np.radians(degrees) + coupling.offset
+    gearing, offset = (_value(prim, f"physxMimicJoint:rotX:{name}") for name in ("gearing", "offset"))
+    assert -gearing * degrees - offset == pytest.approx(expected)
+    assert _value(prim, "mjc:coef1") == coupling.ratio
+    assert _value(prim, "mjc:coef0") == coupling.offset
+    for name in ("physxMimicJoint:rotX:referenceJoint", "mjc:target"):
+        assert prim.GetRelationship(name).GetTargets() == [_joint(stage, "lever_turn").GetPath()]
+    assert not UsdPhysics.DriveAPI.Get(stage, prim.GetPath().AppendProperty("drive:linear")).GetTypeAttr()
+
+
+def test_coupling_of_two_rotations_reads_the_same_in_both_schemas(stages):
+    asset, stage = stages["nested"]
+    prim, coupling = _joint(stage, "spin"), asset.joint("spin").follows
+    assert _value(prim, "newton:mimicCoef1") == coupling.ratio
+    assert _value(prim, "newton:mimicCoef0") == pytest.approx(np.degrees(coupling.offset))
+    assert _value(prim, "physxMimicJoint:rotX:gearing") == -coupling.ratio
+    assert _value(prim, "physxMimicJoint:rotX:offset") == pytest.approx(-np.degrees(coupling.offset))
+    for name in ("physxMimicJoint:rotX:referenceJoint", "newton:mimicJoint"):
+        assert prim.GetRelationship(name).GetTargets() == [_joint(stage, "wrist").GetPath()]
+
+
+def test_joints_that_do_not_stand_at_zero_say_where_they_stand(stages):
+    asset, stage = stages["nested"]
+    assert _value(_joint(stage, "swing"), "state:angular:physics:position") == pytest.approx(np.degrees(0.2))
+    assert _value(_joint(stage, "spin"), "state:angular:physics:position") == pytest.approx(np.degrees(0.1))
+    assert not _joint(stage, "wrist").GetAttribute("state:angular:physics:position")
+    assert asset.positions()["wrist"] == 0.0
+
+
+@pytest.mark.parametrize(("name", "fixed"), [("cabinet", True), ("free_cabinet", False)])
+def test_base_is_fixed_or_free(stages, name, fixed):
+    _, stage = stages[name]
+    roots = [prim for prim in stage.Traverse() if prim.HasAPI(UsdPhysics.ArticulationRootAPI)]
+    assert [prim.GetName() for prim in roots] == ["cabinet_7" if fixed else "body"]
+    joint = stage.GetDefaultPrim().GetPrimAtPath("joints/root_joint")
+    assert bool(joint) == fixed
+    if fixed:
+        assert joint.IsA(UsdPhysics.FixedJoint)
+        assert UsdPhysics.Joint(joint).GetBody0Rel().GetTargets() == []
+
+
+@pytest.mark.parametrize("name", ASSETS)
+def test_colliders_are_the_links(stages, name):
+    asset, stage = stages[name]
+    for link in asset.links:
+        prims = [prim for prim in _prim(stage, f"{link.name}/collisions").GetChildren()]
+        prims.sort(key=lambda prim: int(prim.GetName().split("_")[-1]))
+        assert len(prims) == len(link.colliders)
+        for prim, collider in zip(prims, link.colliders, strict=True):
+            convex = collider.convex
+            kinds = {"hull": "Mesh", "box": "Cube"}
+            assert prim.GetTypeName() == kinds.get(convex.kind, convex.kind.capitalize())
+            to_link = np.linalg.inv(_placement(prim.GetParent())) @ _placement(prim)
+            to_asset = _origin(asset, link.name) @ to_link
+            corners = np.array(UsdGeom.Boundable(prim).GetExtentAttr().Get())
+            assert corners == pytest.approx(
+                np.array(UsdGeom.Boundable.ComputeExtentFromPlugins(UsdGeom.Boundable(prim), 0.0)), abs=1e-6
+            )
+            if convex.kind == "hull":
+                points = np.array(prim.GetAttribute("points").Get()) + asset.origin(link.name)
+                assert sorted(map(tuple, points.round(6))) == sorted(map(tuple, convex.points.round(6)))
+                assert UsdPhysics.MeshCollisionAPI(prim).GetApproximationAttr().Get() == "convexHull"
+            else:
+                unscaled = to_asset.copy()
+                scale = np.linalg.norm(unscaled[:3, :3], axis=0)
+                unscaled[:3, :3] /= scale
+                assert unscaled == pytest.approx(convex.pose, abs=1e-9)
+                assert scale == pytest.approx(convex.size if convex.kind == "box" else (1.0, 1.0, 1.0))
+                names = {"cylinder": ("radius", "height"), "capsule": ("radius", "height")}
+                for field, size in zip(names.get(convex.kind, ("radius",)), convex.size, strict=False):
+                    if convex.kind != "box":
+                        assert _value(prim, field) == size
+            assert prim.HasAPI(UsdPhysics.CollisionAPI)
+            assert UsdGeom.Imageable(prim).ComputePurpose() == "guide"
+            bound, _ = UsdShade.MaterialBindingAPI(prim).ComputeBoundMaterial("physics")
+            friction = UsdPhysics.MaterialAPI(bound.GetPrim()).GetDynamicFrictionAttr().Get()
+            assert friction == pytest.approx(collider.material.friction)
+
+
+def test_hull_colliders_are_closed_and_outward(stages):
+    asset, stage = stages["cabinet"]
+    mesh = UsdGeom.Mesh(_prim(stage, "lid/collisions/hull_0"))
+    points = np.array(mesh.GetPointsAttr().Get(), float)
+    triangles = np.array(mesh.GetFaceVertexIndicesAttr().Get()).reshape(-1, 3)
+    edges = {(int(a), int(b)) for corners in triangles for a, b in zip(corners, np.roll(corners, -1))}  # noqa: B905
+    assert {(b, a) for a, b in edges} == edges
+    a, b, c = (points[triangles[:, corner]] for corner in range(3))
+    volume = np.einsum("ij,ij->", a, np.cross(b, c)) / 6.0
+    assert volume == pytest.approx(0.6 * 0.4 * 0.02, rel=1e-5)
+    normals = np.array(mesh.GetNormalsAttr().Get())
+    assert mesh.GetNormalsInterpolation() == "uniform"
+    assert np.einsum("ij,ij->i", normals, np.cross(b - a, c - a)).min() > 0.0
+    assert asset.link("lid").colliders[0].convex.kind == "hull"
+
+
+@pytest.mark.parametrize("name", ASSETS)
+def test_visuals_are_the_surfaces(stages, name):
+    asset, stage = stages[name]
+    for link in asset.links:
+        for surface in link.surfaces:
+            prim = _prim(stage, f"{link.name}/visuals/{surface.name}")
+            mesh = UsdGeom.Mesh(prim)
+            points = np.array(mesh.GetPointsAttr().Get()) + asset.origin(link.name)
+            assert points == pytest.approx(surface.mesh.vertices, abs=1e-6)
+            assert np.array(mesh.GetNormalsAttr().Get()) == pytest.approx(surface.mesh.normals, abs=1e-6)
+            corners = np.array(mesh.GetFaceVertexIndicesAttr().Get())
+            assert (corners == surface.mesh.triangles.ravel()).all()
+            st_primvar = UsdGeom.PrimvarsAPI(prim).GetPrimvar("st")
+            assert st_primvar.IsIndexed()
+            assert np.array(st_primvar.ComputeFlattened()) == pytest.approx(surface.mesh.uvs, abs=1e-6)
+            assert mesh.GetSubdivisionSchemeAttr().Get() == "none"
+            assert UsdSemantics.LabelsAPI(prim, "part").GetLabelsAttr().Get() == [surface.label]
+            material, _ = UsdShade.MaterialBindingAPI(prim).ComputeBoundMaterial()
+            assert material.GetPrim().GetName() == surface.material.name
+
+
+def test_materials_look_as_the_assets(stages):
+    asset, stage = stages["cabinet"]
+    for material in asset.materials:
+        surface = UsdShade.Material(_prim(stage, f"looks/{material.name}")).ComputeSurfaceSource()[0]
+        inputs = {item.GetBaseName(): item.Get() for item in surface.GetInputs()}
+        assert surface.GetIdAttr().Get() == "UsdPreviewSurface"
+        assert inputs["diffuseColor"] == pytest.approx(material.base_color)
+        assert inputs["emissiveColor"] == pytest.approx(material.emission)
+        assert inputs["roughness"] == pytest.approx(material.specular_roughness)
+        assert inputs["metallic"] == pytest.approx(material.base_metalness)
+        assert inputs["opacity"] == pytest.approx(material.opacity)
+
+
+def test_root_has_units_labels_and_origin(stages):
+    asset, stage = stages["cabinet"]
+    root = stage.GetDefaultPrim()
+    assert UsdGeom.GetStageUpAxis(stage) == "Z"
+    assert UsdGeom.GetStageMetersPerUnit(stage) == 1.0
+    assert UsdPhysics.GetStageKilogramsPerUnit(stage) == 1.0
+    assert Usd.ModelAPI(root).GetKind() == "component"
+    assert UsdSemantics.LabelsAPI(root, "category").GetLabelsAttr().Get() == ["cabinet"]
+    assert UsdSemantics.LabelsAPI(_prim(stage, "lid"), "part").GetLabelsAttr().Get() == ["lid"]
+    made = root.GetCustomDataByKey("artgen")
+    assert made == {
+        "attempt": 0,
+        "category": "cabinet",
+        "parameters": {"hand": "left", "width": 0.6},
+        "seed": 7,
+        "version": "1.0",
+    }
+    assert asset.seed == made["seed"]
+
+
+def test_parameters_of_any_type_survive(tmp_path, nested):
+    parameters = {
+        "handle.length": 0.3,
+        "count": 3,
+        "open": True,
+        "offsets": (1, 2.5),
+        "absent": None,
+        "rows": ["a", 1],
+        "inner": {"x": 1.0},
+        "large": 2**70,
+    }
+    stage = _opened(replace(nested, parameters=parameters, seed=2**70), tmp_path)
+    made = stage.GetDefaultPrim().GetCustomData()["artgen"]
+    assert made["seed"] == str(2**70)
+    assert list(made["parameters"].pop("offsets")) == [1.0, 2.5]
+    assert made["parameters"] == {
+        "handle.length": 0.3,
+        "count": 3,
+        "open": True,
+        "rows": '["a", 1]',
+        "inner": {"x": 1.0},
+        "large": str(2**70),
+    }
+
+
+def test_grasps_are_frames_on_their_links(stages):
+    asset, stage = stages["cabinet"]
+    (grasp,) = asset.link("lid").grasps
+    prim = _prim(stage, f"lid/grasps/{grasp.name}")
+    assert _placement(prim) == pytest.approx(grasp.frame, abs=1e-12)
+    assert prim.GetCustomData()["artgen"]["width"] == grasp.width
+    assert UsdGeom.Imageable(prim).ComputePurpose() == "guide"
+
+
+def test_names_never_clash_with_those_of_the_layout(tmp_path, cabinet):
+    names = {"lid": "joints", "dial": "looks"}
+    renamed = tuple(replace(link, name=names.get(link.name, link.name)) for link in cabinet.links)
+    joints = tuple(
+        replace(
+            joint,
+            child=names.get(joint.child, joint.child),
+            name="root_joint" if joint.name == "dial_turn" else joint.name,
+        )
+        for joint in cabinet.joints
+    )
+    stage = _opened(replace(cabinet, links=renamed, joints=joints), tmp_path)
+    assert _prim(stage, "joints").HasAPI(UsdPhysics.RigidBodyAPI)
+    assert _prim(stage, "looks").HasAPI(UsdPhysics.RigidBodyAPI)
+    assert _prim(stage, "joints_/root_joint").IsA(UsdPhysics.RevoluteJoint)
+    assert _prim(stage, "joints_/root_joint_").IsA(UsdPhysics.FixedJoint)
+    errors = UsdValidation.ValidationContext(
+        UsdValidation.ValidationRegistry().GetOrLoadAllValidators()
+    ).Validate(stage)
+    assert [error.GetMessage() for error in errors] == []
+
+
+def test_meshes_are_binary_and_the_rest_is_light(cabinet):
+    files = write_usd(cabinet).files
+    assert set(files) == {"cabinet_7.usda", "cabinet_7_geometry.usdc"}
+    assert files["cabinet_7_geometry.usdc"].startswith(b"PXR-USDC")
+    assert b"faceVertexIndices" not in files["cabinet_7.usda"]
+
+
+def test_losses_name_what_usd_cannot_say(cabinet, nested):
+    losses = {loss.feature: loss for loss in write_usd(cabinet).losses}
+    assert losses["joint dependency"].where == "lid_hinge"
+    assert losses["joint coupling"].where == "bolt_slide"
+    assert losses["joint armature"].where == "lid_hinge"
+    assert losses["several joints between two links"].where == "knob_knob_slide"
+    assert "foot_lock" not in losses["joint velocity limit"].where
+    lost = {loss.feature: loss.where for loss in write_usd(nested).losses}
+    assert lost["coupling without limits"] == "wrist, spin"
+    assert lost["joint that does not stand at 0"] == "swing, spin"
+
+
+def test_bytes_do_not_depend_on_the_process():
+    program = (
+        "import hashlib, conftest; from artgen.export.usd import write_usd\n"
+        "files = write_usd(conftest.make_cabinet()).files\n"
+        "print([(name, hashlib.sha256(files[name]).hexdigest()) for name in sorted(files)])"
+    )
+    here = Path(__file__).parent
+    path = os.pathsep.join([str(here), *filter(None, sys.path)])
+    outputs = {
+        subprocess.run(
+            [sys.executable, "-c", program],
+            env={**os.environ, "PYTHONHASHSEED": seed, "PYTHONPATH": path},
+            cwd=here,
+            capture_output=True,
+            text=True,
+            check=True,
+        ).stdout
+        for seed in ("1", "2")
+    }
+    assert len(outputs) == 1
+    assert "usdc" in outputs.pop()
+
+
+@given(st.tuples(*[st.floats(-1.0, 1.0)] * 4).filter(lambda q: np.linalg.norm(q) > 0.1))
+def test_quaternions_turn_as_their_matrices(values):
+    w, x, y, z = np.array(values) / np.linalg.norm(values)
+    turn = np.array(
+        [
+            [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+            [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+            [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
+        ]
+    )
+    found = _frame(Gf.Vec3f(0.0), quatf(turn))[:3, :3]
+    assert found == pytest.approx(turn, abs=1e-6)
