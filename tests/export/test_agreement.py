@@ -135,7 +135,7 @@ def test_pinocchio_sees_the_asset_weigh_what_it_weighs(asset: Asset, directory: 
             [positions[name]] if length == 1 else [np.cos(positions[name]), np.sin(positions[name])]
         )
     center = pinocchio.centerOfMass(pin, data, q)
-    moved = {name: transform for name, transform in asset.pose().items()}
+    moved = dict(asset.pose().items())
     mass = sum(link.mass_properties.mass for link in asset.links)
     expected = (
         sum(

@@ -103,7 +103,7 @@ def test_directory_that_is_no_export_cannot_be_read(tmp_path: Path) -> None:
 
 
 def test_unknown_format_names_the_nearest(cabinet: Asset, tmp_path: Path) -> None:
-    with pytest.raises(ExportError, match="there is no format 'mjfc'. Did you mean 'mjcf'?"):
+    with pytest.raises(ExportError, match=r"there is no format 'mjfc'\. Did you mean 'mjcf'\?"):
         export(cabinet, tmp_path / "cabinet", formats=("urdf", "mjfc"))
     assert not (tmp_path / "cabinet").exists()
 
@@ -237,8 +237,9 @@ from artgen.colliders import Exact, Convex
 from artgen.export import export
 from artgen.materials import material
 corners = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], float)
-shape = Shape.from_mesh(corners, corners, corners[:, :2], np.array([[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]),
-                        Exact((Convex("hull", np.eye(4), (), corners),)))
+faces = np.array([[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+pieces = Exact((Convex("hull", np.eye(4), (), corners),))
+shape = Shape.from_mesh(corners, corners, corners[:, :2], faces, pieces)
 asset = Asset.from_tree(Tree(Link("a", "a", (Piece("a", material("oak"), shape),))), "a", "a")
 write, left = Path.write_bytes, [2]
 def dying(self, content):
@@ -250,7 +251,8 @@ Path.write_bytes = dying
 export(asset, sys.argv[1], formats=("mjcf",))
 """
     target = tmp_path / "it"
-    result = subprocess.run([sys.executable, "-c", script, str(target)], env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)}, check=False)  # fmt: skip  # noqa: E501
+    path = {**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)}
+    result = subprocess.run([sys.executable, "-c", script, str(target)], env=path, check=False)
     assert result.returncode == 9
     assert not target.exists()
     shutil.rmtree(tmp_path / ".it.partial")
@@ -265,8 +267,8 @@ def test_export_is_deterministic(tmp_path: Path, make_asset: Callable[[str], Ass
 def test_export_is_light_to_import() -> None:
     code = (
         "import sys, artgen.export; "
-        "heavy = {'pxr', 'mujoco', 'yourdfpy', 'trimesh', 'lxml', 'scipy', 'fcl', 'coacd'} & set(sys.modules); "
-        "sys.exit(', '.join(sorted(heavy)))"
+        "heavy = {'pxr', 'mujoco', 'yourdfpy', 'trimesh', 'lxml', 'scipy', 'fcl', 'coacd'}; "
+        "sys.exit(', '.join(sorted(heavy & set(sys.modules))) or 0)"
     )
     path = {**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)}
     subprocess.run([sys.executable, "-c", code], env=path, check=True)

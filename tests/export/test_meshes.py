@@ -28,7 +28,8 @@ def test_positions_are_written_to_a_tenth_of_a_micrometre(points: list[tuple[flo
     text = surface_text(mesh, np.array([1.0, 2.0, 3.0]), "x.mtl", "oak")
     np.testing.assert_allclose(words(text, "v"), vertices - [1.0, 2.0, 3.0], atol=0.51e-7)
     np.testing.assert_allclose(words(text, "vt"), vertices[:, :2], atol=0.51e-6)
-    assert b"-0\n" not in text and b"-0 " not in text
+    assert b"-0\n" not in text
+    assert b"-0 " not in text
     assert b"e" not in b"".join(line for line in text.splitlines() if line.startswith(b"v"))
 
 
@@ -71,7 +72,8 @@ def test_hulls_are_closed_convex_and_wound_outward() -> None:
     points = np.random.default_rng(5).normal(size=(40, 3))
     text = hull_text(Convex("hull", np.eye(4), (), points), np.array([0.5, 0.0, 0.0]))
     mesh = trimesh.load(trimesh.util.wrap_as_stream(text.decode()), file_type="obj")
-    assert mesh.is_watertight and mesh.is_convex
+    assert mesh.is_watertight
+    assert mesh.is_convex
     assert mesh.volume == pytest.approx(trimesh.convex.convex_hull(points).volume, rel=1e-9)
     np.testing.assert_allclose(mesh.bounds.max(axis=0), points.max(axis=0) - [0.5, 0, 0], atol=1e-9)
 

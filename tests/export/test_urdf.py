@@ -63,7 +63,8 @@ def test_capsule_ends_lie_where_the_capsule_has_them(root: ET.Element) -> None:
 def test_unlimited_is_continuous_and_locked_is_fixed(root: ET.Element) -> None:
     assert joint(root, "dial_turn").get("type") == "continuous"
     limit = joint(root, "dial_turn").find("limit")
-    assert limit is not None and limit.get("lower") is None
+    assert limit is not None
+    assert limit.get("lower") is None
     assert joint(root, "foot_lock").get("type") == "fixed"
 
 
@@ -127,7 +128,8 @@ def test_unlimited_slide_gets_far_limits_and_a_loss(nested: Asset) -> None:
     joints = tuple(endless if each.name == "reach" else each for each in nested.joints)
     written = write_urdf(replace(nested, joints=joints))
     limit = joint(ET.fromstring(written.files["arm_1.urdf"]), "reach").find("limit")
-    assert limit is not None and (limit.get("lower"), limit.get("upper")) == ("-1000", "1000")
+    assert limit is not None
+    assert (limit.get("lower"), limit.get("upper")) == ("-1000", "1000")
     assert [loss.where for loss in written.losses if loss.feature == "unlimited slide"] == ["reach"]
 
 

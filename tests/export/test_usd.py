@@ -14,17 +14,17 @@ from numpy.typing import NDArray
 from pxr import Gf, Usd, UsdGeom, UsdPhysics, UsdSemantics, UsdShade, UsdValidation
 
 from artgen.asset import Asset, Joint
+from artgen.colliders import Convex
 from artgen.export.frames import chain
 from artgen.export.usd import write_usd
+from artgen.export.usd_joints import _turn_from_x
 from artgen.export.usd_layer import quatf
 
 Array = NDArray[np.float64]
 
 ASSETS = ("cabinet", "free_cabinet", "nested")
 
-anew = settings(
-    max_examples=15, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
-)
+anew = settings(max_examples=15, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 
 
 @pytest.fixture(scope="module")
@@ -141,7 +141,7 @@ def test_bodies_are_placed_as_the_asset_stands(stages, name):
     for link, displacement in asset.pose().items():
         prim = _prim(stage, link)
         assert _placement(prim) == pytest.approx(displacement @ _origin(asset, link), abs=1e-12)
-        assert not UsdGeom.XformCommonAPI(prim) or "xformOp:scale" not in _value(prim, "xformOpOrder")
+        assert list(_value(prim, "xformOpOrder")) == ["xformOp:translate", "xformOp:orient"]
     between = [segment.child for segment in chain(asset) if segment.child.link is None]
     for frame in between:
         assert _placement(_prim(stage, frame.name)) == pytest.approx(frame.placement, abs=1e-12)
@@ -228,9 +228,12 @@ def test_springs_and_friction_are_per_degree(stages):
 )
 def test_effort_never_weakens_the_joints_own_spring(tmp_path, cabinet, changes, bounded):
     clean = {"damping": 0.0, "needs": None} | changes
-    joints = tuple(replace(joint, **clean) if joint.name == "lid_hinge" else joint for joint in cabinet.joints)
+    joints = tuple(
+        replace(joint, **clean) if joint.name == "lid_hinge" else joint for joint in cabinet.joints
+    )
     asset = replace(cabinet, joints=joints)
-    drive = UsdPhysics.DriveAPI(_joint(_opened(asset, tmp_path), "lid_hinge"), "angular")
+    stage = _opened(asset, tmp_path)
+    drive = UsdPhysics.DriveAPI(_joint(stage, "lid_hinge"), "angular")
     expected = clean.get("effort", 40.0) if bounded else np.inf
     assert drive.GetMaxForceAttr().Get() == pytest.approx(expected)
     lost = [loss.where for loss in write_usd(asset).losses if loss.feature == "joint effort"]
@@ -242,7 +245,7 @@ def test_coupling_of_a_slide_with_a_rotation_is_in_each_simulators_units(stages)
     prim, coupling = _joint(stage, "bolt_slide"), asset.joint("bolt_slide").follows
     schemas = prim.GetMetadata("apiSchemas").GetAddedOrExplicitItems()
     assert "NewtonMimicAPI" not in schemas  # PhysX and Newton would read it in different units
-    # PhysX: position + gearing * leader + offset = 0 in metres and degrees
+    # PhysX holds 0 for the sum of the slide, the geared turn in degrees and the offset
     degrees = 30.0
     expected = coupling.ratio * np.radians(degrees) + coupling.offset
     gearing, offset = (_value(prim, f"physxMimicJoint:rotX:{name}") for name in ("gearing", "offset"))
@@ -251,7 +254,7 @@ def test_coupling_of_a_slide_with_a_rotation_is_in_each_simulators_units(stages)
     assert _value(prim, "mjc:coef0") == coupling.offset
     for name in ("physxMimicJoint:rotX:referenceJoint", "mjc:target"):
         assert prim.GetRelationship(name).GetTargets() == [_joint(stage, "lever_turn").GetPath()]
-    assert not UsdPhysics.DriveAPI.Get(stage, prim.GetPath().AppendProperty("drive:linear")).GetTypeAttr()
+    assert not prim.HasAPI(UsdPhysics.DriveAPI)
 
 
 def test_coupling_of_two_rotations_reads_the_same_in_both_schemas(stages):
@@ -285,37 +288,34 @@ def test_base_is_fixed_or_free(stages, name, fixed):
         assert UsdPhysics.Joint(joint).GetBody0Rel().GetTargets() == []
 
 
+def _assert_same_convex(prim: Usd.Prim, convex: Convex, origin: Array) -> None:
+    if convex.kind == "hull":
+        points = np.array(_value(prim, "points")) + origin
+        assert sorted(map(tuple, points.round(6))) == sorted(map(tuple, convex.points.round(6)))
+        assert _value(prim, "physics:approximation") == "convexHull"
+        return
+    pose = np.linalg.inv(_placement(prim.GetParent())) @ _placement(prim)
+    pose[:3, 3] += origin
+    scale = np.linalg.norm(pose[:3, :3], axis=0)
+    pose[:3, :3] /= scale
+    assert pose == pytest.approx(convex.pose, abs=1e-9)
+    assert scale == pytest.approx(convex.size if convex.kind == "box" else (1.0, 1.0, 1.0))
+    fields = {"box": (), "sphere": ("radius",)}.get(convex.kind, ("radius", "height"))
+    assert tuple(_value(prim, field) for field in fields) == (convex.size if fields else ())
+    assert prim.GetTypeName() == {"box": "Cube"}.get(convex.kind, convex.kind.capitalize())
+
+
 @pytest.mark.parametrize("name", ASSETS)
 def test_colliders_are_the_links(stages, name):
     asset, stage = stages[name]
     for link in asset.links:
-        prims = [prim for prim in _prim(stage, f"{link.name}/collisions").GetChildren()]
-        prims.sort(key=lambda prim: int(prim.GetName().split("_")[-1]))
+        prims = _prim(stage, f"{link.name}/collisions").GetChildren()
+        prims = sorted(prims, key=lambda prim: int(prim.GetName().split("_")[-1]))
         assert len(prims) == len(link.colliders)
         for prim, collider in zip(prims, link.colliders, strict=True):
-            convex = collider.convex
-            kinds = {"hull": "Mesh", "box": "Cube"}
-            assert prim.GetTypeName() == kinds.get(convex.kind, convex.kind.capitalize())
-            to_link = np.linalg.inv(_placement(prim.GetParent())) @ _placement(prim)
-            to_asset = _origin(asset, link.name) @ to_link
-            corners = np.array(UsdGeom.Boundable(prim).GetExtentAttr().Get())
-            assert corners == pytest.approx(
-                np.array(UsdGeom.Boundable.ComputeExtentFromPlugins(UsdGeom.Boundable(prim), 0.0)), abs=1e-6
-            )
-            if convex.kind == "hull":
-                points = np.array(prim.GetAttribute("points").Get()) + asset.origin(link.name)
-                assert sorted(map(tuple, points.round(6))) == sorted(map(tuple, convex.points.round(6)))
-                assert UsdPhysics.MeshCollisionAPI(prim).GetApproximationAttr().Get() == "convexHull"
-            else:
-                unscaled = to_asset.copy()
-                scale = np.linalg.norm(unscaled[:3, :3], axis=0)
-                unscaled[:3, :3] /= scale
-                assert unscaled == pytest.approx(convex.pose, abs=1e-9)
-                assert scale == pytest.approx(convex.size if convex.kind == "box" else (1.0, 1.0, 1.0))
-                names = {"cylinder": ("radius", "height"), "capsule": ("radius", "height")}
-                for field, size in zip(names.get(convex.kind, ("radius",)), convex.size, strict=False):
-                    if convex.kind != "box":
-                        assert _value(prim, field) == size
+            _assert_same_convex(prim, collider.convex, asset.origin(link.name))
+            extent = UsdGeom.Boundable.ComputeExtentFromPlugins(UsdGeom.Boundable(prim), 0.0)
+            assert np.array(_value(prim, "extent")) == pytest.approx(np.array(extent), abs=1e-6)
             assert prim.HasAPI(UsdPhysics.CollisionAPI)
             assert UsdGeom.Imageable(prim).ComputePurpose() == "guide"
             bound, _ = UsdShade.MaterialBindingAPI(prim).ComputeBoundMaterial("physics")
@@ -328,7 +328,7 @@ def test_hull_colliders_are_closed_and_outward(stages):
     mesh = UsdGeom.Mesh(_prim(stage, "lid/collisions/hull_0"))
     points = np.array(mesh.GetPointsAttr().Get(), float)
     triangles = np.array(mesh.GetFaceVertexIndicesAttr().Get()).reshape(-1, 3)
-    edges = {(int(a), int(b)) for corners in triangles for a, b in zip(corners, np.roll(corners, -1))}  # noqa: B905
+    edges = {tuple(edge) for turn in ([0, 1], [1, 2], [2, 0]) for edge in triangles[:, turn].tolist()}
     assert {(b, a) for a, b in edges} == edges
     a, b, c = (points[triangles[:, corner]] for corner in range(3))
     volume = np.einsum("ij,ij->", a, np.cross(b, c)) / 6.0
@@ -503,3 +503,18 @@ def test_quaternions_turn_as_their_matrices(values):
     )
     found = _frame(Gf.Vec3f(0.0), quatf(turn))[:3, :3]
     assert found == pytest.approx(turn, abs=1e-6)
+
+
+@given(
+    st.tuples(st.floats(-1.0, 1.0), st.floats(-1.0, 1.0), st.floats(-1.0, 1.0)).filter(
+        lambda axis: np.linalg.norm(axis) > 0.1
+    ),
+    st.sampled_from([1.0, 1e-4, 1e-6, 1e-9, 1e-17, 0.0]),
+)
+def test_joint_frames_turn_x_to_any_axis(values, flatness):
+    axis = np.array(values) * [1.0, flatness, flatness]
+    axis = axis / np.linalg.norm(axis) if np.linalg.norm(axis) > 0.0 else np.array([-1.0, 0.0, 0.0])
+    turn = _turn_from_x(axis)
+    assert turn[:, 0] == pytest.approx(axis, abs=1e-14)
+    assert turn @ turn.T == pytest.approx(np.eye(3), abs=1e-14)
+    assert np.linalg.det(turn) == pytest.approx(1.0)

@@ -107,7 +107,8 @@ def inscribed_points(points: Array, tolerance: float) -> Array:
         if outside[worst] <= max(tolerance, SLIVER):
             break
         chosen.append(worst)
-    return points[np.sort(chosen)]
+    thin: Array = points[np.sort(chosen)]
+    return thin
 
 
 def _off_plane(points: Array, chosen: list[int]) -> list[int]:

@@ -46,7 +46,7 @@ def budgeted_together(
     """
     if most_pieces < 1 or most_vertices < 8:
         raise ValueError(
-            f"a budget needs at least 1 piece and 8 vertices, got {most_pieces} pieces of {most_vertices} vertices"
+            f"a budget needs at least 1 piece and 8 vertices, got {most_pieces} and {most_vertices}"
         )
     covers: list[tuple[Convex, ...]] = []
     fewest = None
@@ -61,7 +61,7 @@ def budgeted_together(
     count = sum(map(len, merged))
     if count > most_pieces:
         raise ValueError(
-            f"the solid needs {fewest} convex pieces, {count} after joining those that leave its cavities open; "
+            f"the solid needs {fewest} convex pieces, {count} after joining those that seal no cavity; "
             f"at most {most_pieces} are allowed: cut fewer or simpler holes, or make it of several parts"
         )
     return [tuple(group) for group in merged]

@@ -123,7 +123,7 @@ class Convex:
         return Polytope.hull(ball).transformed(self.pose)
 
     def outer_points(self, tolerance: float = TOLERANCE) -> Array:
-        """Return vertices of a polytope that contains the piece, exceeding it by the tolerance [m] at most."""
+        """Return vertices of a polytope around the piece, exceeding it by the tolerance [m] at most."""
         return self.outer_polytope(tolerance).points
 
     def inner_points(self, tolerance: float = TOLERANCE) -> Array:

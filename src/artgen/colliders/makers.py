@@ -25,7 +25,7 @@ def hull_pieces(points: Array) -> Pieces:
     solid = Convex.hull(points)
     if solid.kind == "box" or len(solid.points) <= 16:
         return Exact([solid])
-    return Bounded(lambda tolerance: (solid,), lambda tolerance: _thinned_hull(solid, tolerance))
+    return Bounded(lambda _: (solid,), lambda tolerance: _thinned_hull(solid, tolerance))
 
 
 def round_pieces(primitive: Convex, points: Array) -> Pieces:
@@ -34,7 +34,7 @@ def round_pieces(primitive: Convex, points: Array) -> Pieces:
     The primitive is what contains the mesh; what the mesh contains is the hull of some of its vertices.
     """
     solid = Convex.hull(points)
-    return Bounded(lambda tolerance: (primitive,), lambda tolerance: _thinned_hull(solid, tolerance))
+    return Bounded(lambda _: (primitive,), lambda tolerance: _thinned_hull(solid, tolerance))
 
 
 def _thinned_hull(solid: Convex, tolerance: float) -> Cover:
@@ -64,7 +64,7 @@ def cylinder_pieces(radius: float, length: float, pose: Array = _IDENTITY, mesh_
         prism = Polytope.prism(polygon, -length / 2.0, length / 2.0)
         return (Convex.of(prism.transformed(cylinder.pose)),)
 
-    return Bounded(lambda tolerance: (cylinder,), inner)
+    return Bounded(lambda _: (cylinder,), inner)
 
 
 def _mesh_step(radius: float, mesh_sides: int, tolerance: float) -> int:
@@ -104,10 +104,8 @@ def prism_pieces(
         polygons = known
         if polygons is None:
             polygons = decompose_polygon(contours, tolerance, inner=inner)
-        elif inner:
-            polygons = [
-                loop for part in known or [] for loop in decompose_polygon([part], tolerance, inner=True)
-            ]
+        elif inner and len(polygons) == 1:  # of several, thinned ones would part at common sides
+            polygons = decompose_polygon(polygons, tolerance, inner=True)
         prisms = (Polytope.prism(polygon, bottom, top) for polygon in polygons)
         return tuple(
             Convex.of((prism if inner else _fewer_sides(prism, tolerance)).transformed(pose))
@@ -150,13 +148,11 @@ def chain_pieces(rings: Sequence[Array], *, closed: bool = False) -> Pieces:
         raise ValueError("a chain needs finite rings, got NaN or infinity")
 
     def outer(tolerance: float) -> Cover:
-        return tuple(
-            Convex.hull(stack[a : b + 1].reshape(-1, 3)) for a, b in _straight_runs(stack, tolerance)
-        )
+        runs = _straight_runs(stack, tolerance)
+        return tuple(Convex.hull(stack[start : end + 1].reshape(-1, 3)) for start, end in runs)
 
-    def inner(tolerance: float) -> Cover:
-        del tolerance
-        links = (_inner_link(stack[a], stack[b]) for a, b in _straight_runs(stack, _STRAIGHT))
+    def inner(_: float) -> Cover:
+        links = (_inner_link(stack[start], stack[end]) for start, end in _straight_runs(stack, _STRAIGHT))
         return tuple(Convex.of(link) for link in links if link is not None)
 
     return Bounded(outer, inner)
@@ -188,8 +184,8 @@ def _is_straight(rings: Array, tolerance: float) -> bool:
 def _inner_link(first: Array, last: Array) -> Polytope | None:
     """Return a polytope within the mesh between two rings.
 
-    Where the sides of the mesh are not flat their diagonals may dip below the hull: it is drawn in by the dip,
-    but not at its ends, so that a row of links has no walls in between.
+    Where the sides of the mesh are not flat their diagonals may dip below the hull: it is drawn in by the
+    dip, but not at its ends, so that a row of links has no walls in between.
     """
     hull = Polytope.hull(np.concatenate((first, last)))
     near, far = np.roll(first, -1, axis=0), np.roll(last, -1, axis=0)
@@ -199,8 +195,8 @@ def _inner_link(first: Array, last: Array) -> Polytope | None:
     if dip <= _STRAIGHT:
         return hull
     planes = hull.planes.copy()
-    ends = [
-        (np.abs(planes[:, :3] @ ring.T - planes[:, 3:]).max(axis=1) <= _STRAIGHT) for ring in (first, last)
-    ]
-    planes[~(ends[0] | ends[1]), 3] -= dip
+    is_end = np.zeros(len(planes), dtype=bool)
+    for ring in (first, last):
+        is_end |= np.abs(planes[:, :3] @ ring.T - planes[:, 3:]).max(axis=1) <= _STRAIGHT
+    planes[~is_end, 3] -= dip
     return hull.clipped(planes)

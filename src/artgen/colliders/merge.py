@@ -4,6 +4,7 @@ import heapq
 from collections.abc import Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 
 from artgen.colliders.approximate import enclosing
 from artgen.colliders.convex import Array, Convex
@@ -47,8 +48,9 @@ def _outermost(pieces: Sequence[Convex]) -> list[Convex]:
     if len(pieces) < 2:
         return list(pieces)
     boxes = np.array([piece.bounds() for piece in pieces])
-    within = (boxes[:, None, 0] >= boxes[None, :, 0] - _SAME).all(axis=2)
-    within &= (boxes[:, None, 1] <= boxes[None, :, 1] + _SAME).all(axis=2)
+    above = (boxes[:, None, 0] >= boxes[None, :, 0] - _SAME).all(axis=2)
+    below = (boxes[:, None, 1] <= boxes[None, :, 1] + _SAME).all(axis=2)
+    within: NDArray[np.bool_] = np.logical_and(above, below)
     np.fill_diagonal(within, False)
     dropped: set[int] = set()
     for small, large in np.argwhere(within).tolist():
@@ -142,12 +144,9 @@ class _Condenser:
     def _add(self, group: int, piece: Convex) -> None:
         """Add a piece, and its pairs with its neighbours to the queue."""
         number, self._next = self._next, self._next + 1
-        lower, upper = piece.bounds()
+        box = piece.bounds()
         for other, (its_group, neighbour) in self._alive.items():
-            bounds = neighbour.bounds()
-            if its_group != group or (bounds[0] > upper + self._margin).any():
-                continue
-            if (bounds[1] < lower - self._margin).any():
+            if its_group != group or not _overlap(neighbour.bounds(), box, self._margin):
                 continue
             hull = _hull(piece.faces, neighbour.faces, self._most_vertices)
             if hull is not None:
@@ -158,11 +157,8 @@ class _Condenser:
     def _covered(self, group: int, hull: Polytope) -> bool:
         """Tell whether a hull is within the margin of the group's solid."""
         left = [Facetted(hull)]
-        lower, upper = hull.bounds
         for index, shape in enumerate(self._solid[group]):
-            if (shape.bounds[0] > upper + self._margin).any() or (
-                shape.bounds[1] < lower - self._margin
-            ).any():
+            if not _overlap(shape.bounds, hull.bounds, self._margin):
                 continue
             key = (group, index)
             if key not in self._inflated:
@@ -171,6 +167,11 @@ class _Condenser:
             if not left:
                 return True
         return False
+
+
+def _overlap(first: Array, second: Array, margin: float) -> bool:
+    """Tell whether two bounding boxes come as near as the margin [m]."""
+    return bool((first[0] <= second[1] + margin).all() and (second[0] <= first[1] + margin).all())
 
 
 def few_vertices(piece: Convex, most_vertices: int, tolerance: float, *, halvings: int = 2) -> list[Convex]:

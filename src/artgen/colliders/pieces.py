@@ -55,7 +55,7 @@ class Pieces(ABC):
         matrix = np.asarray(matrix, np.float64)
         if matrix.shape != (4, 4) or not np.isfinite(matrix).all():
             raise ValueError(f"a transform must be a finite matrix of shape (4, 4), got {matrix.tolist()}")
-        return Transformed(self, matrix)
+        return _Transformed(self, matrix)
 
     @abstractmethod
     def _outer(self, tolerance: float) -> Cover:
@@ -116,18 +116,18 @@ class Bounded(Pieces):
         return tuple(self._compute_inner(tolerance))
 
 
-class Transformed(Pieces):
-    """The pieces of a solid that was moved by an affine matrix."""
-
+class _Transformed(Pieces):
     def __init__(self, base: Pieces, matrix: Array) -> None:
         super().__init__()
-        self._base, self._matrix = (
-            (base._base, matrix @ base._matrix) if isinstance(base, Transformed) else (base, matrix)
-        )
-        scale = float(np.linalg.norm(self._matrix[:3, :3], 2))
+        self._base = base
+        self._matrix = matrix
+        scale = float(np.linalg.norm(matrix[:3, :3], 2))
         if not scale > 0.0:
             raise ValueError(f"pieces cannot be moved by a matrix that flattens them: {matrix.tolist()}")
         self._scale = 1.0 if abs(scale - 1.0) <= _RIGID else scale
+
+    def transformed(self, matrix: Array) -> Pieces:
+        return self._base.transformed(matrix @ self._matrix)
 
     def _outer(self, tolerance: float) -> Cover:
         fine = tolerance / self._scale

@@ -4,6 +4,7 @@ from collections.abc import Sequence
 
 import numpy as np
 from manifold3d import CrossSection, FillRule, triangulate
+from numpy.typing import NDArray
 
 from artgen.colliders.polytope import SNAP, Array
 
@@ -39,11 +40,9 @@ def decompose_polygon(contours: Sequence[Array], tolerance: float, *, inner: boo
         border, hole = sorted(thinned, key=signed_area, reverse=True)
         if is_convex(border) and is_convex(hole[::-1]) and _inside(border, hole):
             return _ring_sectors(border, hole[::-1])
-    if not inner:
-        thinned = [
-            np.asarray(loop, np.float64) for loop in CrossSection(thinned, FillRule.Positive).to_polygons()
-        ]
-    return _merged_triangles(thinned)
+    # Chords may have run into another contour; the fill rule puts that right.
+    region = CrossSection(thinned, FillRule.Positive).to_polygons()
+    return _merged_triangles([np.asarray(loop, np.float64) for loop in region]) if region else []
 
 
 def signed_area(contour: Array) -> float:
@@ -55,7 +54,8 @@ def signed_area(contour: Array) -> float:
 def is_convex(contour: Array) -> bool:
     """Tell whether a contour, shape (n, 2), is counter-clockwise and convex."""
     sides = np.roll(contour, -1, axis=0) - contour
-    if (_turns(contour) < -_FLAT * np.sum(sides * sides, axis=1).max()).any():
+    length = np.hypot(sides[:, 0], sides[:, 1])
+    if (_turns(contour) < -_FLAT * length * np.roll(length, 1)).any():
         return False
     angle = np.arctan2(sides[:, 1], sides[:, 0])
     turn = np.mod(np.diff(angle, append=angle[:1]) + np.pi, 2.0 * np.pi) - np.pi
@@ -117,7 +117,7 @@ def _thinned(contour: Array, tolerance: float, sign: float) -> Array:
         return contour
     count = len(contour)
     start = 0 if turning.all() else int(np.argmin(turning))
-    order = (np.arange(count + 1) + start) % count
+    order = ((np.arange(count + 1) + start) % count).astype(np.int64)
     if turning.all():
         even = _even_steps(contour, order, tolerance)
         if even is not None:
@@ -133,7 +133,7 @@ def _thinned(contour: Array, tolerance: float, sign: float) -> Array:
     return thin if len(thin) >= _LEAST_SIDES or len(thin) == count else contour
 
 
-def _even_steps(contour: Array, order: Array, tolerance: float) -> Array | None:
+def _even_steps(contour: Array, order: NDArray[np.int64], tolerance: float) -> Array | None:
     """Return a contour that turns one way only with every so many vertices, if that can be done evenly."""
     count = len(contour)
     step = 1
@@ -143,7 +143,8 @@ def _even_steps(contour: Array, order: Array, tolerance: float) -> Array | None:
     corners = np.rint(np.arange(sides + 1) * (count / sides)).astype(np.int64)
     chords = zip(corners[:-1].tolist(), corners[1:].tolist(), strict=True)
     if all(_near_chord(contour[order[here : end + 1]], tolerance) for here, end in chords):
-        return contour[order[corners[:-1]]]
+        thin: Array = contour[order[corners[:-1]]]
+        return thin
     return None
 
 
@@ -195,7 +196,7 @@ def _clipped(polygon: Array, point: Array, direction: Array, *, right: bool) -> 
 
 
 def _merged_triangles(contours: Sequence[Array]) -> list[Array]:
-    """Triangulate a region and join the triangles across diagonals, the longest first, while they are convex."""
+    """Triangulate a region and join the triangles across diagonals, longest first, while convex."""
     points = np.concatenate(contours)
     triangles = np.asarray(triangulate(list(contours))).astype(np.int64)
     parts: dict[int, list[int]] = dict(enumerate(triangles.tolist()))

@@ -199,13 +199,12 @@ class Polytope:
 
     def clipped(self, planes: Array) -> "Polytope | None":
         """Return the part behind all planes, shape (k, 4), or None where nothing thicker than a sliver is."""
-        part: Polytope | None = self
+        part = self
         for plane in planes[(self.heights(planes) > SNAP).any(axis=1)]:
-            assert part is not None
-            part = part.split(plane)[0]
-            if part is None:
+            inside = part.split(plane)[0]
+            if inside is None:
                 return None
-        assert part is not None
+            part = inside
         return part if part is self or part.width >= SLIVER else None
 
     def inflated(self, margin: float) -> "Polytope":
@@ -220,9 +219,8 @@ class Polytope:
         planes = np.concatenate((self.planes, np.column_stack((mean, reach))))
         planes[:, 3] += margin
         lower, upper = self.bounds
-        grown = Polytope.box(lower - margin, upper + margin).clipped(planes)
-        assert grown is not None
-        return grown
+        around = Polytope.box(lower - margin, upper + margin)
+        return around.clipped(planes) or around
 
     def contains(self, points: Array, margin: float = 0.0) -> bool:
         """Tell whether all points, shape (n, 3), are inside or at most `margin` [m] outside the faces."""

@@ -1,6 +1,7 @@
 """Convex pieces of turned solids."""
 
 from collections.abc import Sequence
+from itertools import pairwise
 
 import numpy as np
 
@@ -29,7 +30,8 @@ def revolve_pieces(
     The mesh has its vertices at `r (cos a, sin a)` for `mesh_segments` equal steps of a from `start`.
 
     Args:
-        contours: Profile in (r, z), r >= 0: outer borders counter-clockwise, holes clockwise, shape (n, 2) [m].
+        contours: Profile in (r, z), r >= 0: outer borders counter-clockwise, holes clockwise, each
+            shape (n, 2) [m].
         start: Angle at which the mesh begins [rad].
         angle: Angle that it spans, 0 to 2 pi [rad].
         mesh_segments: Facets of the mesh around the axis.
@@ -46,7 +48,8 @@ def revolve_pieces(
         raise ValueError(f"a turned profile must not cross the axis, it reaches r = {least} m")
     if not 0.0 < angle <= 2.0 * np.pi + 1e-9 or mesh_segments < 3:
         raise ValueError(
-            f"a turn needs an angle within 0 and 2 pi and at least 3 segments, got {angle} rad, {mesh_segments}"
+            f"a turn needs an angle within 0 and 2 pi and at least 3 segments, "
+            f"got {angle} rad and {mesh_segments} segments"
         )
     lathe = _Lathe(loops, start, min(angle, 2.0 * np.pi), mesh_segments, pose)
     return Bounded(lathe.outer, lathe.inner)
@@ -60,16 +63,13 @@ class _Lathe:
         self._full = angle >= 2.0 * np.pi - 1e-9
         self._angle = angle
         self._segments = segments
-        self._angles = start + np.arange(segments + 1) * (angle / segments)
+        self._angles: Array = np.linspace(start, start + angle, segments + 1)
         self._pose = np.asarray(pose, np.float64)
 
     def outer(self, tolerance: float) -> Cover:
         """Return pieces that contain the mesh."""
-        return tuple(
-            piece
-            for part in _profile_parts(self._slabs, tolerance)
-            for piece in self._turned(part, tolerance)
-        )
+        parts = _profile_parts(self._slabs, tolerance)
+        return tuple(piece for part in parts for piece in self._turned(part, tolerance))
 
     def inner(self, tolerance: float) -> Cover:
         """Return pieces that the mesh contains."""
@@ -97,10 +97,7 @@ class _Lathe:
         step = self._step(bore, tolerance)
         count = -(-self._segments // step)
         ends = np.rint(np.arange(count + 1) * (self._segments / count)).astype(np.int64).tolist()
-        return [
-            self._hull(part, self._angles[here : there + 1])
-            for here, there in zip(ends[:-1], ends[1:], strict=True)
-        ]
+        return [self._hull(part, self._angles[here : there + 1]) for here, there in pairwise(ends)]
 
     def _step(self, radius: float, tolerance: float) -> int:
         """Return how many facets a chord at a radius may replace."""
@@ -123,9 +120,8 @@ class _Lathe:
         """Return a part as a cylinder if it is one."""
         radius = float(part[:, 0].max())
         bottom, top = float(part[:, 1].min()), float(part[:, 1].max())
-        if len(part) != 4 or abs(signed_area(part) - radius * (top - bottom)) > 1e-9 * radius * (
-            top - bottom
-        ):
+        area = radius * (top - bottom)
+        if len(part) != 4 or abs(signed_area(part) - area) > 1e-9 * area:
             return None
         pose = self._pose.copy()
         pose[:3, 3] += pose[:3, 2] * (bottom + top) / 2.0
@@ -156,7 +152,7 @@ def _slabs(loops: Sequence[Array]) -> list[list[Slab]]:
         if not levels or level - levels[-1] > SNAP:
             levels.append(level)
     slabs: list[list[Slab]] = []
-    for bottom, top in zip(levels[:-1], levels[1:], strict=True):
+    for bottom, top in pairwise(levels):
         middle = (bottom + top) / 2.0
         crossing: list[tuple[float, float, float]] = []
         for one, two in edges:

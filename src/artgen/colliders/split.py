@@ -109,13 +109,12 @@ def _common(piece: Facetted, other: Facetted) -> Facetted | None:
         return piece
     if other.shape.heights(piece.shape.planes).max() <= SNAP:
         return other
-    rest: Facetted | None = piece
+    rest = piece
     for plane in other.shape.planes[heights.max(axis=1) > SNAP]:
-        assert rest is not None
-        rest = _split(rest, plane)[0]
-        if rest is None:
+        inside = _split(rest, plane)[0]
+        if inside is None:
             return None
-    assert rest is not None
+        rest = inside
     return rest if rest.shape.width >= SLIVER else None
 
 

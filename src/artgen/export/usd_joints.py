@@ -68,7 +68,7 @@ def write_joints(scope: Sdf.PrimSpec, asset: Asset, segments: Sequence[Segment])
         if positions[joint.name] != 0.0:
             _state(prim, joint, positions[joint.name])
         if joint.follows is not None:
-            _couple(prim, joint, joint.follows, _leader(asset, joint))
+            _couple(prim, joint, joint.follows, asset.joint(joint.follows.leader))
 
 
 def joint_losses(asset: Asset, segments: Sequence[Segment]) -> tuple[Loss, ...]:
@@ -135,11 +135,6 @@ def _joint(scope: Sdf.PrimSpec, segment: Segment, bodies: tuple[Sdf.Path, Sdf.Pa
 _TYPE_NAMES = {"revolute": "PhysicsRevoluteJoint", "prismatic": "PhysicsPrismaticJoint"}
 
 
-def _leader(asset: Asset, joint: Joint) -> Joint:
-    assert joint.follows is not None, f"joint {joint.name} follows no other"
-    return asset.joint(joint.follows.leader)
-
-
 def _written_limits(asset: Asset) -> dict[str, tuple[float, float] | None]:
     """Return the limits to write, with wide ones for coupled joints that have none."""
     coupled = {joint.name for joint in asset.joints if joint.follows is not None}
@@ -153,7 +148,7 @@ def _written_limits(asset: Asset) -> dict[str, tuple[float, float] | None]:
 def _wide(asset: Asset, joint: Joint) -> tuple[float, float]:
     if joint.follows is None:
         return -_FAR, _FAR
-    ends = _wide(asset, _leader(asset, joint))
+    ends = _wide(asset, asset.joint(joint.follows.leader))
     low, high = sorted(joint.follows.ratio * end + joint.follows.offset for end in ends)
     return low, high
 
@@ -190,13 +185,13 @@ def _frames(prim: Sdf.PrimSpec, position: Array, turn0: Array, turn1: Array) -> 
 
 
 def _turn_from_x(axis: Array) -> Array:
-    """Return the smallest rotation that takes x to a unit axis, shape (3, 3)."""
-    x, y, z = axis
-    if x < -1.0 + 1e-12:
-        return np.diag([-1.0, -1.0, 1.0])
+    """Return a rotation that takes x to a unit axis, shape (3, 3)."""
+    # the smallest rotation, after half a turn where the axis points backwards: it loses digits near there
+    sign = math.copysign(1.0, axis[0])
+    x, y, z = sign * axis
     cross = np.array([[0.0, -y, -z], [y, 0.0, 0.0], [z, 0.0, 0.0]])
     turn: Array = np.eye(3) + cross + cross @ cross / (1.0 + x)
-    return turn
+    return turn @ np.diag([sign, sign, 1.0])
 
 
 def _drive(prim: Sdf.PrimSpec, joint: Joint) -> None:

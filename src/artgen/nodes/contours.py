@@ -118,14 +118,14 @@ def rounded_polygon(corners: Array, radii: Sequence[float] | Array) -> Contour:
             arriving.append(before[None])
             leaving.append(after[None])
             continue
-        side = math.copysign(1.0, turn)
+        sense = math.copysign(1.0, turn)
         along = np.array([-before[1], before[0]])
-        center = corners[i] - along * reach[i] - side * radii[i] * before
-        start = math.atan2(side * before[1], side * before[0])
+        center = corners[i] - along * reach[i] - sense * radii[i] * before
+        start = math.atan2(sense * before[1], sense * before[0])
         arc, outward = arc_points(center, radii[i], start, turn, arc_steps(radii[i], turn))
         points.append(arc)
-        arriving.append(side * outward)
-        leaving.append(side * outward)
+        arriving.append(sense * outward)
+        leaving.append(sense * outward)
     return without_repeats(Contour(np.concatenate(points), np.concatenate(arriving), np.concatenate(leaving)))
 
 
@@ -206,3 +206,27 @@ def moved_outline(outline: Outline, matrix: Array, offset: Array) -> Outline:
 
     convex = outline.convex and tuple(moved_polygon(polygon) for polygon in outline.convex)
     return Outline(tuple(moved(contour) for contour in outline.contours), convex)
+
+
+def refined(outline: Outline, longest: float) -> Outline:
+    """Return the outline with vertices added on sides longer than `longest` [m], so that they can bend."""
+    return Outline(tuple(_refined(contour, longest) for contour in outline.contours), outline.convex)
+
+
+def _refined(contour: Contour, longest: float) -> Contour:
+    following = np.roll(contour.points, -1, axis=0)
+    parts = np.maximum(np.ceil(np.hypot(*(following - contour.points).T) / longest), 1).astype(np.int64)
+    side = np.repeat(np.arange(len(parts)), parts)
+    step = np.arange(len(side)) - np.repeat(np.cumsum(parts) - parts, parts)
+    share = (step / parts[side])[:, None]
+    points = (1.0 - share) * contour.points[side] + share * following[side]
+    between = (1.0 - share) * contour.normals_out[side] + share * np.roll(contour.normals_in, -1, axis=0)[
+        side
+    ]
+    between /= np.linalg.norm(between, axis=1, keepdims=True)
+    first = (step == 0)[:, None]
+    return Contour(
+        points,
+        np.where(first, contour.normals_in[side], between),
+        np.where(first, contour.normals_out[side], between),
+    )

@@ -1,5 +1,6 @@
 """The convex pieces of the solids that kernels make."""
 
+import functools
 import math
 from collections.abc import Callable, Sequence
 
@@ -9,7 +10,7 @@ from numpy.typing import NDArray
 from artgen import colliders
 from artgen.asset.outline import Contour, Outline
 from artgen.colliders import Bounded, Convex, Pieces
-from artgen.nodes.surfaces import mitres, sides_of
+from artgen.nodes.surfaces import lathe_steps, mitres
 
 Array = NDArray[np.float64]
 
@@ -47,9 +48,7 @@ def _chamfered(size: Array, reach: float, bevel: float) -> Convex:
     return Convex.hull(np.concatenate([signs * face for face in faces]))
 
 
-def around_cylinder(
-    radius: float, length: float, sides: int, matrix: Array, bevel: float = 0.0
-) -> Pieces:
+def around_cylinder(radius: float, length: float, sides: int, matrix: Array, bevel: float = 0.0) -> Pieces:
     """Return the pieces of a cylinder along local z whose mesh has its vertices on the radius.
 
     Args:
@@ -67,9 +66,20 @@ def around_cylinder(
     return Bounded(whole.outer, lambda tolerance: shorter.inner(tolerance) + thinner.inner(tolerance))
 
 
+def lazily(make: Callable[[], Pieces]) -> Pieces:
+    """Return pieces that are made when they are first asked for: many solids only serve to cut others."""
+    made = functools.cache(make)
+    return Bounded(lambda tolerance: made().outer(tolerance), lambda tolerance: made().inner(tolerance))
+
+
 def around_hull(vertices: Array) -> Pieces:
     """Return the pieces of a convex solid with these corners, shape (n, 3) [m]."""
-    return colliders.hull_pieces(vertices)
+    return lazily(lambda: colliders.hull_pieces(vertices))
+
+
+def around_round(primitive: Convex, vertices: Array) -> Pieces:
+    """Return the pieces of a convex mesh whose vertices, shape (n, 3) [m], lie on a round primitive."""
+    return lazily(lambda: colliders.round_pieces(primitive, vertices))
 
 
 def around_lathe(contours: Sequence[Contour], angle: float = math.tau) -> Pieces:
@@ -79,8 +89,9 @@ def around_lathe(contours: Sequence[Contour], angle: float = math.tau) -> Pieces
         contours: Borders and holes in (r, z), as the lathe got them.
         angle: How far they are turned, from x on [rad].
     """
-    widest = max(float(contour.points[:, 0].max()) for contour in contours)
-    return colliders.revolve_pieces([contour.points for contour in contours], angle, sides_of(widest))
+    borders = [contour.points for contour in contours]
+    steps, turn = lathe_steps(contours, angle)
+    return lazily(lambda: colliders.revolve_pieces(borders, 0.0, turn, steps))
 
 
 def around_extrusion(
@@ -99,11 +110,11 @@ def around_extrusion(
     half = length / 2.0
     borders = [contour.points for contour in profile.contours]
     if taper == 0.0 and twist == 0.0:
-        whole = _prisms(profile, borders, -half, half)
+        whole = colliders.prism_pieces(borders, -half, half, convex=profile.convex)
         if bevel == 0.0:
             return whole
         inset = [contour.points - bevel * mitres(contour) for contour in profile.contours]
-        shorter = _prisms(profile, borders, bevel - half, half - bevel)
+        shorter = colliders.prism_pieces(borders, bevel - half, half - bevel, convex=profile.convex)
         thinner = colliders.prism_pieces(inset, -half, half)
         return Bounded(whole.outer, lambda tolerance: shorter.inner(tolerance) + thinner.inner(tolerance))
 
@@ -125,10 +136,6 @@ def around_extrusion(
         return whole
     shorter = around_sweep(profile, rings(bevel - half, half - bevel), closed=False)
     return Bounded(whole.outer, shorter.inner)
-
-
-def _prisms(profile: Outline, borders: list[Array], low: float, high: float) -> Pieces:
-    return colliders.prism_pieces(borders, low, high)
 
 
 def around_sweep(profile: Outline, place: Callable[[Array], list[Array]], closed: bool) -> Pieces:
@@ -158,4 +165,5 @@ def around_sweep(profile: Outline, place: Callable[[Array], list[Array]], closed
 
 def around_chain(rings: Sequence[Array], closed: bool = False) -> Pieces:
     """Return the pieces of convex rings joined one to the next, each shape (k, 3) [m]."""
-    return colliders.chain_pieces(list(rings[:-1] if closed else rings), closed)
+    table = list(rings[:-1] if closed else rings)
+    return lazily(lambda: colliders.chain_pieces(table, closed=closed))

@@ -202,7 +202,9 @@ def _inset(solid: Manifold, distance: float) -> Array:
     sound = size > 1e-6 * longest**2
     normals = across[sound] / size[sound, None]
     reach = np.einsum("ij,ij->i", normals, corners[sound, 0]) - distance
-    centre = _deepest(normals, reach)
+    centre = corners.reshape(-1, 3).mean(axis=0)
+    if (reach - normals @ centre).min() <= 1e-6:
+        centre = _deepest(normals, reach)
     depth = reach - normals @ centre
     if depth.min() <= 1e-6:
         raise ValueError(
@@ -215,12 +217,14 @@ def _inset(solid: Manifold, distance: float) -> Array:
     height = np.einsum("ij,ij->i", poles, faces[:, 0])
     area = np.linalg.norm(poles, axis=1)
     proper = area > 1e-12 * area.max()
-    return np.asarray(centre + poles[proper] / height[proper, None])
+    inside = centre + poles[proper] / height[proper, None]
+    _, first = np.unique(np.rint(inside * 1e6).astype(np.int64), axis=0, return_index=True)
+    return np.ascontiguousarray(inside[np.sort(first)])
 
 
 def _deepest(normals: Array, reach: Array) -> Array:
     """Return a point far from all planes n.x <= d, by steps away from the nearest ones, shape (3,)."""
-    point = np.linalg.lstsq(normals, reach, rcond=None)[0]
+    point: Array = np.asarray(np.linalg.lstsq(normals, reach, rcond=None)[0], np.float64)
     step = float(np.abs(reach - normals @ point).max())
     best, best_depth = point, float((reach - normals @ point).min())
     for _ in range(200):

@@ -10,7 +10,7 @@ from artgen.asset.outline import Contour, Outline
 from artgen.asset.shape import Shape
 from artgen.graph import kernel
 from artgen.nodes import inputs
-from artgen.nodes.contours import is_disjoint, moved_outline
+from artgen.nodes.contours import is_disjoint, moved_outline, refined
 from artgen.nodes.covers import around_extrusion, moved
 from artgen.nodes.handles import Array3, Profile, Scalar, Solid, VectorLike
 from artgen.nodes.surfaces import extrusion, mitres
@@ -35,6 +35,8 @@ def _extrude(
         _check_bevel(profile.contours, bevel)
     stations = max(1, math.ceil(abs(twist) / _TWIST_STEP - 1e-9))
     warp = _warp(length, taper, twist) if taper != 0.0 or twist != 0.0 else None
+    if twist != 0.0:
+        profile = refined(profile, 2.0 * length / stations)
     skin = extrusion(profile.contours, length, bevel=bevel, stations=stations, warp=warp).turned(turn)
     pieces = around_extrusion(profile, length, bevel=bevel, taper=taper, twist=twist, stations=stations)
     return skin.shape(moved(pieces, inputs.pose(turn)))

@@ -90,11 +90,13 @@ def _border(at: int, outline: Outline) -> Contour:
     start = points[rising] + share * side[rising]
     normal = (1.0 - share) * contour.normals_out[rising] + share * parts[1][0]
     normal /= np.linalg.norm(normal)
-    return Contour(*(np.concatenate([[new], part]) for new, part in zip((start, normal, normal), parts, strict=True)))
+    return Contour(
+        *(np.concatenate([[new], part]) for new, part in zip((start, normal, normal), parts, strict=True))
+    )
 
 
 def _shares(contour: Contour) -> Array:
-    """Return the position of each vertex along the border as a share of its length, then 1, shape (n + 1,)."""
+    """Return the position of each vertex along the border in shares of its length, then 1, shape (n + 1,)."""
     sides = np.roll(contour.points, -1, axis=0) - contour.points
     total = np.concatenate([[0.0], np.cumsum(np.hypot(sides[:, 0], sides[:, 1]))])
     return np.asarray(total / total[-1])
@@ -164,7 +166,11 @@ def _skin(contours: Sequence[Contour], rings: Array) -> Skin:
         flat = contours[row].points
         triangles = triangulated([flat])
         sheets.cap(
-            place[row], rings[row], np.array([0.0, 0.0, sign]), flat, triangles if sign > 0 else triangles[:, ::-1]
+            place[row],
+            rings[row],
+            np.array([0.0, 0.0, sign]),
+            flat,
+            triangles if sign > 0 else triangles[:, ::-1],
         )
     return sheets.skin()
 

@@ -18,7 +18,7 @@ _MOST_SAMPLES = 200
 
 
 def _unit_rows(vectors: Array) -> Array:
-    return vectors / np.maximum(np.linalg.norm(vectors, axis=1, keepdims=True), 1e-300)
+    return np.asarray(vectors / np.maximum(np.linalg.norm(vectors, axis=1, keepdims=True), 1e-300))
 
 
 @kernel
@@ -115,7 +115,10 @@ def _arc(center: Array3, radius: float, start: float, sweep: float, axis: Array3
     steps = max(2, arc_steps(radius, sweep))
     angle = start + sweep * np.arange(steps if closed else steps + 1) / steps
     zero = np.zeros(len(angle))
-    points = inputs.vector("center", center) + radius * np.column_stack([np.cos(angle), np.sin(angle), zero]) @ turn.T
+    points = (
+        inputs.vector("center", center)
+        + radius * np.column_stack([np.cos(angle), np.sin(angle), zero]) @ turn.T
+    )
     sign = math.copysign(1.0, sweep)
     return Curve(points, closed, sign * np.column_stack([-np.sin(angle), np.cos(angle), zero]) @ turn.T)
 
@@ -146,7 +149,9 @@ def _cubic(controls: Array, steps: int, last: bool) -> tuple[Array, Array]:
     """Return samples and tangents of a cubic Bezier segment, shape (4, 3); `last` includes its end."""
     t = (np.arange(steps + 1 if last else steps) / steps)[:, None]
     s = 1.0 - t
-    points = s**3 * controls[0] + 3 * s * s * t * controls[1] + 3 * s * t * t * controls[2] + t**3 * controls[3]
+    points = (
+        s**3 * controls[0] + 3 * s * s * t * controls[1] + 3 * s * t * t * controls[2] + t**3 * controls[3]
+    )
     speed = (
         s * s * (controls[1] - controls[0])
         + 2.0 * s * t * (controls[2] - controls[1])
@@ -252,9 +257,7 @@ def _helix(radius: float, pitch: float, turns: float, axis: Array3) -> Curve:
     return Curve(points @ turn.T, False, _unit_rows(tangents) @ turn.T)
 
 
-def helix(
-    radius: Scalar, pitch: Scalar, turns: Scalar, *, axis: VectorLike = (0.0, 0.0, 1.0)
-) -> Path:
+def helix(radius: Scalar, pitch: Scalar, turns: Scalar, *, axis: VectorLike = (0.0, 0.0, 1.0)) -> Path:
     """Make a right-handed helix centred on the origin.
 
     Args:

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from artgen.asset.outline import Contour
 from artgen.asset.shape import Shape
-from artgen.colliders import Bounded, Convex, Exact, Pieces
+from artgen.colliders import Convex, Exact
 from artgen.graph import kernel
 from artgen.nodes import inputs
 from artgen.nodes.contours import arc_points, circle_contour, faceted, rounded_polygon
@@ -15,6 +15,7 @@ from artgen.nodes.covers import (
     around_cylinder,
     around_hull,
     around_lathe,
+    around_round,
     around_rounded_box,
     moved,
 )
@@ -28,7 +29,9 @@ UP = (0.0, 0.0, 1.0)
 
 @kernel
 def _box(x: float, y: float, z: float, bevel: float) -> Shape:
-    size = np.array([inputs.positive("size x", x), inputs.positive("size y", y), inputs.positive("size z", z)])
+    size = np.array(
+        [inputs.positive("size x", x), inputs.positive("size y", y), inputs.positive("size z", z)]
+    )
     inputs.between("bevel", bevel, 0.0, float(size.min()) / 2.0)
     if bevel == 0.0:
         return rounded_box(size, 0.0, 0).shape(Exact((Convex.box(size),)))
@@ -174,13 +177,7 @@ def _onto_axis(points: Array, normals: Array) -> Contour:
 def _sphere(radius: float) -> Shape:
     inputs.positive("radius", radius)
     skin = lathe([_half_ellipse(radius, radius, -0.5 * math.pi)])
-    return skin.shape(_rounded(Convex.sphere(radius), skin.vertices))
-
-
-def _rounded(primitive: Convex, vertices: Array) -> Pieces:
-    """Return the pieces of a convex mesh whose vertices lie on a round primitive."""
-    within = around_hull(vertices)
-    return Bounded(lambda tolerance: (primitive,), within.inner)
+    return skin.shape(around_round(Convex.sphere(radius), skin.vertices))
 
 
 def sphere(radius: Scalar) -> Solid:
@@ -191,7 +188,10 @@ def sphere(radius: Scalar) -> Solid:
 @kernel
 def _ellipsoid(radius_x: float, radius_y: float, radius_z: float) -> Shape:
     radii = np.array(
-        [inputs.positive(f"radius {name}", r) for name, r in (("x", radius_x), ("y", radius_y), ("z", radius_z))]
+        [
+            inputs.positive(f"radius {name}", r)
+            for name, r in (("x", radius_x), ("y", radius_y), ("z", radius_z))
+        ]
     )
     skin = lathe([_half_ellipse(1.0, 1.0, -0.5 * math.pi)], sides=sides_of(float(radii.max())))
     vertices = skin.vertices * radii
@@ -248,7 +248,7 @@ def _capsule(radius: float, length: float, axis: Array3) -> Shape:
     high, high_out = arc_points(np.array([0.0, half]), radius, 0.0, 0.5 * math.pi, steps)
     contour = _onto_axis(np.concatenate([low, high]), np.concatenate([low_out, high_out]))
     skin = lathe([contour]).turned(turn)
-    return skin.shape(_rounded(Convex.capsule(radius, 2.0 * half, inputs.pose(turn)), skin.vertices))
+    return skin.shape(around_round(Convex.capsule(radius, 2.0 * half, inputs.pose(turn)), skin.vertices))
 
 
 def capsule(radius: Scalar, length: Scalar, *, axis: VectorLike = UP) -> Solid:
@@ -317,7 +317,7 @@ def _wedge(x: float, y: float, z: float) -> Shape:
     half = [inputs.positive(f"size {name}", size) / 2.0 for name, size in (("x", x), ("y", y), ("z", z))]
     ramp = faceted(np.array([[-half[1], -half[2]], [half[1], -half[2]], [half[1], half[2]]]))
     skin = extrusion([ramp], x).turned(inputs.frame((1.0, 0.0, 0.0)))
-    return skin.shape(Exact((Convex.hull(skin.vertices),)))
+    return skin.shape(around_hull(skin.vertices))
 
 
 def wedge(x: Scalar, y: Scalar, z: Scalar) -> Solid:

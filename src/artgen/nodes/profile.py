@@ -332,5 +332,5 @@ def _profile_mirror(profile: Outline, x: float, y: float) -> Outline:
 
 
 def profile_mirror(profile: Profile, x: Scalar = 1.0, y: Scalar = 0.0) -> Profile:
-    """Reflect a profile in the line through the origin whose normal is (x, y); also `profile.mirror(x, y)`."""
+    """Reflect a profile in the line through the origin whose normal is (x, y); also `profile.mirror`."""
     return Profile.record(_profile_mirror, profile=profile, x=x, y=y)

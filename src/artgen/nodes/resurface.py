@@ -17,7 +17,7 @@ _HAS_NORMALS = np.array([2], np.uint8)
 
 
 def with_properties(manifold: Manifold, change: Callable[[Array], None]) -> Manifold:
-    """Return the manifold after `change` wrote into its vertex table: x y z, then the channels, shape (n, 9)."""
+    """Return the manifold after `change` wrote into its vertices: x y z and the channels, shape (n, 9)."""
     raw = manifold.to_mesh64()
     table = np.array(raw.vert_properties)
     change(table)

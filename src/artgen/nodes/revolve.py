@@ -32,9 +32,7 @@ def _revolve(profile: Outline, angle: float, axis: Array3) -> Shape:
     return lathe(contours, angle=angle).turned(turn).shape(moved(pieces, inputs.pose(turn)))
 
 
-def revolve(
-    profile: Profile, *, angle: Scalar = math.tau, axis: VectorLike = (0.0, 0.0, 1.0)
-) -> Solid:
+def revolve(profile: Profile, *, angle: Scalar = math.tau, axis: VectorLike = (0.0, 0.0, 1.0)) -> Solid:
     """Turn a profile about an axis through the origin: its x is the radius, its y runs along the axis.
 
     Args:

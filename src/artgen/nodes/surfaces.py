@@ -171,7 +171,7 @@ class Sheets:
         upper = lower + 1 if strips is None else strips[:, 1]
         first = rail.start  # at the seam and at corners the leaving column stands for both
         index = np.arange(rows) if places is None else places
-        place = index[:, None] * columns + first[None, :]
+        place: Indices = index[:, None] * columns + first[None, :]
         if poles is not None:
             place = np.where(poles[None, :], first[None, :], place)
         place += self._count
@@ -187,9 +187,9 @@ class Sheets:
         ]
         if flipped:
             corner = [corner[0], corner[3], corner[2], corner[1]]
-        quads = np.stack(
-            [corner[0], corner[1], corner[2], corner[0], corner[2], corner[3]], axis=-1
-        ).reshape(-1, 3)
+        quads = np.stack([corner[0], corner[1], corner[2], corner[0], corner[2], corner[3]], axis=-1).reshape(
+            -1, 3
+        )
         self._add(vertices, normals, uvs, quads, place[:, rail.vertex].ravel())
         return place
 
@@ -309,7 +309,7 @@ def mitres(contour: Contour) -> Array:
     """Return how far each vertex goes outward when all sides go outward by one metre, shape (n, 2)."""
     both = contour.normals_in + contour.normals_out
     scale = 1.0 + np.einsum("ij,ij->i", contour.normals_in, contour.normals_out)
-    return both / np.maximum(scale, 1e-6)[:, None]
+    return np.asarray(both / np.maximum(scale, 1e-6)[:, None])
 
 
 def lathe(contours: Sequence[Contour], *, angle: float = math.tau, sides: int | None = None) -> Skin:
@@ -320,13 +320,11 @@ def lathe(contours: Sequence[Contour], *, angle: float = math.tau, sides: int | 
         angle: How far to turn [rad]; 2 pi closes the solid.
         sides: Facets of the full circle; from the largest radius by default.
     """
-    full = angle >= math.tau - 1e-9
-    widest = max(float(contour.points[:, 0].max()) for contour in contours)
-    facets = sides or sides_of(widest)
-    steps = facets if full else max(1, math.ceil(facets * angle / math.tau - 1e-9))
-    cosine, sine = _turns(steps, math.tau if full else angle)
+    steps, span = lathe_steps(contours, angle, sides)
+    full = span == math.tau
+    cosine, sine = _turns(steps, span)
     rows = np.arange(steps + 1)
-    turn = rows * ((math.tau if full else angle) / steps)
+    turn = rows * (span / steps)
     seam = np.where(rows == steps, 0, rows) if full else None
     sheets = Sheets()
     places: list[Indices] = []
@@ -355,6 +353,20 @@ def lathe(contours: Sequence[Contour], *, angle: float = math.tau, sides: int | 
             normal = np.array([-sine[at] * sign, cosine[at] * sign, 0.0])
             sheets.cap(ends[row], section[row], normal, flat_points, faces)
     return sheets.skin()
+
+
+def lathe_steps(contours: Sequence[Contour], angle: float, sides: int | None = None) -> tuple[int, float]:
+    """Return in how many steps a lathe turns contours, and how far: exactly 2 pi where it closes.
+
+    Args:
+        contours: Borders and holes in (r, z).
+        angle: How far to turn [rad].
+        sides: Facets of the full circle; from the largest radius by default.
+    """
+    facets = sides or sides_of(max(float(contour.points[:, 0].max()) for contour in contours))
+    if angle >= math.tau - 1e-9:
+        return facets, math.tau
+    return max(1, math.ceil(facets * angle / math.tau - 1e-9)), angle
 
 
 def _level_sides(contour: Contour) -> NDArray[np.bool_]:

@@ -87,7 +87,7 @@ def _turns_between(source: Array, target: Array) -> Array:
     skew = np.zeros((len(source), 3, 3))
     skew[:, 0, 1], skew[:, 0, 2], skew[:, 1, 2] = -axis[:, 2], axis[:, 1], -axis[:, 0]
     skew -= skew.transpose(0, 2, 1)
-    return np.eye(3) + skew + skew @ skew / (1.0 + cosine)[:, None, None]
+    return np.asarray(np.eye(3) + skew + skew @ skew / (1.0 + cosine)[:, None, None])
 
 
 def _transported(tangents: Array, distance: Array, closed: bool) -> Array:
@@ -131,7 +131,7 @@ def _carried(first: Array, tangents: Array) -> list[Row]:
 def _spread(stations: _Stations, plane: Array) -> Array:
     """Return points of the profile's plane at all stations, shape (stations, points, 3)."""
     axes = stations.stretch @ stations.frames[:, :, :2]
-    return stations.points[:, None, :] + np.einsum("sij,pj->spi", axes, plane)
+    return np.asarray(stations.points[:, None, :] + np.einsum("sij,pj->spi", axes, plane))
 
 
 @kernel

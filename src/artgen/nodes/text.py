@@ -117,8 +117,9 @@ def _borders(drawing: Sequence[tuple[str, tuple[Any, ...]]]) -> Iterator[list[Ar
             if arguments[-1] is None:  # a border of control points alone starts between two of them
                 last, first = arguments[-2], arguments[0]
                 at = start = (0.5 * (first[0] + last[0]), 0.5 * (first[1] + last[1]))
-                curves, arguments = [], (*arguments[:-1], start)
-            for control, end in decomposeQuadraticSegment(arguments):
+                curves = []
+            knots = arguments if arguments[-1] is not None else (*arguments[:-1], start)
+            for control, end in decomposeQuadraticSegment(knots):
                 curves.append(np.array([at, control, end], float))
                 at = end
         else:
@@ -149,9 +150,7 @@ def _text(string: str, height: float, align: Literal["left", "center", "right"])
     return moved_outline(outline, np.eye(2) * height, np.array([shift, rise]) * height)
 
 
-def text(
-    string: str, height: Scalar, *, align: Literal["left", "center", "right"] = "center"
-) -> Profile:
+def text(string: str, height: Scalar, *, align: Literal["left", "center", "right"] = "center") -> Profile:
     """Make the outlines of a line of text, set in Roboto Medium.
 
     Args:

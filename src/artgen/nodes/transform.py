@@ -68,7 +68,8 @@ def _scale(solid: Shape, factors: Array3) -> Shape:
     values = inputs.vector("factors", factors)
     if (values <= 0.0).any():
         raise ValueError(
-            f"scale factors must be positive, got ({', '.join(f'{x:g}' for x in values)}); mirror(...) reflects"
+            f"scale factors must be positive, got ({', '.join(f'{x:g}' for x in values)}); "
+            "mirror(...) reflects"
         )
     scaled = moved(solid, np.diag(values), np.zeros(3))
     return scaled if values.max() == values.min() == 1.0 else _with_scaled_uvs(scaled, solid, values)
@@ -112,9 +113,7 @@ def _align(solid: Shape, to: Array3, x: float, y: float, z: float) -> Shape:
     return moved(solid, np.eye(3), inputs.vector("to", to) - anchor_of(solid, x, y, z))
 
 
-def align(
-    solid: Solid, to: VectorLike, *, x: Scalar = 0.0, y: Scalar = 0.0, z: Scalar = 0.0
-) -> Solid:
+def align(solid: Solid, to: VectorLike, *, x: Scalar = 0.0, y: Scalar = 0.0, z: Scalar = 0.0) -> Solid:
     """Move a solid so that an anchor of its bounding box comes to a point; also `solid.align(to, z=-1)`.
 
     Args:

@@ -1,0 +1,190 @@
+"""Procedural CAD of articulated, simulation-ready assets.
+
+    asset = artgen.generate("door", seed=7)
+    asset.export("out/door_7", formats=("urdf", "mjcf", "usd"))
+
+A category is a typed function over the handles (`Float`, `Solid`, `Body`, ...) and the operations below; its
+signature says what varies. Importing the package loads no simulator, no USD and no category.
+"""
+
+from artgen.asset import Asset
+from artgen.catalog import category_names, find_category, generate
+from artgen.errors import (
+    ArtgenError,
+    AssetError,
+    BuildError,
+    CheckError,
+    EvaluationError,
+    ExportError,
+    GraphError,
+    InfeasibleError,
+    ParameterError,
+)
+from artgen.generator import Generator, category, generator, one_of
+from artgen.graph import Cache, Evaluation, Graph
+from artgen.materials import MATERIALS, Material, material
+from artgen.nodes.arrays import array
+from artgen.nodes.body import Frame, detail, frame, part, weld
+from artgen.nodes.choose import require, switch
+from artgen.nodes.csg import hull, intersection, shell, split, union
+from artgen.nodes.extrude import extrude
+from artgen.nodes.handles import Body, Bool, Float, Path, Points, Profile, Solid, Vector
+from artgen.nodes.joint import Condition, Coupling, Dependency, Joint, Prismatic, Revolute
+from artgen.nodes.loft import loft
+from artgen.nodes.path import arc, bezier, helix, line, polyline, spline
+from artgen.nodes.points import along, grid, points, ring_points, row
+from artgen.nodes.primitive import (
+    bore,
+    box,
+    capsule,
+    cylinder,
+    dome,
+    ellipsoid,
+    frustum,
+    sphere,
+    torus,
+    tube,
+    wedge,
+)
+from artgen.nodes.profile import bow, circle, ellipse, polygon, rectangle, regular_polygon, ring, slot
+from artgen.nodes.revolve import revolve
+from artgen.nodes.scalar import (
+    and_,
+    atan2,
+    clamp,
+    cos,
+    floor,
+    lerp,
+    max_,
+    min_,
+    not_,
+    or_,
+    round_,
+    sin,
+    sqrt,
+    tan,
+)
+from artgen.nodes.sweep import sweep
+from artgen.nodes.text import text, text_width
+from artgen.nodes.vector import X, Y, Z, cross, dot, norm, normalize, vector
+from artgen.sampling import Distribution, by, choice, count, loguniform, normal, uniform
+from artgen.version import __version__
+
+__all__ = [
+    "MATERIALS",
+    "ArtgenError",
+    "Asset",
+    "AssetError",
+    "Body",
+    "Bool",
+    "BuildError",
+    "Cache",
+    "CheckError",
+    "Condition",
+    "Coupling",
+    "Dependency",
+    "Distribution",
+    "Evaluation",
+    "EvaluationError",
+    "ExportError",
+    "Float",
+    "Frame",
+    "Generator",
+    "Graph",
+    "GraphError",
+    "InfeasibleError",
+    "Joint",
+    "Material",
+    "ParameterError",
+    "Path",
+    "Points",
+    "Prismatic",
+    "Profile",
+    "Revolute",
+    "Solid",
+    "Vector",
+    "X",
+    "Y",
+    "Z",
+    "__version__",
+    "along",
+    "and_",
+    "arc",
+    "array",
+    "atan2",
+    "bezier",
+    "bore",
+    "bow",
+    "box",
+    "by",
+    "capsule",
+    "category",
+    "category_names",
+    "choice",
+    "circle",
+    "clamp",
+    "cos",
+    "count",
+    "cross",
+    "cylinder",
+    "detail",
+    "dome",
+    "dot",
+    "ellipse",
+    "ellipsoid",
+    "extrude",
+    "find_category",
+    "floor",
+    "frame",
+    "frustum",
+    "generate",
+    "generator",
+    "grid",
+    "helix",
+    "hull",
+    "intersection",
+    "lerp",
+    "line",
+    "loft",
+    "loguniform",
+    "material",
+    "max_",
+    "min_",
+    "norm",
+    "normal",
+    "normalize",
+    "not_",
+    "one_of",
+    "or_",
+    "part",
+    "points",
+    "polygon",
+    "polyline",
+    "rectangle",
+    "regular_polygon",
+    "require",
+    "revolve",
+    "ring",
+    "ring_points",
+    "round_",
+    "row",
+    "shell",
+    "sin",
+    "slot",
+    "sphere",
+    "spline",
+    "split",
+    "sqrt",
+    "sweep",
+    "switch",
+    "tan",
+    "text",
+    "text_width",
+    "torus",
+    "tube",
+    "uniform",
+    "union",
+    "vector",
+    "wedge",
+    "weld",
+]

@@ -1,0 +1,5 @@
+"""`python -m artgen`: the command line."""
+
+from artgen.cli import main
+
+main()

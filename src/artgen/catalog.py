@@ -1,0 +1,64 @@
+"""The catalog: categories by name, those of artgen and those that other packages bring."""
+
+import functools
+from typing import Any
+
+from artgen.asset import Asset
+from artgen.errors import BuildError, ParameterError, nearest
+from artgen.generator import CATEGORIES, Generator
+
+ENTRY_POINTS = "artgen.categories"
+"""Group of entry points by which other packages bring categories; each names a module that defines some."""
+
+
+@functools.cache
+def _load() -> None:
+    """Import every module that defines categories, which enters them in `CATEGORIES`."""
+    from importlib.metadata import entry_points
+
+    import artgen.categories  # noqa: F401 - its modules register their categories
+
+    for point in sorted(entry_points(group=ENTRY_POINTS), key=lambda point: (point.name, point.value)):
+        try:
+            point.load()
+        except Exception as error:
+            raise BuildError(f"the categories of {point.value!r} cannot be imported: {error!r}") from error
+
+
+def category_names() -> tuple[str, ...]:
+    """Return the names of all categories in alphabetical order."""
+    _load()
+    return tuple(sorted(CATEGORIES))
+
+
+def find_category(name: str) -> Generator:
+    """Return the category of that name.
+
+    Raises:
+        ParameterError: There is none; the message has the nearest name.
+    """
+    if name not in CATEGORIES:  # the caller's own categories need no catalog
+        _load()
+    if name not in CATEGORIES:
+        raise ParameterError(f"there is no category {name!r}.{nearest(name, CATEGORIES)}")
+    return CATEGORIES[name]
+
+
+def generate(category: str | Generator, /, seed: int = 0, **overrides: Any) -> Asset:
+    """Generate an asset.
+
+    Args:
+        category: Name of a category, or a category or generator itself.
+        seed: Decides every draw: the same seed gives the same asset, byte for byte.
+        **overrides: What `Generator.generate` takes: `name`, `base` ("fixed" or "free"), and a value or a
+            distribution by parameter name. `handle__length` stands for `handle.length`.
+
+    Raises:
+        ParameterError: The category, the seed or an override is unknown or not allowed.
+        EvaluationError: A kernel failed.
+        InfeasibleError: No draw met the category's requirements.
+    """
+    chosen = find_category(category) if isinstance(category, str) else category
+    if not isinstance(chosen, Generator):
+        raise ParameterError(f"generate takes the name of a category or a generator, got {category!r}")
+    return chosen.generate(seed, **overrides)

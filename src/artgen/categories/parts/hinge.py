@@ -1,0 +1,87 @@
+"""Butt hinges: knuckles that alternate on one pin, tabs in the gap, plates on the leaf and on the jamb.
+
+The origin is on the pin's axis (along Z) half way up the hinge. The leaf is at x > 0, the jamb at x < 0, each
+half a gap away; both faces that look at the reader are at y = `offset`, behind the pin. The leaf swings
+towards -y, about -Z.
+"""
+
+from artgen.generator import generator
+from artgen.materials import Material
+from artgen.nodes.body import detail, part, weld
+from artgen.nodes.handles import Body, Float, Scalar, Solid
+from artgen.nodes.primitive import box, cylinder, dome
+from artgen.nodes.vector import X, Z
+
+KNUCKLE_CLEARANCE = 0.001
+"""Distance from the knuckles to the face of the leaf [m]."""
+
+_AXIAL_GAP = 0.0004  # between knuckles [m]
+_PLATE = 0.0026  # thickness of plates: what shows in the gap, and what is let into the wood [m]
+_CENTER = 0.00025  # plates stay away from the middle of the gap by this much [m]
+
+
+def hinge_offset(radius: Scalar) -> Scalar:
+    """Return the distance from the pin's axis to the face of the leaf [m]."""
+    return radius + KNUCKLE_CLEARANCE
+
+
+def _knuckles(height: Scalar, radius: Scalar, count: int, *, first: int) -> list[tuple[Solid, Scalar, Scalar]]:
+    """Return every second knuckle from `first` on, with its height and middle."""
+    pitch = height / count
+    tall = pitch - _AXIAL_GAP
+    result = []
+    for index in range(first, count, 2):
+        middle = pitch * (index + 0.5) - height / 2
+        result.append((cylinder(radius, tall, axis=Z, bevel=0.0004).at(0.0, 0.0, middle), tall, middle))
+    return result
+
+
+def _half(
+    height: Scalar, radius: Scalar, depth: Scalar, count: int, side: int, finish: Material
+) -> list[Body]:
+    """Make the knuckles, tabs, plate and screws of one half; `side` is 1 for the leaf, -1 for the frame."""
+    bodies: list[Body] = []
+    sheet, inner = _PLATE - _CENTER, side * _CENTER
+    for knuckle, tall, middle in _knuckles(height, radius, count, first=1 if side > 0 else 0):
+        tab = box(sheet, radius + 0.0006, tall).align((inner, 0.0, middle), x=-side, y=-1.0)
+        bodies.append(part(knuckle | tab, "hinge", finish))
+    # the plate runs past the other half's knuckles, 0.5 mm behind them
+    plate = box(sheet, depth + KNUCKLE_CLEARANCE - 0.0005, height, bevel=0.0003)
+    bodies.append(part(plate.align((inner, radius + 0.0005, 0.0), x=-side, y=-1.0), "hinge", finish))
+    for level, row in ((-0.36, 0.65), (0.0, 0.45), (0.36, 0.65)):
+        head = cylinder(0.0036, 0.0004, axis=X, bevel=0.0001)
+        place = (inner, hinge_offset(radius) + row * depth, level * height)
+        bodies.append(detail(head.at(place), "screw", finish))
+    return bodies
+
+
+@generator
+def hinge_leaf(*, height: Float, radius: Float, depth: Float, finish: Material, knuckles: int = 5) -> Body:
+    """Make the half of a butt hinge that turns with the leaf.
+
+    Args:
+        height: Height of the hinge, 0.076-0.102 in houses [m].
+        radius: Radius of the knuckles, 0.005-0.007 [m].
+        depth: How far the plate reaches along the edge of the leaf, 0.028-0.034 [m].
+        finish: Its metal.
+        knuckles: 3 or 5, those of both halves together.
+    """
+    return weld(*_half(height, radius, depth, knuckles, 1, finish))
+
+
+@generator
+def hinge_frame(*, height: Float, radius: Float, depth: Float, finish: Material, knuckles: int = 5) -> Body:
+    """Make the half of a butt hinge that stays on the jamb, with the heads of its pin.
+
+    Args:
+        height: Height of the hinge, 0.076-0.102 in houses [m].
+        radius: Radius of the knuckles, 0.005-0.007 [m].
+        depth: How far the plate reaches along the jamb [m].
+        finish: Its metal.
+        knuckles: 3 or 5, those of both halves together.
+    """
+    heads = []
+    for end in (-1, 1):
+        head = dome(radius * 0.92, height=radius * 0.55, axis=(0.0, 0.0, end))
+        heads.append(detail(head.at(0.0, 0.0, end * (height / 2 - 0.0003)), "hinge", finish))
+    return weld(*_half(height, radius, depth, knuckles, -1, finish), *heads)

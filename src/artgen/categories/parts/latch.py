@@ -1,0 +1,180 @@
+"""Latch bolts: the bolt, the pocket it slides in, its faceplate on the leaf, and the strike in the jamb.
+
+All are drawn about the spindle of a closed leaf whose lock edge is at x = backset, and which closes towards +y
+(it opens towards -y). Tubular latches and mortise locks of common make have bolts 11-13 mm wide with a throw of
+10-12.7 mm (ANSI/BHMA A156.2, EN 12209).
+"""
+
+from dataclasses import dataclass
+from typing import Literal
+
+from artgen.generator import generator
+from artgen.materials import Material
+from artgen.nodes.body import detail, part, weld
+from artgen.nodes.extrude import extrude
+from artgen.nodes.handles import Body, Float, Scalar, Solid
+from artgen.nodes.joint import Joint, Prismatic
+from artgen.nodes.primitive import box, cylinder
+from artgen.nodes.profile import polygon
+from artgen.nodes.vector import X, Z
+
+PLAY = 0.0004
+"""Clearance around a sliding bolt [m]."""
+
+
+BoltName = Literal["latch", "deadbolt"]
+
+
+@dataclass(frozen=True)
+class Bolt:
+    """The section of a bolt.
+
+    Attributes:
+        width: Across the leaf, along Y [m].
+        height: Along Z [m].
+    """
+
+    width: float
+    height: float
+
+
+LATCH = Bolt(0.012, 0.018)
+DEADBOLT = Bolt(0.0145, 0.025)
+
+_TAIL = 0.022  # what stays in the leaf behind the throw [m]
+_OVERTRAVEL = 1.6  # a handle turns further than the latch needs: the pocket is that many throws deep
+_OPENING_PLAY = 0.0007  # a closed door rattles by this much [m]
+_EASY = 0.002  # play of the strike where nothing has to hold [m]
+_PROUD = 0.0003  # plates stand out of the wood by this much, so that they are seen [m]
+
+
+@generator
+def latch_bolt(*, backset: Float, throw: Float, finish: Material) -> Body:
+    """Make a sprung bolt: flat towards -y, where it holds the door, slanted towards +y, where it closes.
+
+    Args:
+        backset: Distance from the spindle to the lock edge of the leaf [m].
+        throw: How far the bolt stands out of the edge at rest [m].
+        finish: Metal of the bolt.
+    """
+    half = LATCH.width / 2
+    section = polygon(
+        [
+            (backset - _TAIL, -half),
+            (backset + throw, -half),
+            (backset + throw, -half + 0.003),  # a blunt nose
+            (backset + 0.0015, half),
+            (backset - _TAIL, half),
+        ]
+    )
+    return part(extrude(section, LATCH.height, axis=Z, bevel=0.0006), "latch", finish)
+
+
+def latch_slide(leader: Joint, *, throw: Scalar, release: Scalar, name: str = "latch_slide") -> Joint:
+    """Make the joint of a latch bolt that a handle draws into the leaf; positive is drawn back.
+
+    Args:
+        leader: Joint of the handle, which turns or slides from 0 upwards.
+        throw: How far the bolt stands out at rest [m].
+        release: Position of the handle at which the bolt is flush with the edge [rad or m].
+        name: Name of the joint.
+    """
+    return Prismatic(name, axis=-X, follows=(throw / release) * leader, damping=2.0, friction=0.2)
+
+
+def latch_pocket(*, backset: Scalar, throw: Scalar) -> Solid:
+    """Make the tool that cuts the bolt's pocket into the lock edge of the leaf."""
+    deep = _TAIL + _OVERTRAVEL * throw
+    return _slot(LATCH, deep + 0.01, backset + 0.005)  # 5 mm past the edge, through the faceplate
+
+
+def _slot(bolt: Bolt, length: Scalar, end: Scalar) -> Solid:
+    """Make a box around a bolt with play, which ends at x = end."""
+    return box(length, bolt.width + 2 * PLAY, bolt.height + 2 * PLAY).align((end, 0.0, 0.0), x=1.0)
+
+
+@generator
+def faceplate(*, backset: Float, finish: Material, bolt: BoltName = "latch") -> Body:
+    """Make the plate on the lock edge through which a bolt comes out, 25 by 57 mm as is common, with screws.
+
+    Args:
+        backset: Distance from the axis of the lock to the lock edge [m].
+        finish: Metal of the plate.
+        bolt: `latch` or `deadbolt`.
+    """
+    section = LATCH if bolt == "latch" else DEADBOLT
+    width, height, thick = 0.0235, 0.057, 0.0024
+    plate = box(thick, width, height, bevel=0.0002).align((backset + _PROUD, 0.0, 0.0), x=1.0)
+    hole = _slot(section, 0.02, backset + 0.005)
+    return weld(
+        part(plate - hole, "faceplate", finish),
+        *_plate_screws(backset + _PROUD, 1, section.height / 2 + 0.010, finish),
+    )
+
+
+def _plate_screws(x: Scalar, side: int, height: Scalar, finish: Material) -> list[Body]:
+    """Make screw heads above and below a bolt on a plate at x that faces `side`."""
+    dark = finish.with_(name=f"{finish.name}_recess", base_color=(0.02, 0.02, 0.02))
+    bodies = []
+    for z in (-height, height):
+        head = cylinder(0.0036, 0.0008, axis=X, bevel=0.0003).at(x, 0.0, z)
+        # a Phillips recess: two dark bars, 0.1 mm proud of the head
+        cross = box(0.0002, 0.0036, 0.0008) | box(0.0002, 0.0008, 0.0036)
+        bodies += [
+            detail(head, "screw", finish),
+            detail(cross.at(x + side * 0.0004, 0.0, z), "screw", dark),
+        ]
+    return bodies
+
+
+def strike_pocket(*, backset: Scalar, gap: Scalar, throw: Scalar, bolt: Bolt = LATCH) -> Solid:
+    """Make the tool that cuts the hole for a thrown bolt into the jamb.
+
+    Args:
+        backset: Distance from the axis to the lock edge [m].
+        gap: Gap between the leaf and the jamb [m].
+        throw: How far the bolt comes out of the leaf [m].
+        bolt: Its section.
+    """
+    front = backset + gap - 0.002
+    back = backset + throw + 0.004
+    low, high = -bolt.width / 2 - _OPENING_PLAY, bolt.width / 2 + _EASY
+    solid = box(back - front, high - low, bolt.height + 2 * _EASY)
+    return solid.align((front, low, 0.0), x=-1.0, y=-1.0)
+
+
+@generator
+def strike_plate(
+    *, backset: Float, gap: Float, throw: Float, thickness: Float, finish: Material, bolt: BoltName = "latch"
+) -> Body:
+    """Make the plate on the jamb that a bolt enters, to be welded to a jamb cut with `strike_pocket`.
+
+    Args:
+        backset: Distance from the axis to the lock edge [m].
+        gap: Gap between the leaf and the jamb [m].
+        throw: How far the bolt comes out of the leaf [m].
+        thickness: Thickness of the leaf; the plate reaches to the front of the jamb, level with the leaf [m].
+        finish: Metal of the plate.
+        bolt: `latch` or `deadbolt`.
+    """
+    section = LATCH if bolt == "latch" else DEADBOLT
+    face = backset + gap
+    low, high = -thickness / 2 + 0.0005, section.width / 2 + 0.008
+    plate = box(0.0018, high - low, 0.060, bevel=0.0002).align((face - _PROUD, low, 0.0), x=-1.0, y=-1.0)
+    hole = strike_pocket(backset=backset, gap=gap, throw=throw, bolt=section)
+    return weld(
+        part(plate - hole, "strike", finish),
+        *_plate_screws(face - _PROUD, -1, section.height / 2 + 0.011, finish),
+    )
+
+
+def clear_angle(*, thickness: Scalar, reach: Scalar, bolt: Bolt = LATCH) -> Scalar:
+    """Return the angle of a door at which its thrown latch has left the strike, 2 mm to spare [rad].
+
+    Args:
+        thickness: Thickness of the leaf, level with the front of the jamb [m].
+        reach: Distance from the hinge's pin to the lock edge [m].
+        bolt: Section of the latch.
+    """
+    # small angles: the bolt moves by angle * reach, a little more at its nose
+    return (thickness / 2 + bolt.width / 2 + 0.002) / reach * 1.02

@@ -1,0 +1,1 @@
+"""Roses and plates: the fixed covers of the hole that a spindle passes."""

@@ -1,0 +1,86 @@
+"""Overrides written as text, such as `handle_height=1.05` or `width=uniform(0.8, 0.9)`.
+
+The text is read as data: nothing in it is ever run.
+"""
+
+import ast
+from collections.abc import Callable, Iterable, Mapping
+from typing import Any
+
+from artgen.errors import ParameterError, nearest
+from artgen.sampling import choice, count, loguniform, normal, uniform
+
+DISTRIBUTIONS: Mapping[str, Callable[..., Any]] = {
+    "choice": choice,
+    "count": count,
+    "loguniform": loguniform,
+    "normal": normal,
+    "uniform": uniform,
+}
+"""The distributions that text may spell, by name."""
+
+_WORDS = {"true": True, "false": False}
+
+
+def parse_overrides(texts: Iterable[str]) -> dict[str, Any]:
+    """Read overrides of the form `NAME=VALUE`.
+
+    Raises:
+        ParameterError: One has no `=`, names a parameter again, or its value cannot be read.
+    """
+    result: dict[str, Any] = {}
+    for text in texts:
+        name, equals, value = (piece.strip() for piece in text.partition("="))
+        if not (name and equals and value):
+            raise ParameterError(f"{text!r} is no override; write NAME=VALUE, such as width=0.9")
+        name = name.replace("__", ".")
+        if name in result:
+            raise ParameterError(f"{name} is set twice; leave one of them out")
+        result[name] = parse_value(value, name)
+    return result
+
+
+def parse_value(text: str, name: str = "value") -> Any:
+    """Read a number, True or False, a string (quoted or not), or a distribution.
+
+    Args:
+        text: What was written.
+        name: What it is for, in messages.
+
+    Raises:
+        ParameterError: It is an unknown distribution, or one with impossible numbers.
+    """
+    try:
+        tree = ast.parse(text, mode="eval").body
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return text
+    if isinstance(tree, ast.Call):
+        return _distribution(tree, text, name)
+    try:
+        return _literal(tree)
+    except ValueError:
+        return text
+
+
+def _literal(tree: ast.expr) -> Any:
+    """Return the value of a literal, or a bare word as a string."""
+    if isinstance(tree, ast.Name):
+        return _WORDS.get(tree.id, tree.id)
+    try:
+        return ast.literal_eval(tree)
+    except (ValueError, TypeError, SyntaxError, MemoryError, RecursionError):
+        raise ValueError(f"{ast.unparse(tree)} is neither a number nor a word") from None
+
+
+def _distribution(call: ast.Call, text: str, name: str) -> Any:
+    made = call.func.id if isinstance(call.func, ast.Name) else ast.unparse(call.func)
+    if made not in DISTRIBUTIONS:
+        raise ParameterError(f"{name}: there is no distribution {made!r}.{nearest(made, DISTRIBUTIONS)}")
+    try:
+        arguments = [_literal(argument) for argument in call.args]
+        keywords = {keyword.arg or "**": _literal(keyword.value) for keyword in call.keywords}
+        return DISTRIBUTIONS[made](*arguments, **keywords)
+    except ParameterError as error:
+        raise ParameterError(f"{name}: {error}") from None
+    except (TypeError, ValueError) as error:
+        raise ParameterError(f"{name} = {text} cannot be read: {error}") from None

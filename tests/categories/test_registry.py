@@ -1,0 +1,104 @@
+"""Every category, over seeds: a new one is tested by being in the registry.
+
+`ARTGEN_TEST_SEEDS=300 pytest tests/categories/test_registry.py` widens the range of seeds.
+"""
+
+import os
+from functools import lru_cache
+from pathlib import Path
+
+import numpy as np
+import pytest
+from support.agreement import check_formats_agree
+from support.geometry import check_collider_pieces, check_colliders_cover, check_mass, check_solids
+
+from artgen.asset import Asset
+from artgen.catalog import categories, find
+from artgen.graph import Cache, Graph
+
+SEEDS = range(int(os.environ.get("ARTGEN_TEST_SEEDS", "8")))
+cases = pytest.mark.parametrize(
+    ("category", "seed"), [(category, seed) for category in categories() for seed in SEEDS]
+)
+
+
+@lru_cache(maxsize=8)
+def asset_of(category: str, seed: int) -> Asset:
+    return find(category).generate(seed)
+
+
+@cases
+def test_solids_are_watertight_and_turned_outwards(category: str, seed: int) -> None:
+    for link in asset_of(category, seed).links:
+        check_solids(link)
+
+
+@cases
+def test_colliders_are_convex_and_within_budget(category: str, seed: int) -> None:
+    for link in asset_of(category, seed).links:
+        check_collider_pieces(link)
+
+
+@cases
+def test_colliders_contain_the_solids_and_leave_cavities_open(category: str, seed: int) -> None:
+    for link in asset_of(category, seed).links:
+        check_colliders_cover(link)
+
+
+@cases
+def test_mass_properties_match_an_independent_integration(category: str, seed: int) -> None:
+    for link in asset_of(category, seed).links:
+        check_mass(link)
+
+
+@cases
+def test_every_reader_finds_the_same_asset_in_every_format(category: str, seed: int, tmp_path: Path) -> None:
+    asset = asset_of(category, seed)
+    check_formats_agree(asset, asset.export(tmp_path / asset.name))
+
+
+@cases
+def test_an_asset_stands_on_the_ground_about_its_centre(category: str, seed: int) -> None:
+    low, high = asset_of(category, seed).bounds()
+    assert low[2] == pytest.approx(0.0, abs=1e-6)
+    base = asset_of(category, seed).links[0].bounds()
+    assert base[:, 0].sum() == pytest.approx(0.0, abs=0.05 * (high[0] - low[0]))
+
+
+@cases
+def test_an_asset_read_back_is_the_asset(category: str, seed: int, tmp_path: Path) -> None:
+    asset = asset_of(category, seed)
+    read = Asset.load(asset.export(tmp_path / asset.name, formats=("urdf",)))
+    assert read.to_data() == asset.to_data()
+    for name, pose in asset.pose().items():
+        np.testing.assert_array_equal(read.pose()[name], pose)
+
+
+@cases
+def test_a_graph_round_trips_through_json_and_source(category: str, seed: int) -> None:
+    graph = find(category).graph(seed)
+    assert Graph.from_json(graph.to_json()).key == graph.key
+    namespace: dict[str, object] = {}
+    exec(graph.to_python(), namespace)  # noqa: S102 - the source is our own
+    assert Graph(namespace["build"]()).key == graph.key  # type: ignore[operator]
+
+
+@cases
+def test_every_declared_label_is_the_same_for_every_seed(category: str, seed: int) -> None:
+    asset = asset_of(category, seed)
+    assert asset.labels == find(category).labels
+    assert {label for link in asset.links for label in link.labels} <= set(asset.labels)
+
+
+@pytest.mark.parametrize("category", categories())
+def test_the_second_evaluation_runs_no_kernel(category: str) -> None:
+    cache = Cache()
+    find(category).evaluate(3, cache=cache)
+    _, again = find(category).evaluate(3, cache=cache)
+    assert sum(again.runs.values()) == 0
+
+
+@pytest.mark.parametrize("category", categories())
+def test_a_hand_can_take_hold_of_something(category: str) -> None:
+    grasped = [bool(link.grasps) for seed in SEEDS for link in asset_of(category, seed).links[1:]]
+    assert any(grasped)
