@@ -7,8 +7,9 @@ A category is a typed function over the handles (`Float`, `Solid`, `Body`, ...) 
 signature says what varies. Importing the package loads no simulator, no USD and no category.
 """
 
+from artgen import catalog
 from artgen.asset import Asset
-from artgen.catalog import category_names, find_category, generate
+from artgen.catalog import generate
 from artgen.errors import (
     ArtgenError,
     AssetError,
@@ -118,8 +119,8 @@ __all__ = [
     "box",
     "by",
     "capsule",
+    "catalog",
     "category",
-    "category_names",
     "choice",
     "circle",
     "clamp",
@@ -133,7 +134,6 @@ __all__ = [
     "ellipse",
     "ellipsoid",
     "extrude",
-    "find_category",
     "floor",
     "frame",
     "frustum",

@@ -16,7 +16,7 @@ def _load() -> None:
     """Import every module that defines categories, which enters them in `CATEGORIES`."""
     from importlib.metadata import entry_points
 
-    import artgen.categories  # noqa: F401 - its modules register their categories
+    import artgen.categories  # noqa: F401 - its modules enter their categories
 
     for point in sorted(entry_points(group=ENTRY_POINTS), key=lambda point: (point.name, point.value)):
         try:
@@ -25,13 +25,13 @@ def _load() -> None:
             raise BuildError(f"the categories of {point.value!r} cannot be imported: {error!r}") from error
 
 
-def category_names() -> tuple[str, ...]:
+def categories() -> tuple[str, ...]:
     """Return the names of all categories in alphabetical order."""
     _load()
     return tuple(sorted(CATEGORIES))
 
 
-def find_category(name: str) -> Generator:
+def find(name: str) -> Generator:
     """Return the category of that name.
 
     Raises:
@@ -58,7 +58,7 @@ def generate(category: str | Generator, /, seed: int = 0, **overrides: Any) -> A
         EvaluationError: A kernel failed.
         InfeasibleError: No draw met the category's requirements.
     """
-    chosen = find_category(category) if isinstance(category, str) else category
+    chosen = find(category) if isinstance(category, str) else category
     if not isinstance(chosen, Generator):
         raise ParameterError(f"generate takes the name of a category or a generator, got {category!r}")
     return chosen.generate(seed, **overrides)

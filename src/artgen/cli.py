@@ -1,21 +1,20 @@
 """The command line: list categories, show their parameters, generate assets."""
 
+import json
 import sys
 from collections.abc import Sequence
-from pathlib import Path
-from typing import Annotated, Any, Literal
+from pathlib import Path, PurePosixPath
+from typing import Annotated, Literal, NoReturn
 
 import typer
 from rich.console import Console
 from rich.table import Table
-from typer.core import TyperGroup
 
-from artgen.asset import Asset
-from artgen.catalog import category_names, find_category
+from artgen.asset.files import ASSET_FILE
+from artgen.catalog import categories, find
 from artgen.errors import ArtgenError
 from artgen.export import FORMATS
-from artgen.generator import Fixed, Generator, Parameter
-from artgen.nodes.handles import Float
+from artgen.generator import Fixed, Parameter
 from artgen.overrides import parse_overrides
 from artgen.version import __version__
 
@@ -23,41 +22,33 @@ _WRONG_INPUT = 2  # exit code
 _PLAIN_WIDTH = 150  # columns of a table that is not written to a terminal
 
 
-class _Commands(TyperGroup):
-    """Commands that say in one line what was wrong with their input."""
-
-    def main(self, *args: Any, standalone_mode: bool = True, **extra: Any) -> Any:
-        """Run the command line.
-
-        Raises:
-            SystemExit: It is done; 2 is wrong input.
-        """
-        if not standalone_mode:
-            return super().main(*args, standalone_mode=False, **extra)
-        try:
-            code = super().main(*args, standalone_mode=False, **extra)
-        except (ArtgenError, typer.TyperException) as error:
-            message = error.format_message() if isinstance(error, typer.TyperException) else str(error)
-            typer.echo(f"error: {' '.join(message.split())}", err=True)
-            sys.exit(_WRONG_INPUT)
-        except typer.Abort:
-            sys.exit(1)
-        sys.exit(code if isinstance(code, int) else 0)
-
-
 app = typer.Typer(
-    cls=_Commands,
     name="artgen",
     help="Generate articulated, simulation-ready assets.",
-    no_args_is_help=True,
     add_completion=False,
+    pretty_exceptions_enable=False,
     rich_markup_mode=None,
 )
 
 
-def main() -> None:
-    """Run the command line."""
-    app(prog_name="artgen")
+def main(arguments: Sequence[str] | None = None) -> NoReturn:
+    """Run the command line.
+
+    Args:
+        arguments: What follows the command's name; by default what the process was started with.
+
+    Raises:
+        SystemExit: It is done; the code is 0, or 2 for wrong input, which one line on stderr explains.
+    """
+    try:
+        code = app(args=arguments, prog_name="artgen", standalone_mode=False)
+    except (ArtgenError, typer.TyperException) as error:
+        message = error.format_message() if isinstance(error, typer.TyperException) else str(error)
+        typer.echo(f"error: {' '.join(message.split())}", err=True)
+        sys.exit(_WRONG_INPUT)
+    except typer.Abort:
+        sys.exit(1)
+    sys.exit(code if isinstance(code, int) else 0)
 
 
 def _show_version(wanted: bool) -> None:  # noqa: FBT001 - typer calls it so
@@ -66,8 +57,9 @@ def _show_version(wanted: bool) -> None:  # noqa: FBT001 - typer calls it so
         raise typer.Exit
 
 
-@app.callback()
+@app.callback(invoke_without_command=True)
 def _options(
+    context: typer.Context,
     *,
     version: Annotated[
         bool,
@@ -75,14 +67,16 @@ def _options(
     ] = False,
 ) -> None:
     """Generate articulated, simulation-ready assets."""
+    if context.invoked_subcommand is None:
+        typer.echo(context.get_help())
 
 
 @app.command(name="list")
 def list_categories() -> None:
     """List the categories."""
     table = _table("category", "what it is", "labels", "parameters")
-    for name in category_names():
-        category = find_category(name)
+    for name in categories():
+        category = find(name)
         summary = (category.__doc__ or "").strip().partition("\n")[0]
         table.add_row(name, summary, ", ".join(category.labels), str(len(category.parameters())))
     _console().print(table)
@@ -93,11 +87,11 @@ def show_params(
     category: Annotated[str, typer.Argument(help="Name of a category; `artgen list` shows them.")],
 ) -> None:
     """Show what varies in a category, the parameters of its sub-generators included."""
-    found = find_category(category)
+    found = find(category)
     table = _table("parameter", "type", "distribution", "unit", "limits", "what it is")
     for name, parameter in found.parameters().items():
         distribution = parameter.distribution
-        limits = "" if distribution.within is None else f"{distribution.within[0]:g} to {distribution.within[1]:g}"
+        limits = "" if distribution.within is None else "{:g} to {:g}".format(*distribution.within)
         shown = f"always {distribution!r}" if isinstance(distribution, Fixed) else repr(distribution)
         table.add_row(name, _kind(parameter), shown, distribution.unit, limits, distribution.doc)
     _console().print(table)
@@ -132,28 +126,25 @@ def generate(
     chosen = [item.strip() for item in formats.split(",") if item.strip()]
     if not chosen:
         raise typer.BadParameter(f"--format {formats!r} names no format; choose of {', '.join(FORMATS)}")
-    found = find_category(category)
-    values = _with_generators(found, parse_overrides(overrides or ()))
-    asset, _ = found.evaluate(seed, name=name, base=base, overrides=values)
+    found = find(category)
+    asset, _ = found.evaluate(seed, name=name, base=base, overrides=parse_overrides(overrides or ()))
     directory = asset.export(Path(asset.name) if out is None else out, formats=chosen)
-    for path in _main_files(directory, asset):
+    for path in _main_files(directory, asset.name):
         typer.echo(path)
 
 
-def _with_generators(category: Generator, overrides: dict[str, Any]) -> dict[str, Any]:
-    return overrides
-
-
-def _main_files(directory: Path, asset: Asset) -> Sequence[Path]:
-    """Return the files that a simulator opens."""
-    return [path for path in sorted(directory.glob(f"{asset.name}.*")) if path.is_file()]
+def _main_files(directory: Path, name: str) -> list[Path]:
+    """Return the file of each format that a simulator opens: the one with the asset's name."""
+    record = json.loads((directory / ASSET_FILE).read_text(encoding="utf-8"))["formats"].values()
+    written = [PurePosixPath(path) for of_format in record for path in of_format["files"]]
+    return [directory / path for path in written if path.stem == name and len(path.parts) == 1]
 
 
 def _kind(parameter: Parameter) -> str:
     """Spell the type of a parameter as authors annotate it."""
-    if parameter.kind is Float:
-        return "Float"
-    return getattr(parameter.kind, "__name__", str(parameter.kind))
+    if isinstance(parameter.kind, type):
+        return parameter.kind.__name__
+    return str(parameter.kind).removeprefix("typing.")
 
 
 def _table(*columns: str) -> Table:

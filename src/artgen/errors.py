@@ -43,7 +43,17 @@ class InfeasibleError(ArtgenError, RuntimeError):
 
 
 class AssetError(ArtgenError, ValueError):
-    """An asset is inconsistent, or was asked for something it does not have."""
+    """An asset is inconsistent, or was asked for something it does not have.
+
+    Attributes:
+        joint: Name of the joint at fault, if one is; tells a generator which line of its author to name.
+        link: Name of the link at fault, if one is.
+    """
+
+    def __init__(self, message: str, *, joint: str = "", link: str = "") -> None:
+        super().__init__(message)
+        self.joint = joint
+        self.link = link
 
 
 class CheckError(ArtgenError, RuntimeError):
@@ -55,7 +65,7 @@ class ExportError(ArtgenError, OSError):
 
 
 def nearest(name: str, allowed: Iterable[str]) -> str:
-    """Describe the allowed names, the likeliest first: ` Did you mean 'width'?` or ` Allowed: a, b.`"""
+    """Describe the allowed names, the likeliest first: ` Did you mean 'width'?` or ` Allowed: a, b.`."""
     options = sorted(allowed)
     close = difflib.get_close_matches(name, options, 1, cutoff=0.5)
     if close:

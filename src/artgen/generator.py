@@ -15,6 +15,7 @@ from artgen.materials import MATERIALS, Material
 from artgen.nodes.handles import Body, Bool, Float
 from artgen.sampling import Distribution, choice, stream
 from artgen.sampling.distributions import By, Choice
+from artgen.version import __version__
 
 _STRUCTURAL = (int, str, bool, Material)
 _RESERVED = ("seed", "name", "base", "cache", "attempts")
@@ -342,6 +343,8 @@ class Generator:
         """Generate like `generate`, and return with the asset what its evaluation cost."""
         if isinstance(seed, bool) or not isinstance(seed, int) or seed < 0:
             raise ParameterError(f"seed must be a whole number that is not negative, got {seed!r}")
+        if name and not (name.isidentifier() and name.isascii()):
+            raise ParameterError(f"name {name!r} is no identifier; use letters, digits and _")
         reason = ""
         for attempt in range(attempts):
             values = self.sample(seed, attempt=attempt, overrides=overrides)
@@ -376,6 +379,7 @@ class Generator:
             seed=seed,
             attempt=attempt,
             base=base,
+            version=__version__,
             parameters={key: getattr(value, "name", value) for key, value in values.items()},
             labels=self.labels,
         )
@@ -444,6 +448,9 @@ class _Overrides:
         named = Parameter(name, parameter.path, parameter.kind, parameter.distribution)
         if not isinstance(value, Distribution):
             named.check(value)
+        elif parameter.kind is Generator and isinstance(value, Choice):
+            for option in value.options:  # by name too, as for a single value
+                named.check(option)
         elif not _matches(Parameter(name, parameter.path, parameter.kind, value)):
             raise ParameterError(f"{name} = {value!r} is not allowed: it must be {_allowed(named)}")
 

@@ -43,7 +43,9 @@ def box_shape() -> BoxShape:
 def box_link(box_shape: BoxShape) -> BoxLink:
     """Return a function that makes a link that is one box of water."""
 
-    def make(name: str, size: tuple[float, ...] = (0.1, 0.1, 0.1), center: tuple[float, ...] = (0, 0, 0)) -> Link:
+    def make(
+        name: str, size: tuple[float, ...] = (0.1, 0.1, 0.1), center: tuple[float, ...] = (0, 0, 0)
+    ) -> Link:
         return Link(name, name, (Piece(name, WATER, box_shape(size, center)),))
 
     return make

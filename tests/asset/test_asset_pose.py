@@ -56,7 +56,12 @@ def test_followers_take_their_leaders_position(bin_: Asset) -> None:
 def test_joints_not_given_stand_nearest_to_zero(bin_: Asset) -> None:
     positions = bin_.positions()
     assert list(positions) == [joint.name for joint in bin_.joints]
-    assert (positions["pedal"], positions["out"], positions["turn"], positions["foot"]) == (0.0, 0.02, 0.0, 0.5)
+    assert (positions["pedal"], positions["out"], positions["turn"], positions["foot"]) == (
+        0.0,
+        0.02,
+        0.0,
+        0.5,
+    )
     assert [joint.name for joint in bin_.free_joints] == ["pedal", "out", "turn"]
 
 
@@ -72,7 +77,7 @@ def test_joints_of_a_pair_act_in_order_the_first_nearest_to_the_parent(
     """Turned about a pivot that the slide has carried along."""
     pose = bin_.pose({"out": out, "turn": turn})["tray"]
     pivot = np.array([0.1, 0.0, 0.3, 1.0])
-    np.testing.assert_allclose(pose @ pivot, pivot + [0.0, -out, 0.0, 0.0], atol=1e-12)
+    np.testing.assert_allclose(pose @ pivot, pivot - np.array([0.0, out, 0.0, 0.0]), atol=1e-12)
     np.testing.assert_allclose(pose[:2, 0], [np.cos(turn), np.sin(turn)], atol=1e-12)
 
 
@@ -165,7 +170,9 @@ def test_two_materials_of_one_name_are_refused(box_link: BoxLink) -> None:
     painted = replace(second.pieces[0], material=Material("water", density=1.0))
     second = replace(second, pieces=(painted,))
     asset = Asset.from_tree(Tree(first, (Branch((revolute("j"),), Tree(second)),)), "it", "it")
-    with pytest.raises(AssetError, match="two different materials named 'water'; give one of them another name"):
+    with pytest.raises(
+        AssetError, match="two different materials named 'water'; give one of them another name"
+    ):
         _ = asset.materials
 
 

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from artgen.asset import Condition, Coupling, Dependency, Joint, rotation
 from artgen.asset.joint import JointKind
 
-directions = st.tuples(*[st.floats(-1.0, 1.0)] * 3).filter(lambda v: 0.1 < np.linalg.norm(v))
+directions = st.tuples(*[st.floats(-1.0, 1.0)] * 3).filter(lambda v: np.linalg.norm(v) > 0.1)
 points = st.tuples(*[st.floats(-2.0, 2.0)] * 3)
 angles = st.floats(-6.0, 6.0)
 
@@ -62,7 +62,7 @@ def test_revolute_joint_leaves_its_axis_in_place(
     angles,
     directions,
     angles,
-    st.booleans(),
+    st.sampled_from([1.0, -1.0]),
 )
 def test_joint_moves_its_child_alike_wherever_it_is_carried(
     kind: JointKind,
@@ -71,11 +71,11 @@ def test_joint_moves_its_child_alike_wherever_it_is_carried(
     position: float,
     about: tuple[float, ...],
     angle: float,
-    mirrored: bool,
+    handedness: float,
 ) -> None:
     """Carrying then moving is moving then carrying, in a mirror too."""
     matrix = np.eye(4)
-    matrix[:3, :3] = rotation(unit(about), angle) @ np.diag([-1.0 if mirrored else 1.0, 1.0, 1.0])
+    matrix[:3, :3] = rotation(unit(about), angle) @ np.diag([handedness, 1.0, 1.0])
     matrix[:3, 3] = [1.0, -2.0, 0.5]
     original = joint(kind, axis, pivot)
     np.testing.assert_allclose(
@@ -94,7 +94,7 @@ def test_joint_moves_its_child_alike_wherever_it_is_carried(
     ],
 )
 def test_closed_is_the_position_nearest_to_zero(
-    limits: tuple[float, float] | None, closed: float, locked: bool
+    limits: tuple[float, float] | None, closed: float, *, locked: bool
 ) -> None:
     found = joint("revolute", (0, 0, 1), (0, 0, 0), limits=limits)
     assert found.closed == closed
@@ -115,7 +115,7 @@ DRAWER_IN = Condition("below", "drawer", value=0.01)
         (Condition("any", terms=(DOOR_OPEN, DRAWER_IN)), {"door": 1.3, "drawer": 0.2}, True),
     ],
 )
-def test_condition_holds_in_its_region(condition: Condition, q: dict[str, float], holds: bool) -> None:
+def test_condition_holds_in_its_region(condition: Condition, q: dict[str, float], *, holds: bool) -> None:
     assert condition.holds(q) is holds
     assert Condition.from_data(json.loads(json.dumps(condition.to_data()))) == condition
 
@@ -142,7 +142,8 @@ def test_joint_survives_its_data() -> None:
     original = Joint(
         "bolt", "prismatic", unit((1, 2, 3)), np.array([0.1, 0.2, 0.3]), (-0.1, 0.2),
         stiffness=1.0, damping=0.1, friction=0.2, rest=0.05, armature=0.01, effort=5.0, velocity=2.0,
-        follows=Coupling("handle", 0.02, 0.001), needs=Dependency(DOOR_OPEN, 0.1), parent="door", child="bolt",
+        follows=Coupling("handle", 0.02, 0.001), needs=Dependency(DOOR_OPEN, 0.1),
+        parent="door", child="bolt",
     )  # fmt: skip
     data = json.loads(json.dumps(original.to_data()))
     copy = Joint.from_data(data)
@@ -151,7 +152,9 @@ def test_joint_survives_its_data() -> None:
 
 
 def test_renaming_reaches_leaders_and_conditions() -> None:
-    original = joint("revolute", (0, 0, 1), (0, 0, 0), follows=Coupling("pedal", 4.0), needs=Dependency(DOOR_OPEN))
+    original = joint(
+        "revolute", (0, 0, 1), (0, 0, 0), follows=Coupling("pedal", 4.0), needs=Dependency(DOOR_OPEN)
+    )
     renamed = original.renamed({"j": "j_0", "pedal": "pedal_0", "door": "door_0"})
     assert renamed.name == "j_0"
     assert renamed.follows == Coupling("pedal_0", 4.0)

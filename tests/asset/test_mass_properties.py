@@ -17,7 +17,9 @@ lengths = st.floats(0.01, 2.0)
 offsets = st.floats(-5.0, 5.0)
 
 
-def box(shape: BoxShape, size: tuple[float, ...], center: tuple[float, ...], density: float) -> MassProperties:
+def box(
+    shape: BoxShape, size: tuple[float, ...], center: tuple[float, ...], density: float
+) -> MassProperties:
     mesh = shape(size, center).mesh
     return total([polyhedron_moments(mesh.vertices, mesh.triangles).scaled(density)])
 

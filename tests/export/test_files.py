@@ -56,6 +56,12 @@ def test_files_of_every_format_are_recorded(cabinet: Asset, tmp_path: Path) -> N
     assert "joint spring" in features
 
 
+def test_every_format_is_written_unless_told_otherwise(nested: Asset, tmp_path: Path) -> None:
+    data = json.loads((nested.export(tmp_path / "arm") / "asset.json").read_text())
+    assert list(data["formats"]) == ["urdf", "mjcf", "usd"]
+    assert {"arm_1.urdf", "arm_1.xml", "arm_1.usda"} <= set(tree(tmp_path / "arm"))
+
+
 @pytest.mark.parametrize("fixture", ["cabinet", "free_cabinet", "nested"])
 def test_read_back_it_is_the_same_asset(fixture: str, request: pytest.FixtureRequest, tmp_path: Path) -> None:
     asset: Asset = request.getfixturevalue(fixture)
@@ -162,7 +168,7 @@ def test_working_directory_is_refused(
 @pytest.mark.parametrize("earlier", [False, True])
 @pytest.mark.parametrize("written", [0, 3, 9])
 def test_full_disk_changes_nothing(
-    cabinet: Asset, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, earlier: bool, written: int
+    cabinet: Asset, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, *, earlier: bool, written: int
 ) -> None:
     target = tmp_path / "deep" / "deeper" / "it"
     if earlier:

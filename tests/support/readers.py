@@ -288,14 +288,19 @@ def usd_faults(path: Path) -> list[str]:
 
 
 def _usd_couplings(stage: Usd.Stage) -> dict[str, tuple[str, float, float]]:
-    """Read Newton's mimic attributes, which are in radians and metres like artgen's couplings."""
+    """Read couplings in radians and metres: Newton's schema, or MuJoCo's between a rotation and a slide."""
     result = {}
     for prim in stage.Traverse():
-        relation = prim.GetRelationship("newton:mimicJoint")
-        if relation and relation.GetTargets():
-            ratio = prim.GetAttribute("newton:mimicCoef1").Get()
-            offset = prim.GetAttribute("newton:mimicCoef0").Get()
-            result[prim.GetName()] = (relation.GetTargets()[0].name, ratio, offset)
+        for target, offset, ratio in (
+            ("newton:mimicJoint", "newton:mimicCoef0", "newton:mimicCoef1"),
+            ("mjc:target", "mjc:coef0", "mjc:coef1"),
+        ):
+            relation = prim.GetRelationship(target)
+            if relation and relation.GetTargets():
+                numbers = [prim.GetAttribute(name).Get() for name in (ratio, offset)]
+                if target == "newton:mimicJoint" and prim.IsA(UsdPhysics.RevoluteJoint):
+                    numbers[1] = np.radians(numbers[1])
+                result[prim.GetName()] = (relation.GetTargets()[0].name, *map(float, numbers))
     return result
 
 

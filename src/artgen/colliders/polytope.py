@@ -210,11 +210,16 @@ class Polytope:
     def inflated(self, margin: float) -> "Polytope":
         """Return a polytope that holds all points within about `margin` [m] of this one.
 
-        Each face moves outward by the margin; a plane at each vertex keeps sharp edges from growing spikes.
+        Each face moves outward by the margin; a plane at each vertex and at each sharp edge keeps them from
+        growing spikes.
         """
-        mean = self.contact.astype(np.float64) @ self.planes[:, :3]
+        touching = self.contact.astype(np.float64)
+        normals = self.planes[:, :3]
+        sharp = (touching.T @ touching > 1.5) & (normals @ normals.T < 0.0)
+        first, second = np.nonzero(np.triu(sharp))
+        mean = np.concatenate((touching @ normals, normals[first] + normals[second]))
         length = np.sqrt(np.sum(mean * mean, axis=1))
-        mean = mean[length > 1e-9] / length[length > 1e-9, None]
+        mean = mean[length > _COPLANAR] / length[length > _COPLANAR, None]
         reach = (mean @ self.points.T).max(axis=1)
         planes = np.concatenate((self.planes, np.column_stack((mean, reach))))
         planes[:, 3] += margin

@@ -83,21 +83,22 @@ def _without(piece: Facetted, cutter: Polytope) -> list[Facetted] | None:
         return None
     parts: list[Facetted] = []
     rest, planes = piece, cutter.planes
-    while True:
+    while len(planes):
         heights = rest.shape.heights(planes)
         if (heights.min(axis=1) >= -SLIVER).any():
             return None
         reach = heights.max(axis=1)
         far = int(np.argmax(reach))
         if reach[far] <= SLIVER:
-            return parts if rest.shape.width >= SLIVER else None
+            break
         inside, outside = _split(rest, planes[far])
-        if outside is not None and outside.shape.width >= SLIVER:
-            parts.append(outside)
         if inside is None:
             return None
+        if outside is not None and outside.shape.width >= SLIVER:
+            parts.append(outside)
         rest = inside
         planes = np.delete(planes, far, axis=0)
+    return parts if rest.shape.width >= SLIVER else None
 
 
 def _common(piece: Facetted, other: Facetted) -> Facetted | None:

@@ -95,19 +95,18 @@ def _foreign_files(target: Path, files: Iterable[str]) -> list[str]:
     """
     try:
         _recover(target)
-        if not target.exists():
-            return []
-        if not target.is_dir():
-            raise ExportError(f"cannot export to {target}: it is a file; choose another directory")
-        found = sorted(
-            path.relative_to(target).as_posix()
-            for path in target.rglob("*")
-            if path.is_symlink() or not path.is_dir()
-        )
-    except ExportError:
-        raise
+        if target.exists() and not target.is_dir():
+            found = None
+        else:
+            found = sorted(
+                path.relative_to(target).as_posix()
+                for path in target.rglob("*")
+                if path.is_symlink() or not path.is_dir()
+            )
     except OSError as error:
         raise ExportError(f"cannot export to {target}: {error.strerror or error}") from error
+    if found is None:
+        raise ExportError(f"cannot export to {target}: it is a file; choose another directory")
     if not found:
         return []
     earlier = _earlier_files(target)

@@ -5,6 +5,7 @@ when it loads the file, so neither a `world` link nor a floating joint is writte
 """
 
 from collections.abc import Sequence
+from io import BytesIO
 from typing import Any
 
 import numpy as np
@@ -57,26 +58,22 @@ def write_urdf(asset: Asset) -> Written:
             robot.links.append(_small_link(segment.child.name, INTERMEDIATE_MASS, INTERMEDIATE_INERTIA))
         robot.joints.append(_joint(segment))
     _add_grasps(robot, asset)
-    root = _tree(robot)
-    _add_couplings(root, asset)
-    _add_springs(root, asset)
-    return Written({f"{asset.name}.urdf": _text(root), **meshes.files}, _losses(asset, segments))
+    tree = _tree(robot)
+    _add_couplings(tree, asset)
+    _add_springs(tree, asset)
+    return Written({f"{asset.name}.urdf": _text(tree), **meshes.files}, _losses(asset, segments))
 
 
 def _tree(robot: Any) -> Any:
     """Return the XML tree of yourdfpy's model, materials first as a reader expects them."""
     from yourdfpy import urdf as model
 
-    # the null handler: mesh files are named here before they exist
+    # the null handler: the mesh files do not exist yet
     handler = model.filename_handler_null
-    root = (
-        model.URDF(robot, build_scene_graph=False, load_meshes=False, filename_handler=handler)
-        .write_xml()
-        .getroot()
-    )
-    for number, element in enumerate(root.findall("material")):
-        root.insert(number, element)
-    return root
+    tree = model.URDF(robot, build_scene_graph=False, load_meshes=False, filename_handler=handler).write_xml()
+    for number, element in enumerate(tree.getroot().findall("material")):
+        tree.getroot().insert(number, element)
+    return tree
 
 
 def _material(material: Material) -> Any:
@@ -173,43 +170,43 @@ def _add_grasps(robot: Any, asset: Asset) -> None:
             robot.joints.append(model.Joint(f"{name}_mount", "fixed", link.name, name, frame))
 
 
-def _add_couplings(root: Any, asset: Asset) -> None:
+def _add_couplings(tree: Any, asset: Asset) -> None:
     """Add what yourdfpy's model has, but its writer leaves out."""
-    from lxml import etree
-
-    elements = {element.get("name"): element for element in root.iterfind("joint")}
+    elements = {element.get("name"): element for element in tree.iterfind("joint")}
     for joint in asset.joints:
         follows = coupling(asset, joint)
         if follows is not None and not joint.locked:
             numbers = {"multiplier": repr(follows.ratio), "offset": repr(follows.offset)}
-            etree.SubElement(elements[joint.name], "mimic", joint=follows.leader, **numbers)
+            _add(elements[joint.name], "mimic", joint=follows.leader, **numbers)
 
 
-def _add_springs(root: Any, asset: Asset) -> None:
+def _add_springs(tree: Any, asset: Asset) -> None:
     """Add Gazebo's word for a spring, which other clients pass over."""
-    from lxml import etree
-
     for joint in asset.joints:
         if joint.stiffness and not joint.locked:
-            spring = etree.SubElement(root, "gazebo", reference=joint.name)
-            etree.SubElement(spring, "springStiffness").text = f"{joint.stiffness:.12g}"
-            etree.SubElement(spring, "springReference").text = f"{joint.rest:.12g}"
+            spring = _add(tree.getroot(), "gazebo", reference=joint.name)
+            _add(spring, "springStiffness").text = f"{joint.stiffness:.12g}"
+            _add(spring, "springReference").text = f"{joint.rest:.12g}"
 
 
-def _text(root: Any) -> bytes:
+def _add(parent: Any, tag: str, **attributes: str) -> Any:
+    element = parent.makeelement(tag, attributes)
+    parent.append(element)
+    return element
+
+
+def _text(tree: Any) -> bytes:
     """Return the XML text, its numbers rounded so far that no two machines differ in the last digit."""
-    from lxml import etree
-
-    for element in root.iter(*_NUMERIC):
-        lengths = element.tag in ("origin", "axis")
+    for element in tree.getroot().iter(*_NUMERIC):
+        lengths = element.tag in {"origin", "axis"}
         for key, value in element.items():
             if key == "joint":
                 continue
             numbers = [round(float(word), 12) if lengths else float(word) for word in value.split()]
             element.set(key, " ".join(f"{number + 0.0:.12g}" for number in numbers))
-    etree.indent(root, " ")
-    text: bytes = etree.tostring(root, xml_declaration=True, encoding="utf-8")
-    return text + b"\n"
+    text = BytesIO()
+    tree.write(text, xml_declaration=True, encoding="utf-8", pretty_print=True)
+    return text.getvalue()
 
 
 def _losses(asset: Asset, segments: Sequence[Segment]) -> tuple[Loss, ...]:

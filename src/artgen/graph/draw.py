@@ -1,11 +1,12 @@
 """Graphs for the eye: a Mermaid flow chart and a table."""
 
 from collections import Counter
+from collections.abc import Sequence
 from typing import Any
 
 from artgen.graph.evaluation import Evaluation
 from artgen.graph.handle import Handle, handle_of
-from artgen.graph.node import PARAMETER, Node, topological
+from artgen.graph.node import PARAMETER, Node, nodes_in, topological
 
 _MERMAID_SHAPES = {"Body": ("[[", "]]"), "Solid": ("[", "]"), "Joint": ("{{", "}}")}
 
@@ -17,11 +18,11 @@ def to_mermaid(handle: Handle) -> str:
     lines = ["flowchart TD"]
     for node in order:
         opening, closing = _MERMAID_SHAPES.get(type(handle_of(node)).__name__, ("(", ")"))
-        title = node.inputs["name"] if node.op == PARAMETER else _title(node)
+        title = str(node.inputs["name"] if node.op == PARAMETER else _title(node)).replace('"', "'")
         lines.append(f'  n{number[node.key]}{opening}"{title}"{closing}')
     for node in order:
         for name, value in node.inputs.items():
-            for child in dict.fromkeys(child.key for child in _children(value)):
+            for child in dict.fromkeys(child.key for child in nodes_in(value)):
                 lines.append(f"  n{number[child]} -- {name} --> n{number[node.key]}")
     return "\n".join(lines) + "\n"
 
@@ -51,25 +52,18 @@ def table(handle: Handle, evaluation: Evaluation | None = None) -> str:
     return text
 
 
-def _children(value: Any) -> list[Node]:
-    if isinstance(value, list):
-        return [child for item in value for child in _children(item)]
-    return [value] if isinstance(value, Node) else []
-
-
 def _title(node: Node) -> str:
     name = node.inputs.get("label") or node.inputs.get("name")
-    title = f"{node.op} {name}" if isinstance(name, str) else node.op
-    return title.replace('"', "'")
+    return f"{node.op} {name}" if isinstance(name, str) else node.op
 
 
 def _short(value: Any, number: dict[str, int]) -> str:
     if isinstance(value, Node):
         return f"#{number[value.key]}"
-    if isinstance(value, list):
+    if isinstance(value, tuple):
         return f"[{', '.join(_short(item, number) for item in value)}]"
     if isinstance(value, dict):
-        return next(iter(value)).removeprefix("$")
+        return str(next(iter(value))).removeprefix("$")
     return f"{value:.6g}" if isinstance(value, float) else repr(value)
 
 
@@ -77,7 +71,7 @@ def _cut(text: str, longest: int) -> str:
     return text if len(text) <= longest else text[: longest - 1] + "…"
 
 
-def _aligned(rows: list[tuple[str, ...]]) -> str:
+def _aligned(rows: Sequence[tuple[str, ...]]) -> str:
     widths = [max(len(row[column]) for row in rows) for column in range(len(rows[0]))]
     return "".join(
         "  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)).rstrip() + "\n"

@@ -11,10 +11,12 @@ from typing import Any
 
 import numpy as np
 
-from artgen.errors import ArtgenError, EvaluationError, InfeasibleError
-from artgen.graph.handle import Handle, decode
+from artgen.errors import EvaluationError, InfeasibleError
+from artgen.graph.handle import Handle, decode, handle_type
 from artgen.graph.kernel import Operation, alternatives, operation
 from artgen.graph.node import PARAMETER, Node, digest, topological
+
+_ABSENT = object()
 
 
 class Cache:
@@ -34,14 +36,17 @@ class Cache:
     def __len__(self) -> int:
         return len(self._values)
 
-    def get(self, key: str) -> Any:
-        """Return the value kept under a key that is known to be here."""
-        self._values.move_to_end(key)
-        return self._values[key]
+    def get(self, key: str, default: Any = None) -> Any:
+        """Return the value kept under a key, or the default."""
+        value = self._values.get(key, default)
+        if key in self._values:
+            self._values.move_to_end(key)
+        return value
 
     def put(self, key: str, value: Any) -> None:
         """Keep a value."""
         self._values[key] = value
+        self._values.move_to_end(key)
         if len(self._values) > self.capacity:
             self._values.popitem(last=False)
 
@@ -76,27 +81,24 @@ def evaluate(
         cache: Values known from earlier evaluations; more are added.
 
     Raises:
-        EvaluationError: A kernel failed; names its operation, the reason, and the author's line.
+        EvaluationError: A kernel failed, or a parameter has no value or one of the wrong type; names the
+            operation, the reason, and the author's line.
         InfeasibleError: A requirement is violated.
     """
     cache = Cache() if cache is None else cache
     result = Evaluation()
-    order = topological(handle.node)
-    given = parameters or {}
-    result.keys = _content_keys(order, given)
     values: dict[str, Any] = {}
+    result.keys = _content_keys(topological(handle.node), parameters or {}, values)
     stack = [handle.node]
     while stack:
         node = stack[-1]
         if node.key in values:
             stack.pop()
             continue
-        if node.op == PARAMETER:
-            values[node.key] = _parameter_value(node, given)
-            continue
         content = result.keys[node.key]
-        if content in cache:
-            values[node.key] = cache.get(content)
+        found = cache.get(content, _ABSENT)
+        if found is not _ABSENT:
+            values[node.key] = found
             result.hits += 1
             continue
         known = operation(node.op)
@@ -113,15 +115,13 @@ def evaluate(
     return result
 
 
-def _content_keys(order: list[Node], parameters: Mapping[str, Any]) -> dict[str, str]:
-    """Hash every node with the values of its parameters in their places."""
+def _content_keys(order: list[Node], given: Mapping[str, Any], values: dict[str, Any]) -> dict[str, str]:
+    """Hash every node with the values of its parameters in their places, and enter those values."""
     keys: dict[str, str] = {}
     for node in order:
         if node.op == PARAMETER:
-            name = node.inputs["name"]
-            if name not in parameters:
-                raise EvaluationError(f"parameter {name!r} has no value\n  at {node.where}")
-            text = f"{PARAMETER}\0{parameters[name]!r}"
+            literal, values[node.key] = _parameter_value(node, given)
+            text = f"{PARAMETER}\0{literal!r}"
             keys[node.key] = hashlib.blake2b(text.encode(), digest_size=12).hexdigest()
         elif node.varies:
             keys[node.key] = digest(node, lambda child: keys[child.key])
@@ -130,10 +130,17 @@ def _content_keys(order: list[Node], parameters: Mapping[str, Any]) -> dict[str,
     return keys
 
 
-def _parameter_value(node: Node, parameters: Mapping[str, Any]) -> Any:
-    """Return the value of a parameter node in the form that kernels take."""
-    kinds = {handle.__name__: handle for handle in Handle.HANDLES.values()}
-    return kinds[node.inputs["kind"]].decode(parameters[node.inputs["name"]])
+def _parameter_value(node: Node, given: Mapping[str, Any]) -> tuple[Any, Any]:
+    """Return the value of a parameter as a literal, and in the form that kernels take."""
+    name, kind = node.inputs["name"], handle_type(node.inputs["kind"])
+    if name not in given:
+        raise EvaluationError(f"parameter {name!r} has no value\n  at {node.where}")
+    literal = NotImplemented if isinstance(given[name], Handle) else kind.lift(given[name])
+    if literal is NotImplemented:
+        raise EvaluationError(
+            f"parameter {name!r} needs the value of a {kind.__name__}, got {given[name]!r}\n  at {node.where}"
+        )
+    return literal, kind.decode(literal)
 
 
 def _needed(node: Node, known: Operation, values: Mapping[str, Any]) -> list[Node]:
@@ -158,8 +165,6 @@ def _run(node: Node, known: Operation, values: Mapping[str, Any]) -> Any:
         value = known.kernel(**inputs)
     except InfeasibleError as error:
         raise InfeasibleError(f"{error}\n  at {node.where}") from None
-    except ArtgenError:
-        raise
     except Exception as error:
         reason = str(error) or type(error).__name__
         raise EvaluationError(f"{node.op} failed: {reason}\n  at {node.where}") from error
@@ -168,7 +173,7 @@ def _run(node: Node, known: Operation, values: Mapping[str, Any]) -> Any:
     if isinstance(value, np.ndarray):
         if not np.isfinite(value).all():
             raise EvaluationError(f"{node.op} gives {value}, which is not finite\n  at {node.where}")
-        value.setflags(write=False)
+        value.setflags(write=False)  # it is shared by every node that uses it
     return value
 
 
@@ -176,7 +181,7 @@ def _resolve(value: Any, hint: Any, values: Mapping[str, Any], *, lazy: bool = F
     """Put values in the place of nodes, and decode literals."""
     if isinstance(value, Node):
         return values.get(value.key) if lazy else values[value.key]
-    if isinstance(value, list):
+    if isinstance(value, tuple):
         for option in alternatives(hint):
             if typing.get_origin(option) is tuple:
                 members = typing.get_args(option)

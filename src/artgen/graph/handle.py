@@ -1,15 +1,15 @@
 """Handles: what authors hold while a graph is built. A handle has a type and a node, but no value."""
 
 import typing
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from types import NoneType
 from typing import Any, ClassVar, NoReturn, Self
 
 import numpy as np
 
-from artgen.errors import BuildError
-from artgen.graph.kernel import Operation, alternatives, operation
+from artgen.errors import BuildError, nearest
+from artgen.graph.kernel import OPERATIONS, Operation, alternatives, operation
 from artgen.graph.node import PARAMETER, Node, authors_line
 
 
@@ -35,7 +35,7 @@ class Handle:
             Handle.HANDLES[cls.value_type] = cls
 
     @classmethod
-    def record(cls, kernel: Callable[..., Any] | str, **inputs: Any) -> Self:
+    def record(cls, kernel: Callable[..., Any] | str, /, **inputs: Any) -> Self:
         """Record an operation in a new node and return the handle of its result.
 
         Args:
@@ -43,22 +43,21 @@ class Handle:
             **inputs: Handles, or Python values that may stand for them.
 
         Raises:
-            BuildError: An input is of another type than the kernel's.
+            BuildError: An input is unknown, missing, or of another type than the kernel's.
         """
-        name = kernel if isinstance(kernel, str) else kernel.__name__.lstrip("_")
-        known = operation(name)
+        known = operation(kernel if isinstance(kernel, str) else kernel.__name__.lstrip("_"))
         where = authors_line()
-        lifted = {}
-        for parameter, hint in known.inputs.items():
-            lifted[parameter] = lift(inputs.pop(parameter), hint, f"{name}(..., {parameter}=...)", where)
-        if inputs:
-            raise BuildError(f"{name} has no input {next(iter(inputs))!r}\n  at {where}")
-        return cls(Node(name, lifted, where))
+        return cls(Node(known.name, lift_all(known, inputs, where), where))
 
     @classmethod
-    def parameter(cls, name: str) -> Self:
-        """Return the handle of a value that is drawn when an asset is generated."""
-        return cls(Node(PARAMETER, {"name": name, "kind": cls.__name__}, authors_line()))
+    def parameter(cls, name: str, where: str = "") -> Self:
+        """Return the handle of a value that is drawn when an asset is generated.
+
+        Args:
+            name: Name by which evaluation is given the value.
+            where: File and line of the author; by default the caller's.
+        """
+        return cls(Node(PARAMETER, {"name": name, "kind": cls.__name__}, where or authors_line()))
 
     @classmethod
     def lift(cls, value: Any) -> Any:
@@ -71,31 +70,42 @@ class Handle:
         return literal
 
     def require(self, condition: "Handle | bool", message: str) -> Self:
-        """Return this value, on condition: a sample that violates the condition is drawn again."""
-        return type(self).record(
-            f"require_{type(self).__name__.lower()}", value=self, condition=condition, message=message
-        )
+        """Return this value, on condition: a sample that violates the condition is drawn again.
 
-    def _refuse(self, what: str, remedies: str) -> NoReturn:
+        Raises:
+            BuildError: Nothing can be required of values of this type.
+        """
+        name = f"require_{type(self).__name__.lower()}"
+        if name not in OPERATIONS:
+            raise BuildError(
+                f"a {type(self).__name__} cannot carry a requirement\n  at {authors_line()}\n"
+                "  Attach it to a number, a solid or the body: body.require(condition, message)"
+            )
+        return type(self).record(name, value=self, condition=condition, message=message)
+
+    def _refuse(self, what: str, remedy: str) -> NoReturn:
         raise BuildError(
             f"{what}: a {type(self).__name__} has no value while the graph is being built\n"
-            f"  at {authors_line()}, made at {self.node.where}\n  {remedies}"
+            f"  at {authors_line()}, made at {self.node.where}\n"
+            f"  {remedy}\n"
+            "  Or make the parameter that it comes from structural (annotate it int, str, bool or Literal): "
+            "then it is known while building, and plain if, for and == work."
         )
 
     def __bool__(self) -> bool:
         """Refuse: a handle is neither true nor false."""
         self._refuse(
             "a handle used as a condition",
-            "Use switch(condition, a, b), or make the parameter structural (annotate it bool, int, str or "
-            "Literal) so that Python's own if and for may look at it.",
+            "Use switch(condition, a, b) instead of if; a & b, a | b, ~a instead of and, or, not; "
+            "(a < b) & (b < c) instead of a < b < c; min_ and max_ instead of min and max.",
         )
 
     def __eq__(self, other: object) -> bool:
         """Refuse: comparing handles does not compare their values."""
         self._refuse(
-            "== between handles",
-            "Use abs(a - b) < tolerance inside switch(...), or make the parameter structural "
-            "(annotate it bool, int, str or Literal).",
+            "== or != on a handle",
+            "Use switch(abs(a - b) < tolerance, ...) for numbers, a.node.key == b.node.key to ask whether two "
+            "handles stand for the same graph.",
         )
 
     def __ne__(self, other: object) -> bool:
@@ -104,28 +114,33 @@ class Handle:
 
     def __hash__(self) -> int:
         """Refuse: what cannot be compared is no key."""
-        self._refuse("a handle as a key of a dict or member of a set", "Use its node's key: handle.node.key.")
+        self._refuse(
+            "a handle as a key of a dict or a member of a set",
+            "Use switch(condition, a, b) instead of a look-up, or handle.node.key as the key.",
+        )
 
     def __len__(self) -> int:
         """Refuse: the length is not known."""
         self._refuse(
             "len() of a handle",
-            "Make the count structural (annotate it int, with count(low, high)), or use repeat and array.",
+            "Use body.repeat(child, joint, at=points) for copies, switch(condition, points, others) where "
+            "their number varies.",
         )
 
-    def __iter__(self) -> Any:
+    def __iter__(self) -> Iterator[Any]:
         """Refuse: the members are not known."""
         self._refuse(
             "iteration over a handle",
-            "Use .x, .y and .z, repeat or array, or make the parameter structural (annotate it int).",
+            "Use .x, .y and .z of a Vector, body.repeat(child, joint, at=points) for copies, or "
+            "switch(condition, a, b).",
         )
 
     def __float__(self) -> float:
         """Refuse: the number is not known."""
         self._refuse(
-            "float() of a handle",
-            "Keep it a handle: arithmetic, min_, max_ and switch work on it; or make the parameter "
-            "structural (annotate it int, or Literal).",
+            "a handle used as a plain number, as float(), round() or the functions of math do",
+            "Keep it a handle: arithmetic, switch(condition, a, b) and artgen's sin, sqrt, min_, round_, ... "
+            "take handles.",
         )
 
     def __int__(self) -> int:
@@ -135,6 +150,18 @@ class Handle:
     def __index__(self) -> int:
         """Refuse: the number is not known."""
         return int(self.__float__())
+
+    def __round__(self, digits: int | None = None) -> float:
+        """Refuse: the number is not known."""
+        return self.__float__()
+
+    def __floor__(self) -> float:
+        """Refuse: the number is not known."""
+        return self.__float__()
+
+    def __ceil__(self) -> float:
+        """Refuse: the number is not known."""
+        return self.__float__()
 
     def __repr__(self) -> str:
         """Name the type, the operation and its place."""
@@ -159,6 +186,23 @@ class LiteralType:
 
 LITERAL_TYPES: dict[type, LiteralType] = {}
 """Classes beside numbers and strings that nodes may hold, by class."""
+
+
+def lift_all(known: Operation, inputs: Mapping[str, Any], where: str) -> dict[str, Any]:
+    """Turn an author's values into the inputs of a node of an operation.
+
+    Raises:
+        BuildError: An input is unknown, missing or of another type.
+    """
+    for name in inputs:
+        if name not in known.inputs:
+            raise BuildError(f"{known.name} has no input {name!r}.{nearest(name, known.inputs)}\n  at {where}")
+    lifted = {}
+    for name, hint in known.inputs.items():
+        if name not in inputs:
+            raise BuildError(f"{known.name} misses its input {name!r}\n  at {where}")
+        lifted[name] = lift(inputs[name], hint, f"{known.name}(..., {name}=...)", where)
+    return lifted
 
 
 def lift(value: Any, hint: Any, what: str, where: str) -> Any:
@@ -189,9 +233,8 @@ def _lift_one(value: Any, hint: Any, what: str, where: str) -> Any:
         return _lift_tuple(value, typing.get_args(hint), what, where)
     if origin is typing.Literal:
         options = typing.get_args(hint)
-        if isinstance(value, str | int) and value in options:
-            return value
-        return NotImplemented
+        matching = (item for item in options if type(item) is type(value) and item == value)
+        return next(matching, NotImplemented)
     if isinstance(value, Handle):
         return NotImplemented
     if hint in LITERAL_TYPES and isinstance(value, hint):
@@ -207,10 +250,10 @@ def _lift_tuple(value: Any, members: tuple[Any, ...], what: str, where: str) -> 
     if isinstance(value, Handle | str) or not isinstance(value, Sequence | np.ndarray):
         return NotImplemented
     if len(members) == 2 and members[1] is Ellipsis:
-        return [lift(item, members[0], what, where) for item in value]
+        return tuple(lift(item, members[0], what, where) for item in value)
     if len(value) != len(members):
         return NotImplemented
-    return [lift(item, member, what, where) for item, member in zip(value, members, strict=True)]
+    return tuple(lift(item, member, what, where) for item, member in zip(value, members, strict=True))
 
 
 def _name(hint: Any) -> str:
@@ -235,7 +278,7 @@ def decode(value: Any, hint: Any) -> Any:
     for option in alternatives(hint):
         if option in Handle.HANDLES and value is not None:
             return Handle.HANDLES[option].decode(value)
-        if typing.get_origin(option) is tuple and isinstance(value, list):
+        if typing.get_origin(option) is tuple and isinstance(value, tuple):
             members = typing.get_args(option)
             if len(members) == 2 and members[1] is Ellipsis:
                 return tuple(decode(item, members[0]) for item in value)
@@ -245,10 +288,14 @@ def decode(value: Any, hint: Any) -> Any:
     return value
 
 
+def handle_type(name: str) -> type[Handle]:
+    """Return the handle class of that name; it is known to exist."""
+    return next(handle for handle in Handle.HANDLES.values() if handle.__name__ == name)
+
+
 def handle_of(node: Node) -> Handle:
     """Wrap a node in the handle of its result's type."""
     if node.op == PARAMETER:
-        kinds = {handle.__name__: handle for handle in Handle.HANDLES.values()}
-        return kinds[node.inputs["kind"]](node)
+        return handle_type(node.inputs["kind"])(node)
     known: Operation = operation(node.op)
     return Handle.HANDLES[known.result](node)

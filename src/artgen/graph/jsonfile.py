@@ -4,10 +4,10 @@ import json
 from collections.abc import Mapping
 from typing import Any
 
-from artgen.errors import GraphError, nearest
-from artgen.graph.handle import LITERAL_TYPES, Handle, handle_of
+from artgen.errors import GraphError
+from artgen.graph.handle import LITERAL_TYPES, Handle, handle_of, lift_all
 from artgen.graph.kernel import operation
-from artgen.graph.node import PARAMETER, Node, topological
+from artgen.graph.node import PARAMETER, Node, authors_line, topological
 
 VERSION = 1
 
@@ -20,7 +20,7 @@ def to_json(handle: Handle) -> str:
     def data(value: Any) -> Any:
         if isinstance(value, Node):
             return {"$": number[value.key]}
-        return [data(item) for item in value] if isinstance(value, list) else value
+        return [data(item) for item in value] if isinstance(value, tuple) else value
 
     nodes = [
         {"op": node.op, "inputs": {name: data(value) for name, value in node.inputs.items()}}
@@ -38,9 +38,14 @@ def from_json(text: str) -> Handle:
             input of the wrong type, or nodes that refer to later ones (a cycle).
     """
     try:
-        data = json.loads(text)
+        return _read_graph(json.loads(text))
     except json.JSONDecodeError as error:
         raise GraphError(f"this is not a graph file: {error}") from None
+    except RecursionError:
+        raise GraphError("this is not a graph file: its lists are nested too deeply") from None
+
+
+def _read_graph(data: Any) -> Handle:
     if not isinstance(data, dict) or not isinstance(data.get("nodes"), list) or not data["nodes"]:
         raise GraphError("this is not a graph file: it has no list of nodes")
     if data.get("artgen_graph") != VERSION:
@@ -48,40 +53,33 @@ def from_json(text: str) -> Handle:
             f"the graph file has version {data.get('artgen_graph')!r}; this artgen reads version {VERSION}"
         )
     handles: list[Handle] = []
+    where = authors_line()
     for index, entry in enumerate(data["nodes"]):
-        handles.append(_read_node(entry, index, handles))
+        handles.append(_read_node(entry, index, handles, where))
     return handles[-1]
 
 
-def _read_node(entry: Any, index: int, handles: list[Handle]) -> Handle:
+def _read_node(entry: Any, index: int, handles: list[Handle], where: str) -> Handle:
     place = f"node {index} of the graph file"
-    if not isinstance(entry, dict) or not isinstance(entry.get("inputs"), dict) or "op" not in entry:
+    if not isinstance(entry, dict) or not isinstance(entry.get("inputs"), dict) or not isinstance(entry.get("op"), str):
         raise GraphError(f"{place} must have an op and inputs")
     name, inputs = entry["op"], entry["inputs"]
+    where = f"{where} ({place})"
     if name == PARAMETER:
-        return _read_parameter(inputs, place)
-    try:
-        known = operation(name)
-    except GraphError as error:
-        raise GraphError(f"{place}: {error}") from None
-    if set(inputs) != set(known.inputs):
-        wrong = sorted(set(inputs) ^ set(known.inputs))[0]
-        problem = "misses input" if wrong in known.inputs else "has no input"
-        raise GraphError(f"{place}: {name} {problem} {wrong!r}.{nearest(wrong, known.inputs)}")
+        return _read_parameter(inputs, place, where)
     values = {key: _read_value(value, index, handles, place) for key, value in inputs.items()}
     try:
-        return Handle.HANDLES[known.result].record(name, **values)
-    except GraphError:
-        raise
+        known = operation(name)
+        return handle_of(Node(name, lift_all(known, values, where), where))
     except ValueError as error:
         raise GraphError(f"{place}: {str(error).partition(chr(10))[0]}") from None
 
 
-def _read_parameter(inputs: Mapping[str, Any], place: str) -> Handle:
+def _read_parameter(inputs: Mapping[str, Any], place: str, where: str) -> Handle:
     kinds = [handle.__name__ for handle in Handle.HANDLES.values()]
-    if not isinstance(inputs.get("name"), str) or inputs.get("kind") not in kinds:
-        raise GraphError(f"{place}: a parameter needs a name and a kind; kinds are {', '.join(kinds)}")
-    return handle_of(Node(PARAMETER, {"name": inputs["name"], "kind": inputs["kind"]}, place))
+    if set(inputs) != {"name", "kind"} or not isinstance(inputs["name"], str) or inputs["kind"] not in kinds:
+        raise GraphError(f"{place}: a parameter needs a name and a kind, one of {', '.join(kinds)}")
+    return handle_of(Node(PARAMETER, {"name": inputs["name"], "kind": inputs["kind"]}, where))
 
 
 def _read_value(value: Any, index: int, handles: list[Handle], place: str) -> Any:
@@ -102,6 +100,6 @@ def _read_value(value: Any, index: int, handles: list[Handle], place: str) -> An
         if set(value) == {"$" + literal.tag}:
             try:
                 return literal.decode(value["$" + literal.tag])
-            except (TypeError, ValueError, KeyError) as error:
+            except (AttributeError, TypeError, ValueError, KeyError) as error:
                 raise GraphError(f"{place}: no valid {kind.__name__}: {error}") from None
     raise GraphError(f"{place} has the unknown literal {value!r}")

@@ -5,9 +5,10 @@ import keyword
 import re
 import sys
 from collections import Counter
+from collections.abc import Mapping
 from typing import Any
 
-from artgen.graph.handle import LITERAL_TYPES, Handle, handle_of
+from artgen.graph.handle import LITERAL_TYPES, Handle, handle_of, lift
 from artgen.graph.kernel import Operation, operation
 from artgen.graph.node import PARAMETER, Node, topological
 
@@ -71,30 +72,41 @@ class _Writer:
             kind = self._import(type(handle_of(node)))
             return f"{kind}.parameter({node.inputs['name']!r})"
         known = operation(node.op)
-        arguments = {name: self._value(value) for name, value in node.inputs.items()}
-        infix = known.spelling and any(isinstance(value, Node) for value in node.inputs.values())
-        if infix:
-            return known.spelling.format(**arguments)
-        return self._call(known, node, arguments)
+        if _is_infix(known, node):
+            operands = {name: _operand(self._value(value)) for name, value in node.inputs.items()}
+            return known.spelling.format(**operands)
+        return self._call(known, node)
 
-    def _call(self, known: Operation, node: Node, arguments: dict[str, str]) -> str:
+    def _call(self, known: Operation, node: Node) -> str:
         constructor = getattr(sys.modules[known.module], known.constructor, None)
         if constructor is None:
             handle = self._import(type(handle_of(node)))
-            return f"{handle}.record({known.name!r}, {_joined(arguments)})"
+            return f"{handle}.record({', '.join([repr(known.name), *self._keywords(node.inputs)])})"
         self.imports.setdefault(known.module, set()).add(known.constructor)
-        for parameter in inspect.signature(constructor).parameters.values():
-            if parameter.kind is parameter.VAR_POSITIONAL:
-                several = node.inputs[parameter.name]
-                spread = [self._value(item) for item in several]
-                rest = {name: text for name, text in arguments.items() if name != parameter.name}
-                return f"{known.constructor}({', '.join([*spread, *([_joined(rest)] if rest else [])])})"
-        return f"{known.constructor}({_joined(arguments)})"
+        remaining = dict(node.inputs)
+        arguments: list[str] = []
+        positional = True
+        for name, parameter in inspect.signature(constructor).parameters.items():
+            if name not in remaining:  # fixed by the kind of value, as in `switch`
+                positional = False
+            elif parameter.kind is parameter.VAR_POSITIONAL:
+                arguments += [self._value(item) for item in remaining.pop(name)]
+            elif _is_default(remaining[name], parameter.default, known.inputs[name]):
+                del remaining[name]
+                positional = False
+            elif parameter.kind is parameter.KEYWORD_ONLY:
+                positional = False
+            elif positional:
+                arguments.append(self._value(remaining.pop(name)))
+        return f"{known.constructor}({', '.join([*arguments, *self._keywords(remaining)])})"
+
+    def _keywords(self, inputs: Mapping[str, Any]) -> list[str]:
+        return [f"{name}={self._value(value)}" for name, value in inputs.items()]
 
     def _value(self, value: Any) -> str:
         if isinstance(value, Node):
             return self._spelled[value.key]
-        if isinstance(value, list):
+        if isinstance(value, tuple):
             items = [self._value(item) for item in value]
             return f"({', '.join(items)}{',' if len(items) == 1 else ''})"
         if isinstance(value, dict):
@@ -105,5 +117,27 @@ class _Writer:
         return repr(value)
 
 
-def _joined(arguments: dict[str, str]) -> str:
-    return ", ".join(f"{name}={text}" for name, text in arguments.items())
+def _is_infix(known: Operation, node: Node) -> bool:
+    """Tell whether the operation's spelling gives this very node.
+
+    Python needs a handle among the operands, and turns `2 < a` with a handle `a` into `a > 2`.
+    """
+    values = list(node.inputs.values())
+    if not known.spelling or not any(isinstance(value, Node) for value in values):
+        return False
+    return isinstance(values[0], Node) or known.result is float
+
+
+def _operand(text: str) -> str:
+    """Put a negative number in brackets: `-2.0 ** a` would be `-(2.0 ** a)`."""
+    return f"({text})" if text.startswith("-") else text
+
+
+def _is_default(value: Any, default: Any, hint: Any) -> bool:
+    """Tell whether leaving an argument out gives the same literal."""
+    if default is inspect.Parameter.empty or isinstance(default, Handle) or isinstance(value, Node):
+        return False
+    try:
+        return repr(lift(default, hint, "", "")) == repr(value)
+    except ValueError:
+        return False

@@ -35,9 +35,9 @@ def _extrude(
         _check_bevel(profile.contours, bevel)
     stations = max(1, math.ceil(abs(twist) / _TWIST_STEP - 1e-9))
     warp = _warp(length, taper, twist) if taper != 0.0 or twist != 0.0 else None
-    if twist != 0.0:
-        profile = refined(profile, 2.0 * length / stations)
-    skin = extrusion(profile.contours, length, bevel=bevel, stations=stations, warp=warp).turned(turn)
+    # long sides get more vertices, to bend; the pieces are bounded by the hulls of the few
+    contours = refined(profile, 2.0 * length / stations).contours if twist != 0.0 else profile.contours
+    skin = extrusion(contours, length, bevel=bevel, stations=stations, warp=warp).turned(turn)
     pieces = around_extrusion(profile, length, bevel=bevel, taper=taper, twist=twist, stations=stations)
     return skin.shape(moved(pieces, inputs.pose(turn)))
 

@@ -2,25 +2,23 @@
 
 from typing import Literal
 
-from artgen.categories.parts.roses import NECK_GAP, SPINDLE
+from artgen.categories.parts.roses import NECK_GAP, SIDES, Faces, spindle
 from artgen.generator import generator
 from artgen.materials import Material
 from artgen.nodes.body import Frame, frame, part
 from artgen.nodes.csg import union
-from artgen.nodes.handles import Body, Float, Path, Profile, Scalar, Solid, VectorLike
+from artgen.nodes.handles import Body, Float, Profile, Scalar, Solid, VectorLike
 from artgen.nodes.joint import Joint, Revolute
 from artgen.nodes.path import polyline, spline
-from artgen.nodes.primitive import cylinder, dome, ellipsoid
+from artgen.nodes.primitive import box, cylinder, dome, ellipsoid
 from artgen.nodes.profile import circle, ellipse, rectangle
 from artgen.nodes.sweep import sweep
 from artgen.nodes.vector import Y
 from artgen.sampling import choice, uniform
 
-Faces = Literal["both", "front", "back"]
-"""On which faces of the leaf a handle sits; the front faces -y."""
-
-SIDES: dict[str, tuple[int, ...]] = {"both": (-1, 1), "front": (-1,), "back": (1,)}
-"""The signs of y that belong to `Faces`."""
+_FLATNESS = 0.6  # thickness of a flat or oval grip over its height
+_BEND = 0.018  # radius of the bends of a bar [m]
+_RETURN = 0.031  # how far the tip of a bent lever returns towards the leaf, so that no sleeve catches [m]
 
 
 def spring_turn(
@@ -42,7 +40,7 @@ def spring_turn(
         pivot: A point on the spindle [m].
         toward: Direction of the lever along X, -1 or 1.
         preload: Torque of the spring at rest; a lever must not sag under its weight (about 0.3) [N m].
-        torque: Torque of the spring at the limit [N m].
+        torque: Torque of the spring at the limit, above the preload [N m].
         damping: [N m s/rad].
         friction: [N m].
     """
@@ -53,7 +51,7 @@ def spring_turn(
         pivot=pivot,
         limits=(0.0, limit),
         stiffness=stiffness,
-        rest=-(preload / stiffness),
+        rest=-preload / stiffness,
         damping=damping,
         friction=friction,
         armature=0.0005,  # the follower and the springs in the lock case
@@ -65,28 +63,28 @@ def spring_turn(
 def lever_handle(
     *,
     thickness: Float,
-    rose: Float,
+    rose_depth: Float,
     finish: Material,
     toward: int = -1,
     faces: Faces = "both",
     style: Literal["straight", "bent", "wave"] = choice("straight", "bent", "wave"),
     section: Literal["round", "flat"] = choice("round", "flat"),
-    length: Float = uniform(0.11, 0.145, "m", doc="spindle to the tip of the lever", within=(0.10, 0.20)),
+    length: Float = uniform(0.115, 0.145, "m", doc="spindle to the tip of the lever", within=(0.08, 0.25)),
     projection: Float = uniform(0.046, 0.056, "m", doc="face of the leaf to the middle of the lever"),
     girth: Float = uniform(0.0085, 0.0105, "m", doc="half the height of the grip"),
 ) -> Body:
-    """Make a lever on each face of the leaf, joined by the spindle.
+    """Make a lever on each face of the leaf, joined by the spindle: the link `handle`.
 
-    Links: it is the link `handle`. Attach it by `spring_turn`.
+    Attach it by `spring_turn`.
 
     Args:
         thickness: Thickness of the leaf [m].
-        rose: Thickness of the rose or plate, from which the neck keeps a gap [m].
+        rose_depth: How far the roses stand out, from which the necks keep a gap [m].
         finish: Metal of the lever.
         toward: Direction in which the levers point, -1 or 1 along X.
         faces: Which faces have a lever.
-        style: Plain bar, bar whose tip returns to the leaf, or a curved lever.
-        section: Round bar or rounded flat bar; a curved lever is always oval.
+        style: A straight bar, a bar whose tip returns to the leaf, or a waved lever.
+        section: A round bar or a rounded flat one; a waved lever is always oval.
         length: From the spindle to the tip [m].
         projection: From the face of the leaf to the middle of the lever [m].
         girth: Half the height of the grip [m].
@@ -94,12 +92,68 @@ def lever_handle(
     solids: list[Solid] = []
     grasps: list[Frame] = []
     for side in SIDES[faces]:
-        start, out = side * (thickness / 2 + rose + NECK_GAP), side * (thickness / 2 + projection)
-        grip = _profile("oval" if style == "wave" else section, girth)
-        solids.append(sweep(grip, _course(style, start, out, side, toward, length, girth)))
-        solids.append(_neck(start, side, girth))
-        solids.append(_tip(style, section, out, side, toward, length, girth))
+        start, out = side * (thickness / 2 + rose_depth + NECK_GAP), side * (thickness / 2 + projection)
+        collar = cylinder(girth + 0.002, 0.010, axis=Y, bevel=0.0012)
+        solids.append(collar.at(0.0, start + side * 0.005, 0.0))
+        if style == "wave":
+            solids += _wave(start, out, side, toward, length, girth)
+        else:
+            solids += _bar(style, section, start, out, side, toward, length, girth)
         grasps.append(frame((toward * length * 0.62, out, 0.0), approach=(0.0, -side, 0.0)))
-    solids.append(spindle(thickness, rose, faces))
-    width = 2 * girth + 0.03
-    return part(union(*solids), "handle", finish, grasp=grasps, grasp_width=width)
+    solids.append(spindle(thickness, rose_depth, faces))
+    return part(union(*solids), "handle", finish, grasp=grasps, grasp_width=2 * girth + 0.03)
+
+
+def _bar(
+    style: str,
+    section: str,
+    start: Scalar,
+    out: Scalar,
+    side: int,
+    toward: int,
+    length: Scalar,
+    girth: Scalar,
+) -> list[Solid]:
+    """Make a bent bar from its neck at y = start to its tip, which is slightly domed."""
+    thin = girth if section == "round" else _FLATNESS * girth
+    corners: list[VectorLike] = [(0.0, start, 0.0), (0.0, out, 0.0)]
+    if style == "bent":
+        reach = toward * (length - thin)
+        corners += [(reach, out, 0.0), (reach, out - side * _RETURN, 0.0)]
+        heading: VectorLike = (0.0, -side, 0.0)
+    else:
+        corners += [(toward * (length - 0.002), out, 0.0)]
+        heading = (toward, 0.0, 0.0)
+    bar = sweep(_section(section, girth), polyline(corners, fillet=_BEND))
+    if section == "round":
+        tip = dome(girth - 0.0002, height=0.0022, axis=heading).at(corners[-1])
+    elif style == "bent":
+        tip = box(2 * thin - 0.0004, 0.004, 2 * girth - 0.0004, bevel=0.0016).at(corners[-1])
+    else:
+        tip = box(0.004, 2 * thin - 0.0004, 2 * girth - 0.0004, bevel=0.0016).at(corners[-1])
+    return [bar, tip]
+
+
+def _section(section: str, girth: Scalar) -> Profile:
+    if section == "round":
+        return circle(girth)
+    return rectangle(2 * _FLATNESS * girth, 2 * girth, radius=0.003)
+
+
+def _wave(start: Scalar, out: Scalar, side: int, toward: int, length: Scalar, girth: Scalar) -> list[Solid]:
+    """Make a hub and an oval arm that rises, dips and levels out."""
+    thin = _FLATNESS * girth
+    face = out + side * (thin + 0.001)  # the hub ends 1 mm in front of the arm
+    hub = cylinder(girth + 0.0015, side * (face - start), axis=Y, bevel=0.002)
+    reach = toward * (length - thin)
+    # heights as shares of the girth: a gentle S, as cast levers have it
+    course = spline(
+        [
+            (0.0, out, 0.0),
+            (0.30 * reach, out, 0.45 * girth),
+            (0.68 * reach, out, -0.25 * girth),
+            (reach, out, -0.45 * girth),
+        ]
+    )
+    tip = ellipsoid(thin, thin - 0.0002, girth - 0.0002).at(reach, out, -0.45 * girth)
+    return [hub.at(0.0, (start + face) / 2, 0.0), sweep(ellipse(thin, girth), course), tip]

@@ -1,1 +1,126 @@
-"""Roses and plates: the fixed covers of the hole that a spindle passes."""
+"""Roses and plates: the fixed covers of the hole that a spindle passes.
+
+A rose hides a square hole, as a square spindle has; the neck of the handle stands in front of the rose and
+covers it, so that nothing of the hole is seen.
+"""
+
+from typing import Literal
+
+from artgen.generator import generator
+from artgen.materials import Material
+from artgen.nodes.body import detail, part, weld
+from artgen.nodes.extrude import extrude
+from artgen.nodes.handles import Body, Float, Scalar, Solid
+from artgen.nodes.primitive import bore, box, cylinder, frustum
+from artgen.nodes.profile import rectangle
+from artgen.nodes.vector import Y
+
+Faces = Literal["both", "front", "back"]
+"""The faces of a leaf on which something sits; the front faces -y."""
+
+SIDES: dict[str, tuple[int, ...]] = {"both": (-1, 1), "front": (-1,), "back": (1,)}
+"""The signs of y that belong to `Faces`."""
+
+SPINDLE = 0.0045
+"""Radius of a spindle: a square one of 8 mm, its edges turned off [m]."""
+
+NECK_GAP = 0.0005
+"""Gap between a rose and the neck of a handle [m]."""
+
+PIN_BELOW = 0.0215
+"""How far below the spindle a privacy pin passes the rose [m]."""
+
+PIN = 0.0034
+"""Radius of a privacy pin [m]."""
+
+_HOLE = 0.0105  # side of the hole [m]
+_SUNK = 0.0005  # how deep a rose is let into the leaf [m]
+
+
+def spindle_hole(thickness: Scalar) -> Solid:
+    """Make the tool that cuts the hole for a spindle through a leaf (4 mm past either face)."""
+    return box(_HOLE, thickness + 0.008, _HOLE)
+
+
+@generator
+def rose(
+    *,
+    thickness: Float,
+    depth: Float,
+    across: Float,
+    finish: Material,
+    style: Literal["round", "square", "plate"] = "round",
+    height: Float = 0.2,
+    faces: Faces = "both",
+    pin: Literal["none", "turn", "push"] = "none",
+) -> Body:
+    """Make the roses of a handle on the faces of a leaf, to be welded to it.
+
+    Args:
+        thickness: Thickness of the leaf [m].
+        depth: How far a rose stands out of the leaf, 0.007-0.012 [m].
+        across: Diameter of a round rose, side of a square one, width of a plate [m].
+        finish: Its metal.
+        style: A round or square rose, or a long plate.
+        height: Height of a plate [m].
+        faces: Which faces have one.
+        pin: Whether the front rose has the hole of a privacy pin (`push`) or knob (`turn`).
+    """
+    bodies: list[Body] = []
+    for side in SIDES[faces]:
+        bodies += _one_rose(thickness, depth, across, finish, style, height, side, pin if side < 0 else "none")
+    return weld(*bodies)
+
+
+def _one_rose(
+    thickness: Scalar,
+    depth: Scalar,
+    across: Scalar,
+    finish: Material,
+    style: str,
+    height: Scalar,
+    side: int,
+    pin: str,
+) -> list[Body]:
+    middle = side * (thickness / 2 + (depth - _SUNK) / 2)
+    face = side * (thickness / 2 + depth)
+    deep = depth + _SUNK
+    if style == "round":
+        cover = frustum(across / 2, across / 2 - 0.0015, deep, axis=(0.0, side, 0.0), bevel=0.002)
+    elif style == "square":
+        cover = box(across, deep, across, bevel=0.0022)
+    else:
+        cover = extrude(rectangle(across, height, radius=0.006), deep, axis=Y, bevel=0.0015)
+    cover = cover.at(0.0, middle, 0.0) - box(_HOLE, deep + 0.004, _HOLE).at(0.0, middle, 0.0)
+    if pin != "none":
+        cover = cover - bore(PIN + 0.0004, deep + 0.004, axis=Y).at(0.0, middle, -PIN_BELOW)
+    bodies = [part(cover, "rose", finish)]
+    dark = finish.with_(name=f"{finish.name}_recess", base_color=(0.02, 0.02, 0.02))
+    if style == "plate":
+        for end in (-1, 1):
+            place = (0.0, face, end * (height / 2 - 0.012))
+            bodies.append(detail(cylinder(0.0042, 0.0012, axis=Y, bevel=0.0004).at(place), "screw", finish))
+            slot = box(0.0062, 0.0002, 0.0009).at(0.0, face + side * 0.0006, end * (height / 2 - 0.012))
+            bodies.append(detail(slot, "screw", dark))
+    else:
+        # the set screw sits in the rim, where it is not seen from the front
+        inset = 0.0012 if style == "round" else 0.0
+        place = (0.0, middle, -(across / 2 - inset))
+        bodies.append(detail(cylinder(0.0016, 0.0006, axis=(0.0, 0.0, 1.0)).at(place), "screw", dark))
+    return bodies
+
+
+def spindle(thickness: Scalar, rose_depth: Scalar, faces: Faces = "both") -> Solid:
+    """Make the spindle that joins the handles on both faces, or ends in the middle of the leaf.
+
+    Args:
+        thickness: Thickness of the leaf [m].
+        rose_depth: How far the roses stand out [m].
+        faces: Which faces have a handle.
+    """
+    reach = thickness / 2 + rose_depth + 0.006  # 6 mm into the neck of the handle
+    if faces == "both":
+        return cylinder(SPINDLE, 2 * reach, axis=Y)
+    side = SIDES[faces][0]
+    # a one-sided spindle ends behind the follower of the lock, 5 mm past the middle
+    return cylinder(SPINDLE, reach + 0.005, axis=Y).at(0.0, side * (reach - 0.005) / 2, 0.0)

@@ -1,0 +1,156 @@
+"""Door frames: jambs and head with stops, casing and threshold, or a solid timber frame with an arched head.
+
+A frame stands about the closed leaf, whose middle plane is y = 0: the clear opening is centred in x and starts
+at z = 0. The front of the frame is level with the front of the leaf, which opens towards -y.
+"""
+
+import math
+from dataclasses import dataclass
+from typing import Literal
+
+from artgen.categories.parts.arch import Arch
+from artgen.materials import Material
+from artgen.nodes.body import part, weld
+from artgen.nodes.extrude import extrude
+from artgen.nodes.handles import Body, Float, Scalar, Solid
+from artgen.nodes.path import polyline
+from artgen.nodes.primitive import box
+from artgen.nodes.profile import polygon
+from artgen.nodes.sweep import sweep
+from artgen.nodes.vector import X, Y
+
+JAMB = 0.034
+"""Thickness of jambs and head [m]."""
+
+_TIMBER = 0.075  # face of a solid timber frame [m]
+_STOP = (0.012, 0.030)  # how far a stop stands out, and how deep it is [m]
+STOP_GAP = 0.002
+"""Gap between the closed leaf and the stops [m]; a seal fills it."""
+
+_REVEAL = 0.0095  # casings leave so much of the front of the jamb bare: the hinges swing there [m]
+_SILL_PLAY = 0.004  # between threshold and leaf [m]
+
+FrameKind = Literal["jambs", "full", "arched"]
+
+
+@dataclass(frozen=True)
+class Doorway:
+    """The clear opening that a frame leaves for its leaves.
+
+    Attributes:
+        width: Between the jambs [m].
+        height: Under the head, at the crown of an arch [m].
+        thickness: Of the leaf [m].
+        depth: Of the jambs, front to back [m].
+        arch: The arch of the head; None for a straight one.
+        floor_gap: Under the leaf [m].
+    """
+
+    width: Float
+    height: Float
+    thickness: Float
+    depth: Float
+    arch: Arch | None
+    floor_gap: Float
+
+    @property
+    def straight(self) -> Scalar:
+        """Height of the jambs [m]."""
+        return self.height if self.arch is None else self.arch.spring
+
+    @property
+    def middle(self) -> Float:
+        """Where the middle of the jambs is along Y [m]."""
+        return (self.depth - self.thickness) / 2.0
+
+
+def door_frame(
+    doorway: Doorway,
+    kind: FrameKind,
+    *,
+    finish: Material,
+    sill: Material,
+    casing: Scalar,
+    jamb_cut: Solid | None = None,
+    head_cut: Solid | None = None,
+) -> Body:
+    """Make the frame of a door: the link `frame`.
+
+    Args:
+        doorway: What it leaves free.
+        kind: Jambs and head only; with casing and threshold; or solid timber with an arched head.
+        finish: Its wood.
+        sill: Material of the threshold.
+        casing: Width of the casing [m].
+        jamb_cut: What the locks need taken out of the jamb at the right.
+        head_cut: What a flush bolt needs taken out of the head.
+    """
+    wide = _TIMBER if kind == "arched" else JAMB
+    jamb = box(wide, doorway.depth, doorway.straight, bevel=0.0015)
+    jamb = jamb.at((doorway.width + wide) / 2.0, doorway.middle, doorway.straight / 2.0)
+    head = _head(doorway, wide)
+    solids = [
+        jamb if jamb_cut is None else jamb - jamb_cut,
+        jamb.mirror(X),
+        head if head_cut is None else head - head_cut,
+        *_stops(doorway),
+    ]
+    bodies = [part(solid, "frame", finish) for solid in solids]
+    if kind == "full":
+        front = _casing(doorway, casing).at(0.0, -doorway.thickness / 2.0, 0.0)
+        back = _casing(doorway, casing).mirror(Y).at(0.0, doorway.depth - doorway.thickness / 2.0, 0.0)
+        bodies += [part(front, "frame", finish), part(back, "frame", finish)]
+    if kind != "jambs":
+        tall = doorway.floor_gap - _SILL_PLAY
+        plate = box(doorway.width, doorway.depth, tall, bevel=0.0022)
+        bodies.append(part(plate.at(0.0, doorway.middle, tall / 2.0), "threshold", sill))
+    return weld(*bodies)
+
+
+def _head(doorway: Doorway, wide: float) -> Solid:
+    if doorway.arch is None:
+        head = box(doorway.width + 2.0 * wide, doorway.depth, wide, bevel=0.0015)
+        return head.at(0.0, doorway.middle, doorway.height + wide / 2.0)
+    # the band reaches on into the jambs, where its ends do not show
+    band = doorway.arch.band(wide, beyond=0.6 * wide)
+    return extrude(band, doorway.depth, axis=Y, bevel=0.0015).at(0.0, doorway.middle, 0.0)
+
+
+def _stops(doorway: Doorway) -> list[Solid]:
+    """Make the strips behind the leaf that it closes against."""
+    out, deep = _STOP
+    middle = doorway.thickness / 2.0 + STOP_GAP + deep / 2.0
+    side = box(out, deep, doorway.straight, bevel=0.0025)
+    side = side.at((doorway.width - out) / 2.0, middle, doorway.straight / 2.0)
+    if doorway.arch is None:
+        top = box(doorway.width - 2.0 * out, deep, out, bevel=0.0025)
+        top = top.at(0.0, middle, doorway.height - out / 2.0)
+    else:
+        band = doorway.arch.outset(-out).band(out, beyond=out)
+        top = extrude(band, deep, axis=Y, bevel=0.0025).at(0.0, middle, 0.0)
+    return [side, side.mirror(X), top]
+
+
+def _casing(doorway: Doorway, width: Scalar) -> Solid:
+    """Make the moulded trim of the front, mitred at its corners, its back at y = 0.
+
+    Its inner edge is thin and its outer one 15 mm thick, so that the leaf swings clear of it.
+    """
+    section = polygon(
+        [
+            (0.0, 0.0),
+            (width, 0.0),
+            (width, 0.0135),
+            (width - 0.002, 0.015),
+            (0.80 * width, 0.015),
+            (0.72 * width, 0.0115),
+            (0.30 * width, 0.0095),
+            (0.22 * width, 0.0075),
+            (0.004, 0.0070),
+            (0.0, 0.0050),
+        ]
+    )
+    x, z = doorway.width / 2.0 + _REVEAL, doorway.height + _REVEAL
+    # swept on the floor, where the section's x is outward and its y is up, then stood up: up becomes the front
+    line = polyline([(-x, 0.0, 0.0), (-x, z, 0.0), (x, z, 0.0), (x, 0.0, 0.0)])
+    return sweep(section, line).rotate(X, math.pi / 2.0)

@@ -1,0 +1,87 @@
+"""Door knobs."""
+
+from typing import Literal
+
+from artgen.categories.parts.roses import NECK_GAP, PIN, SIDES, Faces, spindle
+from artgen.generator import generator
+from artgen.materials import Material
+from artgen.nodes.body import Frame, frame, part
+from artgen.nodes.csg import union
+from artgen.nodes.handles import Body, Float, Scalar, Solid
+from artgen.nodes.primitive import bore, cylinder, ellipsoid, frustum
+from artgen.nodes.vector import Y
+from artgen.sampling import choice, uniform
+
+_CASTING = 0.35  # knobs are hollow: the share of the metal's density that a whole set weighs
+
+
+def casting(finish: Material) -> Material:
+    """Return the material of a hollow casting with the looks of a finish."""
+    return finish.with_(name=f"{finish.name}_casting", density=_CASTING * finish.density)
+
+
+@generator
+def knob_handle(
+    *,
+    thickness: Float,
+    rose_depth: Float,
+    finish: Material,
+    faces: Faces = "both",
+    pin: Literal["none", "turn", "push"] = "none",
+    style: Literal["ball", "flat", "tulip", "egg"] = choice("ball", "flat", "tulip", "egg"),
+    radius: Float = uniform(0.025, 0.0285, "m", doc="radius of the knob", within=(0.02, 0.04)),
+    projection: Float = uniform(0.060, 0.068, "m", doc="face of the leaf to the end of the knob"),
+) -> Body:
+    """Make a knob on each face of the leaf, joined by the spindle: the link `handle`.
+
+    Attach it by `spring_turn`.
+
+    Args:
+        thickness: Thickness of the leaf [m].
+        rose_depth: How far the roses stand out, from which the necks keep a gap [m].
+        finish: Metal of the knobs.
+        faces: Which faces have a knob.
+        pin: Whether the front knob has the hole of a privacy pin (`push`) in its middle.
+        style: Ball, flat with a round rim, tulip (a cone with a domed end), or a lying egg.
+        radius: Radius of the knob [m].
+        projection: From the face of the leaf to the end of the knob [m].
+    """
+    solids: list[Solid] = []
+    grasps: list[Frame] = []
+    for side in SIDES[faces]:
+        start, end = side * (thickness / 2 + rose_depth + NECK_GAP), side * (thickness / 2 + projection)
+        solids += _one_knob(style, start, end, side, radius)
+        middle = (0.0, end - side * 0.5 * radius, 0.0)
+        grasps.append(frame(middle, approach=(0.0, -side, 0.0)))
+    solids.append(spindle(thickness, rose_depth, faces))
+    solid = union(*solids)
+    if pin == "push":
+        front = -(thickness / 2 + projection)
+        solid = solid - bore(PIN + 0.0004, 2 * PIN_DEPTH, axis=Y).at(0.0, front, 0.0)
+    return part(solid, "handle", casting(finish), grasp=grasps, grasp_width=2 * radius + 0.01)
+
+
+PIN_DEPTH = 0.012
+"""Depth of the hole of a privacy pin in a knob [m]."""
+
+
+def _one_knob(style: str, start: Scalar, end: Scalar, side: int, radius: Scalar) -> list[Solid]:
+    """Make a knob from y = start, in front of the rose, to y = end."""
+    neck = frustum(0.0135, 0.0105, side * (end - start) * 0.6, axis=(0.0, side, 0.0), bevel=0.001)
+    solids = [neck.at(0.0, start + 0.3 * (end - start), 0.0)]
+    collar = cylinder(0.016, 0.004, axis=Y, bevel=0.001).at(0.0, start + side * 0.002, 0.0)
+    solids.append(collar)
+    outward = (0.0, side, 0.0)
+    if style == "ball":
+        deep = 0.74 * radius
+        solids.append(ellipsoid(radius, deep, radius).at(0.0, end - side * deep, 0.0))
+    elif style == "egg":
+        deep = 0.74 * radius
+        solids.append(ellipsoid(1.15 * radius, deep, 0.85 * radius).at(0.0, end - side * deep, 0.0))
+    elif style == "flat":
+        solids.append(cylinder(radius, 0.022, axis=Y, bevel=0.006).at(0.0, end - side * 0.011, 0.0))
+    else:
+        cup = frustum(0.5 * radius, radius, 0.026, axis=outward, bevel=0.003)
+        solids.append(cup.at(0.0, end - side * 0.016, 0.0))
+        solids.append(cylinder(0.8 * radius, 0.008, axis=Y, bevel=0.0015).at(0.0, end - side * 0.004, 0.0))
+    return solids

@@ -1,0 +1,384 @@
+"""Door leaves: flush, panelled, glazed, louvred and half glazed.
+
+A leaf stands in the X-Z plane: its bottom is at z = 0, it is centred in x, its faces are at y = -thickness / 2
+and y = thickness / 2. The lock edge is at x = width / 2. Framed leaves are made as joiners make them, of stiles
+that run through and rails between them; each board has its own grain.
+"""
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Literal, NamedTuple
+
+from artgen.categories.parts.arch import Arch
+from artgen.generator import generator
+from artgen.materials import Material, material
+from artgen.nodes.arrays import array
+from artgen.nodes.body import detail, part, weld
+from artgen.nodes.csg import hull
+from artgen.nodes.extrude import extrude
+from artgen.nodes.handles import Body, Float, Scalar, Solid, VectorLike
+from artgen.nodes.path import polyline
+from artgen.nodes.primitive import box
+from artgen.nodes.profile import polygon, rectangle
+from artgen.nodes.scalar import atan2, sqrt
+from artgen.nodes.sweep import sweep
+from artgen.nodes.vector import X, Y
+from artgen.sampling import choice, count, uniform
+
+EASED = 0.0008
+"""Edges of boards are sanded to this radius [m]: joints show as a fine line."""
+
+_TOP_RAIL = 0.115  # [m]
+_BOTTOM_RAIL = 0.200  # the kick rail is the widest [m]
+_LOCK_RAIL = 0.120  # between rows [m]
+_MULLION = 0.085  # between columns [m]
+_PANE = 0.005  # toughened glass [m]
+
+Fill = Callable[["Opening", Scalar], list[Body]]
+
+
+@dataclass(frozen=True)
+class Blank:
+    """What every leaf has in common.
+
+    Attributes:
+        width: [m].
+        height: At the top of the arch where there is one [m].
+        thickness: [m].
+        rise: Rise of an arched top over its ends [m]; None for a straight one.
+        cut: What the hardware needs taken out of the lock stile; None for nothing.
+        finish: What the leaf is made of.
+    """
+
+    width: Float
+    height: Float
+    thickness: Float
+    rise: Float | None
+    cut: Solid | None
+    finish: Material
+
+    @property
+    def straight(self) -> Scalar:
+        """Height up to where an arch begins [m]."""
+        return self.height if self.rise is None else self.height - self.rise
+
+    def carved(self, solid: Solid) -> Solid:
+        """Return a solid without what the hardware needs."""
+        return solid if self.cut is None else solid - self.cut
+
+    def board(self, x: Scalar, z: Scalar) -> Solid:
+        """Make a board as thick as the leaf about the origin."""
+        return box(x, self.thickness, z, bevel=EASED)
+
+
+class Row(NamedTuple):
+    """A row of openings between two rails.
+
+    Attributes:
+        share: Its part of the height that the rails leave.
+        columns: Openings side by side.
+        fill: What fills them.
+    """
+
+    share: float
+    columns: int
+    fill: Fill
+
+
+class Opening(NamedTuple):
+    """The openings of a row, all of one size.
+
+    Attributes:
+        width: [m].
+        height: [m].
+        centers: Where their centres are [m].
+        columns: How many there are.
+        finish: What surrounds them.
+    """
+
+    width: Scalar
+    height: Scalar
+    centers: Sequence[VectorLike]
+    columns: int
+    finish: Material
+
+    def everywhere(self, solid: Solid) -> Solid:
+        """Return copies of a solid, made about the origin, in all openings."""
+        return array(solid, at=self.centers)
+
+
+@generator
+def flush_leaf(*, blank: Blank, inlays: int = choice(0, 3, 4, weights=(0.7, 0.15, 0.15))) -> Body:
+    """Make a flush leaf: one smooth slab with a hollow or particle core.
+
+    Args:
+        blank: Its measures.
+        inlays: Strips of aluminium across the faces.
+    """
+    core = blank.finish.with_(name=f"{blank.finish.name}_faced", density=340.0)
+    if blank.rise is None:
+        slab = box(blank.width, blank.thickness, blank.height, bevel=0.0015).at(0.0, 0.0, blank.height / 2.0)
+    else:
+        outline = _arch(blank, blank.rise).segment() | rectangle(blank.width, blank.straight).at(
+            0.0, blank.straight / 2.0
+        )
+        slab = extrude(outline, blank.thickness, axis=Y, bevel=0.0015)
+    body = part(blank.carved(slab), "door", core)
+    if not inlays:
+        return body
+    strip = box(blank.width - 0.004, blank.thickness + 0.0004, 0.008)
+    levels = [(0.0, 0.0, blank.straight * (index + 0.75) / (inlays + 0.5)) for index in range(inlays)]
+    return weld(body, detail(array(strip, at=levels), "door", material("aluminium")))
+
+
+_ROWS: dict[int, tuple[tuple[float, int], ...]] = {
+    1: ((1.0, 1),),
+    2: ((0.42, 1), (0.58, 1)),
+    3: ((0.42, 2), (0.58, 1)),
+    4: ((0.42, 2), (0.58, 2)),
+    5: ((0.2, 1),) * 5,
+    6: ((0.34, 2), (0.45, 2), (0.21, 2)),
+    7: ((0.34, 2), (0.43, 2), (0.23, 3)),
+    8: ((0.25, 2),) * 4,
+}
+"""Rows of panels from the bottom up, with their share of the height and their columns."""
+
+
+@generator
+def panel_leaf(
+    *,
+    blank: Blank,
+    panels: int = count(1, 8, weights=(1, 3, 1, 3, 2, 4, 1, 1), doc="6 is the colonial door"),
+    relief: Literal["raised", "recessed"] = choice("raised", "recessed"),
+    stile: Float = uniform(0.106, 0.115, "m", within=(0.1, 0.16)),
+    moulding: Float = uniform(0.010, 0.016, "m", doc="how far the sticking reaches into a panel"),
+) -> Body:
+    """Make a leaf of stiles and rails with panels between them.
+
+    Args:
+        blank: Its measures.
+        panels: How many panels.
+        relief: Whether the panels' fields stand out of their grooves or lie flat in them.
+        stile: Width of the stiles [m].
+        moulding: Width of the moulding around the panels [m].
+    """
+
+    def panel(opening: Opening, thickness: Scalar) -> list[Body]:
+        return _panels(opening, thickness, relief, moulding)
+
+    rows = [Row(share, columns, panel) for share, columns in _ROWS[panels]]
+    return _framed(blank, stile, rows)
+
+
+@generator
+def glazed_leaf(
+    *,
+    blank: Blank,
+    columns: int = choice(1, 2, 3, weights=(0.4, 0.3, 0.3)),
+    lights: int = choice(1, 4, 5, weights=(0.4, 0.3, 0.3), doc="panes above each other"),
+    glass: Material = choice(material("glass"), material("frosted_glass"), weights=(0.7, 0.3)),
+    stile: Float = uniform(0.106, 0.115, "m", within=(0.1, 0.16)),
+) -> Body:
+    """Make a glazed leaf: one pane in beads, divided by muntins.
+
+    Args:
+        blank: Its measures.
+        columns: Panes side by side.
+        lights: Panes above each other.
+        glass: Clear or frosted glass.
+        stile: Width of the stiles [m].
+    """
+
+    def pane(opening: Opening, thickness: Scalar) -> list[Body]:
+        return _panes(opening, thickness, columns, lights, glass)
+
+    return _framed(blank, stile, [Row(1.0, 1, pane)])
+
+
+@generator
+def half_lite_leaf(
+    *,
+    blank: Blank,
+    columns: int = choice(1, 2, 3),
+    lights: int = choice(1, 2, 3),
+    glass: Material = choice(material("glass"), material("frosted_glass"), weights=(0.7, 0.3)),
+    panels: int = choice(1, 2),
+    stile: Float = uniform(0.106, 0.115, "m", within=(0.1, 0.16)),
+) -> Body:
+    """Make a leaf with a window above and panels below.
+
+    Args:
+        blank: Its measures.
+        columns: Panes side by side.
+        lights: Panes above each other.
+        glass: Clear or frosted glass.
+        panels: Panels side by side below.
+        stile: Width of the stiles [m].
+    """
+
+    def panel(opening: Opening, thickness: Scalar) -> list[Body]:
+        return _panels(opening, thickness, "raised", 0.012)
+
+    def pane(opening: Opening, thickness: Scalar) -> list[Body]:
+        return _panes(opening, thickness, columns, lights, glass)
+
+    return _framed(blank, stile, [Row(0.42, panels, panel), Row(0.58, 1, pane)])
+
+
+@generator
+def louver_leaf(
+    *,
+    blank: Blank,
+    slats: int = count(22, 26, doc="in one section"),
+    below: Literal["louver", "panel"] = choice("louver", "panel"),
+    stile: Float = uniform(0.106, 0.115, "m", within=(0.1, 0.16)),
+) -> Body:
+    """Make a louvred leaf: slats tilted by about 40 degrees that hide what is behind.
+
+    Args:
+        blank: Its measures.
+        slats: Slats in each section.
+        below: What fills the lower section.
+        stile: Width of the stiles [m].
+    """
+
+    def louver(opening: Opening, thickness: Scalar) -> list[Body]:
+        return _slats(opening, thickness, slats)
+
+    def panel(opening: Opening, thickness: Scalar) -> list[Body]:
+        return _panels(opening, thickness, "recessed", 0.012)
+
+    lower = louver if below == "louver" else panel
+    return _framed(blank, stile, [Row(0.45, 1, lower), Row(0.55, 1, louver)])
+
+
+def _arch(blank: Blank, rise: Float) -> Arch:
+    return Arch.over(blank.width, spring=blank.straight, rise=rise)
+
+
+def _framed(blank: Blank, stile: Float, rows: Sequence[Row]) -> Body:
+    """Make stiles and rails, and fill what is between them; rows count from the bottom."""
+    straight, finish = blank.straight, blank.finish
+    upright = blank.board(stile, straight).at((blank.width - stile) / 2.0, 0.0, straight / 2.0)
+    bodies = [
+        part(blank.carved(upright), "door", finish),
+        part(upright.mirror(X), "door", finish),
+    ]
+    inner = blank.width - 2.0 * stile
+    if blank.rise is not None:
+        head = extrude(_arch(blank, blank.rise).segment(), blank.thickness, axis=Y, bevel=EASED)
+        bodies.append(part(head, "door", finish))
+    free = straight - _BOTTOM_RAIL - _TOP_RAIL - _LOCK_RAIL * (len(rows) - 1)
+    level: Scalar = 0.0
+    fillings: list[Body] = []
+    for index, row in enumerate(rows):
+        rail = _LOCK_RAIL if index else _BOTTOM_RAIL
+        bodies.append(part(blank.board(inner, rail).at(0.0, 0.0, level + rail / 2.0), "door", finish))
+        level = level + rail
+        tall = free * row.share
+        opening = _columns(inner, tall, level + tall / 2.0, row.columns, finish)
+        if row.columns > 1:
+            pitch = opening.width + _MULLION
+            places = [((at - row.columns / 2.0) * pitch, 0.0, level + tall / 2.0) for at in range(1, row.columns)]
+            bodies.append(part(array(blank.board(_MULLION, tall), at=places), "door", finish))
+        fillings += row.fill(opening, blank.thickness)
+        level = level + tall
+    bodies.append(part(blank.board(inner, _TOP_RAIL).at(0.0, 0.0, straight - _TOP_RAIL / 2.0), "door", finish))
+    return weld(*bodies, *fillings)
+
+
+def _columns(inner: Scalar, tall: Scalar, middle: Scalar, columns: int, finish: Material) -> Opening:
+    """Return the openings of a row between the stiles."""
+    wide = (inner - _MULLION * (columns - 1)) / columns
+    pitch = wide + _MULLION
+    centers = [((at - (columns - 1) / 2.0) * pitch, 0.0, middle) for at in range(columns)]
+    return Opening(wide, tall, centers, columns, finish)
+
+
+def _sticking(opening: Opening, thickness: Scalar, depth: Scalar, reach: Scalar) -> Body:
+    """Make the moulding around the openings on both faces: a fillet, a cove and a bead down to the filling.
+
+    Args:
+        opening: What it surrounds.
+        thickness: Of the leaf [m].
+        depth: How far below the face the filling lies [m].
+        reach: How far the moulding covers the filling [m].
+    """
+    section = polygon(
+        [
+            (-0.0005, -depth),
+            (reach, -depth),
+            (reach, -0.80 * depth),
+            (0.80 * reach, -0.66 * depth),
+            (0.58 * reach, -0.58 * depth),
+            (0.40 * reach, -0.42 * depth),
+            (0.30 * reach, -0.16 * depth),
+            (0.24 * reach, -0.08 * depth),
+            (-0.0005, -0.08 * depth),
+        ]
+    )
+    x, z = opening.width / 2.0, opening.height / 2.0
+    ring = polyline([(-x, -z, 0.0), (x, -z, 0.0), (x, z, 0.0), (-x, z, 0.0)], closed=True)
+    # swept on the floor, where the section's y is up, then stood up: up becomes the front
+    front = sweep(section, ring).rotate(X, math.pi / 2.0).at(0.0, -thickness / 2.0, 0.0)
+    return detail(opening.everywhere(front | front.mirror(Y)), "door", opening.finish)
+
+
+def _panels(
+    opening: Opening, thickness: Scalar, relief: Literal["raised", "recessed"], moulding: Scalar
+) -> list[Body]:
+    """Make the panels of a row with their mouldings."""
+    width, height = opening.width - 0.001, opening.height - 0.001
+    tongue = 0.25 * thickness  # 9-11 mm stand in the groove
+    panel = box(width, tongue, height)
+    if relief == "raised":
+        margin = 2.0 * (moulding + 0.030)
+        field = box(width - margin, thickness - 0.010, height - margin)
+        edge = box(width - 2.0 * moulding, tongue, height - 2.0 * moulding)
+        panel = panel | hull(edge, field)
+    return [
+        part(opening.everywhere(panel), "door", opening.finish),
+        _sticking(opening, thickness, (thickness - tongue) / 2.0, moulding),
+    ]
+
+
+def _panes(
+    opening: Opening, thickness: Scalar, columns: int, lights: int, glass: Material
+) -> list[Body]:
+    """Make a pane in its beads, and the muntins over it."""
+    width, height = opening.width - 0.002, opening.height - 0.002
+    bodies = [
+        part(opening.everywhere(box(width, _PANE, height)), "glass", glass),
+        _sticking(opening, thickness, (thickness - _PANE) / 2.0, 0.013),
+    ]
+    center = opening.centers[0]
+    for number, across in ((columns, True), (lights, False)):
+        if number < 2:
+            continue
+        pitch = (opening.width if across else opening.height) / number
+        bar = (
+            box(0.022, thickness - 0.008, opening.height, bevel=0.005)
+            if across
+            else box(opening.width, thickness - 0.009, 0.022, bevel=0.005)
+        )
+        places = [
+            ((at - number / 2.0) * pitch, 0.0, 0.0) if across else (0.0, 0.0, (at - number / 2.0) * pitch)
+            for at in range(1, number)
+        ]
+        bodies.append(part(array(bar, at=places).at(center), "door", opening.finish))
+    return bodies
+
+
+def _slats(opening: Opening, thickness: Scalar, slats: int) -> list[Body]:
+    """Make slats of which each begins in height where the last one ends, so that nobody sees through."""
+    pitch = opening.height / slats
+    depth = thickness - 0.010
+    rise = 0.98 * pitch
+    tilt = atan2(rise, depth)
+    plank = 0.006
+    slat = box(opening.width, sqrt(depth * depth + rise * rise) - plank, plank, bevel=0.0025)
+    places = [(0.0, 0.0, (at - (slats - 1) / 2.0) * (opening.height - rise) / (slats - 1)) for at in range(slats)]
+    # the outer edge hangs down, so that rain and eyes stay out
+    solid = array(slat.rotate(X, tilt), at=places).at(opening.centers[0])
+    return [part(solid, "door", opening.finish)]

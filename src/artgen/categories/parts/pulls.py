@@ -1,0 +1,92 @@
+"""Pull handles: rigid bars on stand-offs."""
+
+from typing import Literal
+
+from artgen.categories.parts.roses import SIDES, Faces
+from artgen.generator import generator
+from artgen.materials import Material
+from artgen.nodes.body import Frame, frame, part, weld
+from artgen.nodes.csg import union
+from artgen.nodes.handles import Body, Float, Scalar, Solid
+from artgen.nodes.path import polyline
+from artgen.nodes.primitive import capsule, cylinder
+from artgen.nodes.profile import circle, rectangle
+from artgen.nodes.sweep import sweep
+from artgen.nodes.vector import Y
+from artgen.sampling import choice, uniform
+
+_SUNK = 0.0005  # how deep feet are let into the leaf [m]
+
+
+@generator
+def pull_handle(
+    *,
+    thickness: Float,
+    finish: Material,
+    faces: Faces = "both",
+    style: Literal["U", "T", "Z"] = choice("U", "T", "Z"),
+    length: Float = uniform(0.22, 0.45, "m", doc="overall length of the grip", within=(0.10, 1.8)),
+    projection: Float = uniform(0.045, 0.065, "m", doc="face of the leaf to the middle of the grip"),
+    girth: Float = uniform(0.009, 0.0125, "m", doc="radius of the bar"),
+) -> Body:
+    """Make an upright pull on the faces of a leaf, to be welded to it; it has the label `handle`.
+
+    The origin is in the middle of the grip's length, in the middle of the leaf.
+
+    Args:
+        thickness: Thickness of the leaf [m].
+        finish: Metal of the handle.
+        faces: Which faces have a pull.
+        style: `U` bends into the leaf at both ends, `T` is a straight bar on two posts, `Z` has its posts
+            offset to the side, out of the way of the hand.
+        length: Overall length of the grip [m].
+        projection: From the face of the leaf to the middle of the grip [m].
+        girth: Radius of the bar [m].
+    """
+    bodies: list[Body] = []
+    for side in SIDES[faces]:
+        foot, out = side * (thickness / 2 - _SUNK), side * (thickness / 2 + projection)
+        makers = {"U": _bow, "T": _bar_on_posts, "Z": _offset_bar}
+        solids = makers[style](foot, out, side, length, girth)
+        grasp: Frame = frame((0.0, out, 0.0), approach=(0.0, -side, 0.0), closing=(1.0, 0.0, 0.0))
+        name = "handle_front" if side < 0 else "handle_back"
+        bodies.append(
+            part(union(*solids), "handle", finish, name=name, grasp=grasp, grasp_width=2 * girth + 0.03)
+        )
+    return weld(*bodies)
+
+
+def _feet(foot: Scalar, side: int, x: Scalar, half: Scalar, girth: Scalar) -> list[Solid]:
+    """Make the round flanges under both ends."""
+    flange = cylinder(girth + 0.004, 0.005, axis=Y, bevel=0.0012)
+    return [flange.at(x, foot + side * 0.0025, end * half) for end in (-1, 1)]
+
+
+def _bow(foot: Scalar, out: Scalar, side: int, length: Scalar, girth: Scalar) -> list[Solid]:
+    half = length / 2 - girth
+    course = polyline(
+        [(0.0, foot, -half), (0.0, out, -half), (0.0, out, half), (0.0, foot, half)], fillet=0.022
+    )
+    return [sweep(circle(girth), course), *_feet(foot, side, 0.0, half, girth)]
+
+
+def _bar_on_posts(foot: Scalar, out: Scalar, side: int, length: Scalar, girth: Scalar) -> list[Solid]:
+    half = 0.32 * length
+    post = cylinder(0.7 * girth, side * (out - foot), axis=Y)
+    posts = [post.at(0.0, (foot + out) / 2, end * half) for end in (-1, 1)]
+    bar = cylinder(girth, length, bevel=0.0015).at(0.0, out, 0.0)
+    return [bar, *posts, *_feet(foot, side, 0.0, half, girth)]
+
+
+def _offset_bar(foot: Scalar, out: Scalar, side: int, length: Scalar, girth: Scalar) -> list[Solid]:
+    half = 0.32 * length
+    aside = 0.03
+    arms = [
+        sweep(
+            rectangle(1.2 * girth, 1.2 * girth, radius=0.002),
+            polyline([(aside, foot, end * half), (aside, out, end * half), (0.0, out, end * half)], fillet=0.01),
+        )
+        for end in (-1, 1)
+    ]
+    bar = capsule(girth, length).at(0.0, out, 0.0)
+    return [bar, *arms, *_feet(foot, side, aside, half, girth)]

@@ -1,0 +1,101 @@
+"""Push bars (panic hardware): a touch bar that slides towards the leaf between fixed cases."""
+
+from artgen.generator import generator
+from artgen.materials import Material
+from artgen.nodes.body import detail, frame, part, weld
+from artgen.nodes.handles import Body, Float, Scalar
+from artgen.nodes.joint import Joint, Prismatic
+from artgen.nodes.primitive import box
+
+_CHANNEL_DEPTH = 0.016  # how far the rail stands out of the leaf [m]
+_CHANNEL_HEIGHT = 0.062
+_CASE_DEPTH = 0.052
+_CASE_LENGTH = 0.085  # of the case over the lock; the far one is half as long
+_BAR_HEIGHT = 0.046
+_END_GAP = 0.0015  # between the bar and its cases [m]
+_LIP = 0.003  # the bar's lowest position leaves this to the rail [m]
+
+
+def _bar_span(length: Scalar, toward: int) -> tuple[Scalar, Scalar]:
+    """Return the middle and the length of the touch bar along X."""
+    near = _CASE_LENGTH / 2 + _END_GAP  # the case over the lock is centred on its axis
+    far = length - _CASE_LENGTH / 2 - _CASE_LENGTH / 2 - _END_GAP
+    return toward * (near + far) / 2, far - near
+
+
+def push_slide(
+    name: str = "handle_push",
+    *,
+    travel: Scalar,
+    side: int = 1,
+    preload: Scalar = 15.0,
+    force: Scalar = 45.0,
+    damping: Scalar = 40.0,
+    friction: Scalar = 1.0,
+) -> Joint:
+    """Make the joint of a push bar that a spring returns; positive moves it towards the leaf.
+
+    Args:
+        name: Name of the joint.
+        travel: How far it slides, 0.012-0.020 [m].
+        side: The face with the bar, 1 at +y or -1 at -y.
+        preload: Force of the springs at rest [N].
+        force: Force at the end of the travel; codes allow 67 N (15 lbf) to unlatch [N].
+        damping: [N s/m].
+        friction: [N].
+    """
+    stiffness = (force - preload) / travel
+    return Prismatic(
+        name,
+        axis=(0.0, -side, 0.0),
+        limits=(0.0, travel),
+        stiffness=stiffness,
+        rest=-preload / stiffness,
+        damping=damping,
+        friction=friction,
+        effort=200.0,
+    )
+
+
+@generator
+def push_bar(
+    *, thickness: Float, length: Float, travel: Float, finish: Material, side: int = 1, toward: int = -1
+) -> Body:
+    """Make the touch bar, the link `handle`; attach it by `push_slide` and weld `push_bar_case` to the leaf.
+
+    Args:
+        thickness: Thickness of the leaf [m].
+        length: Overall length of the device from the axis of the lock, about the leaf's width less 0.15 [m].
+        travel: How far the bar slides [m].
+        finish: Its metal.
+        side: The face with the bar, 1 at +y or -1 at -y.
+        toward: Direction in which it runs from the lock, -1 or 1 along X.
+    """
+    middle, span = _bar_span(length, toward)
+    back = thickness / 2 + _CHANNEL_DEPTH + _LIP + travel
+    deep = 0.018
+    bar = box(span, deep, _BAR_HEIGHT, bevel=0.004).at(middle, side * (back + deep / 2), 0.0)
+    # the stem keeps the bar in its rail at every position, half a millimetre from the wood at the innermost
+    hold = frame((middle, side * (back + deep), 0.0), approach=(0.0, -side, 0.0))
+    return part(bar, "handle", finish, grasp=hold, grasp_width=_BAR_HEIGHT + 0.01)
+
+
+@generator
+def push_bar_case(
+    *, thickness: Float, length: Float, finish: Material, side: int = 1, toward: int = -1
+) -> Body:
+    """Make the rail and the cases of a push bar, to be welded to the leaf; it has the label `rose`."""
+    face = thickness / 2 - 0.0005
+    middle, span = _bar_span(length, toward)
+    rail = box(span + 0.004, _CHANNEL_DEPTH, _CHANNEL_HEIGHT, bevel=0.002)
+    near = box(_CASE_LENGTH, _CASE_DEPTH, _CHANNEL_HEIGHT + 0.012, bevel=0.005)
+    far = box(_CASE_LENGTH / 2, _CASE_DEPTH, _CHANNEL_HEIGHT + 0.012, bevel=0.005)
+    far_middle = toward * (length - _CASE_LENGTH / 2 - _CASE_LENGTH / 4)
+    dark = finish.with_(name=f"{finish.name}_recess", base_color=(0.02, 0.02, 0.02))
+    label = box(0.030, 0.0004, 0.008).at(0.0, side * (face + _CASE_DEPTH), 0.012)
+    return weld(
+        part(rail.at(middle, side * (face + _CHANNEL_DEPTH / 2), 0.0), "rose", finish),
+        part(near.at(0.0, side * (face + _CASE_DEPTH / 2), 0.0), "rose", finish),
+        part(far.at(far_middle, side * (face + _CASE_DEPTH / 2), 0.0), "rose", finish),
+        detail(label, "screw", dark),
+    )

@@ -1,0 +1,108 @@
+"""Polytopes: hulls, cuts, and what a long row of cuts leaves."""
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from manifold3d import Manifold
+from numpy.typing import NDArray
+
+from artgen.colliders.polytope import Polytope
+
+
+def _cloud(seed: int, count: int) -> NDArray[np.float64]:
+    return np.random.default_rng(seed).normal(size=(count, 3))
+
+
+def _is_sound(shape: Polytope) -> bool:
+    """Every vertex is on the faces it touches and inside the others; Euler's formula holds."""
+    heights = shape.heights(shape.planes).T
+    edges = np.count_nonzero(np.triu(shape.contact.astype(int) @ shape.contact.T.astype(int) >= 2, 1))
+    return bool(
+        heights.max() < 1e-8
+        and np.abs(heights[shape.contact]).max() < 1e-8
+        and (shape.contact.sum(axis=0) >= 3).all()
+        and len(shape.points) - edges + len(shape.planes) == 2
+    )
+
+
+@given(st.integers(0, 10**6), st.integers(4, 40))
+@settings(max_examples=40, deadline=None)
+def test_cuts_keep_volume_and_topology(seed: int, count: int) -> None:
+    shape = Polytope.hull(_cloud(seed, count))
+    assert _is_sound(shape)
+    directions = _cloud(seed + 1, 6)
+    directions /= np.linalg.norm(directions, axis=1)[:, None]
+    rest, total = shape, 0.0
+    for normal in directions:
+        inside, outside = rest.split(np.array([*normal, 0.3]))
+        if outside is not None:
+            assert _is_sound(outside)
+            total += outside.volume
+        if inside is None:
+            break
+        rest = inside
+        assert _is_sound(rest)
+    else:
+        total += rest.volume
+    assert total == pytest.approx(shape.volume, rel=1e-9)
+
+
+def test_hull_drops_points_inside_faces_and_edges() -> None:
+    grid = np.stack(np.meshgrid(*[np.linspace(0.0, 1.0, 4)] * 3), axis=-1).reshape(-1, 3)
+    shape = Polytope.hull(grid)
+    assert len(shape.points) == 8
+    assert len(shape.planes) == 6
+
+
+def test_cut_through_vertices_makes_no_new_ones() -> None:
+    cube = Polytope.box(np.zeros(3), np.ones(3))
+    inside, outside = cube.split(np.array([1.0, -1.0, 0.0, 0.0]) / np.sqrt(2.0))
+    assert inside is not None
+    assert outside is not None
+    assert len(inside.points) == len(outside.points) == 6
+    assert inside.volume == pytest.approx(0.5)
+
+
+def test_cut_along_a_face_is_none() -> None:
+    cube = Polytope.box(np.zeros(3), np.ones(3))
+    assert cube.split(np.array([1.0, 0.0, 0.0, 1.0])) == (cube, None)
+    assert cube.split(np.array([1.0, 0.0, 0.0, 0.0])) == (None, cube)
+
+
+def test_prism_is_the_hull_of_its_points() -> None:
+    angle = np.arange(7) * 2.0 * np.pi / 7.0
+    prism = Polytope.prism(np.column_stack((np.cos(angle), np.sin(angle))), -1.0, 2.0)
+    assert _is_sound(prism)
+    assert prism.volume == pytest.approx(Polytope.hull(prism.points).volume)
+
+
+@given(st.integers(0, 10**6))
+@settings(max_examples=20, deadline=None)
+def test_inflated_holds_the_neighbourhood_and_no_spikes(seed: int) -> None:
+    shape = Polytope.hull(_cloud(seed, 8) * (1.0, 1.0, 0.1))
+    grown = shape.inflated(0.01)
+    points = shape.points[:, None] + 0.0099 * np.concatenate((np.eye(3), -np.eye(3)))
+    assert grown.contains(points.reshape(-1, 3))
+    spikes = [Manifold.cube((1e-6,) * 3).translate(tuple(point)) for point in grown.points]
+    assert max(spike.min_gap(shape.manifold(), 1.0) for spike in spikes) < 0.03
+
+
+def test_transformed_keeps_planes_in_step() -> None:
+    shape = Polytope.hull(_cloud(3, 20))
+    matrix = np.array([[1.0, 0.4, 0.0, 3.0], [0.0, -2.0, 0.1, 1.0], [0.2, 0.0, 0.5, 0.0], [0.0, 0.0, 0.0, 1.0]])
+    assert _is_sound(shape.transformed(matrix))
+
+
+@pytest.mark.parametrize(
+    ("points", "message"),
+    [
+        (np.zeros((3, 3)), r"at least 4 points of shape \(n, 3\), got shape \(3, 3\)"),
+        (np.full((5, 3), np.nan), "needs finite points"),
+        (np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]], float), "lie in one plane"),
+        (np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 1e-12]], float), "lie in one plane"),
+    ],
+)
+def test_degenerate_hulls_are_refused(points: NDArray[np.float64], message: str) -> None:
+    with pytest.raises(ValueError, match=message):
+        Polytope.hull(points)
