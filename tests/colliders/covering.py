@@ -11,7 +11,9 @@ from artgen.colliders import Convex
 Array = NDArray[np.float64]
 
 
-def pose(x: float = 0.0, y: float = 0.0, z: float = 0.0, *, turn: tuple[float, float, float] = (0.0, 0.0, 0.0)) -> Array:
+def pose(
+    x: float = 0.0, y: float = 0.0, z: float = 0.0, *, turn: tuple[float, float, float] = (0.0, 0.0, 0.0)
+) -> Array:
     """Return a rigid transform: turned about x, then y, then z [rad], then moved [m]."""
     matrix = np.eye(4)
     for axis, angle in enumerate(turn):

@@ -4,11 +4,11 @@ import math
 
 import numpy as np
 import pytest
-from colliders.covering import pose
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from artgen.colliders import Convex
+from colliders.covering import pose
 
 LENGTH = st.floats(0.001, 2.0)
 ANGLE = st.floats(-3.2, 3.2)
@@ -40,7 +40,9 @@ def test_outer_polytope_contains_a_round_piece_within_the_tolerance(piece: Conve
     outer = moved.outer_polytope(tolerance)
     assert outer.contains(surface, 1e-12)
     axis_height = np.abs((outer.points - moved.pose[:3, 3]) @ moved.pose[:3, 2])
-    assert axis_height.max() <= np.abs((surface - moved.pose[:3, 3]) @ moved.pose[:3, 2]).max() + 1.5 * tolerance
+    assert (
+        axis_height.max() <= np.abs((surface - moved.pose[:3, 3]) @ moved.pose[:3, 2]).max() + 1.5 * tolerance
+    )
     directions = surface - moved.pose[:3, 3]
     directions /= np.linalg.norm(directions, axis=1)[:, None]
     gap = (outer.points @ directions.T).max(axis=0) - (surface @ directions.T).max(axis=0)

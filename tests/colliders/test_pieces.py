@@ -5,7 +5,6 @@ from dataclasses import dataclass
 
 import numpy as np
 import pytest
-from colliders.covering import block, drum, excess, joined_manifold, moved, pose, uncovered
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from manifold3d import Manifold
@@ -20,6 +19,7 @@ from artgen.colliders import (
     intersection,
     union,
 )
+from colliders.covering import block, drum, excess, joined_manifold, moved, pose, uncovered
 
 FILM = 2e-6
 """How thick a film may be left over by dropped slivers [m]."""
@@ -144,7 +144,12 @@ def test_cutting_with_a_tube_leaves_its_core() -> None:
 def test_transforms_keep_primitives_and_containment() -> None:
     rig = pose(0.1, 0.2, 0.3, turn=(0.3, 0.2, 0.1))
     body = (box((0.1, 0.2, 0.3)) - cylinder(0.02, 0.5)) | cylinder(0.03, 0.1, pose(0.2))
-    for matrix in (rig, 2.0 * rig + np.diag([0, 0, 0, -1.0]), np.diag([-1.0, 1.0, 1.0, 1.0]), np.diag([1, 2, 3, 1.0])):
+    for matrix in (
+        rig,
+        2.0 * rig + np.diag([0, 0, 0, -1.0]),
+        np.diag([-1.0, 1.0, 1.0, 1.0]),
+        np.diag([1, 2, 3, 1.0]),
+    ):
         changed = body.transformed(matrix)
         assert_bracketed(changed)
     assert body.transformed(rig).transformed(rig).pieces.outer(TOLERANCE)[-1].kind == "cylinder"

@@ -90,7 +90,9 @@ def test_inflated_holds_the_neighbourhood_and_no_spikes(seed: int) -> None:
 
 def test_transformed_keeps_planes_in_step() -> None:
     shape = Polytope.hull(_cloud(3, 20))
-    matrix = np.array([[1.0, 0.4, 0.0, 3.0], [0.0, -2.0, 0.1, 1.0], [0.2, 0.0, 0.5, 0.0], [0.0, 0.0, 0.0, 1.0]])
+    matrix = np.array(
+        [[1.0, 0.4, 0.0, 3.0], [0.0, -2.0, 0.1, 1.0], [0.2, 0.0, 0.5, 0.0], [0.0, 0.0, 0.0, 1.0]]
+    )
     assert _is_sound(shape.transformed(matrix))
 
 

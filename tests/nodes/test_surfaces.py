@@ -9,7 +9,8 @@ from artgen.asset import Contour
 from artgen.colliders import Exact
 from artgen.nodes import inputs
 from artgen.nodes.contours import circle_contour, faceted, reversed_contour, rounded_polygon
-from artgen.nodes.surfaces import CHORD, Rail, bevel_steps, extrusion, lathe, mitres, rounded_box, sides_of
+from artgen.nodes.cuboid import rounded_box
+from artgen.nodes.surfaces import CHORD, Rail, bevel_steps, extrusion, lathe, mitres, sides_of
 
 SQUARE = np.array([[-0.1, -0.1], [0.1, -0.1], [0.1, 0.1], [-0.1, 0.1]])
 
@@ -53,7 +54,7 @@ def test_the_table_of_a_box_joins_exactly_the_vertices_at_one_place(steps):
         extrusion([faceted(SQUARE)], 0.1, bevel=0.01),
         extrusion([circle_contour(0.1), reversed_contour(circle_contour(0.05))], 0.1, bevel=0.005),
         lathe([faceted(np.array([[0.0, -0.1], [0.1, -0.1], [0.0, 0.1]]))]),
-        lathe([faceted(SQUARE + [0.2, 0.0])], angle=2.0),
+        lathe([faceted(SQUARE + np.array([0.2, 0.0]))], angle=2.0),
     ],
 )
 def test_targets_are_the_places(skin):

@@ -44,9 +44,20 @@ def check_formats_agree(asset: Asset, directory: Path) -> None:
         for name, axis in reading.axes.items():
             assert np.abs(axis - moving[name].axis).max() <= EXACT, (reading.name, name, axis)
         if reading.name != "pinocchio" and reading.name != "mujoco urdf":
-            found = {name: coupling[0] for name, coupling in reading.couplings.items()}
-            coupled = {name: joint.follows for name, joint in moving.items() if joint.follows is not None}
-            assert found == {name: follows.leader for name, follows in coupled.items()}, reading.name
-            for name, (_, ratio, offset) in reading.couplings.items():
-                error = max(abs(ratio - coupled[name].ratio), abs(offset - coupled[name].offset))
-                assert error <= EXACT, (reading.name, name)
+            assert set(reading.couplings) == {name for name, joint in moving.items() if joint.follows}, (
+                reading.name
+            )
+            for name, (leader, ratio, offset) in reading.couplings.items():
+                for position in (0.0, 1.0):
+                    expected_position = _followed(asset, name, leader, position)
+                    error = abs(ratio * position + offset - expected_position)
+                    assert error <= EXACT, (reading.name, name, leader, error)
+
+
+def _followed(asset: Asset, name: str, leader: str, position: float) -> float:
+    """Return where a joint stands when a leader, near or far along its chain of couplings, is at a position."""
+    if name == leader:
+        return position
+    follows = asset.joint(name).follows
+    assert follows is not None, f"{name} does not follow {leader}"
+    return follows.ratio * _followed(asset, follows.leader, leader, position) + follows.offset

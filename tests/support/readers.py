@@ -160,10 +160,10 @@ def read_pinocchio(asset: Asset, directory: Path) -> Reading:
 def read_mujoco(asset: Asset, directory: Path, suffix: str) -> Reading:
     """Read the MJCF (`xml`) or the URDF (`urdf`) with MuJoCo, which joins the links that are fixed in URDF."""
     model = mujoco.MjModel.from_xml_path(str(directory / f"{asset.name}.{suffix}"))
-    data = mujoco.MjData(model)
+    tried, data = mujoco.MjData(model), mujoco.MjData(model)
     for _ in range(2):
-        mujoco.mj_step(model, data)
-    assert not [warning for warning in data.warning if warning.number], "MuJoCo warns while stepping"
+        mujoco.mj_step(model, tried)
+    assert not [warning for warning in tried.warning if warning.number], "MuJoCo warns while stepping"
     names = {model.body(index).name for index in range(1, model.nbody)}
     kept = names & {link.name for link in asset.links}
 
@@ -186,17 +186,20 @@ def read_mujoco(asset: Asset, directory: Path, suffix: str) -> Reading:
         if model.jnt_type[index] == mujoco.mjtJoint.mjJNT_FREE:
             continue
         limits[joint.name] = (joint.range[0], joint.range[1]) if model.jnt_limited[index] else None
-        axes[joint.name] = np.array(joint.axis)
+        body = model.jnt_bodyid[index]
+        if index == model.body_jntadr[body] + model.body_jntnum[body] - 1:
+            # the frame of a body is where its last joint leaves it; earlier axes are turned with it
+            axes[joint.name] = np.array(joint.axis)
     couplings = {}
     for index in range(model.neq):
         follower, leader = model.eq_obj1id[index], model.eq_obj2id[index]
         coefficients = model.eq_data[index, :5]
         assert not coefficients[2:].any()
-        couplings[model.joint(follower).name] = (
-            model.joint(leader).name,
-            float(coefficients[1]),
-            float(coefficients[0]),
-        )
+        # MuJoCo couples what joints have moved from their reference positions
+        start, start_of_leader = (model.qpos0[model.jnt_qposadr[joint]] for joint in (follower, leader))
+        ratio = float(coefficients[1])
+        offset = float(start + coefficients[0] - ratio * start_of_leader)
+        couplings[model.joint(follower).name] = (model.joint(leader).name, ratio, offset)
     mass, center, inertia = {}, {}, {}
     if suffix == "xml":
         for name in kept:

@@ -56,8 +56,15 @@ class Asset:
         """Make an asset of an evaluated body.
 
         Raises:
-            AssetError: A coupling or dependency names an unknown joint, or couplings form a circle.
+            AssetError: A link has no mass, a coupling or dependency names an unknown joint, or couplings form a
+                circle.
         """
+        for link in tree.links():
+            if all(piece.visual for piece in link.pieces):
+                raise AssetError(
+                    f"link {link.name!r} is made of details only, which have no mass; weld them to a part",
+                    link=link.name,
+                )
         joints = {joint.name: joint for joint in tree.joints()}
         for joint in joints.values():
             _check_references(joint, joints)
@@ -256,17 +263,18 @@ FORMAT = "artgen-asset-1"
 
 
 def _check_references(joint: Joint, joints: Mapping[str, Joint]) -> None:
-    named = [joint.follows.leader] if joint.follows is not None else []
+    named = [("follows", joint.follows.leader)] if joint.follows is not None else []
     if joint.needs is not None:
-        named += joint.needs.condition.joints()
-    for name in named:
+        named += [("needs", name) for name in joint.needs.condition.joints()]
+    for verb, name in named:
         if name not in joints:
-            verb = "follows" if joint.follows is not None else "needs"
             raise AssetError(
-                f"joint {joint.name!r} {verb} {name!r}, which is no joint of this asset.{nearest(name, joints)}"
+                f"joint {joint.name!r} {verb} {name!r}, which is no joint of this asset; attach {name!r} as well."
+                f"{nearest(name, [other for other in joints if other != joint.name])}",
+                joint=joint.name,
             )
         if name == joint.name:
-            raise AssetError(f"joint {joint.name!r} refers to itself")
+            raise AssetError(f"joint {joint.name!r} {verb} itself; name another joint", joint=joint.name)
 
 
 def _with_followed_limits(joint: Joint, joints: Mapping[str, Joint]) -> Joint:

@@ -256,7 +256,10 @@ def positions_of_followers(joints: Mapping[str, Joint], q: dict[str, float]) -> 
         current = name
         while current not in result:
             if current in chain:
-                raise AssetError(f"the couplings of joints {', '.join(sorted(chain))} form a circle")
+                raise AssetError(
+                    f"the couplings of joints {', '.join(sorted(chain))} form a circle; one of them must lead",
+                    joint=current,
+                )
             chain.append(current)
             follows = joints[current].follows
             assert follows is not None, f"joint {current} has no position"

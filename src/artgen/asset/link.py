@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from artgen.asset.mass import MassProperties, Moments, polyhedron_moments, total
 from artgen.asset.shape import Mesh, Shape
-from artgen.colliders import Convex, budgeted
+from artgen.colliders import Convex, budgeted_together
 from artgen.errors import AssetError
 from artgen.materials import Material
 
@@ -136,22 +136,10 @@ class Link:
     def colliders(self) -> tuple[Collider, ...]:
         """Convex pieces that contain the solids, at most `MOST_COLLIDERS`."""
         pieces = self._solid_pieces()
-        budgets = [MOST_COLLIDERS] * len(pieces)
-        while True:
-            found = [
-                budgeted(piece.shape.pieces, most_pieces=budget)
-                for piece, budget in zip(pieces, budgets, strict=True)
-            ]
-            excess = sum(map(len, found)) - MOST_COLLIDERS
-            if excess <= 0:
-                break
-            largest = max(range(len(found)), key=lambda index: len(found[index]))
-            if len(found[largest]) <= 1:
-                raise AssetError(
-                    f"link {self.name!r} is made of {len(pieces)} solids; a link may carry at most "
-                    f"{MOST_COLLIDERS} colliders: join small solids or make them details"
-                )
-            budgets[largest] = max(1, len(found[largest]) - max(1, min(excess, len(found[largest]) // 2)))
+        try:
+            found = budgeted_together([piece.shape.pieces for piece in pieces], most_pieces=MOST_COLLIDERS)
+        except ValueError as error:
+            raise AssetError(f"link {self.name!r}: {error}") from None
         return tuple(
             Collider(convex, piece.label, piece.material)
             for piece, convexes in zip(pieces, found, strict=True)

@@ -84,9 +84,7 @@ class Shape:
         """
         target = _coincident(vertices) if targets is None else targets
         faces = target[triangles]
-        proper = (
-            (faces[:, 0] != faces[:, 1]) & (faces[:, 1] != faces[:, 2]) & (faces[:, 2] != faces[:, 0])
-        )
+        proper = (faces[:, 0] != faces[:, 1]) & (faces[:, 1] != faces[:, 2]) & (faces[:, 2] != faces[:, 0])
         duplicate = np.flatnonzero(target != np.arange(len(vertices)))
         properties = np.zeros((len(vertices), 3 + PROPERTIES))
         properties[:, :3] = vertices[target]

@@ -88,7 +88,7 @@ class Tree:
         remedy = {
             "link": "give one part(...) another label, or the same label and a name of its own (name=...)",
             "joint": "give one joint another name",
-            "grasp": "give one grasp another name",
+            "grasp": "give one of the parts that carry it a name of its own (name=...)",
         }
         for what, found in names.items():
             twice = [name for name, count in Counter(found).items() if count > 1]

@@ -12,7 +12,7 @@ MOST_SIDES = 64
 """Sides of a facetted circle, at most."""
 
 _MOST_FREQUENCY = 8  # divisions of an icosahedron's edge, at most
-_MOST_INSCRIBED = 96  # vertices of a thinned convex mesh, at most
+_MOST_INSCRIBED = 256  # vertices of a thinned convex mesh, at most
 
 
 def circle_sides(radius: float, tolerance: float) -> int:
@@ -92,7 +92,7 @@ def enclosing(polytope: Polytope, most_vertices: int, tolerance: float) -> tuple
 def inscribed_points(points: Array, tolerance: float) -> Array:
     """Return vertices of a convex mesh, shape (n, 3), whose hull falls short by the tolerance [m] at most.
 
-    Adds the vertex farthest outside until all are near enough.
+    Adds the vertices farthest outside, one before each face at most, until all are near enough.
     """
     extreme = np.concatenate((points.argmin(axis=0), points.argmax(axis=0)))
     chosen = sorted(set(extreme.tolist()))
@@ -102,11 +102,15 @@ def inscribed_points(points: Array, tolerance: float) -> Array:
         except ValueError:
             chosen = _off_plane(points, chosen)
             continue
-        outside = (inside.planes[:, :3] @ points.T - inside.planes[:, 3:]).max(axis=0)
-        worst = int(np.argmax(outside))
-        if outside[worst] <= max(tolerance, SLIVER):
+        heights = inside.planes[:, :3] @ points.T - inside.planes[:, 3:]
+        outside, face = heights.max(axis=0), heights.argmax(axis=0)
+        limit = max(tolerance, SLIVER, float(outside.max()) / 2.0)
+        if outside.max() <= max(tolerance, SLIVER):
             break
-        chosen.append(worst)
+        order = np.argsort(-outside, kind="stable")
+        order = order[outside[order] >= limit]
+        _, first = np.unique(face[order], return_index=True)
+        chosen.extend(order[np.sort(first)].tolist()[: _MOST_INSCRIBED - len(chosen)])
     thin: Array = points[np.sort(chosen)]
     return thin
 

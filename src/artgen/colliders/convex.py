@@ -26,6 +26,8 @@ TOLERANCE = 0.00025
 _SQUARE = 1e-9  # relative error of angles and lengths within which a piece keeps its kind
 _NO_POINTS = np.empty((0, 3))
 _IDENTITY = np.eye(4)
+_NO_POINTS.setflags(write=False)
+_IDENTITY.setflags(write=False)
 
 
 @dataclass(frozen=True, eq=False)

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from artgen.colliders.approximate import enclosing
 from artgen.colliders.convex import Array, Convex
-from artgen.colliders.polytope import SLIVER, Polytope
+from artgen.colliders.polytope import Polytope
 from artgen.colliders.split import Facetted, subtract
 
 _SAME = 1e-7  # [m]: faces that meet nearer than this are one face seen from both sides
@@ -56,7 +56,7 @@ def _outermost(pieces: Sequence[Convex]) -> list[Convex]:
     for small, large in np.argwhere(within).tolist():
         if small in dropped or large in dropped or pieces[large].kind not in ("box", "hull"):
             continue
-        if pieces[large].faces.contains(pieces[small].outer_points(), SLIVER):
+        if pieces[large].faces.contains(pieces[small].outer_points(), _SAME):
             dropped.add(small)
     return [piece for index, piece in enumerate(pieces) if index not in dropped]
 

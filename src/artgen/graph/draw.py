@@ -22,8 +22,8 @@ def to_mermaid(handle: Handle) -> str:
         lines.append(f'  n{number[node.key]}{opening}"{title}"{closing}')
     for node in order:
         for name, value in node.inputs.items():
-            for child in dict.fromkeys(child.key for child in nodes_in(value)):
-                lines.append(f"  n{number[child]} -- {name} --> n{number[node.key]}")
+            children = dict.fromkeys(number[child.key] for child in nodes_in(value))
+            lines += [f"  n{child} -- {name} --> n{number[node.key]}" for child in children]
     return "\n".join(lines) + "\n"
 
 

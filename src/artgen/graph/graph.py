@@ -37,9 +37,7 @@ class Graph:
         """Names of the parameters whose values evaluation needs, in order of appearance."""
         return tuple(node.inputs["name"] for node in self.nodes if node.op == PARAMETER)
 
-    def evaluate(
-        self, parameters: Mapping[str, Any] | None = None, cache: Cache | None = None
-    ) -> Evaluation:
+    def evaluate(self, parameters: Mapping[str, Any] | None = None, cache: Cache | None = None) -> Evaluation:
         """Compute the value of the root; see `artgen.graph.evaluate`."""
         return evaluate(self.result, parameters, cache)
 

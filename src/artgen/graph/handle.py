@@ -104,8 +104,8 @@ class Handle:
         """Refuse: comparing handles does not compare their values."""
         self._refuse(
             "== or != on a handle",
-            "Use switch(abs(a - b) < tolerance, ...) for numbers, a.node.key == b.node.key to ask whether two "
-            "handles stand for the same graph.",
+            "Use switch(abs(a - b) < tolerance, ...) for numbers; a.node.key == b.node.key tells whether two "
+            "handles stand for equal graphs.",
         )
 
     def __ne__(self, other: object) -> bool:
@@ -196,7 +196,9 @@ def lift_all(known: Operation, inputs: Mapping[str, Any], where: str) -> dict[st
     """
     for name in inputs:
         if name not in known.inputs:
-            raise BuildError(f"{known.name} has no input {name!r}.{nearest(name, known.inputs)}\n  at {where}")
+            raise BuildError(
+                f"{known.name} has no input {name!r}.{nearest(name, known.inputs)}\n  at {where}"
+            )
     lifted = {}
     for name, hint in known.inputs.items():
         if name not in inputs:

@@ -61,9 +61,10 @@ def _read_graph(data: Any) -> Handle:
 
 def _read_node(entry: Any, index: int, handles: list[Handle], where: str) -> Handle:
     place = f"node {index} of the graph file"
-    if not isinstance(entry, dict) or not isinstance(entry.get("inputs"), dict) or not isinstance(entry.get("op"), str):
+    entry = entry if isinstance(entry, dict) else {}
+    name, inputs = entry.get("op"), entry.get("inputs")
+    if not isinstance(name, str) or not isinstance(inputs, dict):
         raise GraphError(f"{place} must have an op and inputs")
-    name, inputs = entry["op"], entry["inputs"]
     where = f"{where} ({place})"
     if name == PARAMETER:
         return _read_parameter(inputs, place, where)

@@ -8,6 +8,7 @@ from collections import Counter
 from collections.abc import Mapping
 from typing import Any
 
+from artgen.errors import GraphError
 from artgen.graph.handle import LITERAL_TYPES, Handle, handle_of, lift
 from artgen.graph.kernel import Operation, operation
 from artgen.graph.node import PARAMETER, Node, topological
@@ -19,7 +20,12 @@ def to_python(handle: Handle, name: str = "build") -> str:
     """Return Python source of a function that builds the graph which a handle reaches.
 
     Running the source and calling the function gives a handle whose node has the same key.
+
+    Raises:
+        GraphError: The name is no name of a Python function.
     """
+    if not name.isidentifier() or keyword.iskeyword(name):
+        raise GraphError(f"{name!r} is no name of a Python function")
     writer = _Writer(handle)
     result = writer.expression(handle.node)
     kind = type(handle_of(handle.node)).__name__
@@ -51,6 +57,7 @@ class _Writer:
             self._spelled[node.key] = text
 
     def expression(self, node: Node) -> str:
+        """Return the text that stands for a node."""
         return self._spelled[node.key]
 
     def _import(self, made: Any) -> str:

@@ -1,11 +1,12 @@
 """The material: OpenPBR's names for looks, SI units for physics."""
 
+import math
 import re
 import zlib
-from dataclasses import asdict, dataclass, replace
+from dataclasses import asdict, dataclass, fields, replace
 from typing import Any
 
-from artgen.errors import ParameterError
+from artgen.errors import ParameterError, nearest
 
 _NAME = re.compile(r"[a-z][a-z0-9_]*\Z")
 
@@ -36,24 +37,36 @@ class Material:
 
     def __post_init__(self) -> None:
         """Check every field; a bad one is a ParameterError that names it."""
-        if not _NAME.match(self.name):
+        if not _NAME.match(str(self.name)):
             raise ParameterError(
                 f"material name {self.name!r} is not a lower-case identifier; use letters, digits and _"
             )
         for field in ("base_color", "emission"):
-            value = tuple(float(channel) for channel in getattr(self, field))
+            value = tuple(self._number(field, channel) for channel in getattr(self, field))
             if len(value) != 3 or not all(0.0 <= channel <= 1.0 for channel in value):
                 raise ParameterError(f"material {self.name!r}: {field} {value} must be 3 numbers in 0..1")
             object.__setattr__(self, field, value)
+        for field in ("base_metalness", "specular_roughness", "opacity", "density", "friction"):
+            object.__setattr__(self, field, self._number(field, getattr(self, field)))
         for field in ("base_metalness", "specular_roughness", "opacity"):
             if not 0.0 <= getattr(self, field) <= 1.0:
                 raise ParameterError(
                     f"material {self.name!r}: {field} {getattr(self, field)} must be in 0..1"
                 )
-        if not self.density > 0.0:
+        if self.density <= 0.0:
             raise ParameterError(f"material {self.name!r}: density {self.density} must be positive [kg/m^3]")
-        if not self.friction >= 0.0:
+        if self.friction < 0.0:
             raise ParameterError(f"material {self.name!r}: friction {self.friction} must not be negative")
+
+    def _number(self, field: str, value: Any) -> float:
+        """Return a finite number as a Python float, so that equal materials have equal data."""
+        try:
+            number = float(value)
+        except (TypeError, ValueError):
+            number = math.nan
+        if not math.isfinite(number):
+            raise ParameterError(f"material {self.name!r}: {field} {value!r} must be a finite number")
+        return number
 
     @property
     def number(self) -> int:
@@ -61,19 +74,22 @@ class Material:
         return zlib.crc32(self.name.encode()) | 1
 
     def with_(self, **changes: Any) -> "Material":
-        """Return a copy with some fields changed, e.g. a colour drawn for one asset."""
-        try:
-            return replace(self, **changes)
-        except TypeError as error:
-            raise ParameterError(f"material {self.name!r}: {error}") from None
+        """Return a copy with some fields changed, e.g. a colour drawn for one asset; name it anew.
+
+        Raises:
+            ParameterError: There is no such field, or its value is not allowed.
+        """
+        known = [field.name for field in fields(self)]
+        for name in changes:
+            if name not in known:
+                raise ParameterError(f"material {self.name!r} has no field {name!r}.{nearest(name, known)}")
+        return replace(self, **changes)
 
     def to_data(self) -> dict[str, Any]:
         """Return the fields as JSON data."""
-        data = asdict(self)
-        data["base_color"], data["emission"] = list(self.base_color), list(self.emission)
-        return data
+        return {**asdict(self), "base_color": list(self.base_color), "emission": list(self.emission)}
 
     @staticmethod
     def from_data(data: dict[str, Any]) -> "Material":
         """Read what `to_data` wrote."""
-        return Material(**{k: tuple(v) if isinstance(v, list) else v for k, v in data.items()})
+        return Material(**data)

@@ -1,5 +1,7 @@
 """The materials that the categories use; densities and dry friction of common stock."""
 
+from typing import Any
+
 from artgen.errors import ParameterError, nearest
 from artgen.materials.material import Material
 
@@ -8,8 +10,8 @@ def _table(*materials: Material) -> dict[str, Material]:
     return {material.name: material for material in materials}
 
 
-_METAL = {"base_metalness": 1.0, "density": 7850.0, "friction": 0.6}
-_WOOD = {"specular_roughness": 0.42, "density": 700.0, "friction": 0.5}
+_METAL: dict[str, Any] = {"base_metalness": 1.0, "density": 7850.0, "friction": 0.6}
+_WOOD: dict[str, Any] = {"specular_roughness": 0.42, "density": 700.0, "friction": 0.5}
 
 MATERIALS: dict[str, Material] = _table(
     # woods and boards
@@ -54,7 +56,12 @@ MATERIALS: dict[str, Material] = _table(
         friction=0.5,
     ),
     Material(
-        "cast_iron", (0.04, 0.04, 0.042), specular_roughness=0.65, base_metalness=0.3, density=7200.0, friction=0.6
+        "cast_iron",
+        (0.04, 0.04, 0.042),
+        specular_roughness=0.65,
+        base_metalness=0.3,
+        density=7200.0,
+        friction=0.6,
     ),
     Material(
         "zinc", (0.60, 0.60, 0.61), specular_roughness=0.35, base_metalness=1.0, density=6600.0, friction=0.5
@@ -64,9 +71,18 @@ MATERIALS: dict[str, Material] = _table(
     Material("abs", (0.70, 0.70, 0.69), specular_roughness=0.4, density=1050.0, friction=0.35),
     Material("black_abs", (0.025, 0.025, 0.026), specular_roughness=0.45, density=1050.0, friction=0.35),
     Material("polypropylene", (0.75, 0.75, 0.74), specular_roughness=0.45, density=905.0, friction=0.3),
-    Material("polycarbonate", (0.85, 0.88, 0.9), specular_roughness=0.1, opacity=0.35, density=1200.0, friction=0.35),
+    Material(
+        "polycarbonate",
+        (0.85, 0.88, 0.9),
+        specular_roughness=0.1,
+        opacity=0.35,
+        density=1200.0,
+        friction=0.35,
+    ),
     Material("rubber", (0.03, 0.03, 0.03), specular_roughness=0.8, density=1150.0, friction=0.9),
-    Material("glass", (0.85, 0.92, 0.90), specular_roughness=0.03, opacity=0.25, density=2500.0, friction=0.4),
+    Material(
+        "glass", (0.85, 0.92, 0.90), specular_roughness=0.03, opacity=0.25, density=2500.0, friction=0.4
+    ),
     Material(
         "frosted_glass", (0.86, 0.90, 0.90), specular_roughness=0.5, opacity=0.6, density=2500.0, friction=0.4
     ),

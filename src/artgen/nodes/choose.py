@@ -3,10 +3,25 @@
 from collections.abc import Callable
 from typing import Any, TypeVar, overload
 
+import numpy as np
+
 from artgen.errors import BuildError, InfeasibleError
 from artgen.graph import Handle, kernel
 from artgen.graph.node import authors_line
-from artgen.nodes.handles import Body, Bool, Condition_, Float, Path, Points, Profile, Scalar, Solid, Vector
+from artgen.nodes.handles import (
+    Body,
+    Bool,
+    Condition_,
+    Float,
+    Path,
+    Points,
+    PointsLike,
+    Profile,
+    Scalar,
+    Solid,
+    Vector,
+    VectorLike,
+)
 
 H = TypeVar("H", bound=Handle)
 
@@ -42,22 +57,40 @@ for _handle in _CHOOSABLE:
     _register(_handle)
 
 
+def _common_type(a: Any, b: Any) -> type[Handle]:
+    """Return the handle type that two values are of; plain values count as what they may stand for."""
+    for value in (a, b):
+        if isinstance(value, Handle):
+            return type(value)
+    kinds: tuple[type[Handle], ...] = (Bool, Float, Vector, Points)
+    return next(
+        (kind for kind in kinds if kind.lift(a) is not NotImplemented and kind.lift(b) is not NotImplemented),
+        Float,
+    )
+
+
 @overload
-def switch(condition: Condition_, a: H, b: H) -> H: ...
+def switch(condition: Condition_, a: H, b: H) -> H: ...  # type: ignore[overload-overlap] # the first match counts
+@overload
+def switch(condition: Condition_, a: bool, b: bool) -> Bool: ...  # type: ignore[overload-overlap] # the first match counts
 @overload
 def switch(condition: Condition_, a: Scalar, b: Scalar) -> Float: ...
-def switch(condition: Condition_, a: Any, b: Any) -> Any:
+@overload
+def switch(condition: Condition_, a: VectorLike, b: VectorLike) -> Vector: ...  # type: ignore[overload-overlap] # the first match counts
+@overload
+def switch(condition: Condition_, a: PointsLike, b: PointsLike) -> Points: ...
+def switch(condition: Any, a: Any, b: Any) -> Any:
     """Return `a` where the condition holds and `b` elsewhere; only the chosen one is computed.
 
     Args:
         condition: A Bool, or a Python bool.
-        a: A handle, or a number.
-        b: A handle of the same type, or a number.
+        a: A handle, or a number, truth value, vector or list of points.
+        b: The same kind of value.
 
     Raises:
-        BuildError: `a` and `b` are of different types.
+        BuildError: `a` and `b` are of different types, or of one that cannot be chosen.
     """
-    kind = next((type(value) for value in (a, b) if isinstance(value, Handle)), Float)
+    kind = _common_type(a, b)
     if kind not in _CHOOSABLE:
         names = ", ".join(handle.__name__ for handle in _CHOOSABLE)
         raise BuildError(
@@ -67,9 +100,11 @@ def switch(condition: Condition_, a: Any, b: Any) -> Any:
 
 
 @overload
-def require(value: H, condition: Condition_, message: str) -> H: ...
+def require(value: H, condition: Condition_, message: str) -> H: ...  # type: ignore[overload-overlap] # the first match counts
 @overload
 def require(value: bool, condition: str) -> None: ...
+@overload
+def require(value: Scalar, condition: Condition_, message: str) -> Float: ...
 def require(value: Any, condition: Any, message: str = "") -> Any:
     """Demand that a condition holds; a sample that violates it is infeasible and drawn again.
 
@@ -80,15 +115,23 @@ def require(value: Any, condition: Any, message: str = "") -> Any:
 
     Raises:
         InfeasibleError: The condition is known and does not hold.
-        BuildError: A condition that is known at evaluation came without a value.
+        BuildError: A condition that is known at evaluation came without a value, or the first argument is
+            neither a condition nor a value.
     """
-    if isinstance(value, Bool) and isinstance(condition, str) and not message:
+    if not isinstance(condition, str):
+        if isinstance(value, Handle):
+            return value.require(condition, message)
+        kind = _common_type(value, value)
+        return kind.record(
+            f"require_{kind.__name__.lower()}", value=value, condition=condition, message=message
+        )
+    if isinstance(value, Handle):
         raise BuildError(
-            "require(condition, message) with a Bool would be reached by nothing\n"
+            f"require(condition, message) with a {type(value).__name__} would be reached by nothing\n"
             f"  at {authors_line()}\n  Attach it to a value: return body.require(condition, message)"
         )
-    if isinstance(value, bool) and isinstance(condition, str):
-        if not value:
-            raise InfeasibleError(f"{condition}\n  at {authors_line()}")
-        return None
-    return value.require(condition, message)
+    if not isinstance(value, bool | np.bool_):
+        raise BuildError(f"require needs a condition, got {value!r}\n  at {authors_line()}")
+    if not value:
+        raise InfeasibleError(f"{condition}\n  at {authors_line()}")
+    return None

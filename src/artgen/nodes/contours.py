@@ -78,7 +78,13 @@ def circle_contour(radius: float, sides: int | None = None) -> Contour:
 def ellipse_contour(radius_x: float, radius_y: float) -> Contour:
     """Return an ellipse about the origin with its half axes [m] along x and y."""
     sides = sides_of(max(radius_x, radius_y))
-    unit = circle_contour(1.0, sides).points
+    # Half of the spacing follows the ellipse's parameter and half the turn of its normal, so that the
+    # pointed ends get more vertices than the flat sides.
+    fine = math.tau * np.arange(16 * sides + 1) / (16 * sides)
+    turn = np.unwrap(np.arctan2(np.sin(fine) / radius_y, np.cos(fine) / radius_x))
+    angle = np.interp(math.tau * np.arange(sides) / sides, 0.5 * (fine + turn), fine)
+    unit = np.column_stack([np.cos(angle), np.sin(angle)])
+    unit[np.abs(unit) < 1e-15] = 0.0
     normals = unit / np.array([radius_x, radius_y])
     normals /= np.linalg.norm(normals, axis=1, keepdims=True)
     return smooth(unit * np.array([radius_x, radius_y]), normals)

@@ -17,9 +17,9 @@ from artgen.graph import kernel
 from artgen.materials import Material
 from artgen.nodes import inputs
 from artgen.nodes.covers import around_hull
+from artgen.nodes.cuboid import rounded_box
 from artgen.nodes.handles import Array3, Scalar, Solid, VectorLike
 from artgen.nodes.resurface import faceted_shape, with_properties
-from artgen.nodes.surfaces import rounded_box
 
 Array = NDArray[np.float64]
 
@@ -174,8 +174,8 @@ def _shell(solid: Shape, thickness: float, open: Array3 | None) -> Shape:
     inner = _inset(around, thickness)
     if open is not None:
         out = inputs.direction("open", open)
-        depth = thickness + float((vertices @ out).max() - (inner @ out).max())
-        inner = np.concatenate([inner, inner + out * depth])
+        # far enough that rounded edges of the cavity end outside of the solid
+        inner = np.concatenate([inner, inner + out * (thickness + float(np.ptp(vertices @ out)))])
     cavity = faceted_shape(Manifold.hull_points(np.ascontiguousarray(inner)), around_hull(inner))
     return _combined(
         solid.manifold - cavity.manifold,

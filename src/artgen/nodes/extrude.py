@@ -25,7 +25,7 @@ def _extrude(
     profile: Outline, length: float, axis: Array3, bevel: float, taper: float, twist: float
 ) -> Shape:
     inputs.positive("length", length)
-    inputs.between("bevel", bevel, 0.0, length / 2.0 * 0.999)
+    bevel = inputs.rounding("bevel", bevel, length / 2.0 * 0.999)
     inputs.between("taper", taper, -10.0, 0.99, "")
     inputs.between("twist", twist, -100.0, 100.0, "rad")
     turn = inputs.frame(axis)

@@ -170,7 +170,7 @@ class Vector(Handle):
             return value.node
         if isinstance(value, Handle | str) or not isinstance(value, Sequence | np.ndarray) or len(value) != 3:
             return NotImplemented
-        scalars = [Float.lift(item) for item in value]
+        scalars = tuple(Float.lift(item) for item in value)
         if any(item is NotImplemented for item in scalars):
             return NotImplemented
         if any(isinstance(item, Node) for item in scalars):
@@ -221,7 +221,7 @@ class Vector(Handle):
 
     def __truediv__(self, divisor: Scalar) -> "Vector":
         """Divide by a number."""
-        return Vector.record("vector_scale", vector=self, factor=1.0 / divisor)
+        return self * Float.record("divide", a=1.0, b=divisor)
 
     def __neg__(self) -> "Vector":
         """Point the other way."""
@@ -245,7 +245,7 @@ class Points(Handle):
             return value.node
         if isinstance(value, Handle | str) or not isinstance(value, Sequence | np.ndarray) or not len(value):
             return NotImplemented
-        vectors = [Vector.lift(item) for item in value]
+        vectors = tuple(Vector.lift(item) for item in value)
         if any(item is NotImplemented for item in vectors):
             return NotImplemented
         if any(isinstance(item, Node) for item in vectors):
@@ -260,6 +260,10 @@ class Points(Handle):
     def __add__(self, offset: VectorLike) -> "Points":
         """Move all points."""
         return Points.record("points_move", points=self, offset=offset)
+
+    def __sub__(self, offset: VectorLike) -> "Points":
+        """Move all points back."""
+        return self + Vector.record("vector_scale", vector=offset, factor=-1.0)
 
     def __mul__(self, factor: Scalar) -> "Points":
         """Multiply all points by a number."""
@@ -414,7 +418,16 @@ class Body(Handle):
 
 
 def offset_of(x: Any, y: Scalar, z: Scalar) -> VectorLike:
-    """Return the vector that `.at(vector)` or `.at(x, y, z)` was given."""
-    if isinstance(x, Vector) or (isinstance(x, Sequence | np.ndarray) and len(x) == 3):
-        return x
-    return (x, y, z)
+    """Return the vector that `.at(vector)` or `.at(x, y, z)` was given.
+
+    Raises:
+        BuildError: It was given a vector and more.
+    """
+    if not isinstance(x, Vector | Sequence | np.ndarray):
+        return (x, y, z)
+    if any(isinstance(item, Handle) or item != 0.0 for item in (y, z)):
+        raise BuildError(
+            f".at(...) takes a vector or three numbers, not a vector and numbers\n  at {authors_line()}\n"
+            "  Add them to the vector: .at(vector + (x, y, z))"
+        )
+    return x

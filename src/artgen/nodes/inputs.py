@@ -8,6 +8,8 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 
+_SHARP = 1e-6  # [m]
+
 
 def positive(name: str, value: float, unit: str = "m") -> float:
     """Return a value that is finite and above zero.
@@ -29,6 +31,16 @@ def between(name: str, value: float, low: float, high: float, unit: str = "m") -
     if not low <= value <= high:
         raise ValueError(f"{name} must be within {low:g} and {high:g} {unit}, got {value:g} {unit}")
     return float(value)
+
+
+def rounding(name: str, value: float, most: float) -> float:
+    """Return a radius of rounded edges within 0 and `most` [m]; below a micrometre the edge is sharp.
+
+    Raises:
+        ValueError: It is outside or not finite.
+    """
+    radius = between(name, value, 0.0, most)
+    return radius if radius >= _SHARP else 0.0
 
 
 def finite(name: str, value: float, unit: str = "m") -> float:

@@ -6,7 +6,7 @@ import numpy as np
 
 from artgen import asset as values
 from artgen.graph import Handle, kernel
-from artgen.nodes.handles import Array3, Scalar, VectorLike
+from artgen.nodes.handles import Array3, Float, Scalar, VectorLike
 from artgen.nodes.vector import unit
 
 Limits = tuple[Scalar, Scalar] | None
@@ -34,6 +34,14 @@ class Coupling(Handle):
     def __mul__(self, factor: Scalar) -> "Coupling":
         """Gear the follower."""
         return Coupling.record("coupling_scale", coupling=self, factor=factor)
+
+    def __rsub__(self, offset: Scalar) -> "Coupling":
+        """Turn the follower round and shift it [rad or m]."""
+        return -self + offset
+
+    def __truediv__(self, divisor: Scalar) -> "Coupling":
+        """Gear the follower down."""
+        return self * Float.record("divide", a=1.0, b=divisor)
 
     def __neg__(self) -> "Coupling":
         """Turn the follower round."""
@@ -99,6 +107,14 @@ class Joint(Handle):
         """Make a coupling that shifts this joint back [rad or m]."""
         return self * 1.0 - offset
 
+    def __rsub__(self, offset: Scalar) -> Coupling:
+        """Make a coupling that turns this joint round and shifts it [rad or m]."""
+        return -self + offset
+
+    def __truediv__(self, divisor: Scalar) -> Coupling:
+        """Make a coupling that gears this joint down."""
+        return self * Float.record("divide", a=1.0, b=divisor)
+
     def __neg__(self) -> Coupling:
         """Make a coupling that turns this joint round."""
         return self * -1.0
@@ -123,12 +139,12 @@ def _coupling(leader: str, ratio: float, offset: float) -> values.Coupling:
     return values.Coupling(leader, ratio, offset)
 
 
-@kernel
+@kernel(spelling="({coupling} + {by})")
 def _coupling_shift(coupling: values.Coupling, by: float) -> values.Coupling:
     return values.Coupling(coupling.leader, coupling.ratio, coupling.offset + by)
 
 
-@kernel
+@kernel(spelling="({coupling} * {factor})")
 def _coupling_scale(coupling: values.Coupling, factor: float) -> values.Coupling:
     return _coupling(coupling.leader, coupling.ratio * factor, coupling.offset * factor)
 
@@ -191,7 +207,7 @@ def _joint(
         raise ValueError(
             f"joint {name!r} follows {follows.leader!r}, which gives it its range; leave its limits out"
         )
-    dynamics = {
+    dynamics: dict[str, Any] = {
         "stiffness": stiffness,
         "damping": damping,
         "friction": friction,
@@ -355,5 +371,3 @@ def Prismatic(  # noqa: N802 - reads as the type of joint that it makes
         follows=follows,
         needs=needs,
     )
-
-

@@ -39,7 +39,7 @@ def line(start: VectorLike, end: VectorLike) -> Path:
 @kernel
 def _polyline(points: tuple[Array3, ...], fillet: float, closed: bool) -> Curve:
     corners = inputs.points("the polyline", points or np.zeros((0, 3)), 3, 3 if closed else 2)
-    inputs.between("fillet", fillet, 0.0, math.inf)
+    fillet = inputs.rounding("fillet", fillet, math.inf)
     following = np.roll(corners, -1, axis=0)
     length = np.linalg.norm(following - corners, axis=1)
     sides = len(corners) if closed else len(corners) - 1
@@ -48,7 +48,7 @@ def _polyline(points: tuple[Array3, ...], fillet: float, closed: bool) -> Curve:
         raise ValueError(f"points {at} and {(at + 1) % len(corners)} of the polyline are one point")
     if fillet == 0.0:
         return Curve(corners, closed)
-    return _filleted(corners, (following - corners) / length[:, None], length, fillet, closed)
+    return _filleted(corners, _unit_rows(following - corners), length, fillet, closed)
 
 
 def _filleted(corners: Array, along: Array, length: Array, fillet: float, closed: bool) -> Curve:

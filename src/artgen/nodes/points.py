@@ -40,9 +40,7 @@ def _grid(center: Array3, u: Array3, v: Array3, columns: int, rows: int) -> Arra
     _check_count(rows, "the rows of a grid")
     across = np.arange(columns) - (columns - 1) / 2
     up = np.arange(rows) - (rows - 1) / 2
-    return np.asarray(
-        (center + up[:, None, None] * v + across[None, :, None] * u).reshape(-1, 3)
-    )
+    return np.asarray((center + up[:, None, None] * v + across[None, :, None] * u).reshape(-1, 3))
 
 
 def grid(center: VectorLike, u: VectorLike, v: VectorLike, *, columns: int, rows: int) -> Points:
@@ -97,7 +95,7 @@ def along(path: Path, count: int) -> Points:
     return Points.record(_along, path=path, count=count)
 
 
-@kernel
+@kernel(spelling="({points} + {offset})")
 def _points_move(points: ArrayN3, offset: Array3) -> ArrayN3:
     return points + offset
 
@@ -107,7 +105,7 @@ def points_move(points: Points, offset: VectorLike) -> Points:
     return Points.record(_points_move, points=points, offset=offset)
 
 
-@kernel
+@kernel(spelling="({points} * {factor})")
 def _points_scale(points: ArrayN3, factor: float) -> ArrayN3:
     return points * factor
 

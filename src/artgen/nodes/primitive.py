@@ -19,8 +19,9 @@ from artgen.nodes.covers import (
     around_rounded_box,
     moved,
 )
+from artgen.nodes.cuboid import rounded_box
 from artgen.nodes.handles import Array3, Scalar, Solid, VectorLike
-from artgen.nodes.surfaces import bevel_steps, extrusion, lathe, rounded_box, sides_of
+from artgen.nodes.surfaces import bevel_steps, extrusion, lathe, sides_of
 
 Array = NDArray[np.float64]
 
@@ -32,7 +33,7 @@ def _box(x: float, y: float, z: float, bevel: float) -> Shape:
     size = np.array(
         [inputs.positive("size x", x), inputs.positive("size y", y), inputs.positive("size z", z)]
     )
-    inputs.between("bevel", bevel, 0.0, float(size.min()) / 2.0)
+    bevel = inputs.rounding("bevel", bevel, float(size.min()) / 2.0)
     if bevel == 0.0:
         return rounded_box(size, 0.0, 0).shape(Exact((Convex.box(size),)))
     steps = max(1, bevel_steps(bevel) // 2)
@@ -65,7 +66,7 @@ def _axial(radius: float, half: float, bevel: float, top_radius: float | None = 
 def _cylinder(radius: float, length: float, axis: Array3, bevel: float) -> Shape:
     inputs.positive("radius", radius)
     inputs.positive("length", length)
-    inputs.between("bevel", bevel, 0.0, min(radius, length / 2.0) * 0.999)
+    bevel = inputs.rounding("bevel", bevel, min(radius, length / 2.0) * 0.999)
     turn = inputs.frame(axis)
     skin = lathe([_axial(radius, length / 2.0, bevel)]).turned(turn)
     pieces = around_cylinder(radius, length, sides_of(radius), inputs.pose(turn), bevel)
@@ -114,7 +115,7 @@ def _frustum(bottom_radius: float, top_radius: float, length: float, axis: Array
     inputs.between("top radius", top_radius, 0.0, math.inf)
     inputs.positive("the larger radius", max(bottom_radius, top_radius))
     inputs.positive("length", length)
-    inputs.between("bevel", bevel, 0.0, math.inf)
+    bevel = inputs.rounding("bevel", bevel, math.inf)
     turn = inputs.frame(axis)
     contour = _axial(bottom_radius, length / 2.0, bevel, top_radius)
     return lathe([contour]).turned(turn).shape(moved(around_lathe([contour]), inputs.pose(turn)))
@@ -289,7 +290,7 @@ def _tube(outer: float, inner: float, length: float, axis: Array3, bevel: float)
     if not outer > inner:
         raise ValueError(f"the outer radius {outer:g} m must exceed the inner radius {inner:g} m")
     inputs.positive("length", length)
-    inputs.between("bevel", bevel, 0.0, min(outer - inner, length) / 2.0 * 0.999)
+    bevel = inputs.rounding("bevel", bevel, min(outer - inner, length) / 2.0 * 0.999)
     turn = inputs.frame(axis)
     half = length / 2.0
     corners = np.array([[inner, -half], [outer, -half], [outer, half], [inner, half]])

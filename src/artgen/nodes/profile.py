@@ -39,7 +39,7 @@ def _convex(contour: Contour) -> Outline:
 def _rectangle(width: float, height: float, radius: float) -> Outline:
     inputs.positive("width", width)
     inputs.positive("height", height)
-    inputs.between("radius", radius, 0.0, min(width, height) / 2.0)
+    radius = inputs.rounding("radius", radius, min(width, height) / 2.0)
     x, y = width / 2.0, height / 2.0
     corners = np.array([[-x, -y], [x, -y], [x, y], [-x, y]])
     return _convex(rounded_polygon(corners, [radius] * 4) if radius > 0.0 else faceted(corners))
@@ -86,7 +86,7 @@ def ellipse(radius_x: Scalar, radius_y: Scalar) -> Profile:
 @kernel
 def _polygon(points: tuple[tuple[float, float], ...], radius: float) -> Outline:
     corners = inputs.points("the polygon", points or np.zeros((0, 2)), 2, 3)
-    inputs.between("radius", radius, 0.0, math.inf)
+    radius = inputs.rounding("radius", radius, math.inf)
     following = np.roll(corners, -1, axis=0)
     short = np.linalg.norm(following - corners, axis=1) < 1e-7
     if short.any():

@@ -56,7 +56,7 @@ def faceted_shape(solid: Manifold, pieces: Pieces) -> Shape:
     # v runs upward, or to the back on faces that look up or down
     u = np.choose(side, [vertices[:, 1], vertices[:, 0], vertices[:, 0]])
     v = np.choose(side, [vertices[:, 2], vertices[:, 2], vertices[:, 1]])
-    table = np.column_stack([vertices, normals, u, v, np.repeat(np.arange(len(triangles)) * 0, 3)])
+    table = np.column_stack([vertices, normals, u, v])
     _, first, group = np.unique(
         np.column_stack([triangles.ravel(), side, np.rint(normals * 1e6).astype(np.int64)]),
         axis=0,

@@ -56,7 +56,7 @@ class _Stations:
             tangents = np.concatenate([known, known[:1]]) if closed else known
         tangents = tangents / np.linalg.norm(tangents, axis=1, keepdims=True)
         self.sharp = turn > CREASE
-        self.frames = _transported(tangents, self.distance, closed)
+        self.frames = _transported(tangents, directions, self.distance, closed)
         self.before = _turns_between(tangents, arriving)
         self.after = _turns_between(tangents, leaving)
         self.stretch = _mitres(arriving, leaving, cosine, path.tangents is not None)
@@ -90,8 +90,8 @@ def _turns_between(source: Array, target: Array) -> Array:
     return np.asarray(np.eye(3) + skew + skew @ skew / (1.0 + cosine)[:, None, None])
 
 
-def _transported(tangents: Array, distance: Array, closed: bool) -> Array:
-    """Return frames that follow the tangents without turning about them, shape (n, 3, 3).
+def _transported(tangents: Array, directions: Array, distance: Array, closed: bool) -> Array:
+    """Return frames that follow the tangents without turning about the path, shape (n, 3, 3).
 
     The profile's y starts as far upward as it can (along Y where the path starts vertically). Around a
     closed path the turn that remains is spread over its length.
@@ -100,8 +100,10 @@ def _transported(tangents: Array, distance: Array, closed: bool) -> Array:
     up = np.array([0.0, 0.0, 1.0]) if abs(start[2]) < 0.999 else np.array([0.0, 1.0, 0.0])
     first = up - start * (start @ up)
     first /= np.linalg.norm(first)
-    rows = _carried(first, tangents)
-    ups = np.array(rows)
+    # through the directions of the segments, about which nothing turns either
+    course = np.empty((2 * len(tangents) - 1, 3))
+    course[0::2], course[1::2] = tangents, directions
+    ups = np.array(_carried(first, course)[0::2])
     if closed:
         axis = np.cross(ups[0], ups[-1])
         missing = math.atan2(float(axis @ start), float(ups[0] @ ups[-1]))

@@ -27,6 +27,8 @@ Z = vector(0.0, 0.0, 1.0)
 
 @kernel
 def _component(vector: Array3, index: int) -> float:
+    if index not in (0, 1, 2):
+        raise ValueError(f"a vector has the components 0, 1 and 2, not {index}")
     return float(vector[index])
 
 
@@ -35,7 +37,7 @@ def component(vector: VectorLike, index: int) -> Float:
     return Float.record(_component, vector=vector, index=index)
 
 
-@kernel
+@kernel(spelling="({a} + {b})")
 def _vector_add(a: Array3, b: Array3) -> Array3:
     return a + b
 
@@ -45,7 +47,7 @@ def vector_add(a: VectorLike, b: VectorLike) -> Vector:
     return Vector.record(_vector_add, a=a, b=b)
 
 
-@kernel
+@kernel(spelling="({a} - {b})")
 def _vector_subtract(a: Array3, b: Array3) -> Array3:
     return a - b
 
@@ -55,7 +57,7 @@ def vector_subtract(a: VectorLike, b: VectorLike) -> Vector:
     return Vector.record(_vector_subtract, a=a, b=b)
 
 
-@kernel
+@kernel(spelling="({vector} * {factor})")
 def _vector_scale(vector: Array3, factor: float) -> Array3:
     return vector * factor
 

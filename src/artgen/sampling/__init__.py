@@ -1,6 +1,7 @@
 """Sampling: distributions as values, and independent random streams by name."""
 
-from artgen.sampling.distributions import Distribution, by, choice, count, loguniform, normal, uniform
+from artgen.sampling.choices import by, choice, count
+from artgen.sampling.distributions import Distribution, Fixed, loguniform, normal, uniform
 from artgen.sampling.streams import stream
 
-__all__ = ["Distribution", "by", "choice", "count", "loguniform", "normal", "stream", "uniform"]
+__all__ = ["Distribution", "Fixed", "by", "choice", "count", "loguniform", "normal", "stream", "uniform"]

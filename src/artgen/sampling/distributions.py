@@ -2,13 +2,14 @@
 
 import math
 from abc import ABC, abstractmethod
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from statistics import NormalDist
 from typing import Any
 
 import numpy as np
 
-from artgen.errors import ParameterError, nearest
+from artgen.errors import ParameterError
 
 Within = tuple[float, float] | None
 
@@ -29,53 +30,126 @@ class Distribution(ABC):
 
     @abstractmethod
     def draw(self, generator: np.random.Generator, given: Mapping[str, Any]) -> Any:
-        """Draw a value; `given` has the structural parameters drawn before."""
+        """Draw a value; `given` has the parameters drawn before."""
 
     @abstractmethod
     def support(self) -> tuple[Any, ...]:
         """Return the lowest and highest value, or the options."""
 
     @property
+    def discrete(self) -> bool:
+        """Whether `support` lists every value."""
+        return False
+
+    @property
     def numeric(self) -> bool:
         """Whether every value is a number."""
-        return True
+        return all(leaf._numeric_leaf() for leaf in self.leaves())
 
-    def check(self, name: str, value: Any) -> None:
-        """Check an overriding value against the hard limits.
+    def _numeric_leaf(self) -> bool:
+        return not self.discrete or all(is_number(value) for value in self.support())
 
-        Raises:
-            ParameterError: It lies outside them.
-        """
-        if self.within is None or isinstance(value, bool | str):
-            return
-        low, high = self.within
-        if not low <= value <= high:
-            raise ParameterError(
-                f"{name} = {value!r} is out of range: {low:.6g} to {high:.6g}{_unit(self.unit)} is allowed"
-            )
+    def leaves(self) -> tuple["Distribution", ...]:
+        """Return the distributions between which the draw chooses; this one alone if there is no choice."""
+        return (self,)
 
     def needs(self) -> tuple[str, ...]:
         """Return the names of the parameters that the draw depends on."""
         return ()
+
+    def check(self, name: str, value: Any) -> None:
+        """Check an overriding value, or every value of an overriding distribution, against the hard limits.
+
+        Raises:
+            ParameterError: It lies outside them.
+        """
+        if self.within is None:
+            return
+        low, high = self.within
+        for item in value.support() if isinstance(value, Distribution) else (value,):
+            if is_number(item) and not low <= item <= high:
+                raise ParameterError(
+                    f"{name} = {value!r} is out of range: "
+                    f"{low:.6g} to {high:.6g}{_unit(self.unit)} is allowed"
+                )
+
+
+def is_number(value: Any) -> bool:
+    """Tell whether a value is a finite number; True and False are none."""
+    kinds = float | int | np.floating | np.integer
+    return isinstance(value, kinds) and not isinstance(value, bool) and math.isfinite(value)
 
 
 def _unit(unit: str) -> str:
     return f" {unit}" if unit else ""
 
 
-def _number(value: Any, what: str) -> float:
-    if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
+def as_number(value: Any, what: str) -> float:
+    """Return a finite number as a Python float.
+
+    Raises:
+        ParameterError: It is none; the message says `what` it was given for.
+    """
+    if not is_number(value):
         raise ParameterError(f"{what} must be a finite number, got {value!r}")
     return float(value)
 
 
-def _check_within(within: Within, what: str) -> Within:
+def limited(distribution: Distribution, within: Any) -> Any:
+    """Return the distribution with hard limits.
+
+    Raises:
+        ParameterError: They are no pair of numbers, or the distribution gives values outside them.
+    """
     if within is None:
-        return None
-    low, high = (_number(end, f"{what}: within") for end in within)
+        return distribution
+    if not isinstance(within, Sequence) or len(within) != 2:
+        raise ParameterError(
+            f"{distribution!r}: within must be a pair of numbers (low, high), got {within!r}"
+        )
+    low, high = (as_number(end, f"{distribution!r}: within") for end in within)
     if low > high:
-        raise ParameterError(f"{what}: within=({low:.6g}, {high:.6g}) has its lower end above its upper end")
-    return low, high
+        raise ParameterError(
+            f"{distribution!r}: within=({low:.6g}, {high:.6g}) has low above high; swap them"
+        )
+    if not distribution.numeric:
+        raise ParameterError(f"{distribution!r}: within limits numbers, and not all of these are")
+    result = replace(distribution, within=(low, high))
+    for value in result.support():
+        if not low <= value <= high:
+            raise ParameterError(
+                f"{distribution!r} may give {value!r}, outside within=({low:.6g}, {high:.6g})"
+            )
+    return result
+
+
+@dataclass(frozen=True)
+class Fixed(Distribution):
+    """A value that does not vary unless it is overridden."""
+
+    value: Any = None
+
+    def draw(self, generator: np.random.Generator, given: Mapping[str, Any]) -> Any:
+        """Return the value."""
+        return self.value
+
+    def support(self) -> tuple[Any, ...]:
+        """Return the value."""
+        return (self.value,)
+
+    @property
+    def discrete(self) -> bool:
+        """Whether `support` lists every value."""
+        return True
+
+    def __repr__(self) -> str:
+        return shown(self.value)
+
+
+def shown(option: Any) -> str:
+    """Spell a value as authors know it: generators and materials by their names."""
+    name = getattr(option, "name", None)
+    return name if isinstance(name, str) else repr(option)
 
 
 @dataclass(frozen=True)
@@ -87,7 +161,7 @@ class Uniform(Distribution):
 
     def draw(self, generator: np.random.Generator, given: Mapping[str, Any]) -> float:
         """Draw a number."""
-        return float(self.low + (self.high - self.low) * generator.random())
+        return _between(self.low + (self.high - self.low) * generator.random(), self.low, self.high)
 
     def support(self) -> tuple[float, float]:
         """Return the lowest and highest value."""
@@ -97,16 +171,21 @@ class Uniform(Distribution):
         return f"uniform({self.low:g}, {self.high:g})"
 
 
+def _between(value: float, low: float, high: float) -> float:
+    """Undo the rounding that may carry a draw beyond its ends."""
+    return float(min(max(value, low), high))
+
+
 def uniform(low: float, high: float, unit: str = "", *, doc: str = "", within: Within = None) -> Any:
     """Draw a number between `low` and `high`, all equally likely.
 
     Raises:
-        ParameterError: A bound is no finite number, or `low` exceeds `high`.
+        ParameterError: A bound is no finite number, `low` exceeds `high`, or they lie outside `within`.
     """
-    low, high = _number(low, "uniform: low"), _number(high, "uniform: high")
+    low, high = as_number(low, "uniform: low"), as_number(high, "uniform: high")
     if low > high:
         raise ParameterError(f"uniform({low:g}, {high:g}): low exceeds high; swap them")
-    return Uniform(unit, doc, _check_within(within, f"uniform({low:g}, {high:g})"), low, high)
+    return limited(Uniform(unit, doc, None, low, high), within)
 
 
 @dataclass(frozen=True)
@@ -115,16 +194,17 @@ class Normal(Distribution):
 
     mean: float = 0.0
     deviation: float = 1.0
-    low: float = -math.inf
-    high: float = math.inf
+    low: float = -1.0
+    high: float = 1.0
 
     def draw(self, generator: np.random.Generator, given: Mapping[str, Any]) -> float:
-        """Draw a number; values beyond the cut are drawn again."""
-        for _ in range(1000):
-            value = self.mean + self.deviation * float(generator.standard_normal())
-            if self.low <= value <= self.high:
-                return value
-        return min(max(self.mean, self.low), self.high)
+        """Draw a number: one uniform draw through the inverse of the cut curve's distribution function."""
+        curve = NormalDist(self.mean, self.deviation)
+        below, above = curve.cdf(self.low), curve.cdf(self.high)
+        share = below + (above - below) * float(generator.random())
+        if not 0.0 < share < 1.0:
+            return self.low if share <= 0.0 else self.high
+        return _between(curve.inv_cdf(share), self.low, self.high)
 
     def support(self) -> tuple[float, float]:
         """Return the lowest and highest value."""
@@ -147,15 +227,16 @@ def normal(
     """Draw a number from a bell curve that is cut off at `low` and `high`.
 
     Raises:
-        ParameterError: A number is not finite, the deviation is not positive, or `low` exceeds `high`.
+        ParameterError: A number is not finite, the deviation is not positive, the mean is not between `low`
+            and `high`, or they lie outside `within`.
     """
-    mean, deviation = _number(mean, "normal: mean"), _number(deviation, "normal: deviation")
-    low, high = _number(low, "normal: low"), _number(high, "normal: high")
+    mean, deviation = as_number(mean, "normal: mean"), as_number(deviation, "normal: deviation")
+    low, high = as_number(low, "normal: low"), as_number(high, "normal: high")
     if deviation <= 0.0:
         raise ParameterError(f"normal: deviation must be positive, got {deviation:g}")
     if not low <= mean <= high:
         raise ParameterError(f"normal: the mean {mean:g} must lie between low {low:g} and high {high:g}")
-    return Normal(unit, doc, _check_within(within, "normal"), mean, deviation, low, high)
+    return limited(Normal(unit, doc, None, mean, deviation, low, high), within)
 
 
 @dataclass(frozen=True)
@@ -167,7 +248,7 @@ class LogUniform(Distribution):
 
     def draw(self, generator: np.random.Generator, given: Mapping[str, Any]) -> float:
         """Draw a number."""
-        return float(self.low * (self.high / self.low) ** generator.random())
+        return _between(self.low * (self.high / self.low) ** generator.random(), self.low, self.high)
 
     def support(self) -> tuple[float, float]:
         """Return the lowest and highest value."""
@@ -181,149 +262,10 @@ def loguniform(low: float, high: float, unit: str = "", *, doc: str = "", within
     """Draw a positive number between `low` and `high`, all ratios equally likely.
 
     Raises:
-        ParameterError: A bound is not positive and finite, or `low` exceeds `high`.
+        ParameterError: A bound is not positive and finite, `low` exceeds `high`, or they lie outside
+            `within`.
     """
-    low, high = _number(low, "loguniform: low"), _number(high, "loguniform: high")
+    low, high = as_number(low, "loguniform: low"), as_number(high, "loguniform: high")
     if not 0.0 < low <= high:
         raise ParameterError(f"loguniform({low:g}, {high:g}): needs 0 < low <= high")
-    return LogUniform(unit, doc, _check_within(within, "loguniform"), low, high)
-
-
-@dataclass(frozen=True)
-class Choice(Distribution):
-    """One of some options."""
-
-    options: tuple[Any, ...] = ()
-    weights: tuple[float, ...] | None = None
-
-    def draw(self, generator: np.random.Generator, given: Mapping[str, Any]) -> Any:
-        """Draw an option."""
-        weights = np.ones(len(self.options)) if self.weights is None else np.array(self.weights)
-        edges = np.cumsum(weights / weights.sum())
-        return self.options[min(int(np.searchsorted(edges, generator.random(), "right")), len(edges) - 1)]
-
-    def support(self) -> tuple[Any, ...]:
-        """Return the options."""
-        return self.options
-
-    @property
-    def numeric(self) -> bool:
-        """Whether every option is a number."""
-        return all(isinstance(item, int | float) and not isinstance(item, bool) for item in self.options)
-
-    def __repr__(self) -> str:
-        shown = ", ".join(getattr(option, "name", None) or repr(option) for option in self.options)
-        return f"choice({shown})"
-
-
-def choice(
-    *options: Any, weights: tuple[float, ...] | None = None, unit: str = "", doc: str = "", within: Within = None
-) -> Any:
-    """Draw one of the options, with equal chances unless weights are given.
-
-    Raises:
-        ParameterError: There are no options, or the weights do not match them.
-    """
-    if not options:
-        raise ParameterError("choice needs at least one option")
-    if weights is not None:
-        bad = len(weights) != len(options) or min(weights) < 0.0 or sum(weights) <= 0.0
-        if bad:
-            raise ParameterError(
-                f"choice: {len(options)} options need as many weights, none negative and not all 0; "
-                f"got {tuple(weights)}"
-            )
-        weights = tuple(float(weight) for weight in weights)
-    return Choice(unit, doc, _check_within(within, "choice"), tuple(options), weights)
-
-
-def count(
-    low: int, high: int, *, weights: tuple[float, ...] | None = None, doc: str = "", within: Within = None
-) -> Any:
-    """Draw a whole number from `low` to `high`, both included.
-
-    Raises:
-        ParameterError: A bound is no whole number, or `low` exceeds `high`.
-    """
-    for bound in (low, high):
-        if isinstance(bound, bool) or not isinstance(bound, int):
-            raise ParameterError(f"count: bounds must be whole numbers, got {bound!r}")
-    if low > high:
-        raise ParameterError(f"count({low}, {high}): low exceeds high; swap them")
-    return choice(*range(low, high + 1), weights=weights, doc=doc, within=within)
-
-
-@dataclass(frozen=True)
-class By(Distribution):
-    """A distribution for each value of a structural parameter."""
-
-    parameter: str = ""
-    cases: tuple[tuple[Any, Any], ...] = ()
-
-    def draw(self, generator: np.random.Generator, given: Mapping[str, Any]) -> Any:
-        """Draw from the case that the structural parameter chose."""
-        chosen = given[self.parameter]
-        for key, case in self.cases:
-            if key == chosen or (key == "otherwise"):
-                return case.draw(generator, given) if isinstance(case, Distribution) else case
-        raise ParameterError(
-            f"by({self.parameter!r}, ...) has no case for {chosen!r}."
-            + nearest(str(chosen), [str(key) for key, _ in self.cases])
-        )
-
-    def support(self) -> tuple[Any, ...]:
-        """Return the lowest and highest value, or the options, over all cases."""
-        ends: list[Any] = []
-        for _, case in self.cases:
-            ends.extend(case.support() if isinstance(case, Distribution) else (case,))
-        if self.numeric and all(not isinstance(case, Choice) for _, case in self.cases):
-            return min(ends), max(ends)
-        return tuple(dict.fromkeys(ends))
-
-    @property
-    def numeric(self) -> bool:
-        """Whether every value of every case is a number."""
-        return all(
-            case.numeric
-            if isinstance(case, Distribution)
-            else isinstance(case, int | float) and not isinstance(case, bool)
-            for _, case in self.cases
-        )
-
-    def needs(self) -> tuple[str, ...]:
-        """Return the names of the parameters that the draw depends on."""
-        inner = [name for _, case in self.cases if isinstance(case, Distribution) for name in case.needs()]
-        return (self.parameter, *dict.fromkeys(inner))
-
-    def __repr__(self) -> str:
-        return f"by({self.parameter!r}, {', '.join(f'{key}={case!r}' for key, case in self.cases)})"
-
-
-def by(
-    parameter: str,
-    cases: Mapping[Any, Any] | None = None,
-    *,
-    unit: str = "",
-    doc: str = "",
-    within: Within = None,
-    **named: Any,
-) -> Any:
-    """Draw from a distribution that depends on a structural parameter.
-
-    Args:
-        parameter: Name of the structural parameter, of the same generator.
-        cases: Distribution or value for each of its values that is no identifier.
-        unit: Unit of the value.
-        doc: What the parameter is.
-        within: Hard limits for overrides.
-        **named: Distribution or value for each of its values; `otherwise` for the remaining ones.
-
-    Raises:
-        ParameterError: There are no cases.
-    """
-    together = {**(cases or {}), **named}
-    if not together:
-        raise ParameterError(f"by({parameter!r}) needs a distribution for each value of {parameter!r}")
-    # "otherwise" matches everything, so it comes last
-    ordered = sorted(together.items(), key=lambda item: item[0] == "otherwise")
-    return By(unit, doc, _check_within(within, f"by({parameter!r})"), parameter, tuple(ordered))
+    return limited(LogUniform(unit, doc, None, low, high), within)

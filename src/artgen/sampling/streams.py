@@ -9,8 +9,8 @@ def stream(seed: int, path: str, attempt: int = 0) -> np.random.Generator:
     """Return the random stream of one parameter of one asset.
 
     Args:
-        seed: Seed of the asset.
-        path: Category and parameter, such as `door/handle.length`.
+        seed: Seed of the asset, not negative.
+        path: Category and parameter, such as `door/handle.lever_handle.length`.
         attempt: Number of infeasible draws before.
     """
     name = int.from_bytes(hashlib.blake2b(path.encode(), digest_size=8).digest(), "little")

@@ -2,6 +2,8 @@
 
 from typing import Literal
 
+from artgen.categories.parts.finish import casting
+from artgen.categories.parts.locks import with_button
 from artgen.categories.parts.roses import NECK_GAP, PIN, SIDES, Faces, spindle
 from artgen.generator import generator
 from artgen.materials import Material
@@ -12,12 +14,8 @@ from artgen.nodes.primitive import bore, cylinder, ellipsoid, frustum
 from artgen.nodes.vector import Y
 from artgen.sampling import choice, uniform
 
-_CASTING = 0.35  # knobs are hollow: the share of the metal's density that a whole set weighs
 
-
-def casting(finish: Material) -> Material:
-    """Return the material of a hollow casting with the looks of a finish."""
-    return finish.with_(name=f"{finish.name}_casting", density=_CASTING * finish.density)
+_PIN_DEPTH = 0.012  # depth of the hole of a privacy pin in a knob [m]
 
 
 @generator
@@ -27,12 +25,13 @@ def knob_handle(
     rose_depth: Float,
     finish: Material,
     faces: Faces = "both",
-    pin: Literal["none", "turn", "push"] = "none",
+    lock: Literal["none", "turn", "push"] = "none",
+    lock_side: int = -1,
     style: Literal["ball", "flat", "tulip", "egg"] = choice("ball", "flat", "tulip", "egg"),
     radius: Float = uniform(0.025, 0.0285, "m", doc="radius of the knob", within=(0.02, 0.04)),
     projection: Float = uniform(0.060, 0.068, "m", doc="face of the leaf to the end of the knob"),
 ) -> Body:
-    """Make a knob on each face of the leaf, joined by the spindle: the link `handle`.
+    """Make a knob on each face of the leaf, joined by the spindle: the link `handle`, with the link `lock` if any.
 
     Attach it by `spring_turn`.
 
@@ -41,7 +40,8 @@ def knob_handle(
         rose_depth: How far the roses stand out, from which the necks keep a gap [m].
         finish: Metal of the knobs.
         faces: Which faces have a knob.
-        pin: Whether the front knob has the hole of a privacy pin (`push`) in its middle.
+        lock: What a privacy lock has in the middle of one knob: nothing, a small knob or a pin.
+        lock_side: The face with that knob, -1 for the front.
         style: Ball, flat with a round rim, tulip (a cone with a domed end), or a lying egg.
         radius: Radius of the knob [m].
         projection: From the face of the leaf to the end of the knob [m].
@@ -55,28 +55,24 @@ def knob_handle(
         grasps.append(frame(middle, approach=(0.0, -side, 0.0)))
     solids.append(spindle(thickness, rose_depth, faces))
     solid = union(*solids)
-    if pin == "push":
-        front = -(thickness / 2 + projection)
-        solid = solid - bore(PIN + 0.0004, 2 * PIN_DEPTH, axis=Y).at(0.0, front, 0.0)
-    return part(solid, "handle", casting(finish), grasp=grasps, grasp_width=2 * radius + 0.01)
-
-
-PIN_DEPTH = 0.012
-"""Depth of the hole of a privacy pin in a knob [m]."""
+    if lock == "none":
+        return part(solid, "handle", casting(finish), grasp=grasps, grasp_width=2 * radius + 0.01)
+    face = thickness / 2 + projection
+    hole = bore(PIN + 0.0004, 2 * _PIN_DEPTH, axis=Y).at(0.0, lock_side * face, 0.0)
+    body = part(solid - hole, "handle", casting(finish), grasp=grasps, grasp_width=2 * radius + 0.01)
+    return with_button(body, lock, face=face, depth=_PIN_DEPTH, finish=finish, side=lock_side)
 
 
 def _one_knob(style: str, start: Scalar, end: Scalar, side: int, radius: Scalar) -> list[Solid]:
     """Make a knob from y = start, in front of the rose, to y = end."""
-    neck = frustum(0.0135, 0.0105, side * (end - start) * 0.6, axis=(0.0, side, 0.0), bevel=0.001)
-    solids = [neck.at(0.0, start + 0.3 * (end - start), 0.0)]
-    collar = cylinder(0.016, 0.004, axis=Y, bevel=0.001).at(0.0, start + side * 0.002, 0.0)
-    solids.append(collar)
+    neck = cylinder(0.0115, side * (end - start) * 0.6, axis=Y)
+    collar = cylinder(0.016, 0.0045, axis=Y, bevel=0.0015)
+    solids = [neck.at(0.0, start + 0.3 * (end - start), 0.0), collar.at(0.0, start + side * 0.00225, 0.0)]
     outward = (0.0, side, 0.0)
+    deep = 0.74 * radius  # half the depth of a ball
     if style == "ball":
-        deep = 0.74 * radius
         solids.append(ellipsoid(radius, deep, radius).at(0.0, end - side * deep, 0.0))
     elif style == "egg":
-        deep = 0.74 * radius
         solids.append(ellipsoid(1.15 * radius, deep, 0.85 * radius).at(0.0, end - side * deep, 0.0))
     elif style == "flat":
         solids.append(cylinder(radius, 0.022, axis=Y, bevel=0.006).at(0.0, end - side * 0.011, 0.0))

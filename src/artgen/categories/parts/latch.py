@@ -8,6 +8,7 @@ All are drawn about the spindle of a closed leaf whose lock edge is at x = backs
 from dataclasses import dataclass
 from typing import Literal
 
+from artgen.categories.parts.finish import recess
 from artgen.generator import generator
 from artgen.materials import Material
 from artgen.nodes.body import detail, part, weld
@@ -114,7 +115,7 @@ def faceplate(*, backset: Float, finish: Material, bolt: BoltName = "latch") -> 
 
 def _plate_screws(x: Scalar, side: int, height: Scalar, finish: Material) -> list[Body]:
     """Make screw heads above and below a bolt on a plate at x that faces `side`."""
-    dark = finish.with_(name=f"{finish.name}_recess", base_color=(0.02, 0.02, 0.02))
+    dark = recess(finish)
     bodies = []
     for z in (-height, height):
         head = cylinder(0.0036, 0.0008, axis=X, bevel=0.0003).at(x, 0.0, z)

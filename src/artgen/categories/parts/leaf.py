@@ -19,7 +19,7 @@ from artgen.nodes.csg import hull
 from artgen.nodes.extrude import extrude
 from artgen.nodes.handles import Body, Float, Scalar, Solid, VectorLike
 from artgen.nodes.path import polyline
-from artgen.nodes.primitive import box
+from artgen.nodes.primitive import box, cylinder
 from artgen.nodes.profile import polygon, rectangle
 from artgen.nodes.scalar import atan2, sqrt
 from artgen.nodes.sweep import sweep
@@ -34,6 +34,9 @@ _BOTTOM_RAIL = 0.200  # the kick rail is the widest [m]
 _LOCK_RAIL = 0.120  # between rows [m]
 _MULLION = 0.085  # between columns [m]
 _PANE = 0.005  # toughened glass [m]
+
+ASTRAGAL_GAP = 0.002
+"""Between the active leaf and the strip behind it [m]."""
 
 Fill = Callable[["Opening", Scalar], list[Body]]
 
@@ -382,3 +385,45 @@ def _slats(opening: Opening, thickness: Scalar, slats: int) -> list[Body]:
     # the outer edge hangs down, so that rain and eyes stay out
     solid = array(slat.rotate(X, tilt), at=places).at(opening.centers[0])
     return [part(solid, "door", opening.finish)]
+
+
+@generator
+def finger_plate(*, thickness: Float, finish: Material, height: Float = uniform(0.28, 0.38, "m")) -> Body:
+    """Make the plates on both faces of a leaf without a handle, where hands push it; weld them to it.
+
+    Args:
+        thickness: Thickness of the leaf [m].
+        finish: Their metal.
+        height: Height of a plate [m].
+    """
+    plate = box(0.075, 0.0016, height, bevel=0.0006).at(0.0, thickness / 2.0 + 0.0004, 0.0)
+    screws = [
+        detail(
+            cylinder(0.0032, 0.0008, axis=Y, bevel=0.0002).at(
+                x * 0.030, side * (thickness / 2.0 + 0.0012), z * (height / 2.0 - 0.008)
+            ),
+            "screw",
+            finish,
+        )
+        for side in (-1, 1)
+        for x in (-1, 1)
+        for z in (-1, 1)
+    ]
+    return weld(part(plate, "plate", finish), part(plate.mirror(Y), "plate", finish), *screws)
+
+
+def astragal(blank: Blank, gap: Scalar) -> Body:
+    """Make the strip on the back of the inactive leaf that the active one closes against.
+
+    Args:
+        blank: The inactive leaf; its meeting edge is at x = width / 2.
+        gap: Between the leaves [m].
+    """
+    wide, deep = 0.040, 0.012
+    strip = box(wide, deep - ASTRAGAL_GAP, blank.straight - 0.06, bevel=0.002)
+    foot = box(wide / 2.0 - gap / 2.0 - 0.002, ASTRAGAL_GAP + 0.002, blank.straight - 0.07)
+    back = blank.thickness / 2.0
+    edge = blank.width / 2.0
+    strip = strip.align((edge + gap / 2.0, back + ASTRAGAL_GAP, blank.straight / 2.0), y=-1.0)
+    foot = foot.align((edge, back - 0.001, blank.straight / 2.0), x=1.0, y=-1.0)
+    return weld(part(strip, "door", blank.finish), part(foot, "door", blank.finish))

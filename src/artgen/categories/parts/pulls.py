@@ -2,6 +2,7 @@
 
 from typing import Literal
 
+from artgen.categories.parts.finish import casting
 from artgen.categories.parts.roses import SIDES, Faces
 from artgen.generator import generator
 from artgen.materials import Material
@@ -51,7 +52,7 @@ def pull_handle(
         grasp: Frame = frame((0.0, out, 0.0), approach=(0.0, -side, 0.0), closing=(1.0, 0.0, 0.0))
         name = "handle_front" if side < 0 else "handle_back"
         bodies.append(
-            part(union(*solids), "handle", finish, name=name, grasp=grasp, grasp_width=2 * girth + 0.03)
+            part(union(*solids), "handle", casting(finish), name=name, grasp=grasp, grasp_width=2 * girth + 0.03)
         )
     return weld(*bodies)
 

@@ -1,5 +1,6 @@
 """Push bars (panic hardware): a touch bar that slides towards the leaf between fixed cases."""
 
+from artgen.categories.parts.finish import casting, recess
 from artgen.generator import generator
 from artgen.materials import Material
 from artgen.nodes.body import detail, frame, part, weld
@@ -7,19 +8,23 @@ from artgen.nodes.handles import Body, Float, Scalar
 from artgen.nodes.joint import Joint, Prismatic
 from artgen.nodes.primitive import box
 
-_CHANNEL_DEPTH = 0.016  # how far the rail stands out of the leaf [m]
-_CHANNEL_HEIGHT = 0.062
-_CASE_DEPTH = 0.052
-_CASE_LENGTH = 0.085  # of the case over the lock; the far one is half as long
+_CHANNEL_DEPTH = 0.028  # how far the flanges of the rail stand out of the leaf [m]
+_SHEET = 0.0028  # thickness of the rail [m]
 _BAR_HEIGHT = 0.046
+_BAR_REACH = 0.048  # face of the leaf to the front of the bar at rest [m]
+_PLAY = 0.0008  # between the bar and the flanges above and below it [m]
+_CASE_DEPTH = 0.052
+_CASE_HEIGHT = 0.070
+_CASE_LENGTH = 0.085  # of the case over the lock; the far one is half as long [m]
 _END_GAP = 0.0015  # between the bar and its cases [m]
-_LIP = 0.003  # the bar's lowest position leaves this to the rail [m]
+_FULL = 0.2  # cases and bars are sheet metal around little: share of a full one's weight
+_BOTTOM = 0.002  # what the innermost position leaves to the rail [m]
 
 
 def _bar_span(length: Scalar, toward: int) -> tuple[Scalar, Scalar]:
     """Return the middle and the length of the touch bar along X."""
     near = _CASE_LENGTH / 2 + _END_GAP  # the case over the lock is centred on its axis
-    far = length - _CASE_LENGTH / 2 - _CASE_LENGTH / 2 - _END_GAP
+    far = length - _CASE_LENGTH - _END_GAP
     return toward * (near + far) / 2, far - near
 
 
@@ -72,12 +77,11 @@ def push_bar(
         toward: Direction in which it runs from the lock, -1 or 1 along X.
     """
     middle, span = _bar_span(length, toward)
-    back = thickness / 2 + _CHANNEL_DEPTH + _LIP + travel
-    deep = 0.018
-    bar = box(span, deep, _BAR_HEIGHT, bevel=0.004).at(middle, side * (back + deep / 2), 0.0)
-    # the stem keeps the bar in its rail at every position, half a millimetre from the wood at the innermost
-    hold = frame((middle, side * (back + deep), 0.0), approach=(0.0, -side, 0.0))
-    return part(bar, "handle", finish, grasp=hold, grasp_width=_BAR_HEIGHT + 0.01)
+    back = thickness / 2 + _SHEET + _BOTTOM + travel
+    front = thickness / 2 + _BAR_REACH
+    bar = box(span, front - back, _BAR_HEIGHT, bevel=0.004).at(middle, side * (front + back) / 2, 0.0)
+    hold = frame((middle, side * front, 0.0), approach=(0.0, -side, 0.0))
+    return part(bar, "handle", casting(finish, _FULL), grasp=hold, grasp_width=_BAR_HEIGHT + 0.01)
 
 
 @generator
@@ -87,15 +91,21 @@ def push_bar_case(
     """Make the rail and the cases of a push bar, to be welded to the leaf; it has the label `rose`."""
     face = thickness / 2 - 0.0005
     middle, span = _bar_span(length, toward)
-    rail = box(span + 0.004, _CHANNEL_DEPTH, _CHANNEL_HEIGHT, bevel=0.002)
-    near = box(_CASE_LENGTH, _CASE_DEPTH, _CHANNEL_HEIGHT + 0.012, bevel=0.005)
-    far = box(_CASE_LENGTH / 2, _CASE_DEPTH, _CHANNEL_HEIGHT + 0.012, bevel=0.005)
-    far_middle = toward * (length - _CASE_LENGTH / 2 - _CASE_LENGTH / 4)
-    dark = finish.with_(name=f"{finish.name}_recess", base_color=(0.02, 0.02, 0.02))
-    label = box(0.030, 0.0004, 0.008).at(0.0, side * (face + _CASE_DEPTH), 0.012)
+    inner = _BAR_HEIGHT / 2 + _PLAY
+    back = box(span + 0.004, _SHEET + 0.0005, 2 * inner + 0.002)
+    flange = box(span + 0.004, _CHANNEL_DEPTH + 0.0005, _SHEET, bevel=0.001)
+    flanges = [
+        flange.at(middle, side * (face + _CHANNEL_DEPTH / 2), end * (inner + _SHEET / 2)) for end in (-1, 1)
+    ]
+    near = box(_CASE_LENGTH, _CASE_DEPTH, _CASE_HEIGHT, bevel=0.005)
+    far = box(_CASE_LENGTH / 2, _CASE_DEPTH, _CASE_HEIGHT, bevel=0.005)
+    far_middle = toward * (length - _CASE_LENGTH * 0.75)
+    dark = recess(finish)
+    plate = box(0.034, 0.0004, 0.007).at(0.0, side * (face + _CASE_DEPTH), 0.014)
     return weld(
-        part(rail.at(middle, side * (face + _CHANNEL_DEPTH / 2), 0.0), "rose", finish),
-        part(near.at(0.0, side * (face + _CASE_DEPTH / 2), 0.0), "rose", finish),
-        part(far.at(far_middle, side * (face + _CASE_DEPTH / 2), 0.0), "rose", finish),
-        detail(label, "screw", dark),
+        part(near.at(0.0, side * (face + _CASE_DEPTH / 2), 0.0), "rose", casting(finish, _FULL)),
+        part(far.at(far_middle, side * (face + _CASE_DEPTH / 2), 0.0), "rose", casting(finish, _FULL)),
+        part(back.at(middle, side * (face + _SHEET / 2), 0.0), "rose", finish),
+        *(part(each, "rose", finish) for each in flanges),
+        detail(plate, "screw", dark),
     )

@@ -6,12 +6,13 @@ covers it, so that nothing of the hole is seen.
 
 from typing import Literal
 
+from artgen.categories.parts.finish import casting, recess
 from artgen.generator import generator
 from artgen.materials import Material
 from artgen.nodes.body import detail, part, weld
 from artgen.nodes.extrude import extrude
 from artgen.nodes.handles import Body, Float, Scalar, Solid
-from artgen.nodes.primitive import bore, box, cylinder, frustum
+from artgen.nodes.primitive import bore, box, cylinder
 from artgen.nodes.profile import rectangle
 from artgen.nodes.vector import Y
 
@@ -52,7 +53,8 @@ def rose(
     style: Literal["round", "square", "plate"] = "round",
     height: Float = 0.2,
     faces: Faces = "both",
-    pin: Literal["none", "turn", "push"] = "none",
+    pin: bool = False,
+    pin_side: int = -1,
 ) -> Body:
     """Make the roses of a handle on the faces of a leaf, to be welded to it.
 
@@ -64,11 +66,12 @@ def rose(
         style: A round or square rose, or a long plate.
         height: Height of a plate [m].
         faces: Which faces have one.
-        pin: Whether the front rose has the hole of a privacy pin (`push`) or knob (`turn`).
+        pin: Whether there is a hole for the pin of a privacy lock, `PIN_BELOW` the spindle.
+        pin_side: The face with that hole, -1 for the front.
     """
     bodies: list[Body] = []
     for side in SIDES[faces]:
-        bodies += _one_rose(thickness, depth, across, finish, style, height, side, pin if side < 0 else "none")
+        bodies += _one_rose(thickness, depth, across, finish, style, height, side, pin and side == pin_side)
     return weld(*bodies)
 
 
@@ -80,22 +83,22 @@ def _one_rose(
     style: str,
     height: Scalar,
     side: int,
-    pin: str,
+    pin: bool,
 ) -> list[Body]:
     middle = side * (thickness / 2 + (depth - _SUNK) / 2)
     face = side * (thickness / 2 + depth)
     deep = depth + _SUNK
     if style == "round":
-        cover = frustum(across / 2, across / 2 - 0.0015, deep, axis=(0.0, side, 0.0), bevel=0.002)
+        cover = cylinder(across / 2, deep, axis=Y, bevel=0.0022)
     elif style == "square":
         cover = box(across, deep, across, bevel=0.0022)
     else:
         cover = extrude(rectangle(across, height, radius=0.006), deep, axis=Y, bevel=0.0015)
     cover = cover.at(0.0, middle, 0.0) - box(_HOLE, deep + 0.004, _HOLE).at(0.0, middle, 0.0)
-    if pin != "none":
+    if pin:
         cover = cover - bore(PIN + 0.0004, deep + 0.004, axis=Y).at(0.0, middle, -PIN_BELOW)
-    bodies = [part(cover, "rose", finish)]
-    dark = finish.with_(name=f"{finish.name}_recess", base_color=(0.02, 0.02, 0.02))
+    bodies = [part(cover, "rose", casting(finish))]
+    dark = recess(finish)
     if style == "plate":
         for end in (-1, 1):
             place = (0.0, face, end * (height / 2 - 0.012))
@@ -104,8 +107,7 @@ def _one_rose(
             bodies.append(detail(slot, "screw", dark))
     else:
         # the set screw sits in the rim, where it is not seen from the front
-        inset = 0.0012 if style == "round" else 0.0
-        place = (0.0, middle, -(across / 2 - inset))
+        place = (0.0, middle, -across / 2)
         bodies.append(detail(cylinder(0.0016, 0.0006, axis=(0.0, 0.0, 1.0)).at(place), "screw", dark))
     return bodies
 

@@ -1,0 +1,194 @@
+"""Locks: a deadbolt with its thumb turn and key cylinder, and the privacy pins of knobs and roses.
+
+A deadbolt is drawn about its own axis, in the middle of the leaf, its lock edge at x = backset.
+"""
+
+from typing import Literal
+
+from artgen.categories.parts.finish import casting, recess
+from artgen.categories.parts.latch import DEADBOLT, PLAY
+from artgen.categories.parts.roses import PIN, SPINDLE, spindle_hole
+from artgen.generator import generator
+from artgen.materials import Material
+from artgen.nodes.body import detail, frame, part, weld
+from artgen.nodes.csg import union
+from artgen.nodes.handles import Body, Float, Scalar, Solid, VectorLike
+from artgen.nodes.joint import Joint, Prismatic, Revolute
+from artgen.nodes.primitive import box, cylinder, frustum
+from artgen.nodes.vector import X, Y
+
+THROW = 0.025
+"""How far a deadbolt comes out: 1 inch, the least that ANSI/BHMA A156.5 accepts [m]."""
+
+QUARTER = 1.57
+"""The range of a thumb turn [rad]."""
+
+PIN_TRAVEL = 0.004
+"""How far the pin of a privacy lock is pressed in [m]."""
+
+_TAIL = 0.020  # what stays in the leaf when the bolt is thrown [m]
+_RECESSED = 0.0005  # a drawn bolt ends this far inside the lock edge [m]
+_ROSETTE = 0.0275  # radius of the covers [m]
+_ROSETTE_DEPTH = 0.009
+_GAP = 0.0005  # between a rosette and what turns on it [m]
+
+
+@generator
+def deadbolt(*, backset: Float, finish: Material) -> Body:
+    """Make a deadbolt, drawn back: the link `deadbolt`.
+
+    Args:
+        backset: Distance from its axis to the lock edge of the leaf [m].
+        finish: Metal of the bolt.
+    """
+    length = THROW + _TAIL
+    bolt = box(length, DEADBOLT.width, DEADBOLT.height, bevel=0.001)
+    return part(bolt.align((backset - _RECESSED, 0.0, 0.0), x=1.0), "deadbolt", finish)
+
+
+def deadbolt_slide(turn: Joint, *, name: str = "deadbolt_slide") -> Joint:
+    """Make the joint that throws a deadbolt by its thumb turn; positive is thrown."""
+    return Prismatic(name, axis=X, follows=(THROW / QUARTER) * turn, damping=5.0, friction=0.5)
+
+
+def deadbolt_pocket(*, backset: Scalar) -> Solid:
+    """Make the tool that cuts the deadbolt's pocket into the lock edge of the leaf."""
+    length = THROW + _TAIL + 0.010
+    pocket = box(length, DEADBOLT.width + 2 * PLAY, DEADBOLT.height + 2 * PLAY)
+    return pocket.align((backset + 0.005, 0.0, 0.0), x=1.0)
+
+
+def deadbolt_hole(thickness: Scalar) -> Solid:
+    """Make the tool that cuts the hole for the spindle of a thumb turn through a leaf."""
+    return spindle_hole(thickness)
+
+
+def thumb_turn_joint(
+    name: str = "lock_turn", *, pivot: VectorLike = (0.0, 0.0, 0.0), friction: Scalar = 0.12
+) -> Joint:
+    """Make the joint of a thumb turn, held by the friction of its detent; positive throws the bolt."""
+    return Revolute(
+        name, axis=Y, pivot=pivot, limits=(0.0, QUARTER), friction=friction, damping=0.02, armature=0.0001
+    )
+
+
+@generator
+def thumb_turn(*, thickness: Float, finish: Material, side: int = -1) -> Body:
+    """Make a thumb turn, upright while the bolt is drawn: the link `lock`.
+
+    Args:
+        thickness: Thickness of the leaf [m].
+        finish: Its metal.
+        side: The face with the turn, -1 for the front (-y).
+    """
+    start = thickness / 2 + _ROSETTE_DEPTH + _GAP
+    base = cylinder(0.012, 0.004, axis=Y, bevel=0.0012).at(0.0, side * (start + 0.002), 0.0)
+    wing = box(0.007, 0.018, 0.034, bevel=0.003).at(0.0, side * (start + 0.012), 0.0)
+    reach = start + 0.003  # from the middle of the leaf into the turn
+    stem = cylinder(SPINDLE, reach, axis=Y).at(0.0, side * reach / 2, 0.0)
+    hold = frame((0.0, side * (start + 0.014), 0.0), approach=(0.0, -side, 0.0), closing=(1.0, 0.0, 0.0))
+    return part(union(base, wing, stem), "lock", finish, grasp=hold, grasp_width=0.03)
+
+
+@generator
+def deadbolt_cover(*, thickness: Float, finish: Material, side: int = -1) -> Body:
+    """Make the rosette under a thumb turn and, on the other face, the key cylinder; weld it to the leaf.
+
+    Args:
+        thickness: Thickness of the leaf [m].
+        finish: Its metal.
+        side: The face with the thumb turn, -1 for the front (-y).
+    """
+    dark = recess(finish)
+    deep = _ROSETTE_DEPTH + 0.0005
+    middle = thickness / 2 - 0.0005 + deep / 2
+    rosette = cylinder(_ROSETTE, deep, axis=Y, bevel=0.0022)
+    rosette = rosette.at(0.0, side * middle, 0.0) - spindle_hole(thickness + 0.05)
+    guard = frustum(_ROSETTE, _ROSETTE - 0.007, 0.0155, axis=(0.0, -side, 0.0))
+    face = thickness / 2 + 0.015
+    plug = cylinder(0.0065, 0.0012, axis=Y, bevel=0.0004).at(0.0, -side * face, 0.0)
+    keyway = box(0.0018, 0.0002, 0.0085).at(0.0, -side * (face + 0.0007), 0.0)
+    return weld(
+        part(rosette, "rose", casting(finish)),
+        part(guard.at(0.0, -side * (face - 0.00775), 0.0), "cylinder", finish),
+        detail(plug, "cylinder", finish),
+        detail(keyway, "screw", dark),
+    )
+
+
+@generator
+def turn_button(*, face: Float, depth: Float, finish: Material, side: int = -1, below: Float = 0.0) -> Body:
+    """Make the small turning knob of a privacy lock: the link `lock`.
+
+    Args:
+        face: Distance of the face that it turns on from the middle of the leaf [m].
+        depth: Depth of its hole [m].
+        finish: Its metal.
+        side: The side of the leaf, -1 for the front.
+        below: How far below the spindle it sits [m].
+    """
+    disc = cylinder(0.0055, 0.003, axis=Y, bevel=0.0008).at(0.0, side * (face + _GAP + 0.0015), -below)
+    wing = box(0.0032, 0.007, 0.0105, bevel=0.0012).at(0.0, side * (face + _GAP + 0.0050), -below)
+    inner, outer = face - depth + 0.0015, face + 0.002
+    stem = cylinder(PIN, outer - inner, axis=Y).at(0.0, side * (inner + outer) / 2, -below)
+    hold = frame((0.0, side * (face + 0.006), -below), approach=(0.0, -side, 0.0), closing=(1.0, 0.0, 0.0))
+    return part(union(disc, wing, stem), "lock", finish, grasp=hold, grasp_width=0.02)
+
+
+@generator
+def push_button(*, face: Float, depth: Float, finish: Material, side: int = -1, below: Float = 0.0) -> Body:
+    """Make the pin of a privacy lock that is pressed in: the link `lock`.
+
+    Args:
+        face: Distance of the face around it from the middle of the leaf [m].
+        depth: Depth of its hole, at least 0.007 [m].
+        finish: Its metal.
+        side: The side of the leaf, -1 for the front.
+        below: How far below the spindle it sits [m].
+    """
+    inner, outer = face - depth + PIN_TRAVEL + 0.0015, face + PIN_TRAVEL + 0.0015
+    pin = cylinder(PIN, outer - inner, axis=Y, bevel=0.0008)
+    hold = frame((0.0, side * outer, -below), approach=(0.0, -side, 0.0))
+    pin = pin.at(0.0, side * (inner + outer) / 2, -below)
+    return part(pin, "lock", finish, grasp=hold, grasp_width=0.02)
+
+
+def button_turn(name: str = "lock_turn", *, pivot: VectorLike = (0.0, 0.0, 0.0)) -> Joint:
+    """Make the joint of a privacy knob, which friction holds to either side."""
+    return Revolute(
+        name, axis=Y, pivot=pivot, limits=(-0.8, 0.8), friction=0.03, damping=0.002, armature=0.00002
+    )
+
+
+def button_push(name: str = "lock_push", *, side: int = -1) -> Joint:
+    """Make the joint of a privacy pin; positive presses it in, where friction holds it."""
+    return Prismatic(
+        name, axis=(0.0, -side, 0.0), limits=(0.0, PIN_TRAVEL), friction=1.5, damping=2.0, armature=0.01
+    )
+
+
+def with_button(
+    body: Body,
+    style: Literal["turn", "push"],
+    *,
+    face: Scalar,
+    depth: Scalar,
+    finish: Material,
+    side: int = -1,
+    below: Scalar = 0.0,
+) -> Body:
+    """Attach the knob or the pin of a privacy lock to a body that has the hole for it.
+
+    Args:
+        body: The knob or the rose.
+        style: A small knob that turns, or a pin that is pressed.
+        face: Distance of the face around it from the middle of the leaf [m].
+        depth: Depth of its hole, at least 0.007 [m].
+        finish: Its metal.
+        side: The side of the leaf, -1 for the front.
+        below: How far below the spindle it sits [m].
+    """
+    given = {"face": face, "depth": depth, "finish": finish, "side": side, "below": below}
+    if style == "turn":
+        return body.attach(turn_button(**given), button_turn(pivot=(0.0, 0.0, -below)))
+    return body.attach(push_button(**given), button_push(side=side))

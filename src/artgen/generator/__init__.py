@@ -1,0 +1,8 @@
+"""Generators: typed functions whose signatures say what varies and how."""
+
+from artgen.generator.declare import CATEGORIES, category, generator, one_of
+from artgen.generator.generator import Generator
+from artgen.generator.parameter import Parameter, accept
+from artgen.sampling import Fixed
+
+__all__ = ["CATEGORIES", "Fixed", "Generator", "Parameter", "accept", "category", "generator", "one_of"]

@@ -1,0 +1,75 @@
+"""Decorators that make generators, and the categories by name."""
+
+import typing
+from collections.abc import Callable
+from typing import Any
+
+from artgen.errors import BuildError, ParameterError
+from artgen.generator.generator import Generator
+from artgen.generator.parameter import spelled
+from artgen.nodes.handles import Body
+from artgen.sampling import choice
+
+CATEGORIES: dict[str, Generator] = {}
+"""The categories by name, filled when the modules that define them are imported."""
+
+
+def generator(function: Callable[..., Any]) -> Generator:
+    """Make a generator of a function: its signature says what varies.
+
+    Raises:
+        BuildError: A parameter has no annotation, or its default does not fit its annotation.
+    """
+    return Generator(function)
+
+
+def category(*, labels: tuple[str, ...]) -> Callable[[Callable[..., Any]], Generator]:
+    """Make a category of a function and enter it in the catalog under its name.
+
+    Args:
+        labels: Every semantic label that its parts may carry.
+
+    Raises:
+        BuildError: Another category has that name, a parameter has no distribution or value, or the function
+            does not return a Body.
+    """
+
+    def register(function: Callable[..., Any]) -> Generator:
+        made = Generator(function, labels)
+        for name in made.signature.parameters:
+            if name not in made.own:
+                raise BuildError(
+                    f"{made.name}({name}: ...): nobody gives a category its inputs; give it a distribution "
+                    f"or a plain value\n  at {made.where}"
+                )
+        returned = typing.get_type_hints(function).get("return", Body)
+        if returned is not Body:
+            raise BuildError(
+                f"{made.name} returns {spelled(returned)}; a category returns a Body\n  at {made.where}"
+            )
+        other = CATEGORIES.get(made.name)
+        # a module or notebook cell that runs again replaces its own categories
+        if other is not None and other.function.__module__ != function.__module__:
+            raise BuildError(
+                f"the category {made.name!r} is defined twice, at {other.where} and {made.where}"
+            )
+        CATEGORIES[made.name] = made
+        return made
+
+    return register
+
+
+def one_of(*generators: Generator, weights: tuple[float, ...] | None = None, doc: str = "") -> Any:
+    """Draw one of some generators, whose parameters become parameters of the caller.
+
+    Raises:
+        ParameterError: There are none, something else than a generator is among them, or two share a name.
+    """
+    names = []
+    for option in generators:
+        if not isinstance(option, Generator):
+            raise ParameterError(f"one_of chooses between generators; {option!r} is none")
+        if option.name in names:
+            raise ParameterError(f"one_of: two generators are named {option.name!r}; rename one")
+        names.append(option.name)
+    return choice(*generators, weights=weights, doc=doc)

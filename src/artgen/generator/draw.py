@@ -1,0 +1,149 @@
+"""Drawing: overrides by name, and one pass over the parameters in the order of their dependence."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from artgen.errors import ParameterError, nearest
+from artgen.generator.parameter import Parameter, Variant, is_variant
+from artgen.sampling import Distribution, Fixed, stream
+
+
+class Overrides:
+    """Overrides by name, checked against the parameters that there are.
+
+    Args:
+        category: The generator that is sampled.
+        overrides: A value or a distribution by name. Names may leave out the generators between parameters
+            (`handle.length` for `handle.lever_handle.length`) and spell the dot `__`.
+
+    Raises:
+        ParameterError: A name is unknown or given twice, or a value is not allowed.
+    """
+
+    def __init__(self, category: Variant, overrides: Mapping[str, Any]) -> None:
+        self._values: dict[str, Any] = {}
+        given: dict[str, Any] = {}
+        for name, value in overrides.items():
+            dotted = name.replace("__", ".")
+            if dotted in given:
+                raise ParameterError(f"the parameter {dotted!r} is given twice")
+            given[dotted] = value
+        known = category.parameters()
+        # outer names first: the choice of a generator decides which parameters inner names may mean;
+        # longer names last: they say more precisely which parameter they mean
+        for dotted in sorted(given, key=lambda name: (name.count("."), name)):
+            matching = [parameter for parameter in known.values() if _means(dotted, parameter.name)]
+            if not matching:
+                short = {".".join(full.split(".")[::2]) for full in known}
+                raise ParameterError(f"{category.name} has no parameter {dotted!r}.{nearest(dotted, short)}")
+            for parameter in matching:
+                self._values[parameter.name] = value = given[dotted]
+                parameter.check_override(value, dotted)
+                _check_needs(parameter, dotted, value, known)
+                if is_variant(parameter.kind):
+                    known = _with_variants(known, parameter, value)
+
+    def distribution(self, parameter: Parameter) -> Distribution:
+        """Return how the parameter of that full name is drawn."""
+        if parameter.name not in self._values:
+            return parameter.distribution
+        value = self._values[parameter.name]
+        return value if isinstance(value, Distribution) else Fixed(value=value)
+
+
+def _check_needs(parameter: Parameter, dotted: str, value: Any, known: Mapping[str, Parameter]) -> None:
+    prefix = parameter.name.rpartition(".")[0]
+    for needed in value.needs() if isinstance(value, Distribution) else ():
+        sibling = known.get(f"{prefix}.{needed}" if prefix else needed)
+        if sibling is None or not sibling.structural:
+            raise ParameterError(
+                f"{dotted} = {value!r} needs a structural parameter {needed!r} of the same generator; "
+                "there is none"
+            )
+
+
+def _with_variants(known: Mapping[str, Parameter], parameter: Parameter, value: Any) -> dict[str, Parameter]:
+    """Return the parameters that there are when a generator is chosen by an override."""
+    inner = f"{parameter.name}."
+    result = {name: other for name, other in known.items() if not name.startswith(inner)}
+    for leaf in value.leaves() if isinstance(value, Distribution) else (Fixed(value=value),):
+        for item in leaf.support():
+            variant: Variant = parameter.accept(item)
+            result |= variant.parameters(f"{inner}{variant.name}.")
+    return result
+
+
+def _means(dotted: str, full: str) -> bool:
+    """Tell whether an override's name means a parameter, generators on the way named or left out."""
+    return _parts_mean(dotted.split("."), full.split("."))
+
+
+def _parts_mean(dotted: list[str], full: list[str]) -> bool:
+    if dotted[0] != full[0]:
+        return False
+    if len(dotted) == 1 or len(full) == 1:
+        return len(dotted) == len(full)
+    through_generator = len(dotted) > 2 and dotted[1] == full[1] and _parts_mean(dotted[2:], full[2:])
+    return through_generator or _parts_mean(dotted[1:], full[2:])
+
+
+@dataclass
+class Draw:
+    """One draw of all parameters.
+
+    Attributes:
+        category: Name of the category, which begins the name of every random stream.
+        seed: Seed of the asset.
+        attempt: Number of infeasible draws before.
+        overrides: What is given instead of drawn.
+        values: What has been drawn, by names without generators: `handle.length`.
+    """
+
+    category: str
+    seed: int
+    attempt: int
+    overrides: Overrides
+    values: dict[str, Any] = field(default_factory=dict)
+
+    def sample(self, own: Mapping[str, Parameter], short: str = "", full: str = "") -> None:
+        """Draw the parameters of one generator, and those of the generators that they choose.
+
+        Args:
+            own: The generator's own parameters by name.
+            short: What stands before their names in `values`.
+            full: What stands before their names in full.
+        """
+        parameters = {
+            name: Parameter(full + name, parameter.kind, parameter.distribution)
+            for name, parameter in own.items()
+        }
+        distributions = {
+            name: self.overrides.distribution(parameter) for name, parameter in parameters.items()
+        }
+        drawn: dict[str, Any] = {}
+        for name in drawing_order(distributions, full or self.category):
+            parameter = parameters[name]
+            generator = stream(self.seed, f"{self.category}/{parameter.name}", self.attempt)
+            value = parameter.accept(distributions[name].draw(generator, drawn))
+            drawn[name] = self.values[short + name] = value
+            if isinstance(value, Variant):
+                self.sample(value.own, f"{short}{name}.", f"{parameter.name}.{value.name}.")
+
+
+def drawing_order(distributions: Mapping[str, Distribution], owner: str) -> list[str]:
+    """Return the names, those that others depend on before them.
+
+    Raises:
+        ParameterError: Some depend on each other.
+    """
+    remaining = dict(distributions)
+    order: list[str] = []
+    while remaining:
+        ready = [name for name, made in remaining.items() if not set(made.needs()) & set(remaining)]
+        if not ready:
+            raise ParameterError(f"{owner}: the parameters {', '.join(remaining)} depend on each other")
+        order += ready
+        for name in ready:
+            del remaining[name]
+    return order

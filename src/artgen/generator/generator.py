@@ -1,0 +1,317 @@
+"""The generator: it samples its parameters, builds its graph and evaluates it to an asset."""
+
+import functools
+import inspect
+import operator
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from artgen.asset import Asset, Base
+from artgen.errors import ArtgenError, AssetError, BuildError, InfeasibleError, ParameterError, nearest
+from artgen.generator.draw import Draw, Overrides
+from artgen.generator.parameter import Parameter, Variant, is_variant
+from artgen.generator.signature import read_parameters
+from artgen.graph import Cache, Evaluation, Graph, Handle
+from artgen.nodes.handles import Body
+from artgen.sampling import Fixed
+
+_SHARED_CACHE = Cache()
+
+
+class Generator(Variant):
+    """A function that builds a graph, with the distributions of its parameters.
+
+    What stands in the function's signature is a parameter if its default is a distribution or a plain value.
+    It is an input, which callers give, if it has no default, or a handle or None as its default.
+
+    Attributes:
+        function: The author's function.
+        name: Its name.
+        labels: Semantic labels of the parts that it may make; empty for sub-generators.
+        where: File and line of the function.
+        signature: The function's signature.
+        own: Its own parameters by name, without those of the generators that they choose.
+    """
+
+    def __init__(self, function: Callable[..., Any], labels: tuple[str, ...] = ()) -> None:
+        functools.update_wrapper(self, function)
+        self.function = function
+        self.name: str = function.__name__
+        self.labels = labels
+        self.where = f"{function.__code__.co_filename}:{function.__code__.co_firstlineno}"
+        self.signature = inspect.signature(function)
+        self.own = read_parameters(function, self.where)
+
+    def parameters(self, prefix: str = "") -> dict[str, Parameter]:
+        """Return every parameter by its full dotted name, those of all sub-generators included."""
+        result: dict[str, Parameter] = {}
+        for name, own in self.own.items():
+            full = prefix + name
+            result[full] = Parameter(full, own.kind, own.distribution)
+            for variant in own.variants:
+                result |= variant.parameters(f"{full}.{variant.name}.")
+        return result
+
+    def sample(
+        self, seed: int, *, attempt: int = 0, overrides: Mapping[str, Any] | None = None
+    ) -> dict[str, Any]:
+        """Draw the parameters.
+
+        Args:
+            seed: Seed of the asset.
+            attempt: Number of infeasible draws before.
+            overrides: Values or other distributions by name.
+
+        Returns:
+            The value of each parameter in use. Those of a chosen sub-generator are named `handle.length`.
+
+        Raises:
+            ParameterError: The seed is negative, or an override is unknown or not allowed.
+        """
+        draw = Draw(self.name, _checked_seed(seed), attempt, Overrides(self, overrides or {}))
+        draw.sample(self.own)
+        return draw.values
+
+    def build(self, values: Mapping[str, Any], prefix: str = "", /, **inputs: Any) -> Any:
+        """Call the function with sockets for its parameters and return the handle of the result.
+
+        Args:
+            values: The value of each parameter, as `sample` gives them.
+            prefix: What stands before this generator's parameters in `values`.
+            **inputs: What the caller gives; takes the place of parameters of the same name.
+
+        Raises:
+            BuildError: An input is unknown or missing, or the function returns no handle.
+        """
+
+        def given(parameter: Parameter) -> Any:
+            full = prefix + parameter.name
+            if is_variant(parameter.kind):
+                return Chosen(values[full], values, f"{full}.")
+            return values[full] if parameter.structural else parameter.kind.parameter(full, self.where)
+
+        return self._called(inputs, given)
+
+    def __call__(self, /, **inputs: Any) -> Any:
+        """Build the graph with every parameter given by the caller.
+
+        Raises:
+            BuildError: A parameter that is drawn is not given: its draw would be hidden from the caller's
+                signature.
+        """
+
+        def given(parameter: Parameter) -> Any:
+            if isinstance(parameter.distribution, Fixed):
+                return parameter.distribution.value
+            raise BuildError(
+                f"{self.name}(...) draws {parameter.name!r}, which nothing gives it here\n"
+                f"  defined at {self.where}\n"
+                f"  Pass {parameter.name}=..., or make the generator a parameter: "
+                f"{self.name}: Generator = one_of({self.name})"
+            )
+
+        return self._called(inputs, given)
+
+    def _called(self, inputs: Mapping[str, Any], given: Callable[[Parameter], Any]) -> Any:
+        """Call the function with the caller's inputs, and with what is `given` for its other parameters."""
+        for name in inputs:
+            if name not in self.signature.parameters:
+                raise BuildError(
+                    f"{self.name} has no input {name!r}.{nearest(name, self.signature.parameters)}"
+                )
+        arguments = dict(inputs)
+        for name, declared in self.signature.parameters.items():
+            if name in inputs:
+                continue
+            if name in self.own:
+                arguments[name] = given(self.own[name])
+            elif declared.default is declared.empty:
+                raise BuildError(f"{self.name} needs the input {name!r}\n  defined at {self.where}")
+        result = self.function(**arguments)
+        if not isinstance(result, Handle):
+            raise BuildError(
+                f"{self.name} returned {result!r}; it must return a handle such as a Body\n  at {self.where}"
+            )
+        return result
+
+    def graph(self, seed: int = 0, /, **overrides: Any) -> Graph:
+        """Draw the parameters and return the graph that they build.
+
+        Raises:
+            ParameterError: The seed is negative, or an override is unknown or not allowed.
+            InfeasibleError: A structural requirement rules the sample out.
+        """
+        return Graph(self.build(self.sample(seed, overrides=overrides)))
+
+    def generate(
+        self,
+        /,
+        seed: int = 0,
+        *,
+        name: str = "",
+        base: Base = "fixed",
+        cache: Cache | None = None,
+        attempts: int = 100,
+        **overrides: Any,
+    ) -> Asset:
+        """Draw the parameters, build and evaluate the graph, and return the asset.
+
+        Args:
+            seed: Decides every draw.
+            name: Name of the asset; by default the category and the seed.
+            base: Whether the base is fixed to the world or free.
+            cache: Values known from earlier evaluations; by default one that the process shares.
+            attempts: How many draws are made before a category counts as infeasible.
+            **overrides: A value or a distribution by parameter name; `handle__length` stands for
+                `handle.length`.
+
+        Raises:
+            ParameterError: The seed, the name or the base is not allowed, or an override is unknown or not
+                allowed.
+            EvaluationError: A kernel failed.
+            InfeasibleError: No draw met the category's requirements.
+            AssetError: The parts do not make an asset: a joint refers to an unknown one, say.
+        """
+        asset, _ = self.evaluate(
+            seed, name=name, base=base, cache=cache, attempts=attempts, overrides=overrides
+        )
+        return asset
+
+    def evaluate(
+        self,
+        seed: int = 0,
+        *,
+        name: str = "",
+        base: Base = "fixed",
+        cache: Cache | None = None,
+        attempts: int = 100,
+        overrides: Mapping[str, Any] | None = None,
+    ) -> tuple[Asset, Evaluation]:
+        """Generate like `generate`, and return with the asset what its evaluation cost."""
+        seed = _checked_seed(seed)
+        name = name or f"{self.name}_{seed}"
+        if not name.isidentifier() or not name.isascii():
+            raise ParameterError(f"name = {name!r} is no identifier; use letters, digits and _")
+        if base not in ("fixed", "free"):
+            raise ParameterError(f"base = {base!r} is not allowed: it must be 'fixed' or 'free'")
+        if attempts < 1:
+            raise ParameterError(f"attempts must be at least 1, got {attempts!r}")
+        reason = ""
+        for attempt in range(attempts):
+            values = self.sample(seed, attempt=attempt, overrides=overrides)
+            try:
+                body = self.build(values)
+                evaluation = Graph(body).evaluate(values, _SHARED_CACHE if cache is None else cache)
+                asset = self._asset(body, evaluation, values, name, base, seed=seed, attempt=attempt)
+            except InfeasibleError as error:
+                reason = str(error)
+            except ArtgenError as error:
+                error.add_note(f"while generating {self.name} from seed {seed}, attempt {attempt}")
+                raise
+            else:
+                return asset, evaluation
+        raise InfeasibleError(
+            f"{self.name}: none of {attempts} draws for seed {seed} is feasible; the last: {reason}"
+        )
+
+    def _asset(
+        self,
+        body: Handle,
+        evaluation: Evaluation,
+        values: Mapping[str, Any],
+        name: str,
+        base: Base,
+        **origin: int,
+    ) -> Asset:
+        if not isinstance(body, Body):
+            raise BuildError(
+                f"{self.name} returns a {type(body).__name__}; an asset needs a Body\n  at {self.where}"
+            )
+        parameters = {key: getattr(value, "name", value) for key, value in values.items()}
+        try:
+            asset = Asset.from_tree(
+                evaluation.value,
+                name,
+                self.name,
+                base=base,
+                parameters={key: list(v) if isinstance(v, tuple) else v for key, v in parameters.items()},
+                labels=self.labels,
+                **origin,
+            )
+            self._check_labels(asset)
+        except AssetError as error:
+            place = _place(body, error) or self.where
+            raise AssetError(f"{error}\n  at {place}", joint=error.joint, link=error.link) from None
+        return asset
+
+    def _check_labels(self, asset: Asset) -> None:
+        for link in asset.links if self.labels else ():
+            for label in link.labels:
+                if label not in self.labels:
+                    raise AssetError(
+                        f"link {link.name!r} carries the label {label!r}, which {self.name} does not declare."
+                        f"{nearest(label, self.labels)}",
+                        link=label,
+                    )
+
+    def __repr__(self) -> str:
+        return f"<generator {self.name} at {self.where}>"
+
+
+@dataclass(frozen=True, eq=False)
+class Chosen:
+    """A sub-generator with the parameters that were drawn for it, as its caller's function gets it.
+
+    Attributes:
+        generator: The generator.
+        values: The value of each parameter of the category.
+        prefix: What stands before the generator's parameters in `values`.
+    """
+
+    generator: Generator
+    values: Mapping[str, Any]
+    prefix: str
+
+    @property
+    def name(self) -> str:
+        """The generator's name."""
+        return self.generator.name
+
+    def __call__(self, /, **inputs: Any) -> Any:
+        """Build its graph; see `Generator.build`."""
+        return self.generator.build(self.values, self.prefix, **inputs)
+
+    def __eq__(self, other: object) -> bool:
+        """Tell whether it is that generator."""
+        return self.generator is (other.generator if isinstance(other, Chosen) else other)
+
+    def __hash__(self) -> int:
+        """Hash like the generator."""
+        return hash(self.generator)
+
+
+def _checked_seed(seed: Any) -> int:
+    try:
+        number = operator.index(seed)
+    except TypeError:
+        number = -1
+    if isinstance(seed, bool) or number < 0:
+        raise ParameterError(f"seed must be a whole number that is not negative, got {seed!r}")
+    return number
+
+
+def _place(body: Handle, error: AssetError) -> str:
+    """Return the author's line of the joint or part that an error is about.
+
+    Names of copies begin with the name that the author gave.
+    """
+    found, place = "", ""
+    for node in Graph(body).nodes:
+        operations, about = (("joint",), error.joint) if error.joint else (("part", "detail"), error.link)
+        if node.op not in operations:
+            continue
+        for name in (node.inputs.get("name"), node.inputs.get("label")):
+            if name and about.startswith(name) and len(name) > len(found):
+                found, place = name, node.where
+    return place

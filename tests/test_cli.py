@@ -1,0 +1,171 @@
+"""The command line: what it prints, what it writes, and what it refuses in one line."""
+
+import json
+import subprocess
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+
+import pytest
+
+import artgen
+from artgen.cli import main
+
+
+@dataclass
+class Result:
+    code: int
+    out: str
+    err: str
+
+
+@pytest.fixture
+def artgen_command(capsys, tmp_path, monkeypatch):
+    """Run the command line in an empty directory."""
+    monkeypatch.chdir(tmp_path)
+
+    def run(*arguments: str) -> Result:
+        with pytest.raises(SystemExit) as ended:
+            main(arguments)
+        printed = capsys.readouterr()
+        return Result(int(ended.value.code or 0), printed.out, printed.err)
+
+    return run
+
+
+def asset_data(directory: Path) -> dict:
+    return json.loads((directory / "asset.json").read_text())
+
+
+def test_list_names_every_category(artgen_command) -> None:
+    result = artgen_command("list")
+    assert result.code == 0
+    for name in artgen.catalog.categories():
+        summary = artgen.catalog.find(name).__doc__.strip().partition("\n")[0]
+        line = next(line for line in result.out.splitlines() if line.startswith(name))
+        assert summary.split()[0] in line
+
+
+def test_show_params_names_every_parameter(artgen_command) -> None:
+    result = artgen_command("show-params", "door")
+    assert result.code == 0
+    lines = {line.split()[0]: line for line in result.out.splitlines() if line.strip()}
+    for name, parameter in artgen.catalog.find("door").parameters().items():
+        assert name in lines
+        if parameter.distribution.unit:
+            assert f" {parameter.distribution.unit} " in lines[name]
+
+
+def test_generate_writes_the_same_as_the_library(artgen_command, tmp_path: Path) -> None:
+    result = artgen_command("generate", "handle", "--seed", "3", "--format", "urdf,mjcf")
+    assert (result.code, result.err) == (0, "")
+    assert result.out.split() == ["handle_3/handle_3.urdf", "handle_3/handle_3.xml"]
+    directory = artgen.generate("handle", seed=3).export(tmp_path / "same", formats=("urdf", "mjcf"))
+    ours = {path.relative_to(directory): path.read_bytes() for path in directory.rglob("*") if path.is_file()}
+    written = tmp_path / "handle_3"
+    theirs = {path.relative_to(written): path.read_bytes() for path in written.rglob("*") if path.is_file()}
+    assert ours == theirs
+
+
+def test_generate_takes_overrides_base_name_and_place(artgen_command) -> None:
+    result = artgen_command(
+        *("generate", "door", "--set", "width=0.9", "--set", "thickness=uniform(0.04, 0.041)"),
+        *("--base", "free", "--name", "front_door", "--out", "deep/er", "--format", "mjcf"),
+    )
+    assert (result.code, result.out, result.err) == (0, "deep/er/front_door.xml\n", "")
+    data = asset_data(Path("deep/er"))
+    assert (data["name"], data["base"], data["parameters"]["width"]) == ("front_door", "free", 0.9)
+    assert 0.04 <= data["parameters"]["thickness"] <= 0.041
+    assert data["version"] == artgen.__version__
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["generate", "dor"], "there is no category 'dor'. Did you mean 'door'?"),
+        (["show-params", "dor"], "there is no category 'dor'. Did you mean 'door'?"),
+        (["generate", "door", "--set", "widht=0.9"], "door has no parameter 'widht'. Did you mean 'width'?"),
+        (["generate", "door", "--set", "width=90"], "width = 90.0 is out of range"),
+        (["generate", "door", "--set", "width=wide"], "width = 'wide' is not allowed: it must be a number"),
+        (["generate", "door", "--set", "hand=uniform(0, 1)"], "hand = uniform(0, 1) is not allowed"),
+        (
+            ["generate", "door", "--set", "hand=middle"],
+            "hand = 'middle' is not allowed: it must be one of 'left'",
+        ),
+        (["generate", "door", "--set", "width"], "'width' is no override; write NAME=VALUE"),
+        (["generate", "door", "--set", "width=unifrom(1, 2)"], "Did you mean 'uniform'?"),
+        (["generate", "door", "--format", "obj"], "there is no format 'obj'"),
+        (["generate", "door", "--format", ","], "',' names no format"),
+        (["generate", "door", "--seed", "-1"], "seed must be a whole number that is not negative, got -1"),
+        (["generate", "door", "--seed", "many"], "'--seed'"),
+        (["generate", "door", "--base", "loose"], "'--base'"),
+        (["generate", "door", "--name", "a/b"], "name 'a/b' is no identifier"),
+        (["generate"], "Missing argument"),
+        (["generate", "door", "--sed", "1"], "--sed"),
+        (["paint"], "'paint'"),
+    ],
+)
+def test_wrong_input_is_one_line_and_writes_nothing(
+    artgen_command, tmp_path: Path, arguments: list[str], message: str
+) -> None:
+    result = artgen_command(*arguments)
+    assert result.code == 2
+    assert result.out == ""
+    assert result.err.startswith("error: ")
+    assert result.err.count("\n") == 1
+    assert message in result.err
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_place_that_cannot_be_written_is_refused(artgen_command, tmp_path: Path) -> None:
+    (tmp_path / "taken").write_text("mine")
+    for out in ("taken", "taken/deeper"):
+        result = artgen_command("generate", "handle", "--format", "urdf", "--out", out)
+        assert (result.code, result.err.count("\n")) == (2, 1)
+        assert result.err.startswith("error: cannot")
+    assert [path.name for path in tmp_path.iterdir()] == ["taken"]
+    assert (tmp_path / "taken").read_text() == "mine"
+
+
+def test_help_and_version(artgen_command) -> None:
+    assert artgen_command("--version").out == f"artgen {artgen.__version__}\n"
+    for arguments in ((), ("--help",)):
+        result = artgen_command(*arguments)
+        assert (result.code, result.err) == (0, "")
+        assert {"list", "show-params", "generate"} <= set(result.out.split())
+    options = artgen_command("generate", "--help").out
+    for option in ("--seed", "--set", "--format", "--out", "--base", "--name"):
+        assert option in options
+
+
+@pytest.mark.parametrize(
+    ("arguments", "code"), [(["--version"], 0), (["list"], 0), (["generate", "dor"], 2), (["--help"], 0)]
+)
+def test_as_a_process_without_a_warning(arguments: list[str], code: int, tmp_path: Path) -> None:
+    done = subprocess.run(
+        [sys.executable, "-W", "error", "-m", "artgen", *arguments],
+        capture_output=True,
+        text=True,
+        check=False,
+        cwd=tmp_path,
+        timeout=120,
+    )
+    assert done.returncode == code
+    assert "Traceback" not in done.stderr
+    assert done.stderr.count("\n") == (1 if code else 0)
+    assert bool(done.stdout) == (code == 0)
+
+
+def test_generate_as_a_process_without_a_warning(tmp_path: Path) -> None:
+    done = subprocess.run(
+        [sys.executable, "-W", "error", "-m", "artgen", "generate", "handle", "--seed", "1"],
+        capture_output=True,
+        text=True,
+        check=False,
+        cwd=tmp_path,
+        timeout=120,
+    )
+    assert (done.returncode, done.stderr) == (0, "")
+    paths = [tmp_path / line for line in done.stdout.splitlines()]
+    assert [path.suffix for path in paths] == [".urdf", ".xml", ".usda"]
+    assert all(path.is_file() for path in paths)

@@ -1,0 +1,61 @@
+"""`import artgen` stays light: what is heavy is imported when it is used."""
+
+import subprocess
+import sys
+
+HEAVY = (
+    "coacd",
+    "fcl",
+    "fontTools",
+    "lxml",
+    "matplotlib",
+    "mujoco",
+    "PIL",
+    "pxr",
+    "rich",
+    "scipy",
+    "trimesh",
+    "typer",
+)
+HEAVY_TOO = ("artgen.categories.door", "artgen.cli", "pinocchio", "yourdfpy")
+
+
+def modules_after(statement: str) -> set[str]:
+    script = f"{statement}\nimport sys\nsys.stdout.write(' '.join(sys.modules))"
+    done = subprocess.run(
+        [sys.executable, "-W", "error", "-c", script], capture_output=True, text=True, check=True, timeout=60
+    )
+    return set(done.stdout.split())
+
+
+def test_import_loads_nothing_heavy() -> None:
+    assert not modules_after("import artgen") & {*HEAVY, *HEAVY_TOO}
+
+
+def test_generating_loads_no_simulator_and_no_reader() -> None:
+    loaded = modules_after("import artgen; artgen.generate('door')")
+    assert "artgen.categories.door" in loaded
+    assert not loaded & {"mujoco", "pinocchio", "pxr", "trimesh", "typer", "yourdfpy"}
+
+
+def test_import_is_quick_beside_a_mesh_library() -> None:
+    script = (
+        "import sys, time, numpy\nstart = time.perf_counter()\nimport {}\n"
+        "sys.stdout.write(str(time.perf_counter() - start))"
+    )
+
+    def best(module: str) -> float:
+        return min(
+            float(
+                subprocess.run(
+                    [sys.executable, "-c", script.format(module)],
+                    capture_output=True,
+                    text=True,
+                    check=True,
+                    timeout=60,
+                ).stdout
+            )
+            for _ in range(5)
+        )
+
+    assert best("artgen") < 0.5 * best("trimesh")

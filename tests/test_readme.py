@@ -1,0 +1,56 @@
+"""What the README shows is true: its Python runs, its commands exist."""
+
+import os
+import re
+import shlex
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import artgen
+
+TEXT = (Path(__file__).parent.parent / "README.md").read_text(encoding="utf-8")
+BLOCKS = re.findall(r"```python\n(.*?)```", TEXT, flags=re.DOTALL)
+COMMANDS = [
+    line.removeprefix("$ ")
+    for block in re.findall(r"```console\n(.*?)```", TEXT, flags=re.DOTALL)
+    for line in block.splitlines()
+    if line.startswith("$ artgen")
+]
+
+
+def run(arguments: list[str], folder: Path) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        [sys.executable, "-W", "error", *arguments],
+        capture_output=True,
+        text=True,
+        check=False,
+        cwd=folder,
+        env={**os.environ, "MPLBACKEND": "agg"},
+        timeout=120,
+    )
+
+
+def test_there_is_something_to_run() -> None:
+    assert len(BLOCKS) >= 3
+    assert len(COMMANDS) >= 3
+
+
+def test_python_blocks_run_one_after_the_other(tmp_path: Path) -> None:
+    script = tmp_path / "readme.py"
+    script.write_text("\n\n".join(BLOCKS), encoding="utf-8")
+    done = run([str(script)], tmp_path)
+    assert (done.returncode, done.stderr) == (0, "")
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+def test_commands_run(command: str, tmp_path: Path) -> None:
+    done = run(["-m", *shlex.split(command, comments=True)], tmp_path)
+    assert (done.returncode, done.stderr) == (0, "")
+
+
+def test_categories_are_those_that_exist() -> None:
+    for name in artgen.catalog.categories():
+        assert f"`{name}`" in TEXT

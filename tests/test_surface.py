@@ -1,0 +1,82 @@
+"""The curated surface: what `import artgen` offers, and that it is whole."""
+
+import inspect
+from types import ModuleType
+
+import artgen
+from artgen import errors
+from artgen.graph import OPERATIONS, Handle
+from artgen.nodes import MODULES, body, csg, measure, points, profile, scalar, transform, vector
+
+# constructors that authors spell as operators or methods of a handle
+BY_METHOD = {
+    body: {"attach", "mirror_body", "repeat", "rotate_body", "suffix", "translate_body"},
+    csg: {"difference", "paint"},
+    measure: {"anchor", "area", "bounds", "centroid", "size", "volume"},
+    points: {"points_move", "points_scale"},
+    profile: {name for name in vars(profile) if name.startswith("profile_")} | {"offset"},
+    scalar: {"absolute", "add", "subtract"},
+    transform: {"align", "mirror", "rotate", "scale", "translate"},
+    vector: {"component", "vector_add", "vector_rotate", "vector_scale", "vector_subtract"},
+}
+
+
+def constructors(module: ModuleType) -> set[str]:
+    """Return the names of the functions of a module that record an operation of it."""
+    recorded = {known.constructor for known in OPERATIONS.values() if known.module == module.__name__}
+    return {name for name in recorded if hasattr(module, name)}
+
+
+def test_all_is_sorted_without_doubles_and_exists() -> None:
+    assert len(set(artgen.__all__)) == len(artgen.__all__)
+    for name in artgen.__all__:
+        assert hasattr(artgen, name), name
+
+
+def test_all_names_every_public_object() -> None:
+    public = {
+        name
+        for name, value in vars(artgen).items()
+        if not name.startswith("_") and not inspect.ismodule(value)
+    }
+    assert public - set(artgen.__all__) == set()
+
+
+def test_every_error_is_on_the_surface() -> None:
+    tree = {
+        name
+        for name, value in vars(errors).items()
+        if isinstance(value, type) and issubclass(value, errors.ArtgenError)
+    }
+    assert tree <= set(artgen.__all__)
+
+
+def test_every_constructor_is_on_the_surface_or_a_method() -> None:
+    missing = {}
+    for module in MODULES:
+        hidden = constructors(module) - set(artgen.__all__) - BY_METHOD.get(module, set()) - {"joint"}
+        if hidden:
+            missing[module.__name__] = hidden
+    assert not missing
+
+
+def test_every_public_function_and_type_has_a_docstring() -> None:
+    for name in artgen.__all__:
+        value = getattr(artgen, name)
+        if callable(value) and not isinstance(value, Handle):
+            assert inspect.getdoc(value), name
+
+
+def test_version_is_the_one_that_assets_carry() -> None:
+    @artgen.generator
+    def cube() -> artgen.Body:
+        return artgen.part(artgen.box(0.1, 0.1, 0.1), "cube", artgen.material("oak"))
+
+    assert cube.generate().version == artgen.__version__
+
+
+def test_importing_the_categories_hides_no_function() -> None:
+    artgen.catalog.categories()
+    assert callable(artgen.generator)
+    assert callable(artgen.catalog.categories)
+    assert inspect.ismodule(artgen.categories)
