@@ -26,9 +26,19 @@ from rich.table import Table
 import artgen
 from artgen.asset import Asset
 from artgen.export import FORMATS
+from artgen.export.meshes import mesh_files
 from artgen.generator import Generator
 
-STAGES = ("sample, build", "evaluate", "surfaces", "colliders", "mass", *FORMATS, "all, to disk")
+STAGES = (
+    "sample, build",
+    "evaluate",
+    "surfaces",
+    "colliders",
+    "mass",
+    "mesh files",
+    *FORMATS,
+    "all, to disk",
+)
 
 
 def baseline() -> float:
@@ -70,6 +80,8 @@ def stages(category: Generator, seed: int) -> dict[str, float]:
         _ = [link.colliders for link in asset.links]
     with timed(times, "mass"):
         _ = asset.mass
+    with timed(times, "mesh files"):
+        mesh_files(asset)  # URDF and MJCF share them
     for name, write in FORMATS.items():
         with timed(times, name):
             write(asset)

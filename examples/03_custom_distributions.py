@@ -9,7 +9,7 @@ from artgen import catalog, uniform
 
 door = catalog.find("door")
 levers = {"opener": "lever"}
-widened = levers | {"width": uniform(0.60, 1.25), "handle.length": uniform(0.07, 0.20)}
+widened = levers | {"width": uniform(0.60, 1.25), "handle.lever_handle.length": uniform(0.08, 0.25)}
 
 figure, axes = plt.subplots()
 for label, overrides in (("default", levers), ("widened", widened)):

@@ -85,7 +85,7 @@ def test_generate_takes_overrides_base_name_and_place(artgen_command) -> None:
         (["generate", "dor"], "there is no category 'dor'. Did you mean 'door'?"),
         (["show-params", "dor"], "there is no category 'dor'. Did you mean 'door'?"),
         (["generate", "door", "--set", "widht=0.9"], "door has no parameter 'widht'. Did you mean 'width'?"),
-        (["generate", "door", "--set", "width=90"], "width = 90.0 is out of range"),
+        (["generate", "door", "--set", "width=90"], "width = 90 is out of range"),
         (["generate", "door", "--set", "width=wide"], "width = 'wide' is not allowed: it must be a number"),
         (["generate", "door", "--set", "hand=uniform(0, 1)"], "hand = uniform(0, 1) is not allowed"),
         (
@@ -99,7 +99,7 @@ def test_generate_takes_overrides_base_name_and_place(artgen_command) -> None:
         (["generate", "door", "--seed", "-1"], "seed must be a whole number that is not negative, got -1"),
         (["generate", "door", "--seed", "many"], "'--seed'"),
         (["generate", "door", "--base", "loose"], "'--base'"),
-        (["generate", "door", "--name", "a/b"], "name 'a/b' is no identifier"),
+        (["generate", "door", "--name", "a/b"], "name = 'a/b' is no identifier"),
         (["generate"], "Missing argument"),
         (["generate", "door", "--sed", "1"], "--sed"),
         (["paint"], "'paint'"),
@@ -165,7 +165,8 @@ def test_generate_as_a_process_without_a_warning(tmp_path: Path) -> None:
         cwd=tmp_path,
         timeout=120,
     )
-    assert (done.returncode, done.stderr) == (0, "")
+    assert done.returncode == 0, done.stderr
+    assert not done.stderr
     paths = [tmp_path / line for line in done.stdout.splitlines()]
     assert [path.suffix for path in paths] == [".urdf", ".xml", ".usda"]
     assert all(path.is_file() for path in paths)

@@ -42,13 +42,15 @@ def test_python_blocks_run_one_after_the_other(tmp_path: Path) -> None:
     script = tmp_path / "readme.py"
     script.write_text("\n\n".join(BLOCKS), encoding="utf-8")
     done = run([str(script)], tmp_path)
-    assert (done.returncode, done.stderr) == (0, "")
+    assert done.returncode == 0, done.stderr
+    assert not done.stderr
 
 
 @pytest.mark.parametrize("command", COMMANDS)
 def test_commands_run(command: str, tmp_path: Path) -> None:
     done = run(["-m", *shlex.split(command, comments=True)], tmp_path)
-    assert (done.returncode, done.stderr) == (0, "")
+    assert done.returncode == 0, done.stderr
+    assert not done.stderr
 
 
 def test_categories_are_those_that_exist() -> None:

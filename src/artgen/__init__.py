@@ -27,7 +27,7 @@ from artgen.materials import MATERIALS, Material, material
 from artgen.nodes.arrays import array
 from artgen.nodes.body import Frame, detail, frame, part, weld
 from artgen.nodes.choose import require, switch
-from artgen.nodes.csg import hull, intersection, shell, split, union
+from artgen.nodes.csg import enclosed, hull, intersection, shell, split, union
 from artgen.nodes.extrude import extrude
 from artgen.nodes.handles import Body, Bool, Float, Path, Points, Profile, Solid, Vector
 from artgen.nodes.joint import Condition, Coupling, Dependency, Joint, Prismatic, Revolute
@@ -133,6 +133,7 @@ __all__ = [
     "dot",
     "ellipse",
     "ellipsoid",
+    "enclosed",
     "extrude",
     "floor",
     "frame",

@@ -19,7 +19,7 @@ from artgen.overrides import parse_overrides
 from artgen.version import __version__
 
 _WRONG_INPUT = 2  # exit code
-_PLAIN_WIDTH = 150  # columns of a table that is not written to a terminal
+_PLAIN_WIDTH = 1000  # columns of a table that goes to a file or pipe: one line for each row
 
 
 app = typer.Typer(

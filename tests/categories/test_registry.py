@@ -9,12 +9,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from support.agreement import check_formats_agree
-from support.geometry import check_collider_pieces, check_colliders_cover, check_mass, check_solids
 
 from artgen.asset import Asset
 from artgen.catalog import categories, find
 from artgen.graph import Cache, Graph
+from support.agreement import check_formats_agree
+from support.geometry import check_collider_pieces, check_colliders_cover, check_mass, check_solids
 
 SEEDS = range(int(os.environ.get("ARTGEN_TEST_SEEDS", "8")))
 cases = pytest.mark.parametrize(

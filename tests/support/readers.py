@@ -256,7 +256,9 @@ def read_usd(asset: Asset, directory: Path) -> Reading:
         assert kind.GetAxisAttr().Get() == "X"
         low, high = kind.GetLowerLimitAttr().Get(), kind.GetUpperLimitAttr().Get()
         unit = np.pi / 180.0 if turning else 1.0
-        limits[prim.GetName()] = (low * unit, high * unit) if np.isfinite(low) else None
+        # PhysX wants limits on every coupled joint; unlimited ones get some that nothing ever reaches
+        reachable = np.isfinite(low) and high * unit < 1e5
+        limits[prim.GetName()] = (low * unit, high * unit) if reachable else None
         axes[prim.GetName()] = local[1][:3, 0]
 
     base = _xform(bodies[asset.links[0].name])

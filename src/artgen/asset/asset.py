@@ -236,8 +236,8 @@ class Asset:
         return load(directory)
 
     def to_data(self) -> dict[str, Any]:
-        """Return everything but the triangles as JSON data."""
-        return {
+        """Return everything but the triangles as JSON data, numbers to 12 significant digits."""
+        data = {
             "format": FORMAT,
             "name": self.name,
             "category": self.category,
@@ -252,6 +252,9 @@ class Asset:
             "links": [link.to_data() for link in self.links],
             "joints": [joint.to_data() for joint in self.joints],
         }
+        # the digits beyond differ between machines, whose libraries round differently
+        rounded: dict[str, Any] = _rounded(data)
+        return rounded
 
     def to_json(self) -> str:
         """Return everything but the triangles as JSON text."""
@@ -260,6 +263,15 @@ class Asset:
 
 FORMAT = "artgen-asset-1"
 """Marks the files that this version of the asset's JSON can be read from."""
+
+
+def _rounded(data: Any) -> Any:
+    """Round every number in JSON data to 12 significant digits."""
+    if isinstance(data, float):
+        return float(f"{data:.12g}") + 0.0
+    if isinstance(data, dict):
+        return {key: _rounded(value) for key, value in data.items()}
+    return [_rounded(item) for item in data] if isinstance(data, list | tuple) else data
 
 
 def _check_references(joint: Joint, joints: Mapping[str, Joint]) -> None:

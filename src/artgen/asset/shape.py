@@ -18,6 +18,7 @@ PROPERTIES = 6
 """Vertex property channels of every manifold: nx ny nz u v paint."""
 
 _COINCIDENT = 1e-9  # [m]: vertices closer than this are one point of the surface
+_GRAIN = 2.0**40  # steps per metre: hides in which last digit the machines' sines and cosines differ
 _HAS_NORMALS = 2  # bit of a mesh run: the first three channels are normals, to be turned with the solid
 
 
@@ -90,6 +91,8 @@ class Shape:
         properties[:, :3] = vertices[target]
         properties[:, 3:6] = normals
         properties[:, 6:8] = uvs
+        np.rint(properties * _GRAIN, out=properties)
+        properties /= _GRAIN
         if paints is not None:
             properties[:, 8] = paints
         kept = triangles[proper].astype(np.uint64)

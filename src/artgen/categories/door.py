@@ -168,7 +168,8 @@ def door(
         case "pull" | "none":
             lockset = Lockset(fixed=(handle(thickness=thickness, finish=metal).at(spindle),))
     if bolted:
-        lockset = lockset + dead_lock(replace(site, spindle=spindle + (0.0, 0.0, 0.15)))
+        above = 0.30 if opener == "pull" else 0.15  # above the end of a pull, or of a long plate
+        lockset = lockset + dead_lock(replace(site, spindle=spindle + (0.0, 0.0, above)))
 
     hanging = Hanging(
         blank, hinges, side_gap, hinge_height, hinge_radius, metal, swing, hinge_friction, hinge_damping

@@ -15,6 +15,7 @@ from artgen.generator.signature import read_parameters
 from artgen.graph import Cache, Evaluation, Graph, Handle
 from artgen.nodes.handles import Body
 from artgen.sampling import Fixed
+from artgen.version import __version__
 
 _SHARED_CACHE = Cache()
 
@@ -135,7 +136,7 @@ class Generator(Variant):
             )
         return result
 
-    def graph(self, seed: int = 0, /, **overrides: Any) -> Graph:
+    def graph(self, /, seed: int = 0, **overrides: Any) -> Graph:
         """Draw the parameters and return the graph that they build.
 
         Raises:
@@ -235,6 +236,7 @@ class Generator(Variant):
                 name,
                 self.name,
                 base=base,
+                version=__version__,
                 parameters={key: list(v) if isinstance(v, tuple) else v for key, v in parameters.items()},
                 labels=self.labels,
                 **origin,

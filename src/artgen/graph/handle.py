@@ -176,7 +176,6 @@ class LiteralType:
         tag: Marks the data, as in `{"$material": {...}}`.
         encode: Gives the data of an instance.
         decode: Gives the instance of the data.
-        spell: Gives Python source of the instance.
     """
 
     tag: str

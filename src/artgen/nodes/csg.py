@@ -268,3 +268,21 @@ def paint(solid: Solid, material: Material) -> Solid:
         material: How its faces look. Weight and friction stay those of the part.
     """
     return Solid.record(_paint, solid=solid, material=material)
+
+
+@kernel
+def _enclosed(solid: Shape) -> Shape:
+    around = around_hull(np.ascontiguousarray(solid.mesh.vertices))
+    return Shape(solid.manifold, colliders.Bounded(around.outer, solid.pieces.inner), solid.paints)
+
+
+def enclosed(solid: Solid) -> Solid:
+    """Let a solid collide as the one convex hull around it; it looks and weighs what it did.
+
+    For things that are finer than what touches them, such as slats, grilles and knurls. What is joined to the
+    solid afterwards has its own colliders.
+
+    Args:
+        solid: What to enclose.
+    """
+    return Solid.record(_enclosed, solid=solid)

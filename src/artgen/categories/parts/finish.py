@@ -1,6 +1,11 @@
 """Materials that derive from the finish of a set of hardware."""
 
-from artgen.materials import Material
+from artgen import Material, material
+
+FINISHES = tuple(
+    material(name) for name in ("satin_nickel", "chrome", "stainless", "brass", "aged_bronze", "black_steel")
+)
+"""What door hardware is sold in."""
 
 
 def casting(finish: Material, share: float = 0.35) -> Material:
@@ -16,5 +21,8 @@ def casting(finish: Material, share: float = 0.35) -> Material:
 def recess(finish: Material) -> Material:
     """Return the material of slots and holes in a finish, which look dark."""
     return finish.with_(
-        name=f"{finish.name}_recess", base_color=(0.02, 0.02, 0.02), base_metalness=0.0, specular_roughness=0.7
+        name=f"{finish.name}_recess",
+        base_color=(0.02, 0.02, 0.02),
+        base_metalness=0.0,
+        specular_roughness=0.7,
     )

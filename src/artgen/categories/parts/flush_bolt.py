@@ -55,7 +55,7 @@ def flush_bolt(*, thickness: Float, gap: Float, finish: Material) -> Body:
 
 def flush_bolt_channel(thickness: Scalar, gap: Scalar) -> Solid:
     """Make the tool that cuts the bolt's channel and the slot of its slide into the leaf."""
-    long = _BELOW + 0.012 + throw(gap) + 0.004
+    long = _BELOW + 0.012 + throw(gap) + 0.007  # 4 mm out of the leaf, 2 mm below the drawn bolt
     channel = box(_ROD + 2 * _PLAY, _ROD + 2 * _PLAY, long).at(0.0, 0.0, 0.004 - long / 2.0)
     return channel | _slot(thickness / 2.0 + 0.004, gap)
 

@@ -15,7 +15,7 @@ from artgen.nodes.extrude import extrude
 from artgen.nodes.handles import Body, Float, Scalar, Solid
 from artgen.nodes.path import polyline
 from artgen.nodes.primitive import box
-from artgen.nodes.profile import polygon
+from artgen.nodes.profile import polygon, rectangle
 from artgen.nodes.sweep import sweep
 from artgen.nodes.vector import X, Y
 
@@ -111,8 +111,9 @@ def _head(doorway: Doorway, wide: float) -> Solid:
     if doorway.arch is None:
         head = box(doorway.width + 2.0 * wide, doorway.depth, wide, bevel=0.0015)
         return head.at(0.0, doorway.middle, doorway.height + wide / 2.0)
-    # the band reaches on into the jambs, where its ends do not show
-    band = doorway.arch.band(wide, beyond=0.6 * wide)
+    # the band reaches on into the jambs, where its ends do not show, and is as wide as they are
+    within = rectangle(doorway.width + 2.0 * wide, doorway.height).at(0.0, doorway.height)
+    band = doorway.arch.band(wide, beyond=wide) & within
     return extrude(band, doorway.depth, axis=Y, bevel=0.0015).at(0.0, doorway.middle, 0.0)
 
 

@@ -1,18 +1,30 @@
 """The outside of an entrance door's grip set: a plate with a fixed grip and a thumb piece above it."""
 
+from math import pi
+
+from artgen import (
+    Body,
+    Joint,
+    Material,
+    Revolute,
+    X,
+    Y,
+    Z,
+    box,
+    cylinder,
+    detail,
+    extrude,
+    frame,
+    part,
+    polyline,
+    rectangle,
+    slot,
+    sweep,
+    union,
+    weld,
+)
 from artgen.categories.parts.finish import casting
-from artgen.generator import generator
-from artgen.materials import Material
-from artgen.nodes.body import frame, part, weld
-from artgen.nodes.csg import union
-from artgen.nodes.extrude import extrude
-from artgen.nodes.handles import Body, Float, Scalar
-from artgen.nodes.joint import Joint, Revolute
-from artgen.nodes.path import polyline
-from artgen.nodes.primitive import box, cylinder
-from artgen.nodes.profile import rectangle, slot
-from artgen.nodes.sweep import sweep
-from artgen.nodes.vector import X, Y, Z
+from artgen.nodes.handles import Scalar
 
 THUMB_RANGE = 0.28
 """How far a thumb piece is pressed down [rad]."""
@@ -25,9 +37,8 @@ _PLAY = 0.0004  # between barrel and ears [m]
 _GRIP_TOP = 0.048  # from the spindle down to the upper end of the grip: a thumb's reach [m]
 
 
-@generator
 def grip(
-    *, thickness: Float, depth: Float, finish: Material, length: Float, projection: Float, side: int = -1
+    *, thickness: Scalar, depth: Scalar, finish: Material, length: Scalar, projection: Scalar, side: int = -1
 ) -> Body:
     """Make the plate, the ears of the thumb piece and the fixed grip, to be welded to the leaf.
 
@@ -40,7 +51,7 @@ def grip(
         side: The side of the leaf, -1 for the front.
     """
     face = thickness / 2 + depth
-    plate = extrude(slot(0.150, 0.058).rotate(1.5707963267948966), depth + 0.0005, axis=Y, bevel=0.002)
+    plate = extrude(slot(0.150, 0.058).rotate(pi / 2), depth + 0.0005, axis=Y, bevel=0.002)
     ear = box(_EAR, _PIVOT + 0.0055, 0.012, bevel=0.001)
     ears = [
         ear.at(end * (_WIDE / 2 + _PLAY + _EAR / 2), side * (face + (_PIVOT + 0.0045) / 2), 0.0)
@@ -48,20 +59,23 @@ def grip(
     ]
     top, bottom = -_GRIP_TOP, -_GRIP_TOP - length
     root, out = side * (thickness / 2 - 0.0005), side * (thickness / 2 + projection)
-    course = polyline([(0.0, root, top), (0.0, out, top), (0.0, out, bottom), (0.0, root, bottom)], fillet=0.024)
+    course = polyline(
+        [(0.0, root, top), (0.0, out, top), (0.0, out, bottom), (0.0, root, bottom)], fillet=0.024
+    )
     bar = sweep(rectangle(0.021, 0.015, radius=0.006), course)
     flange = cylinder(0.0165, 0.006, axis=Y, bevel=0.0018).at(0.0, root + side * 0.003, bottom)
     hold = frame((0.0, out, (top + bottom) / 2), approach=(0.0, -side, 0.0), closing=(1.0, 0.0, 0.0))
+    pin = cylinder(0.0022, _WIDE + 2 * (_PLAY + _EAR) + 0.0012, axis=X, bevel=0.0005)
     middle = side * (thickness / 2 + (depth - 0.0005) / 2)
     return weld(
         part(bar | flange, "grip", casting(finish), grasp=hold, grasp_width=0.045),
         part(plate.at(0.0, middle, -0.012), "rose", casting(finish)),
         *(part(each, "rose", finish) for each in ears),
+        detail(pin.at(0.0, side * (face + _PIVOT), 0.0), "rose", finish),
     )
 
 
-@generator
-def thumb_piece(*, thickness: Float, depth: Float, finish: Material, side: int = -1) -> Body:
+def thumb_piece(*, thickness: Scalar, depth: Scalar, finish: Material, side: int = -1) -> Body:
     """Make the thumb piece over the grip: the link `thumb_latch`; attach it by `thumb_press`.
 
     Args:

@@ -5,12 +5,20 @@ half a gap away; both faces that look at the reader are at y = `offset`, behind 
 towards -y, about -Z.
 """
 
-from artgen.generator import generator
-from artgen.materials import Material
-from artgen.nodes.body import detail, part, weld
-from artgen.nodes.handles import Body, Float, Scalar, Solid
-from artgen.nodes.primitive import box, cylinder, dome
-from artgen.nodes.vector import X, Z
+from artgen import (
+    Body,
+    Material,
+    Solid,
+    X,
+    Z,
+    box,
+    cylinder,
+    detail,
+    dome,
+    part,
+    weld,
+)
+from artgen.nodes.handles import Scalar
 
 KNUCKLE_CLEARANCE = 0.001
 """Distance from the knuckles to the face of the leaf [m]."""
@@ -25,7 +33,9 @@ def hinge_offset(radius: Scalar) -> Scalar:
     return radius + KNUCKLE_CLEARANCE
 
 
-def _knuckles(height: Scalar, radius: Scalar, count: int, *, first: int) -> list[tuple[Solid, Scalar, Scalar]]:
+def _knuckles(
+    height: Scalar, radius: Scalar, count: int, *, first: int
+) -> list[tuple[Solid, Scalar, Scalar]]:
     """Return every second knuckle from `first` on, with its height and middle."""
     pitch = height / count
     tall = pitch - _AXIAL_GAP
@@ -55,8 +65,7 @@ def _half(
     return bodies
 
 
-@generator
-def hinge_leaf(*, height: Float, radius: Float, depth: Float, finish: Material, knuckles: int = 5) -> Body:
+def hinge_leaf(*, height: Scalar, radius: Scalar, depth: Scalar, finish: Material, knuckles: int = 5) -> Body:
     """Make the half of a butt hinge that turns with the leaf.
 
     Args:
@@ -69,8 +78,9 @@ def hinge_leaf(*, height: Float, radius: Float, depth: Float, finish: Material, 
     return weld(*_half(height, radius, depth, knuckles, 1, finish))
 
 
-@generator
-def hinge_frame(*, height: Float, radius: Float, depth: Float, finish: Material, knuckles: int = 5) -> Body:
+def hinge_frame(
+    *, height: Scalar, radius: Scalar, depth: Scalar, finish: Material, knuckles: int = 5
+) -> Body:
     """Make the half of a butt hinge that stays on the jamb, with the heads of its pin.
 
     Args:

@@ -2,18 +2,28 @@
 
 from typing import Literal
 
+from artgen import (
+    Body,
+    Float,
+    Frame,
+    Material,
+    Solid,
+    Y,
+    bore,
+    choice,
+    cylinder,
+    ellipsoid,
+    frame,
+    frustum,
+    generator,
+    part,
+    uniform,
+    union,
+)
 from artgen.categories.parts.finish import casting
 from artgen.categories.parts.locks import with_button
 from artgen.categories.parts.roses import NECK_GAP, PIN, SIDES, Faces, spindle
-from artgen.generator import generator
-from artgen.materials import Material
-from artgen.nodes.body import Frame, frame, part
-from artgen.nodes.csg import union
-from artgen.nodes.handles import Body, Float, Scalar, Solid
-from artgen.nodes.primitive import bore, cylinder, ellipsoid, frustum
-from artgen.nodes.vector import Y
-from artgen.sampling import choice, uniform
-
+from artgen.nodes.handles import Scalar
 
 _PIN_DEPTH = 0.012  # depth of the hole of a privacy pin in a knob [m]
 
@@ -31,9 +41,9 @@ def knob_handle(
     radius: Float = uniform(0.025, 0.0285, "m", doc="radius of the knob", within=(0.02, 0.04)),
     projection: Float = uniform(0.060, 0.068, "m", doc="face of the leaf to the end of the knob"),
 ) -> Body:
-    """Make a knob on each face of the leaf, joined by the spindle: the link `handle`, with the link `lock` if any.
+    """Make a knob on each face of the leaf, joined by the spindle: the link `handle`.
 
-    Attach it by `spring_turn`.
+    Attach it by `spring_turn`. A privacy lock is attached to it as the link `lock`.
 
     Args:
         thickness: Thickness of the leaf [m].

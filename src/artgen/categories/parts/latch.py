@@ -1,23 +1,31 @@
 """Latch bolts: the bolt, the pocket it slides in, its faceplate on the leaf, and the strike in the jamb.
 
-All are drawn about the spindle of a closed leaf whose lock edge is at x = backset, and which closes towards +y
-(it opens towards -y). Tubular latches and mortise locks of common make have bolts 11-13 mm wide with a throw of
-10-12.7 mm (ANSI/BHMA A156.2, EN 12209).
+All are drawn about the spindle of a closed leaf whose lock edge is at x = backset, and which closes towards
++y (it opens towards -y). Tubular latches and mortise locks of common make have bolts 11-13 mm wide with a
+throw of 10-12.7 mm (ANSI/BHMA A156.2, EN 12209).
 """
 
 from dataclasses import dataclass
 from typing import Literal
 
+from artgen import (
+    Body,
+    Joint,
+    Material,
+    Prismatic,
+    Solid,
+    X,
+    Z,
+    box,
+    cylinder,
+    detail,
+    extrude,
+    part,
+    polygon,
+    weld,
+)
 from artgen.categories.parts.finish import recess
-from artgen.generator import generator
-from artgen.materials import Material
-from artgen.nodes.body import detail, part, weld
-from artgen.nodes.extrude import extrude
-from artgen.nodes.handles import Body, Float, Scalar, Solid
-from artgen.nodes.joint import Joint, Prismatic
-from artgen.nodes.primitive import box, cylinder
-from artgen.nodes.profile import polygon
-from artgen.nodes.vector import X, Z
+from artgen.nodes.handles import Scalar
 
 PLAY = 0.0004
 """Clearance around a sliding bolt [m]."""
@@ -49,8 +57,7 @@ _EASY = 0.002  # play of the strike where nothing has to hold [m]
 _PROUD = 0.0003  # plates stand out of the wood by this much, so that they are seen [m]
 
 
-@generator
-def latch_bolt(*, backset: Float, throw: Float, finish: Material) -> Body:
+def latch_bolt(*, backset: Scalar, throw: Scalar, finish: Material) -> Body:
     """Make a sprung bolt: flat towards -y, where it holds the door, slanted towards +y, where it closes.
 
     Args:
@@ -94,8 +101,7 @@ def _slot(bolt: Bolt, length: Scalar, end: Scalar) -> Solid:
     return box(length, bolt.width + 2 * PLAY, bolt.height + 2 * PLAY).align((end, 0.0, 0.0), x=1.0)
 
 
-@generator
-def faceplate(*, backset: Float, finish: Material, bolt: BoltName = "latch") -> Body:
+def faceplate(*, backset: Scalar, finish: Material, bolt: BoltName = "latch") -> Body:
     """Make the plate on the lock edge through which a bolt comes out, 25 by 57 mm as is common, with screws.
 
     Args:
@@ -144,9 +150,14 @@ def strike_pocket(*, backset: Scalar, gap: Scalar, throw: Scalar, bolt: Bolt = L
     return solid.align((front, low, 0.0), x=-1.0, y=-1.0)
 
 
-@generator
 def strike_plate(
-    *, backset: Float, gap: Float, throw: Float, thickness: Float, finish: Material, bolt: BoltName = "latch"
+    *,
+    backset: Scalar,
+    gap: Scalar,
+    throw: Scalar,
+    thickness: Scalar,
+    finish: Material,
+    bolt: BoltName = "latch",
 ) -> Body:
     """Make the plate on the jamb that a bolt enters, to be welded to a jamb cut with `strike_pocket`.
 

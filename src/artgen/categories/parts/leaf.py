@@ -15,7 +15,7 @@ from artgen.generator import generator
 from artgen.materials import Material, material
 from artgen.nodes.arrays import array
 from artgen.nodes.body import detail, part, weld
-from artgen.nodes.csg import hull
+from artgen.nodes.csg import enclosed, hull
 from artgen.nodes.extrude import extrude
 from artgen.nodes.handles import Body, Float, Scalar, Solid, VectorLike
 from artgen.nodes.path import polyline
@@ -336,10 +336,12 @@ def _panels(
     tongue = 0.25 * thickness  # 9-11 mm stand in the groove
     panel = box(width, tongue, height)
     if relief == "raised":
-        margin = 2.0 * (moulding + 0.030)
-        field = box(width - margin, thickness - 0.010, height - margin)
-        edge = box(width - 2.0 * moulding, tongue, height - 2.0 * moulding)
-        panel = panel | hull(edge, field)
+        # a flat margin, then a chamfer of 40 degrees: flatter ones would be shaded as if they were round
+        out = (0.75 * thickness - 0.008) / 2.0
+        margin = 2.0 * (moulding + 0.016)
+        foot = box(width - margin, tongue, height - margin)
+        run = 2.0 * 1.15 * out
+        panel = enclosed(panel | hull(foot, box(width - margin - run, tongue + 2.0 * out, height - margin - run)))
     return [
         part(opening.everywhere(panel), "door", opening.finish),
         _sticking(opening, thickness, (thickness - tongue) / 2.0, moulding),
@@ -383,7 +385,7 @@ def _slats(opening: Opening, thickness: Scalar, slats: int) -> list[Body]:
     slat = box(opening.width, sqrt(depth * depth + rise * rise) - plank, plank, bevel=0.0025)
     places = [(0.0, 0.0, (at - (slats - 1) / 2.0) * (opening.height - rise) / (slats - 1)) for at in range(slats)]
     # the outer edge hangs down, so that rain and eyes stay out
-    solid = array(slat.rotate(X, tilt), at=places).at(opening.centers[0])
+    solid = enclosed(array(slat.rotate(X, tilt), at=places)).at(opening.centers[0])
     return [part(solid, "door", opening.finish)]
 
 

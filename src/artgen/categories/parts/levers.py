@@ -2,19 +2,35 @@
 
 from typing import Literal
 
+from artgen import (
+    Body,
+    Float,
+    Frame,
+    Joint,
+    Material,
+    Profile,
+    Revolute,
+    Solid,
+    X,
+    Y,
+    box,
+    choice,
+    circle,
+    cylinder,
+    ellipse,
+    ellipsoid,
+    frame,
+    generator,
+    part,
+    polyline,
+    rectangle,
+    spline,
+    sweep,
+    uniform,
+    union,
+)
 from artgen.categories.parts.roses import NECK_GAP, SIDES, Faces, spindle
-from artgen.generator import generator
-from artgen.materials import Material
-from artgen.nodes.body import Frame, frame, part
-from artgen.nodes.csg import union
-from artgen.nodes.handles import Body, Float, Profile, Scalar, Solid, VectorLike
-from artgen.nodes.joint import Joint, Revolute
-from artgen.nodes.path import polyline, spline
-from artgen.nodes.primitive import box, cylinder, dome, ellipsoid
-from artgen.nodes.profile import circle, ellipse, rectangle
-from artgen.nodes.sweep import sweep
-from artgen.nodes.vector import Y
-from artgen.sampling import choice, uniform
+from artgen.nodes.handles import Scalar, VectorLike
 
 _FLATNESS = 0.6  # thickness of a flat or oval grip over its height
 _BEND = 0.018  # radius of the bends of a bar [m]
@@ -26,7 +42,6 @@ def spring_turn(
     *,
     limit: Scalar,
     pivot: VectorLike = (0.0, 0.0, 0.0),
-    toward: int = -1,
     preload: Scalar = 0.7,
     torque: Scalar = 1.3,
     damping: Scalar = 0.06,
@@ -38,7 +53,6 @@ def spring_turn(
         name: Name of the joint.
         limit: How far it turns [rad].
         pivot: A point on the spindle [m].
-        toward: Direction of the lever along X, -1 or 1.
         preload: Torque of the spring at rest; a lever must not sag under its weight (about 0.3) [N m].
         torque: Torque of the spring at the limit, above the preload [N m].
         damping: [N m s/rad].
@@ -47,7 +61,7 @@ def spring_turn(
     stiffness = (torque - preload) / limit
     return Revolute(
         name,
-        axis=(0.0, toward, 0.0),
+        axis=(0.0, -1.0, 0.0),  # takes a lever that points to -x down
         pivot=pivot,
         limits=(0.0, limit),
         stiffness=stiffness,
@@ -65,7 +79,6 @@ def lever_handle(
     thickness: Float,
     rose_depth: Float,
     finish: Material,
-    toward: int = -1,
     faces: Faces = "both",
     style: Literal["straight", "bent", "wave"] = choice("straight", "bent", "wave"),
     section: Literal["round", "flat"] = choice("round", "flat"),
@@ -81,7 +94,6 @@ def lever_handle(
         thickness: Thickness of the leaf [m].
         rose_depth: How far the roses stand out, from which the necks keep a gap [m].
         finish: Metal of the lever.
-        toward: Direction in which the levers point, -1 or 1 along X.
         faces: Which faces have a lever.
         style: A straight bar, a bar whose tip returns to the leaf, or a waved lever.
         section: A round bar or a rounded flat one; a waved lever is always oval.
@@ -96,10 +108,10 @@ def lever_handle(
         collar = cylinder(girth + 0.002, 0.010, axis=Y, bevel=0.0012)
         solids.append(collar.at(0.0, start + side * 0.005, 0.0))
         if style == "wave":
-            solids += _wave(start, out, side, toward, length, girth)
+            solids += _wave(start, out, side, length, girth)
         else:
-            solids += _bar(style, section, start, out, side, toward, length, girth)
-        grasps.append(frame((toward * length * 0.62, out, 0.0), approach=(0.0, -side, 0.0)))
+            solids += _bar(style, section, start, out, side, length, girth)
+        grasps.append(frame((-0.62 * length, out, 0.0), approach=(0.0, -side, 0.0)))
     solids.append(spindle(thickness, rose_depth, faces))
     return part(union(*solids), "handle", finish, grasp=grasps, grasp_width=2 * girth + 0.03)
 
@@ -110,7 +122,6 @@ def _bar(
     start: Scalar,
     out: Scalar,
     side: int,
-    toward: int,
     length: Scalar,
     girth: Scalar,
 ) -> list[Solid]:
@@ -118,20 +129,19 @@ def _bar(
     thin = girth if section == "round" else _FLATNESS * girth
     corners: list[VectorLike] = [(0.0, start, 0.0), (0.0, out, 0.0)]
     if style == "bent":
-        reach = toward * (length - thin)
+        reach = thin - length
         corners += [(reach, out, 0.0), (reach, out - side * _RETURN, 0.0)]
-        heading: VectorLike = (0.0, -side, 0.0)
     else:
-        corners += [(toward * (length - 0.002), out, 0.0)]
-        heading = (toward, 0.0, 0.0)
+        corners += [(0.002 - length, out, 0.0)]
     bar = sweep(_section(section, girth), polyline(corners, fillet=_BEND))
+    # the tip is rounded by what stands 2 mm out of its end, 0.2 mm smaller all round
     if section == "round":
-        tip = dome(girth - 0.0002, height=0.0022, axis=heading).at(corners[-1])
-    elif style == "bent":
-        tip = box(2 * thin - 0.0004, 0.004, 2 * girth - 0.0004, bevel=0.0016).at(corners[-1])
+        tip = cylinder(girth - 0.0002, 0.004, axis=Y if style == "bent" else X, bevel=0.0018)
     else:
-        tip = box(0.004, 2 * thin - 0.0004, 2 * girth - 0.0004, bevel=0.0016).at(corners[-1])
-    return [bar, tip]
+        wide, high = 2 * thin - 0.0004, 2 * girth - 0.0004
+        sizes = (wide, 0.004, high) if style == "bent" else (0.004, wide, high)
+        tip = box(*sizes, bevel=0.0016)
+    return [bar, tip.at(corners[-1])]
 
 
 def _section(section: str, girth: Scalar) -> Profile:
@@ -140,12 +150,12 @@ def _section(section: str, girth: Scalar) -> Profile:
     return rectangle(2 * _FLATNESS * girth, 2 * girth, radius=0.003)
 
 
-def _wave(start: Scalar, out: Scalar, side: int, toward: int, length: Scalar, girth: Scalar) -> list[Solid]:
+def _wave(start: Scalar, out: Scalar, side: int, length: Scalar, girth: Scalar) -> list[Solid]:
     """Make a hub and an oval arm that rises, dips and levels out."""
     thin = _FLATNESS * girth
     face = out + side * (thin + 0.001)  # the hub ends 1 mm in front of the arm
     hub = cylinder(girth + 0.0015, side * (face - start), axis=Y, bevel=0.002)
-    reach = toward * (length - thin)
+    reach = thin - length
     # heights as shares of the girth: a gentle S, as cast levers have it
     course = spline(
         [

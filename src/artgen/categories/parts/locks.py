@@ -5,17 +5,28 @@ A deadbolt is drawn about its own axis, in the middle of the leaf, its lock edge
 
 from typing import Literal
 
+from artgen import (
+    Body,
+    Joint,
+    Material,
+    Prismatic,
+    Revolute,
+    Solid,
+    X,
+    Y,
+    box,
+    cylinder,
+    detail,
+    frame,
+    frustum,
+    part,
+    union,
+    weld,
+)
 from artgen.categories.parts.finish import casting, recess
 from artgen.categories.parts.latch import DEADBOLT, PLAY
 from artgen.categories.parts.roses import PIN, SPINDLE, spindle_hole
-from artgen.generator import generator
-from artgen.materials import Material
-from artgen.nodes.body import detail, frame, part, weld
-from artgen.nodes.csg import union
-from artgen.nodes.handles import Body, Float, Scalar, Solid, VectorLike
-from artgen.nodes.joint import Joint, Prismatic, Revolute
-from artgen.nodes.primitive import box, cylinder, frustum
-from artgen.nodes.vector import X, Y
+from artgen.nodes.handles import Scalar, VectorLike
 
 THROW = 0.025
 """How far a deadbolt comes out: 1 inch, the least that ANSI/BHMA A156.5 accepts [m]."""
@@ -33,8 +44,7 @@ _ROSETTE_DEPTH = 0.009
 _GAP = 0.0005  # between a rosette and what turns on it [m]
 
 
-@generator
-def deadbolt(*, backset: Float, finish: Material) -> Body:
+def deadbolt(*, backset: Scalar, finish: Material) -> Body:
     """Make a deadbolt, drawn back: the link `deadbolt`.
 
     Args:
@@ -72,8 +82,7 @@ def thumb_turn_joint(
     )
 
 
-@generator
-def thumb_turn(*, thickness: Float, finish: Material, side: int = -1) -> Body:
+def thumb_turn(*, thickness: Scalar, finish: Material, side: int = -1) -> Body:
     """Make a thumb turn, upright while the bolt is drawn: the link `lock`.
 
     Args:
@@ -90,8 +99,7 @@ def thumb_turn(*, thickness: Float, finish: Material, side: int = -1) -> Body:
     return part(union(base, wing, stem), "lock", finish, grasp=hold, grasp_width=0.03)
 
 
-@generator
-def deadbolt_cover(*, thickness: Float, finish: Material, side: int = -1) -> Body:
+def deadbolt_cover(*, thickness: Scalar, finish: Material, side: int = -1) -> Body:
     """Make the rosette under a thumb turn and, on the other face, the key cylinder; weld it to the leaf.
 
     Args:
@@ -116,8 +124,9 @@ def deadbolt_cover(*, thickness: Float, finish: Material, side: int = -1) -> Bod
     )
 
 
-@generator
-def turn_button(*, face: Float, depth: Float, finish: Material, side: int = -1, below: Float = 0.0) -> Body:
+def turn_button(
+    *, face: Scalar, depth: Scalar, finish: Material, side: int = -1, below: Scalar = 0.0
+) -> Body:
     """Make the small turning knob of a privacy lock: the link `lock`.
 
     Args:
@@ -135,8 +144,9 @@ def turn_button(*, face: Float, depth: Float, finish: Material, side: int = -1, 
     return part(union(disc, wing, stem), "lock", finish, grasp=hold, grasp_width=0.02)
 
 
-@generator
-def push_button(*, face: Float, depth: Float, finish: Material, side: int = -1, below: Float = 0.0) -> Body:
+def push_button(
+    *, face: Scalar, depth: Scalar, finish: Material, side: int = -1, below: Scalar = 0.0
+) -> Body:
     """Make the pin of a privacy lock that is pressed in: the link `lock`.
 
     Args:
@@ -188,7 +198,7 @@ def with_button(
         side: The side of the leaf, -1 for the front.
         below: How far below the spindle it sits [m].
     """
-    given = {"face": face, "depth": depth, "finish": finish, "side": side, "below": below}
-    if style == "turn":
-        return body.attach(turn_button(**given), button_turn(pivot=(0.0, 0.0, -below)))
-    return body.attach(push_button(**given), button_push(side=side))
+    make = turn_button if style == "turn" else push_button
+    button = make(face=face, depth=depth, finish=finish, side=side, below=below)
+    joint = button_turn(pivot=(0.0, 0.0, -below)) if style == "turn" else button_push(side=side)
+    return body.attach(button, joint)

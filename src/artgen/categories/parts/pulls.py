@@ -2,19 +2,30 @@
 
 from typing import Literal
 
+from artgen import (
+    Body,
+    Float,
+    Frame,
+    Material,
+    Solid,
+    Y,
+    capsule,
+    choice,
+    circle,
+    cylinder,
+    frame,
+    generator,
+    part,
+    polyline,
+    rectangle,
+    sweep,
+    uniform,
+    union,
+    weld,
+)
 from artgen.categories.parts.finish import casting
 from artgen.categories.parts.roses import SIDES, Faces
-from artgen.generator import generator
-from artgen.materials import Material
-from artgen.nodes.body import Frame, frame, part, weld
-from artgen.nodes.csg import union
-from artgen.nodes.handles import Body, Float, Scalar, Solid
-from artgen.nodes.path import polyline
-from artgen.nodes.primitive import capsule, cylinder
-from artgen.nodes.profile import circle, rectangle
-from artgen.nodes.sweep import sweep
-from artgen.nodes.vector import Y
-from artgen.sampling import choice, uniform
+from artgen.nodes.handles import Scalar
 
 _SUNK = 0.0005  # how deep feet are let into the leaf [m]
 
@@ -52,7 +63,14 @@ def pull_handle(
         grasp: Frame = frame((0.0, out, 0.0), approach=(0.0, -side, 0.0), closing=(1.0, 0.0, 0.0))
         name = "handle_front" if side < 0 else "handle_back"
         bodies.append(
-            part(union(*solids), "handle", casting(finish), name=name, grasp=grasp, grasp_width=2 * girth + 0.03)
+            part(
+                union(*solids),
+                "handle",
+                casting(finish),
+                name=name,
+                grasp=grasp,
+                grasp_width=2 * girth + 0.03,
+            )
         )
     return weld(*bodies)
 
@@ -85,7 +103,9 @@ def _offset_bar(foot: Scalar, out: Scalar, side: int, length: Scalar, girth: Sca
     arms = [
         sweep(
             rectangle(1.2 * girth, 1.2 * girth, radius=0.002),
-            polyline([(aside, foot, end * half), (aside, out, end * half), (0.0, out, end * half)], fillet=0.01),
+            polyline(
+                [(aside, foot, end * half), (aside, out, end * half), (0.0, out, end * half)], fillet=0.01
+            ),
         )
         for end in (-1, 1)
     ]

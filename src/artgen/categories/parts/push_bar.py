@@ -1,12 +1,20 @@
 """Push bars (panic hardware): a touch bar that slides towards the leaf between fixed cases."""
 
+from artgen import (
+    Body,
+    Float,
+    Joint,
+    Material,
+    Prismatic,
+    box,
+    detail,
+    frame,
+    generator,
+    part,
+    weld,
+)
 from artgen.categories.parts.finish import casting, recess
-from artgen.generator import generator
-from artgen.materials import Material
-from artgen.nodes.body import detail, frame, part, weld
-from artgen.nodes.handles import Body, Float, Scalar
-from artgen.nodes.joint import Joint, Prismatic
-from artgen.nodes.primitive import box
+from artgen.nodes.handles import Scalar
 
 _CHANNEL_DEPTH = 0.028  # how far the flanges of the rail stand out of the leaf [m]
 _SHEET = 0.0028  # thickness of the rail [m]
@@ -21,11 +29,11 @@ _FULL = 0.2  # cases and bars are sheet metal around little: share of a full one
 _BOTTOM = 0.002  # what the innermost position leaves to the rail [m]
 
 
-def _bar_span(length: Scalar, toward: int) -> tuple[Scalar, Scalar]:
+def _bar_span(length: Scalar) -> tuple[Scalar, Scalar]:
     """Return the middle and the length of the touch bar along X."""
     near = _CASE_LENGTH / 2 + _END_GAP  # the case over the lock is centred on its axis
     far = length - _CASE_LENGTH - _END_GAP
-    return toward * (near + far) / 2, far - near
+    return -(near + far) / 2, far - near
 
 
 def push_slide(
@@ -63,9 +71,7 @@ def push_slide(
 
 
 @generator
-def push_bar(
-    *, thickness: Float, length: Float, travel: Float, finish: Material, side: int = 1, toward: int = -1
-) -> Body:
+def push_bar(*, thickness: Float, length: Float, travel: Float, finish: Material, side: int = 1) -> Body:
     """Make the touch bar, the link `handle`; attach it by `push_slide` and weld `push_bar_case` to the leaf.
 
     Args:
@@ -74,9 +80,8 @@ def push_bar(
         travel: How far the bar slides [m].
         finish: Its metal.
         side: The face with the bar, 1 at +y or -1 at -y.
-        toward: Direction in which it runs from the lock, -1 or 1 along X.
     """
-    middle, span = _bar_span(length, toward)
+    middle, span = _bar_span(length)
     back = thickness / 2 + _SHEET + _BOTTOM + travel
     front = thickness / 2 + _BAR_REACH
     bar = box(span, front - back, _BAR_HEIGHT, bevel=0.004).at(middle, side * (front + back) / 2, 0.0)
@@ -84,13 +89,10 @@ def push_bar(
     return part(bar, "handle", casting(finish, _FULL), grasp=hold, grasp_width=_BAR_HEIGHT + 0.01)
 
 
-@generator
-def push_bar_case(
-    *, thickness: Float, length: Float, finish: Material, side: int = 1, toward: int = -1
-) -> Body:
+def push_bar_case(*, thickness: Scalar, length: Scalar, finish: Material, side: int = 1) -> Body:
     """Make the rail and the cases of a push bar, to be welded to the leaf; it has the label `rose`."""
     face = thickness / 2 - 0.0005
-    middle, span = _bar_span(length, toward)
+    middle, span = _bar_span(length)
     inner = _BAR_HEIGHT / 2 + _PLAY
     back = box(span + 0.004, _SHEET + 0.0005, 2 * inner + 0.002)
     flange = box(span + 0.004, _CHANNEL_DEPTH + 0.0005, _SHEET, bevel=0.001)
@@ -99,7 +101,7 @@ def push_bar_case(
     ]
     near = box(_CASE_LENGTH, _CASE_DEPTH, _CASE_HEIGHT, bevel=0.005)
     far = box(_CASE_LENGTH / 2, _CASE_DEPTH, _CASE_HEIGHT, bevel=0.005)
-    far_middle = toward * (length - _CASE_LENGTH * 0.75)
+    far_middle = _CASE_LENGTH * 0.75 - length
     dark = recess(finish)
     plate = box(0.034, 0.0004, 0.007).at(0.0, side * (face + _CASE_DEPTH), 0.014)
     return weld(

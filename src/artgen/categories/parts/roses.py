@@ -6,15 +6,22 @@ covers it, so that nothing of the hole is seen.
 
 from typing import Literal
 
+from artgen import (
+    Body,
+    Material,
+    Solid,
+    Y,
+    bore,
+    box,
+    cylinder,
+    detail,
+    extrude,
+    part,
+    rectangle,
+    weld,
+)
 from artgen.categories.parts.finish import casting, recess
-from artgen.generator import generator
-from artgen.materials import Material
-from artgen.nodes.body import detail, part, weld
-from artgen.nodes.extrude import extrude
-from artgen.nodes.handles import Body, Float, Scalar, Solid
-from artgen.nodes.primitive import bore, box, cylinder
-from artgen.nodes.profile import rectangle
-from artgen.nodes.vector import Y
+from artgen.nodes.handles import Scalar
 
 Faces = Literal["both", "front", "back"]
 """The faces of a leaf on which something sits; the front faces -y."""
@@ -43,15 +50,14 @@ def spindle_hole(thickness: Scalar) -> Solid:
     return box(_HOLE, thickness + 0.008, _HOLE)
 
 
-@generator
 def rose(
     *,
-    thickness: Float,
-    depth: Float,
-    across: Float,
+    thickness: Scalar,
+    depth: Scalar,
+    across: Scalar,
     finish: Material,
     style: Literal["round", "square", "plate"] = "round",
-    height: Float = 0.2,
+    height: Scalar = 0.2,
     faces: Faces = "both",
     pin: bool = False,
     pin_side: int = -1,
@@ -71,7 +77,9 @@ def rose(
     """
     bodies: list[Body] = []
     for side in SIDES[faces]:
-        bodies += _one_rose(thickness, depth, across, finish, style, height, side, pin and side == pin_side)
+        bodies += _one_rose(
+            thickness, depth, across, finish, style, height, side, pin=pin and side == pin_side
+        )
     return weld(*bodies)
 
 
@@ -83,6 +91,7 @@ def _one_rose(
     style: str,
     height: Scalar,
     side: int,
+    *,
     pin: bool,
 ) -> list[Body]:
     middle = side * (thickness / 2 + (depth - _SUNK) / 2)

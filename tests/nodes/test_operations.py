@@ -1,0 +1,122 @@
+"""Every registered operation: documented, spelled by a constructor, and kept by both round trips."""
+
+import inspect
+import sys
+
+import numpy as np
+import pytest
+
+from artgen.asset import Curve, Outline, Shape, Tree
+from artgen.graph import OPERATIONS, Graph
+from artgen.nodes import joint as joints
+from artgen.nodes.handles import Array3, ArrayN3, Body, Float, Points, Vector
+from support.operations import OVERRIDES, PARAMETERS, sample
+
+METHODS = {
+    "add": Float.__add__,
+    "subtract": Float.__sub__,
+    "multiply": Float.__mul__,
+    "divide": Float.__truediv__,
+    "power": Float.__pow__,
+    "modulo": Float.__mod__,
+    "negate": Float.__neg__,
+    "absolute": Float.__abs__,
+    "less": Float.__lt__,
+    "greater": Float.__gt__,
+    "at_most": Float.__le__,
+    "at_least": Float.__ge__,
+    "coupling": joints.Joint.__mul__,
+    "coupling_shift": joints.Coupling.__add__,
+    "coupling_scale": joints.Coupling.__mul__,
+    "joint_above": joints.Joint.__gt__,
+    "joint_below": joints.Joint.__lt__,
+    "condition_all": joints.Condition.__and__,
+    "condition_any": joints.Condition.__or__,
+    "dependency": joints.Condition.until,
+}
+"""The handles' methods that record operations without a constructor of their own."""
+
+TESTED = sorted(name for name, known in OPERATIONS.items() if known.module.startswith("artgen."))
+
+
+def test_all_operations_are_here():
+    assert len(TESTED) > 100
+    assert set(OVERRIDES) <= set(TESTED), "OVERRIDES names operations that are no more"
+    assert set(METHODS) <= set(TESTED), "METHODS names operations that are no more"
+
+
+@pytest.mark.parametrize("name", TESTED)
+def test_an_author_can_write_it_and_read_what_it_does(name):
+    known = OPERATIONS[name]
+    constructor = getattr(sys.modules[known.module], known.constructor, None)
+    if constructor is None:
+        assert name in METHODS, f"{name} has neither a constructor in {known.module} nor an entry in METHODS"
+        constructor = METHODS[name]
+    documentation = inspect.getdoc(constructor) or ""
+    assert documentation, f"{constructor.__qualname__} needs a docstring"
+    assert documentation.partition("\n")[0].rstrip().endswith("."), "the first line is a sentence"
+
+
+@pytest.mark.parametrize("name", TESTED)
+def test_constructors_take_the_inputs_by_their_names(name):
+    known = OPERATIONS[name]
+    constructor = getattr(sys.modules[known.module], known.constructor, None)
+    if constructor is not None:
+        taken = inspect.signature(constructor).parameters
+        assert set(known.inputs) == set(taken)
+
+
+@pytest.mark.parametrize("name", TESTED)
+def test_json_keeps_the_key(name):
+    graph = Graph(sample(name))
+    again = Graph.from_json(graph.to_json())
+    assert again.key == graph.key
+    assert type(again.result) is type(graph.result)
+    assert again.to_json() == graph.to_json()
+
+
+@pytest.mark.parametrize("name", TESTED)
+def test_python_source_keeps_the_key(name):
+    graph = Graph(sample(name))
+    source = graph.to_python()
+    namespace: dict = {}
+    exec(compile(source, "<source>", "exec"), namespace)  # noqa: S102 - the source is what is tested
+    again = namespace["build"]()
+    assert again.node.key == graph.key, source
+    assert type(again) is type(graph.result)
+
+
+@pytest.mark.parametrize("name", TESTED)
+def test_it_can_be_drawn(name):
+    graph = Graph(sample(name))
+    assert f"n{len(graph.nodes) - 1}" in graph.to_mermaid()
+    assert f" {name} " in graph.table()
+
+
+VALUES = {
+    float: float,
+    bool: bool,
+    Array3: np.ndarray,
+    ArrayN3: np.ndarray,
+    Shape: Shape,
+    Outline: Outline,
+    Curve: Curve,
+    Tree: Tree,
+}
+
+
+@pytest.mark.parametrize("name", TESTED)
+def test_its_value_is_of_the_type_that_it_declares(name):
+    result = OPERATIONS[name].result
+    value = Graph(sample(name)).evaluate(PARAMETERS).value
+    assert isinstance(value, VALUES.get(result, result if isinstance(result, type) else np.ndarray))
+    if result is Array3:
+        assert value.shape == (3,)
+    if result is ArrayN3:
+        assert value.ndim == 2
+        assert value.shape[1] == 3
+
+
+def test_handles_of_one_type_spell_one_way():
+    for handle, name in ((Body, "part"), (Vector, "vector"), (Points, "row")):
+        assert type(sample(name)) is handle

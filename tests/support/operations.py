@@ -1,0 +1,121 @@
+"""One sample graph for every operation, from the types of its kernel's inputs."""
+
+import importlib
+import pkgutil
+import typing
+from types import NoneType
+from typing import Any
+
+import artgen.nodes
+from artgen import asset as values
+from artgen.asset import Curve, Outline, Shape, Tree
+from artgen.graph import OPERATIONS, Handle
+from artgen.graph.kernel import alternatives
+from artgen.materials import Material, material
+from artgen.nodes.body import Array4x4, frame, part
+from artgen.nodes.handles import Array3, ArrayN3, Float
+from artgen.nodes.joint import Revolute
+from artgen.nodes.path import line
+from artgen.nodes.points import row
+from artgen.nodes.primitive import box
+from artgen.nodes.profile import circle, rectangle
+from artgen.nodes.vector import Z
+
+for _module in pkgutil.iter_modules(artgen.nodes.__path__):
+    importlib.import_module(f"artgen.nodes.{_module.name}")
+
+SIZE = Float.parameter("size")
+PARAMETERS = {"size": 0.3}
+"""Values at which every sample can be evaluated."""
+
+BLOCK = box(SIZE, 0.4, 0.5)
+LEADER = Revolute("leader", axis=Z, limits=(0.0, SIZE))
+
+BY_TYPE: dict[Any, Any] = {
+    float: SIZE,
+    bool: SIZE > 0.1,
+    int: 2,
+    str: "sample",
+    Material: material("oak"),
+    Array3: (SIZE, 0.25, 1.0),
+    ArrayN3: row((0.0, 0.0, 0.0), (SIZE, 0.0, 0.0), 2),
+    Array4x4: frame((0.0, 0.0, SIZE)),
+    Shape: BLOCK,
+    Outline: rectangle(SIZE, 0.2),
+    Curve: line((0.0, 0.0, 0.0), (0.0, SIZE, 1.0)),
+    Tree: part(BLOCK, "block", material("oak")),
+    values.Joint: Revolute("turn", axis=Z, limits=(-1.0, 0.0)),
+    values.Coupling: 4.0 * LEADER + 0.25,
+    values.Condition: LEADER > SIZE,
+    values.Dependency: (LEADER > SIZE).until(0.25),
+}
+"""What an input of each type is given, unless `OVERRIDES` says otherwise."""
+
+_BASE = part(box(1.0, 1.0, 0.1), "base", material("steel"))
+
+OVERRIDES: dict[str, dict[str, Any]] = {
+    "array": {"at": row((0.0, 0.0, 0.0), (1.0, 0.0, 0.0), 3)},
+    "attach": {"parent": _BASE},
+    "bezier": {"points": ((0.0, 0.0, 0.0), (SIZE, 0.0, 1.0), (1.0, 0.0, 1.0))},
+    "bow": {"width": 0.02, "radius": 0.5},
+    "capsule": {"length": 0.75},
+    "clamp": {"high": 0.75},
+    "component": {"index": 2},
+    "difference": {"b": BLOCK.at(0.1, 0.1, 0.1)},
+    "extrude": {"bevel": 0.01, "taper": 0.9, "twist": 0.0},
+    "frame": {"closing": (1.0, 0.0, 0.0)},
+    "frustum": {"bottom_radius": 0.4, "bevel": 0.0},
+    "helix": {"turns": 2.0},
+    "box": {"bevel": 0.01},
+    "cylinder": {"bevel": 0.01},
+    "joint": {"rest": -0.25, "limits": None},
+    "joint_above": {"joint": "leader"},
+    "joint_below": {"joint": "leader"},
+    "line": {"end": (1.0, 2.0, SIZE)},
+    "loft": {"profiles": (circle(SIZE), circle(0.2)), "heights": (0.0, 1.0)},
+    "offset": {"distance": 0.01},
+    "polygon": {"points": ((0.0, 0.0), (SIZE, 0.0), (0.0, 1.0)), "radius": 0.0},
+    "polyline": {"points": ((0.0, 0.0, 0.0), (SIZE, 0.0, 0.0), (1.0, 1.0, 0.0)), "fillet": 0.0, "closed": False},
+    "power": {"b": -2.0},
+    "profile_difference": {"b": circle(0.05)},
+    "rectangle": {"radius": 0.01},
+    "regular_polygon": {"sides": 6},
+    "repeat": {"parent": _BASE},
+    "revolve": {"profile": rectangle(0.1, 0.2).at(SIZE)},
+    "ring": {"outer": 0.4},
+    "shell": {"thickness": 0.01},
+    "slot": {"length": 0.5},
+    "split": {"point": (0.0, 0.0, 0.0)},
+    "spline": {"points": ((0.0, 0.0, 0.0), (SIZE, 0.0, 1.0), (1.0, 0.0, 0.0)), "closed": False},
+    "suffix": {"suffix": "_left"},
+    "sweep": {"profile": circle(0.05)},
+    "torus": {"minor": 0.05},
+    "tube": {"outer": 0.4, "bevel": 0.0},
+    "weld": {"bodies": (_BASE, part(BLOCK, "block", material("oak")))},
+}
+"""Inputs that an operation needs to be other than its types alone tell."""
+
+
+def value_of(hint: Any) -> Any:
+    """Return a value for an input of a type."""
+    option = next(item for item in alternatives(hint) if item is not NoneType)
+    if option in BY_TYPE:
+        return BY_TYPE[option]
+    if typing.get_origin(option) is typing.Literal:
+        return typing.get_args(option)[0]
+    if typing.get_origin(option) is tuple:
+        members = typing.get_args(option)
+        if members[-1] is Ellipsis:
+            return (value_of(members[0]),)
+        return tuple(value_of(member) for member in members)
+    raise LookupError(f"no sample value of type {option!r}; enter one in BY_TYPE")
+
+
+def sample(name: str) -> Handle:
+    """Return a handle whose node is of that operation."""
+    known = OPERATIONS[name]
+    given = OVERRIDES.get(name, {})
+    inputs = {key: given[key] if key in given else value_of(hint) for key, hint in known.inputs.items()}
+    return Handle.HANDLES[known.result].record(name, **inputs)
+
+
