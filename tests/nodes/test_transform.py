@@ -97,3 +97,10 @@ def test_methods_record_the_operations():
 def test_what_cannot_be_is_refused(make, message):
     with pytest.raises(ValueError, match=message):
         make()
+
+
+def test_a_reflected_solid_stays_smooth():
+    ball = primitive._sphere(0.03)
+    reflected = ball.transformed(np.diag([-1.0, 1.0, 1.0, 1.0])).mesh
+    outward = reflected.vertices / np.linalg.norm(reflected.vertices, axis=1, keepdims=True)
+    np.testing.assert_allclose(reflected.normals, outward, atol=1e-6)

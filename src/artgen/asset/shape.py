@@ -147,8 +147,34 @@ class Shape:
 
     def transformed(self, matrix: Array) -> "Shape":
         """Return the shape moved by an affine matrix, shape (4, 4)."""
-        moved = self.manifold.transform(np.ascontiguousarray(matrix[:3]))
+        if np.linalg.det(matrix[:3, :3]) < 0.0:
+            moved = _reflected(self.manifold, matrix)
+        else:
+            moved = self.manifold.transform(np.ascontiguousarray(matrix[:3]))
         return Shape(moved, self.pieces.transformed(matrix), self.paints)
+
+
+def _reflected(manifold: Manifold, matrix: Array) -> Manifold:
+    """Return a manifold moved by a matrix that turns it over, shape (4, 4).
+
+    Manifold's own transform turns the triangles but leaves their corners' normals in the old order.
+    """
+    raw = manifold.to_mesh64()
+    properties = np.array(raw.vert_properties)
+    properties[:, :3] = properties[:, :3] @ matrix[:3, :3].T + matrix[:3, 3]
+    normals = properties[:, 3:6] @ np.linalg.inv(matrix[:3, :3])
+    properties[:, 3:6] = normals / np.linalg.norm(normals, axis=1, keepdims=True)
+    return Manifold(
+        Mesh64(
+            properties,
+            np.ascontiguousarray(np.asarray(raw.tri_verts)[:, ::-1]),
+            np.array(raw.merge_from_vert),
+            np.array(raw.merge_to_vert),
+            run_index=np.array([0, 3 * len(raw.tri_verts)], np.uint64),
+            run_original_id=np.array([Manifold.reserve_ids(1)], np.uint32),
+            run_flags=np.array([_HAS_NORMALS], np.uint8),
+        )
+    )
 
 
 def _coincident(vertices: Array) -> Indices:

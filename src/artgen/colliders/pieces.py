@@ -121,10 +121,12 @@ class _Transformed(Pieces):
         super().__init__()
         self._base = base
         self._matrix = matrix
-        scale = float(np.linalg.norm(matrix[:3, :3], 2))
-        if not scale > 0.0:
+        linear = matrix[:3, :3]
+        self._scale = 1.0
+        if np.abs(linear.T @ linear - np.eye(3)).max() > _RIGID:  # most motions are rigid, and this is quick
+            self._scale = float(np.linalg.norm(linear, 2))
+        if not self._scale > 0.0:
             raise ValueError(f"pieces cannot be moved by a matrix that flattens them: {matrix.tolist()}")
-        self._scale = 1.0 if abs(scale - 1.0) <= _RIGID else scale
 
     def transformed(self, matrix: Array) -> Pieces:
         return self._base.transformed(matrix @ self._matrix)

@@ -1,11 +1,11 @@
 """How a leaf hangs: its butt hinges on leaf and jamb, and the joint about their pins."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 from artgen.categories.parts.hinge import hinge_frame, hinge_leaf, hinge_offset
 from artgen.categories.parts.leaf import Blank
 from artgen.materials import Material
-from artgen.nodes.body import weld
 from artgen.nodes.handles import Body, Bool, Float, Scalar
 from artgen.nodes.joint import Condition, Dependency, Joint, Revolute
 
@@ -15,7 +15,7 @@ _BOTTOM = 0.28  # from the bottom of the leaf to the middle of the lower hinge [
 
 @dataclass(frozen=True)
 class Hanging:
-    """Butt hinges at the left of a leaf, which is centred in x and stands on z = 0.
+    """Butt hinges at the left of a leaf, which is centred in x.
 
     Attributes:
         blank: The leaf.
@@ -39,24 +39,23 @@ class Hanging:
     friction: Float
     damping: Float
 
-    def _everywhere(self, half: Body) -> Body:
-        low, high = _BOTTOM, self.blank.straight - _TOP
-        x = -(self.blank.width + self.gap) / 2.0
-        y = -self.blank.thickness / 2.0 - hinge_offset(self.radius)
+    def _half(self, make: Callable[..., Body]) -> Body:
+        low, high = self.blank.bottom + _BOTTOM, self.blank.straight - _TOP
         levels = [low + (high - low) * index / (self.count - 1) for index in range(self.count)]
-        return weld(*(half.at(x, y, level) for level in levels))
+        half = make(
+            height=self.height, radius=self.radius, depth=self._depth, finish=self.finish, levels=levels
+        )
+        return half.at(
+            -(self.blank.width + self.gap) / 2.0, -self.blank.thickness / 2.0 - hinge_offset(self.radius), 0.0
+        )
 
     def on_leaf(self) -> Body:
         """Make the halves to weld to the leaf."""
-        return self._everywhere(
-            hinge_leaf(height=self.height, radius=self.radius, depth=self._depth, finish=self.finish)
-        )
+        return self._half(hinge_leaf)
 
     def on_frame(self) -> Body:
         """Make the halves to weld to the jamb."""
-        return self._everywhere(
-            hinge_frame(height=self.height, radius=self.radius, depth=self._depth, finish=self.finish)
-        )
+        return self._half(hinge_frame)
 
     @property
     def _depth(self) -> Float:

@@ -5,12 +5,15 @@ half a gap away; both faces that look at the reader are at y = `offset`, behind 
 towards -y, about -Z.
 """
 
+from collections.abc import Sequence
+
 from artgen import (
     Body,
     Material,
     Solid,
     X,
     Z,
+    array,
     box,
     cylinder,
     detail,
@@ -18,6 +21,7 @@ from artgen import (
     part,
     weld,
 )
+from artgen.nodes.csg import enclosed
 from artgen.nodes.handles import Scalar
 
 KNUCKLE_CLEARANCE = 0.001
@@ -33,39 +37,46 @@ def hinge_offset(radius: Scalar) -> Scalar:
     return radius + KNUCKLE_CLEARANCE
 
 
-def _knuckles(
-    height: Scalar, radius: Scalar, count: int, *, first: int
-) -> list[tuple[Solid, Scalar, Scalar]]:
-    """Return every second knuckle from `first` on, with its height and middle."""
+def _half(
+    height: Scalar,
+    radius: Scalar,
+    depth: Scalar,
+    count: int,
+    side: int,
+    finish: Material,
+    levels: Sequence[Scalar],
+) -> list[Body]:
+    """Make the knuckles, tabs, plates and screws of one half; `side` is 1 for the leaf, -1 for the frame."""
+    sheet, inner = _PLATE - _CENTER, side * _CENTER
     pitch = height / count
     tall = pitch - _AXIAL_GAP
-    result = []
-    for index in range(first, count, 2):
-        middle = pitch * (index + 0.5) - height / 2
-        result.append((cylinder(radius, tall, axis=Z, bevel=0.0004).at(0.0, 0.0, middle), tall, middle))
-    return result
-
-
-def _half(
-    height: Scalar, radius: Scalar, depth: Scalar, count: int, side: int, finish: Material
-) -> list[Body]:
-    """Make the knuckles, tabs, plate and screws of one half; `side` is 1 for the leaf, -1 for the frame."""
-    bodies: list[Body] = []
-    sheet, inner = _PLATE - _CENTER, side * _CENTER
-    for knuckle, tall, middle in _knuckles(height, radius, count, first=1 if side > 0 else 0):
-        tab = box(sheet, radius + 0.0006, tall).align((inner, 0.0, middle), x=-side, y=-1.0)
-        bodies.append(part(knuckle | tab, "hinge", finish))
+    knuckle = cylinder(radius, tall, axis=Z, bevel=0.0004)
+    tab = box(sheet, radius + 0.0006, tall).align((inner, 0.0, 0.0), x=-side, y=-1.0)
+    middles = [pitch * (index + 0.5) - height / 2 for index in range(0 if side < 0 else 1, count, 2)]
     # the plate runs past the other half's knuckles, 0.5 mm behind them
     plate = box(sheet, depth + KNUCKLE_CLEARANCE - 0.0005, height, bevel=0.0003)
-    bodies.append(part(plate.align((inner, radius + 0.0005, 0.0), x=-side, y=-1.0), "hinge", finish))
-    for level, row in ((-0.36, 0.65), (0.0, 0.45), (0.36, 0.65)):
-        head = cylinder(0.0036, 0.0004, axis=X, bevel=0.0001)
-        place = (inner, hinge_offset(radius) + row * depth, level * height)
-        bodies.append(detail(head.at(place), "screw", finish))
-    return bodies
+    plate = plate.align((inner, radius + 0.0005, 0.0), x=-side, y=-1.0)
+    head = cylinder(0.0036, 0.0004, axis=X, bevel=0.0001)
+    rows = ((-0.36, 0.65), (0.0, 0.45), (0.36, 0.65))
+    screws = [(inner, hinge_offset(radius) + row * depth, level * height) for level, row in rows]
+    return [
+        # a knuckle and its tab nearly are their own hull
+        part(_stacked(enclosed(knuckle | tab), [(0.0, 0.0, z) for z in middles], levels), "hinge", finish),
+        part(_stacked(plate, [(0.0, 0.0, 0.0)], levels), "hinge", finish),
+        detail(_stacked(head, screws, levels), "screw", finish),
+    ]
 
 
-def hinge_leaf(*, height: Scalar, radius: Scalar, depth: Scalar, finish: Material, knuckles: int = 5) -> Body:
+def _stacked(
+    solid: Solid, places: Sequence[tuple[Scalar, Scalar, Scalar]], levels: Sequence[Scalar]
+) -> Solid:
+    """Put copies of a solid at places of a hinge, for hinges at several heights."""
+    return array(solid, at=[(x, y, z + level) for level in levels for x, y, z in places])
+
+
+def hinge_leaf(
+    *, height: Scalar, radius: Scalar, depth: Scalar, finish: Material, knuckles: int = 5, levels: Sequence[Scalar] = (0.0,)
+) -> Body:
     """Make the half of a butt hinge that turns with the leaf.
 
     Args:
@@ -74,12 +85,13 @@ def hinge_leaf(*, height: Scalar, radius: Scalar, depth: Scalar, finish: Materia
         depth: How far the plate reaches along the edge of the leaf, 0.028-0.034 [m].
         finish: Its metal.
         knuckles: 3 or 5, those of both halves together.
+        levels: Heights of the middles of all hinges of the door [m].
     """
-    return weld(*_half(height, radius, depth, knuckles, 1, finish))
+    return weld(*_half(height, radius, depth, knuckles, 1, finish, levels))
 
 
 def hinge_frame(
-    *, height: Scalar, radius: Scalar, depth: Scalar, finish: Material, knuckles: int = 5
+    *, height: Scalar, radius: Scalar, depth: Scalar, finish: Material, knuckles: int = 5, levels: Sequence[Scalar] = (0.0,)
 ) -> Body:
     """Make the half of a butt hinge that stays on the jamb, with the heads of its pin.
 
@@ -89,9 +101,11 @@ def hinge_frame(
         depth: How far the plate reaches along the jamb [m].
         finish: Its metal.
         knuckles: 3 or 5, those of both halves together.
+        levels: Heights of the middles of all hinges of the door [m].
     """
     heads = []
     for end in (-1, 1):
         head = dome(radius * 0.92, height=radius * 0.55, axis=(0.0, 0.0, end))
-        heads.append(detail(head.at(0.0, 0.0, end * (height / 2 - 0.0003)), "hinge", finish))
-    return weld(*_half(height, radius, depth, knuckles, -1, finish), *heads)
+        place = (0.0, 0.0, end * (height / 2 - 0.0003))
+        heads.append(detail(_stacked(head, [place], levels), "hinge", finish))
+    return weld(*_half(height, radius, depth, knuckles, -1, finish, levels), *heads)

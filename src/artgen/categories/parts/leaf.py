@@ -1,6 +1,6 @@
 """Door leaves: flush, panelled, glazed, louvred and half glazed.
 
-A leaf stands in the X-Z plane: its bottom is at z = 0, it is centred in x, its faces are at y = -thickness / 2
+A leaf stands in the X-Z plane: its bottom is at z = `bottom`, above the floor, it is centred in x, its faces are at y = -thickness / 2
 and y = thickness / 2. The lock edge is at x = width / 2. Framed leaves are made as joiners make them, of stiles
 that run through and rails between them; each board has its own grain.
 """
@@ -33,13 +33,9 @@ _TOP_RAIL = 0.115  # [m]
 _BOTTOM_RAIL = 0.200  # the kick rail is the widest [m]
 _LOCK_RAIL = 0.120  # between rows [m]
 _MULLION = 0.085  # between columns [m]
-_PANE = 0.005  # toughened glass [m]
 
 ASTRAGAL_GAP = 0.002
 """Between the active leaf and the strip behind it [m]."""
-
-Fill = Callable[["Opening", Scalar], list[Body]]
-
 
 @dataclass(frozen=True)
 class Blank:
@@ -47,7 +43,8 @@ class Blank:
 
     Attributes:
         width: [m].
-        height: At the top of the arch where there is one [m].
+        bottom: Height of its bottom above the floor [m].
+        top: Height of its top above the floor, of the crown of an arch [m].
         thickness: [m].
         rise: Rise of an arched top over its ends [m]; None for a straight one.
         cut: What the hardware needs taken out of the lock stile; None for nothing.
@@ -55,7 +52,8 @@ class Blank:
     """
 
     width: Float
-    height: Float
+    bottom: Float
+    top: Float
     thickness: Float
     rise: Float | None
     cut: Solid | None
@@ -63,8 +61,18 @@ class Blank:
 
     @property
     def straight(self) -> Scalar:
-        """Height up to where an arch begins [m]."""
-        return self.height if self.rise is None else self.height - self.rise
+        """The height above the floor to which its edges are straight [m]."""
+        return self.top if self.rise is None else self.top - self.rise
+
+    @property
+    def upright(self) -> Scalar:
+        """The length of its edges [m]."""
+        return self.straight - self.bottom
+
+    @property
+    def waist(self) -> Scalar:
+        """The height of the middle of its edges above the floor [m]."""
+        return (self.straight + self.bottom) / 2.0
 
     def carved(self, solid: Solid) -> Solid:
         """Return a solid without what the hardware needs."""
@@ -89,28 +97,6 @@ class Row(NamedTuple):
     fill: Fill
 
 
-class Opening(NamedTuple):
-    """The openings of a row, all of one size.
-
-    Attributes:
-        width: [m].
-        height: [m].
-        centers: Where their centres are [m].
-        columns: How many there are.
-        finish: What surrounds them.
-    """
-
-    width: Scalar
-    height: Scalar
-    centers: Sequence[VectorLike]
-    columns: int
-    finish: Material
-
-    def everywhere(self, solid: Solid) -> Solid:
-        """Return copies of a solid, made about the origin, in all openings."""
-        return array(solid, at=self.centers)
-
-
 @generator
 def flush_leaf(*, blank: Blank, inlays: int = choice(0, 3, 4, weights=(0.7, 0.15, 0.15))) -> Body:
     """Make a flush leaf: one smooth slab with a hollow or particle core.
@@ -121,17 +107,16 @@ def flush_leaf(*, blank: Blank, inlays: int = choice(0, 3, 4, weights=(0.7, 0.15
     """
     core = blank.finish.with_(name=f"{blank.finish.name}_faced", density=340.0)
     if blank.rise is None:
-        slab = box(blank.width, blank.thickness, blank.height, bevel=0.0015).at(0.0, 0.0, blank.height / 2.0)
+        slab = box(blank.width, blank.thickness, blank.upright, bevel=0.0015).at(0.0, 0.0, blank.waist)
     else:
-        outline = _arch(blank, blank.rise).segment() | rectangle(blank.width, blank.straight).at(
-            0.0, blank.straight / 2.0
-        )
+        outline = _arch(blank, blank.rise).segment() | rectangle(blank.width, blank.upright).at(0.0, blank.waist)
         slab = extrude(outline, blank.thickness, axis=Y, bevel=0.0015)
     body = part(blank.carved(slab), "door", core)
     if not inlays:
         return body
     strip = box(blank.width - 0.004, blank.thickness + 0.0004, 0.008)
-    levels = [(0.0, 0.0, blank.straight * (index + 0.75) / (inlays + 0.5)) for index in range(inlays)]
+    shares = [(index + 0.75) / (inlays + 0.5) for index in range(inlays)]
+    levels = [(0.0, 0.0, blank.bottom + blank.upright * share) for share in shares]
     return weld(body, detail(array(strip, at=levels), "door", material("aluminium")))
 
 
@@ -168,7 +153,7 @@ def panel_leaf(
     """
 
     def panel(opening: Opening, thickness: Scalar) -> list[Body]:
-        return _panels(opening, thickness, relief, moulding)
+        return panels_in(opening, thickness, relief, moulding)
 
     rows = [Row(share, columns, panel) for share, columns in _ROWS[panels]]
     return _framed(blank, stile, rows)
@@ -194,7 +179,7 @@ def glazed_leaf(
     """
 
     def pane(opening: Opening, thickness: Scalar) -> list[Body]:
-        return _panes(opening, thickness, columns, lights, glass)
+        return panes_in(opening, thickness, columns, lights, glass)
 
     return _framed(blank, stile, [Row(1.0, 1, pane)])
 
@@ -221,10 +206,10 @@ def half_lite_leaf(
     """
 
     def panel(opening: Opening, thickness: Scalar) -> list[Body]:
-        return _panels(opening, thickness, "raised", 0.012)
+        return panels_in(opening, thickness, "raised", 0.012)
 
     def pane(opening: Opening, thickness: Scalar) -> list[Body]:
-        return _panes(opening, thickness, columns, lights, glass)
+        return panes_in(opening, thickness, columns, lights, glass)
 
     return _framed(blank, stile, [Row(0.42, panels, panel), Row(0.58, 1, pane)])
 
@@ -247,10 +232,10 @@ def louver_leaf(
     """
 
     def louver(opening: Opening, thickness: Scalar) -> list[Body]:
-        return _slats(opening, thickness, slats)
+        return slats_in(opening, thickness, slats)
 
     def panel(opening: Opening, thickness: Scalar) -> list[Body]:
-        return _panels(opening, thickness, "recessed", 0.012)
+        return panels_in(opening, thickness, "recessed", 0.012)
 
     lower = louver if below == "louver" else panel
     return _framed(blank, stile, [Row(0.45, 1, lower), Row(0.55, 1, louver)])
@@ -263,7 +248,7 @@ def _arch(blank: Blank, rise: Float) -> Arch:
 def _framed(blank: Blank, stile: Float, rows: Sequence[Row]) -> Body:
     """Make stiles and rails, and fill what is between them; rows count from the bottom."""
     straight, finish = blank.straight, blank.finish
-    upright = blank.board(stile, straight).at((blank.width - stile) / 2.0, 0.0, straight / 2.0)
+    upright = blank.board(stile, blank.upright).at((blank.width - stile) / 2.0, 0.0, blank.waist)
     bodies = [
         part(blank.carved(upright), "door", finish),
         part(upright.mirror(X), "door", finish),
@@ -272,8 +257,8 @@ def _framed(blank: Blank, stile: Float, rows: Sequence[Row]) -> Body:
     if blank.rise is not None:
         head = extrude(_arch(blank, blank.rise).segment(), blank.thickness, axis=Y, bevel=EASED)
         bodies.append(part(head, "door", finish))
-    free = straight - _BOTTOM_RAIL - _TOP_RAIL - _LOCK_RAIL * (len(rows) - 1)
-    level: Scalar = 0.0
+    free = blank.upright - _BOTTOM_RAIL - _TOP_RAIL - _LOCK_RAIL * (len(rows) - 1)
+    level: Scalar = blank.bottom
     fillings: list[Body] = []
     for index, row in enumerate(rows):
         rail = _LOCK_RAIL if index else _BOTTOM_RAIL
@@ -297,96 +282,6 @@ def _columns(inner: Scalar, tall: Scalar, middle: Scalar, columns: int, finish: 
     pitch = wide + _MULLION
     centers = [((at - (columns - 1) / 2.0) * pitch, 0.0, middle) for at in range(columns)]
     return Opening(wide, tall, centers, columns, finish)
-
-
-def _sticking(opening: Opening, thickness: Scalar, depth: Scalar, reach: Scalar) -> Body:
-    """Make the moulding around the openings on both faces: a fillet, a cove and a bead down to the filling.
-
-    Args:
-        opening: What it surrounds.
-        thickness: Of the leaf [m].
-        depth: How far below the face the filling lies [m].
-        reach: How far the moulding covers the filling [m].
-    """
-    section = polygon(
-        [
-            (-0.0005, -depth),
-            (reach, -depth),
-            (reach, -0.80 * depth),
-            (0.80 * reach, -0.66 * depth),
-            (0.58 * reach, -0.58 * depth),
-            (0.40 * reach, -0.42 * depth),
-            (0.30 * reach, -0.16 * depth),
-            (0.24 * reach, -0.08 * depth),
-            (-0.0005, -0.08 * depth),
-        ]
-    )
-    x, z = opening.width / 2.0, opening.height / 2.0
-    ring = polyline([(-x, -z, 0.0), (x, -z, 0.0), (x, z, 0.0), (-x, z, 0.0)], closed=True)
-    # swept on the floor, where the section's y is up, then stood up: up becomes the front
-    front = sweep(section, ring).rotate(X, math.pi / 2.0).at(0.0, -thickness / 2.0, 0.0)
-    return detail(opening.everywhere(front | front.mirror(Y)), "door", opening.finish)
-
-
-def _panels(
-    opening: Opening, thickness: Scalar, relief: Literal["raised", "recessed"], moulding: Scalar
-) -> list[Body]:
-    """Make the panels of a row with their mouldings."""
-    width, height = opening.width - 0.001, opening.height - 0.001
-    tongue = 0.25 * thickness  # 9-11 mm stand in the groove
-    panel = box(width, tongue, height)
-    if relief == "raised":
-        # a flat margin, then a chamfer of 40 degrees: flatter ones would be shaded as if they were round
-        out = (0.75 * thickness - 0.008) / 2.0
-        margin = 2.0 * (moulding + 0.016)
-        foot = box(width - margin, tongue, height - margin)
-        run = 2.0 * 1.15 * out
-        panel = enclosed(panel | hull(foot, box(width - margin - run, tongue + 2.0 * out, height - margin - run)))
-    return [
-        part(opening.everywhere(panel), "door", opening.finish),
-        _sticking(opening, thickness, (thickness - tongue) / 2.0, moulding),
-    ]
-
-
-def _panes(
-    opening: Opening, thickness: Scalar, columns: int, lights: int, glass: Material
-) -> list[Body]:
-    """Make a pane in its beads, and the muntins over it."""
-    width, height = opening.width - 0.002, opening.height - 0.002
-    bodies = [
-        part(opening.everywhere(box(width, _PANE, height)), "glass", glass),
-        _sticking(opening, thickness, (thickness - _PANE) / 2.0, 0.013),
-    ]
-    center = opening.centers[0]
-    for number, across in ((columns, True), (lights, False)):
-        if number < 2:
-            continue
-        pitch = (opening.width if across else opening.height) / number
-        bar = (
-            box(0.022, thickness - 0.008, opening.height, bevel=0.005)
-            if across
-            else box(opening.width, thickness - 0.009, 0.022, bevel=0.005)
-        )
-        places = [
-            ((at - number / 2.0) * pitch, 0.0, 0.0) if across else (0.0, 0.0, (at - number / 2.0) * pitch)
-            for at in range(1, number)
-        ]
-        bodies.append(part(array(bar, at=places).at(center), "door", opening.finish))
-    return bodies
-
-
-def _slats(opening: Opening, thickness: Scalar, slats: int) -> list[Body]:
-    """Make slats of which each begins in height where the last one ends, so that nobody sees through."""
-    pitch = opening.height / slats
-    depth = thickness - 0.010
-    rise = 0.98 * pitch
-    tilt = atan2(rise, depth)
-    plank = 0.006
-    slat = box(opening.width, sqrt(depth * depth + rise * rise) - plank, plank, bevel=0.0025)
-    places = [(0.0, 0.0, (at - (slats - 1) / 2.0) * (opening.height - rise) / (slats - 1)) for at in range(slats)]
-    # the outer edge hangs down, so that rain and eyes stay out
-    solid = enclosed(array(slat.rotate(X, tilt), at=places)).at(opening.centers[0])
-    return [part(solid, "door", opening.finish)]
 
 
 @generator
@@ -422,10 +317,10 @@ def astragal(blank: Blank, gap: Scalar) -> Body:
         gap: Between the leaves [m].
     """
     wide, deep = 0.040, 0.012
-    strip = box(wide, deep - ASTRAGAL_GAP, blank.straight - 0.06, bevel=0.002)
-    foot = box(wide / 2.0 - gap / 2.0 - 0.002, ASTRAGAL_GAP + 0.002, blank.straight - 0.07)
+    strip = box(wide, deep - ASTRAGAL_GAP, blank.upright - 0.06, bevel=0.002)
+    foot = box(wide / 2.0 - gap / 2.0 - 0.002, ASTRAGAL_GAP + 0.002, blank.upright - 0.07)
     back = blank.thickness / 2.0
     edge = blank.width / 2.0
-    strip = strip.align((edge + gap / 2.0, back + ASTRAGAL_GAP, blank.straight / 2.0), y=-1.0)
-    foot = foot.align((edge, back - 0.001, blank.straight / 2.0), x=1.0, y=-1.0)
+    strip = strip.align((edge + gap / 2.0, back + ASTRAGAL_GAP, blank.waist), y=-1.0)
+    foot = foot.align((edge, back - 0.001, blank.waist), x=1.0, y=-1.0)
     return weld(part(strip, "door", blank.finish), part(foot, "door", blank.finish))
