@@ -1,13 +1,16 @@
 """A hinged door in its frame, with hardware that works: the latch holds it until the handle is turned.
 
 The door is built once: hinges at the left, opening towards the viewer (-y). Other hands and doors that open
-away are mirror images. Links: `frame`; `door`, or `door_left` and `door_right`; `handle` and `latch`, `lock` and
-`deadbolt` where there are such; `flush_bolt` in the inactive leaf of a double door. Joints: `door_hinge` (with
-`_left`, `_right` for two leaves), `handle_turn` or `handle_push`, `latch_slide`, `lock_turn`, `deadbolt_slide`,
-`flush_bolt_slide`.
+away are mirror images.
 
-Sizes are those of residential doors: leaves 24-42 in wide (28, 30, 32 and 36 in are stock), 6 ft 6 in to 8 ft high,
-1 3/8 to 1 3/4 in thick (ANSI/SDI A250.8, WDMA I.S. 1A); clearances 3 mm at the sides, 10-19 mm at the floor.
+Links: `frame`; `door`, or `door_left` and `door_right`; `handle` and `latch`, `lock` and `deadbolt` where
+there are such; `flush_bolt` in the inactive leaf of a double door. Joints: `door_hinge` (`door_hinge_left` and
+`door_hinge_right` for two leaves), `handle_turn` or `handle_push`, `latch_slide`, `lock_turn`,
+`deadbolt_slide`, `flush_bolt_slide`.
+
+Sizes are those of residential doors: leaves 24-42 in wide (28, 30, 32 and 36 in are stock), 6 ft 6 in to 8 ft
+high, 1 3/8 to 1 3/4 in thick (ANSI/SDI A250.8, WDMA I.S. 1A); clearances 3 mm at the sides, 10-19 mm at the
+floor.
 """
 
 import math
@@ -17,6 +20,25 @@ from functools import partial, reduce
 from operator import and_
 from typing import Literal
 
+from artgen import (
+    Body,
+    Dependency,
+    Float,
+    Generator,
+    Material,
+    X,
+    Y,
+    Z,
+    by,
+    category,
+    choice,
+    material,
+    one_of,
+    uniform,
+    union,
+    vector,
+    weld,
+)
 from artgen.categories.parts import HARDWARE_LABELS
 from artgen.categories.parts import flush_bolt as bolts
 from artgen.categories.parts.arch import Arch
@@ -38,14 +60,6 @@ from artgen.categories.parts.levers import lever_handle
 from artgen.categories.parts.lockset import Lockset, Site, dead_lock, pushed_handle, turning_handle
 from artgen.categories.parts.pulls import pull_handle
 from artgen.categories.parts.push_bar import push_bar
-from artgen.generator import Generator, category, one_of
-from artgen.materials import Material, material
-from artgen.nodes.body import weld
-from artgen.nodes.csg import union
-from artgen.nodes.handles import Body, Float, Scalar
-from artgen.nodes.joint import Dependency
-from artgen.nodes.vector import X, Y, Z, vector
-from artgen.sampling import by, choice, uniform
 
 _PAINT = material("painted_wood")
 _PAINTS = tuple(
@@ -62,6 +76,10 @@ _PAINTS = tuple(
 )
 _WOODS = tuple(material(name) for name in ("oak", "walnut", "pine", "mahogany"))
 
+_METALS = tuple(
+    material(name) for name in ("satin_nickel", "stainless", "chrome", "brass", "aged_bronze", "black_steel")
+)
+
 _HALF_OPEN = 0.35
 """Two leaves are out of each other's way when either stands further open than this [rad]."""
 
@@ -71,7 +89,9 @@ def door(
     *,
     layout: Literal["single", "double"] = choice("single", "double", weights=(0.82, 0.18)),
     hand: Literal["left", "right"] = choice("left", "right", doc="side of the hinges of the (active) leaf"),
-    opens: Literal["towards", "away"] = choice("towards", "away", doc="seen by the viewer, who pulls or pushes"),
+    opens: Literal["towards", "away"] = choice(
+        "towards", "away", doc="seen by the viewer, who pulls or pushes"
+    ),
     stock: Literal["standard", "made_to_measure"] = choice("standard", "made_to_measure"),
     width: Float = by(
         "stock",
@@ -101,13 +121,18 @@ def door(
     casing: Float = uniform(0.055, 0.090, "m"),
     rise: Float = uniform(0.10, 0.20, doc="of an arch, as a share of the leaf's width"),
     leaf: Generator = one_of(
-        flush_leaf, panel_leaf, glazed_leaf, half_lite_leaf, louver_leaf, weights=(0.22, 0.36, 0.15, 0.15, 0.12)
+        flush_leaf,
+        panel_leaf,
+        glazed_leaf,
+        half_lite_leaf,
+        louver_leaf,
+        weights=(0.22, 0.36, 0.15, 0.15, 0.12),
     ),
-    finish: Material = choice(*_WOODS, *_PAINTS, weights=(2.0, 1.5, 1.5, 1.0, 3.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0)),
+    finish: Material = choice(
+        *_WOODS, *_PAINTS, weights=(2.0, 1.5, 1.5, 1.0, 3.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0)
+    ),
     frame_finish: Literal["same", "white"] = choice("same", "white", weights=(0.7, 0.3)),
-    metal: Material = choice(
-        *(material(name) for name in ("satin_nickel", "stainless", "chrome", "brass", "aged_bronze", "black_steel"))
-    ),
+    metal: Material = choice(*_METALS, doc="of all hardware"),
     opener: Literal["lever", "knob", "push_bar", "pull", "none"] = choice(
         "lever", "knob", "push_bar", "pull", "none", weights=(0.50, 0.20, 0.12, 0.12, 0.06)
     ),
@@ -128,7 +153,11 @@ def door(
     throw: Float = uniform(0.010, 0.012, "m", doc="of the latch", within=(0.009, 0.014)),
     rose: Literal["round", "square", "plate"] = choice("round", "square", "plate", weights=(0.5, 0.3, 0.2)),
     rose_across: Float = by(
-        "rose", round=uniform(0.050, 0.060), square=uniform(0.050, 0.058), plate=uniform(0.042, 0.050), unit="m"
+        "rose",
+        round=uniform(0.050, 0.060),
+        square=uniform(0.050, 0.058),
+        plate=uniform(0.042, 0.050),
+        unit="m",
     ),
     rose_depth: Float = uniform(0.007, 0.011, "m"),
     bolted: bool = by(
@@ -148,8 +177,16 @@ def door(
 ) -> Body:
     """Make a door with its frame, hinges, handle, latch and locks."""
     meeting = 1.25 * side_gap if layout == "double" else side_gap  # between the leaf and what its bolts enter
-    blank = Blank(width, height, thickness, width * rise if frame == "arched" else None, None, finish)
-    spindle = vector(width / 2.0 - backset, 0.0, handle_height - floor_gap)
+    blank = Blank(
+        width,
+        floor_gap,
+        floor_gap + height,
+        thickness,
+        width * rise if frame == "arched" else None,
+        None,
+        finish,
+    )
+    spindle = vector(width / 2.0 - backset, 0.0, handle_height)
     site = Site(spindle, backset, thickness, meeting, metal)
     match opener:
         case "lever" | "knob":
@@ -177,10 +214,10 @@ def door(
     total = (2.0 * width + meeting if layout == "double" else width) + 2.0 * side_gap
     arch = None
     if blank.rise is not None:
-        arch = Arch.over(width, spring=floor_gap + blank.straight, rise=blank.rise).outset(side_gap)
+        arch = Arch.over(width, spring=blank.straight, rise=blank.rise).outset(side_gap)
     surround = partial(
         door_frame,
-        Doorway(total, floor_gap + height + side_gap, thickness, jamb_depth, arch, floor_gap),
+        Doorway(total, blank.top + side_gap, thickness, jamb_depth, arch, floor_gap),
         frame,
         finish=_PAINTS[0] if frame_finish == "white" else finish,
         sill=material("aluminium"),
@@ -190,9 +227,9 @@ def door(
     clear = 1.03 * (thickness / 2.0 + 0.015 + DEADBOLT.width / 2.0 + 0.002) / (width + side_gap / 2.0)
     needs = reduce(and_, lockset.free).until(clear) if lockset.free else None
     if layout == "single":
-        body = _single(surround, leaf, blank, hanging, lockset, floor_gap, needs)
+        body = _single(surround, leaf, blank, hanging, lockset, needs)
     else:
-        body = _double(surround, leaf, blank, hanging, lockset, floor_gap, needs, site, hand)
+        body = _double(surround, leaf, blank, hanging, lockset, needs, site, hand)
     body = body.require(hanging.turns_within_gap(), "the far corner of the leaf would strike the jamb")
     if hand == "right" and opens == "away":
         return body.rotate(Z, math.pi)
@@ -207,15 +244,13 @@ def _single(
     blank: Blank,
     hanging: Hanging,
     lockset: Lockset,
-    floor_gap: Scalar,
     needs: Dependency | None,
 ) -> Body:
     """Hang one leaf in its frame."""
-    cut = union(*lockset.strike_cuts).at(0.0, 0.0, floor_gap) if lockset.strike_cuts else None
-    fixed = weld(hanging.on_frame(), *lockset.strikes).at(0.0, 0.0, floor_gap)
-    frame = weld(surround(jamb_cut=cut), fixed)
+    cut = union(*lockset.strike_cuts) if lockset.strike_cuts else None
+    frame = weld(surround(jamb_cut=cut), hanging.on_frame(), *lockset.strikes)
     panel = _moving(_leaf(leaf, blank, hanging, lockset), lockset)
-    return frame.attach(panel.at(0.0, 0.0, floor_gap), hanging.joint("door_hinge", needs=needs))
+    return frame.attach(panel, hanging.joint("door_hinge", needs=needs))
 
 
 def _double(
@@ -224,12 +259,11 @@ def _double(
     blank: Blank,
     hanging: Hanging,
     lockset: Lockset,
-    floor_gap: Scalar,
     needs: Dependency | None,
     site: Site,
     hand: str,
 ) -> Body:
-    """Hang two leaves: the active one at the left, and the inactive one, held by a flush bolt, at the right."""
+    """Hang the active leaf at the left and the inactive one, which a flush bolt holds, at the right."""
     other = "right" if hand == "left" else "left"
     thickness, gap = blank.thickness, hanging.gap  # the flush bolt's gap to the head is that to the jambs
     middle = (blank.width + site.gap) / 2.0
@@ -238,7 +272,7 @@ def _double(
     # seen from the inactive leaf, which is drawn like the active one and mirrored into place
     opposite = [body.mirror(X).at(blank.width + site.gap, 0.0, 0.0) for body in lockset.strikes]
     pockets = [solid.mirror(X).at(blank.width + site.gap, 0.0, 0.0) for solid in lockset.strike_cuts]
-    rod = (blank.width / 2.0 - 0.05, 0.0, blank.height)  # in the middle of a stile, behind the strikes
+    rod = (blank.width / 2.0 - 0.05, 0.0, blank.top)  # in the middle of a stile, behind the strikes
     slide = bolts.flush_bolt_slide(gap)
     held = Lockset(
         cuts=(bolts.flush_bolt_channel(thickness, gap).at(rod), *pockets),
@@ -251,15 +285,15 @@ def _double(
     )
     inactive = _moving(_leaf(leaf, blank, hanging, held).suffixed(f"_{other}"), held).mirror(X)
 
-    in_head = (middle - rod[0], 0.0, floor_gap + blank.height)
-    hung = hanging.on_frame().at(-middle, 0.0, floor_gap)
+    in_head = (middle - rod[0], 0.0, blank.top)
+    hung = hanging.on_frame().at(-middle)
     frame = weld(surround(head_cut=bolts.flush_bolt_pocket(gap).at(in_head)), hung, hung.mirror(X))
     first = hanging.joint(f"door_hinge_{hand}", middle=-middle, needs=needs)
     # the inactive leaf follows once the active one is out of its way
     free = ((slide > bolts.throw(gap)) & (first > _HALF_OPEN)).until(_HALF_OPEN)
     second = hanging.joint(f"door_hinge_{other}", middle=middle, side=-1, needs=free)
-    frame = frame.attach(active.at(-middle, 0.0, floor_gap), first)
-    return frame.attach(inactive.at(middle, 0.0, floor_gap), second)
+    frame = frame.attach(active.at(-middle), first)
+    return frame.attach(inactive.at(middle), second)
 
 
 def _leaf(leaf: Callable[..., Body], blank: Blank, hanging: Hanging, lockset: Lockset) -> Body:

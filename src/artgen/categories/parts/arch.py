@@ -3,11 +3,8 @@
 import math
 from dataclasses import dataclass
 
-from artgen.nodes.handles import Float, Profile, Scalar
-from artgen.nodes.path import arc
-from artgen.nodes.handles import Path
-from artgen.nodes.profile import bow, polygon
-from artgen.nodes.scalar import atan2, cos, sin, sqrt
+from artgen import Float, Path, Profile, arc, atan2, bow, cos, polygon, sin, sqrt
+from artgen.nodes.handles import Scalar
 
 _STEPS = 24
 """Sides of an arch: 0.3 mm between chord and arc at a radius of 0.9 m."""

@@ -1,18 +1,28 @@
 """The flush bolt that holds the inactive leaf of a double door in the head of its frame.
 
-Everything is drawn about the top of the leaf's edge: the origin is on the axis of the bolt (along Z), in the
-middle of the leaf's thickness, level with the top of the leaf. The front of the leaf, which the thumb slide is
-on, faces -y.
+Everything is drawn about the top of the leaf: the origin is on the axis of the bolt (along Z), in the middle of
+the leaf's thickness, level with its top. The front of the leaf, with the thumb slide, faces -y.
 """
 
-from artgen.generator import generator
-from artgen.materials import Material
-from artgen.nodes.body import detail, frame, part, weld
-from artgen.nodes.csg import union
-from artgen.nodes.handles import Body, Float, Scalar, Solid
-from artgen.nodes.joint import Joint, Prismatic
-from artgen.nodes.primitive import box, cylinder
-from artgen.nodes.vector import Y, Z
+from artgen import (
+    Body,
+    Float,
+    Joint,
+    Material,
+    Prismatic,
+    Solid,
+    Y,
+    Z,
+    box,
+    cylinder,
+    detail,
+    frame,
+    generator,
+    part,
+    union,
+    weld,
+)
+from artgen.nodes.handles import Scalar
 
 _ROD = 0.010  # width of the square bolt [m]
 _PLAY = 0.0004  # around the bolt in the leaf [m]
@@ -62,7 +72,9 @@ def flush_bolt_channel(thickness: Scalar, gap: Scalar) -> Solid:
 
 def _slot(reach: Scalar, gap: Scalar) -> Solid:
     tall = _STEM[1] + throw(gap) + 0.003
-    return box(_STEM[0] + 2 * _PLAY, reach, tall).align((0.0, 0.0, -_BELOW + _STEM[1] / 2.0 + 0.001), y=1.0, z=1.0)
+    return box(_STEM[0] + 2 * _PLAY, reach, tall).align(
+        (0.0, 0.0, -_BELOW + _STEM[1] / 2.0 + 0.001), y=1.0, z=1.0
+    )
 
 
 def flush_bolt_pocket(gap: Scalar) -> Solid:

@@ -1,23 +1,31 @@
 """Door frames: jambs and head with stops, casing and threshold, or a solid timber frame with an arched head.
 
-A frame stands about the closed leaf, whose middle plane is y = 0: the clear opening is centred in x and starts
-at z = 0. The front of the frame is level with the front of the leaf, which opens towards -y.
+A frame stands about the closed leaf, whose middle plane is y = 0: the clear opening is centred in x and
+starts at z = 0. The front of the frame is level with the front of the leaf, which opens towards -y.
 """
 
 import math
 from dataclasses import dataclass
 from typing import Literal
 
+from artgen import (
+    Body,
+    Float,
+    Material,
+    Solid,
+    X,
+    Y,
+    box,
+    extrude,
+    part,
+    polygon,
+    polyline,
+    rectangle,
+    sweep,
+    weld,
+)
 from artgen.categories.parts.arch import Arch
-from artgen.materials import Material
-from artgen.nodes.body import part, weld
-from artgen.nodes.extrude import extrude
-from artgen.nodes.handles import Body, Float, Scalar, Solid
-from artgen.nodes.path import polyline
-from artgen.nodes.primitive import box
-from artgen.nodes.profile import polygon, rectangle
-from artgen.nodes.sweep import sweep
-from artgen.nodes.vector import X, Y
+from artgen.nodes.handles import Scalar
 
 JAMB = 0.034
 """Thickness of jambs and head [m]."""
@@ -152,6 +160,6 @@ def _casing(doorway: Doorway, width: Scalar) -> Solid:
         ]
     )
     x, z = doorway.width / 2.0 + _REVEAL, doorway.height + _REVEAL
-    # swept on the floor, where the section's x is outward and its y is up, then stood up: up becomes the front
+    # swept on the floor, where the section's x is outward and its y is up; stood up, up becomes the front
     line = polyline([(-x, 0.0, 0.0), (-x, z, 0.0), (x, z, 0.0), (x, 0.0, 0.0)])
     return sweep(section, line).rotate(X, math.pi / 2.0)

@@ -75,7 +75,13 @@ def _stacked(
 
 
 def hinge_leaf(
-    *, height: Scalar, radius: Scalar, depth: Scalar, finish: Material, knuckles: int = 5, levels: Sequence[Scalar] = (0.0,)
+    *,
+    height: Scalar,
+    radius: Scalar,
+    depth: Scalar,
+    finish: Material,
+    knuckles: int = 5,
+    levels: Sequence[Scalar] = (0.0,),
 ) -> Body:
     """Make the half of a butt hinge that turns with the leaf.
 
@@ -91,7 +97,13 @@ def hinge_leaf(
 
 
 def hinge_frame(
-    *, height: Scalar, radius: Scalar, depth: Scalar, finish: Material, knuckles: int = 5, levels: Sequence[Scalar] = (0.0,)
+    *,
+    height: Scalar,
+    radius: Scalar,
+    depth: Scalar,
+    finish: Material,
+    knuckles: int = 5,
+    levels: Sequence[Scalar] = (0.0,),
 ) -> Body:
     """Make the half of a butt hinge that stays on the jamb, with the heads of its pin.
 

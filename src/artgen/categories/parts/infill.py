@@ -17,6 +17,7 @@ from artgen import (
     atan2,
     box,
     detail,
+    enclosed,
     hull,
     part,
     polygon,
@@ -24,7 +25,6 @@ from artgen import (
     sqrt,
     sweep,
 )
-from artgen.nodes.csg import enclosed
 from artgen.nodes.handles import Scalar, VectorLike
 
 _PANE = 0.005  # toughened glass [m]
@@ -98,16 +98,16 @@ def panels_in(
         margin = 2.0 * (moulding + 0.016)
         foot = box(width - margin, tongue, height - margin)
         run = 2.0 * 1.15 * out
-        panel = enclosed(panel | hull(foot, box(width - margin - run, tongue + 2.0 * out, height - margin - run)))
+        panel = enclosed(
+            panel | hull(foot, box(width - margin - run, tongue + 2.0 * out, height - margin - run))
+        )
     return [
         part(opening.everywhere(panel), "door", opening.finish),
         _sticking(opening, thickness, (thickness - tongue) / 2.0, moulding),
     ]
 
 
-def panes_in(
-    opening: Opening, thickness: Scalar, columns: int, lights: int, glass: Material
-) -> list[Body]:
+def panes_in(opening: Opening, thickness: Scalar, columns: int, lights: int, glass: Material) -> list[Body]:
     """Make a pane in its beads, and the muntins over it."""
     width, height = opening.width - 0.002, opening.height - 0.002
     bodies = [
@@ -140,7 +140,9 @@ def slats_in(opening: Opening, thickness: Scalar, slats: int) -> list[Body]:
     tilt = atan2(rise, depth)
     plank = 0.006
     slat = box(opening.width, sqrt(depth * depth + rise * rise) - plank, plank, bevel=0.0025)
-    places = [(0.0, 0.0, (at - (slats - 1) / 2.0) * (opening.height - rise) / (slats - 1)) for at in range(slats)]
+    places = [
+        (0.0, 0.0, (at - (slats - 1) / 2.0) * (opening.height - rise) / (slats - 1)) for at in range(slats)
+    ]
     # the outer edge hangs down, so that rain and eyes stay out
     solid = enclosed(array(slat.rotate(X, tilt), at=places)).at(opening.centers[0])
     return [part(solid, "door", opening.finish)]

@@ -1,30 +1,38 @@
 """Door leaves: flush, panelled, glazed, louvred and half glazed.
 
-A leaf stands in the X-Z plane: its bottom is at z = `bottom`, above the floor, it is centred in x, its faces are at y = -thickness / 2
-and y = thickness / 2. The lock edge is at x = width / 2. Framed leaves are made as joiners make them, of stiles
-that run through and rails between them; each board has its own grain.
+A leaf stands in the X-Z plane, in place above the floor: it is centred in x, its faces are at
+y = -thickness / 2 and y = thickness / 2, its lock edge is at x = width / 2. Framed leaves are made as joiners
+make them, of stiles that run through and rails between them; each board has its own grain.
 """
 
-import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal, NamedTuple
 
+from artgen import (
+    Body,
+    Float,
+    Material,
+    Solid,
+    X,
+    Y,
+    array,
+    box,
+    choice,
+    count,
+    cylinder,
+    detail,
+    extrude,
+    generator,
+    material,
+    part,
+    rectangle,
+    uniform,
+    weld,
+)
 from artgen.categories.parts.arch import Arch
-from artgen.generator import generator
-from artgen.materials import Material, material
-from artgen.nodes.arrays import array
-from artgen.nodes.body import detail, part, weld
-from artgen.nodes.csg import enclosed, hull
-from artgen.nodes.extrude import extrude
-from artgen.nodes.handles import Body, Float, Scalar, Solid, VectorLike
-from artgen.nodes.path import polyline
-from artgen.nodes.primitive import box, cylinder
-from artgen.nodes.profile import polygon, rectangle
-from artgen.nodes.scalar import atan2, sqrt
-from artgen.nodes.sweep import sweep
-from artgen.nodes.vector import X, Y
-from artgen.sampling import choice, count, uniform
+from artgen.categories.parts.infill import Fill, Opening, panels_in, panes_in, slats_in
+from artgen.nodes.handles import Scalar
 
 EASED = 0.0008
 """Edges of boards are sanded to this radius [m]: joints show as a fine line."""
@@ -34,8 +42,11 @@ _BOTTOM_RAIL = 0.200  # the kick rail is the widest [m]
 _LOCK_RAIL = 0.120  # between rows [m]
 _MULLION = 0.085  # between columns [m]
 
+_GLASS = (material("glass"), material("frosted_glass"))
+
 ASTRAGAL_GAP = 0.002
 """Between the active leaf and the strip behind it [m]."""
+
 
 @dataclass(frozen=True)
 class Blank:
@@ -109,7 +120,9 @@ def flush_leaf(*, blank: Blank, inlays: int = choice(0, 3, 4, weights=(0.7, 0.15
     if blank.rise is None:
         slab = box(blank.width, blank.thickness, blank.upright, bevel=0.0015).at(0.0, 0.0, blank.waist)
     else:
-        outline = _arch(blank, blank.rise).segment() | rectangle(blank.width, blank.upright).at(0.0, blank.waist)
+        outline = _arch(blank, blank.rise).segment() | rectangle(blank.width, blank.upright).at(
+            0.0, blank.waist
+        )
         slab = extrude(outline, blank.thickness, axis=Y, bevel=0.0015)
     body = part(blank.carved(slab), "door", core)
     if not inlays:
@@ -165,7 +178,7 @@ def glazed_leaf(
     blank: Blank,
     columns: int = choice(1, 2, 3, weights=(0.4, 0.3, 0.3)),
     lights: int = choice(1, 4, 5, weights=(0.4, 0.3, 0.3), doc="panes above each other"),
-    glass: Material = choice(material("glass"), material("frosted_glass"), weights=(0.7, 0.3)),
+    glass: Material = choice(*_GLASS, weights=(0.7, 0.3)),
     stile: Float = uniform(0.106, 0.115, "m", within=(0.1, 0.16)),
 ) -> Body:
     """Make a glazed leaf: one pane in beads, divided by muntins.
@@ -190,7 +203,7 @@ def half_lite_leaf(
     blank: Blank,
     columns: int = choice(1, 2, 3),
     lights: int = choice(1, 2, 3),
-    glass: Material = choice(material("glass"), material("frosted_glass"), weights=(0.7, 0.3)),
+    glass: Material = choice(*_GLASS, weights=(0.7, 0.3)),
     panels: int = choice(1, 2),
     stile: Float = uniform(0.106, 0.115, "m", within=(0.1, 0.16)),
 ) -> Body:
@@ -268,11 +281,15 @@ def _framed(blank: Blank, stile: Float, rows: Sequence[Row]) -> Body:
         opening = _columns(inner, tall, level + tall / 2.0, row.columns, finish)
         if row.columns > 1:
             pitch = opening.width + _MULLION
-            places = [((at - row.columns / 2.0) * pitch, 0.0, level + tall / 2.0) for at in range(1, row.columns)]
+            places = [
+                ((at - row.columns / 2.0) * pitch, 0.0, level + tall / 2.0) for at in range(1, row.columns)
+            ]
             bodies.append(part(array(blank.board(_MULLION, tall), at=places), "door", finish))
         fillings += row.fill(opening, blank.thickness)
         level = level + tall
-    bodies.append(part(blank.board(inner, _TOP_RAIL).at(0.0, 0.0, straight - _TOP_RAIL / 2.0), "door", finish))
+    bodies.append(
+        part(blank.board(inner, _TOP_RAIL).at(0.0, 0.0, straight - _TOP_RAIL / 2.0), "door", finish)
+    )
     return weld(*bodies, *fillings)
 
 

@@ -4,6 +4,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Literal
 
+from artgen import Body, Condition, Joint, Material, Solid, Vector
 from artgen.categories.parts.latch import (
     DEADBOLT,
     faceplate,
@@ -13,6 +14,7 @@ from artgen.categories.parts.latch import (
     strike_plate,
     strike_pocket,
 )
+from artgen.categories.parts.levers import spring_turn
 from artgen.categories.parts.locks import (
     THROW,
     deadbolt,
@@ -23,13 +25,10 @@ from artgen.categories.parts.locks import (
     thumb_turn,
     thumb_turn_joint,
 )
-from artgen.categories.parts.levers import spring_turn
 from artgen.categories.parts.pulls import pull_handle
 from artgen.categories.parts.push_bar import push_bar_case, push_slide
 from artgen.categories.parts.roses import rose, spindle_hole
-from artgen.materials import Material
-from artgen.nodes.handles import Body, Scalar, Solid, Vector
-from artgen.nodes.joint import Condition, Joint
+from artgen.nodes.handles import Scalar
 
 HandleKind = Literal["lever", "knob", "push_bar", "pull", "none"]
 
@@ -101,9 +100,7 @@ def latch(site: Site, leader: Joint, *, throw: Scalar, release: Scalar) -> Locks
         release: Position of the handle at which the bolt is drawn [rad or m].
     """
     at, backset, finish = site.spindle, site.backset, site.finish
-    strike = strike_plate(
-        backset=backset, gap=site.gap, throw=throw, thickness=site.thickness, finish=finish
-    )
+    strike = strike_plate(backset=backset, gap=site.gap, throw=throw, thickness=site.thickness, finish=finish)
     return Lockset(
         cuts=(latch_pocket(backset=backset, throw=throw).at(at),),
         fixed=(faceplate(backset=backset, finish=finish).at(at),),

@@ -1,0 +1,89 @@
+"""Materials: checked, comparable, and kept by their data."""
+
+import json
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from artgen.errors import ParameterError
+from artgen.materials import MATERIALS, Material, material
+
+SHARE = st.floats(0, 1)
+MADE = st.builds(
+    Material,
+    name=st.from_regex(r"[a-z][a-z0-9_]{0,10}", fullmatch=True),
+    base_color=st.tuples(SHARE, SHARE, SHARE),
+    base_metalness=SHARE,
+    specular_roughness=SHARE,
+    opacity=SHARE,
+    emission=st.tuples(SHARE, SHARE, SHARE),
+    density=st.floats(0.1, 2e4),
+    friction=st.floats(0, 2),
+)
+
+
+@pytest.mark.parametrize("name", MATERIALS)
+def test_the_table_holds_plausible_materials_under_their_names(name):
+    made = MATERIALS[name]
+    assert made.name == name
+    assert material(name) is made
+    assert 20 <= made.density <= 9000
+    assert 0.2 <= made.friction <= 1.0
+
+
+def test_paint_numbers_tell_the_materials_apart():
+    numbers = {made.number for made in MATERIALS.values()}
+    assert len(numbers) == len(MATERIALS)
+    assert all(0 < number < 2**53 for number in numbers)
+
+
+def test_an_unknown_name_gives_the_nearest():
+    with pytest.raises(ParameterError, match=r"there is no material 'wallnut'\. Did you mean 'walnut'\?"):
+        material("wallnut")
+
+
+@given(MADE)
+def test_data_keeps_a_material(made):
+    assert Material.from_data(json.loads(json.dumps(made.to_data()))) == made
+
+
+def test_whole_numbers_and_lists_make_the_same_material():
+    a = Material("a", (1, 0, 0), density=700)
+    b = Material("a", [1.0, 0.0, 0.0], density=700.0)  # type: ignore[arg-type]
+    assert a == b
+    assert hash(a) == hash(b)
+    assert json.dumps(a.to_data()) == json.dumps(b.to_data())
+
+
+def test_with_changes_a_copy():
+    oak = material("oak")
+    dark = oak.with_(name="dark_oak", base_color=(0.1, 0.1, 0.1))
+    assert (dark.name, dark.density) == ("dark_oak", oak.density)
+    assert material("oak") is oak
+    with pytest.raises(ParameterError, match=r"material 'oak' has no field 'colour'\. Did you mean 'base_color'\?"):
+        oak.with_(colour=(1, 1, 1))
+
+
+@pytest.mark.parametrize(
+    ("fields", "message"),
+    [
+        ({"name": "My Oak"}, "material name 'My Oak' is not a lower-case identifier"),
+        ({"name": ""}, "is not a lower-case identifier"),
+        ({"name": 5}, "is not a lower-case identifier"),
+        ({"base_color": (0.5, 0.5)}, r"material 'a': base_color \(0\.5, 0\.5\) must be 3 numbers in 0\.\.1"),
+        ({"base_color": (0.5, 0.5, 1.5)}, "must be 3 numbers in 0..1"),
+        ({"base_color": (0.5, 0.5, "x")}, "base_color 'x' must be a finite number"),
+        ({"emission": (-1, 0, 0)}, "emission .* must be 3 numbers in 0..1"),
+        ({"opacity": 1.5}, r"material 'a': opacity 1\.5 must be in 0\.\.1"),
+        ({"specular_roughness": -0.1}, "specular_roughness -0.1 must be in 0..1"),
+        ({"base_metalness": None}, "base_metalness None must be a finite number"),
+        ({"density": 0.0}, r"density 0\.0 must be positive \[kg/m\^3\]"),
+        ({"density": float("inf")}, "density inf must be a finite number"),
+        ({"density": float("nan")}, "density nan must be a finite number"),
+        ({"friction": -0.5}, r"friction -0\.5 must not be negative"),
+    ],
+)
+def test_impossible_materials_are_refused(fields, message):
+    with pytest.raises(ParameterError, match=message):
+        Material(**{"name": "a"} | fields)
