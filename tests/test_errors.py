@@ -26,11 +26,15 @@ def test_each_error_is_also_the_natural_builtin(name):
     kind = getattr(errors, name)
     assert issubclass(kind, ArtgenError)
     assert issubclass(kind, TREE[name])
-    assert f"{name}(" in errors.__doc__, "the tree is drawn in the module's docstring"
+    assert f"── {name}" in errors.__doc__, "the tree is drawn in the module's docstring"
 
 
 def test_the_tree_is_complete():
-    found = {name for name, kind in vars(errors).items() if isinstance(kind, type) and issubclass(kind, ArtgenError)}
+    found = {
+        name
+        for name, kind in vars(errors).items()
+        if isinstance(kind, type) and issubclass(kind, ArtgenError)
+    }
     assert found == {"ArtgenError", *TREE}
 
 
@@ -51,7 +55,11 @@ def test_an_asset_error_tells_what_it_is_about():
         ("widht", ["width", "height"], " Did you mean 'width'?"),
         ("zzz", ["b", "a"], " Allowed: a, b."),
         ("zzz", [], ""),
-        ("zzz", [f"name{index:02}" for index in range(14)], " Allowed: " + ", ".join(f"name{i:02}" for i in range(12)) + ", ...."),
+        (
+            "zzz",
+            [f"name{index:02}" for index in range(14)],
+            " Allowed: " + ", ".join(f"name{i:02}" for i in range(12)) + ", ....",
+        ),
     ],
 )
 def test_the_nearest_name(name, allowed, expected):

@@ -61,7 +61,9 @@ def test_with_changes_a_copy():
     dark = oak.with_(name="dark_oak", base_color=(0.1, 0.1, 0.1))
     assert (dark.name, dark.density) == ("dark_oak", oak.density)
     assert material("oak") is oak
-    with pytest.raises(ParameterError, match=r"material 'oak' has no field 'colour'\. Did you mean 'base_color'\?"):
+    with pytest.raises(
+        ParameterError, match=r"material 'oak' has no field 'colour'\. Did you mean 'base_color'\?"
+    ):
         oak.with_(colour=(1, 1, 1))
 
 

@@ -71,7 +71,7 @@ def test_an_asset_read_back_is_the_asset(category: str, seed: int, tmp_path: Pat
     read = Asset.load(asset.export(tmp_path / asset.name, formats=("urdf",)))
     assert read.to_data() == asset.to_data()
     for name, pose in asset.pose().items():
-        np.testing.assert_array_equal(read.pose()[name], pose)
+        np.testing.assert_allclose(read.pose()[name], pose, atol=1e-11)
 
 
 @cases

@@ -67,9 +67,9 @@ def test_read_back_it_is_the_same_asset(fixture: str, request: pytest.FixtureReq
     asset: Asset = request.getfixturevalue(fixture)
     loaded = Asset.load(export(asset, tmp_path / "it", formats=FORMATS))
     assert loaded.to_data() == json.loads(json.dumps(asset.to_data()))
-    assert loaded.mass == asset.mass
+    assert loaded.mass == pytest.approx(asset.mass, rel=1e-11)
     for name, transform in asset.pose().items():
-        np.testing.assert_array_equal(loaded.pose()[name], transform)
+        np.testing.assert_allclose(loaded.pose()[name], transform, atol=1e-11)
     for link in asset.links:
         for found, surface in zip(loaded.link(link.name).surfaces, link.surfaces, strict=True):
             np.testing.assert_allclose(found.mesh.vertices, surface.mesh.vertices, atol=1e-7)

@@ -42,7 +42,7 @@ def test_mermaid_shows_every_node_and_edge():
 
 def test_quotes_in_names_cannot_end_a_title():
     quoted = Graph(Float.parameter('a"]; b') + 1.0).to_mermaid()
-    assert "(\"a']; b\")" in quoted
+    assert '("a\']; b")' in quoted
 
 
 def test_the_table_lists_nodes_with_uses_and_places():

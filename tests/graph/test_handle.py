@@ -42,7 +42,7 @@ REFUSED = {
     "==": lambda handle: handle == handle,
     "== number": lambda handle: handle == 1.0,
     "!=": lambda handle: handle != handle,
-    "in": lambda handle: 1.0 in [handle],
+    "in": lambda handle: 1.0 in [handle, handle],
     "len()": len,
     "float()": float,
     "int()": int,
@@ -78,8 +78,7 @@ def test_refusals_say_where_and_what_to_do(what, name):
 def test_a_refusal_names_the_line_of_the_mistake_and_of_the_handle():
     width = Float.parameter("width") * 2.0  # marker: made
     with pytest.raises(BuildError) as caught:
-        if width > 1.0:  # marker: mistake
-            pass
+        _ = 1 if width > 1.0 else 2  # marker: mistake
     assert f"at {place_of(__file__, 'marker: mistake')}, made at" in str(caught.value)
     with pytest.raises(BuildError) as caught:
         float(width)
@@ -150,10 +149,19 @@ def test_numpy_points_equal_written_ones():
         (lambda: box(1.0, 1.0, 1.0).at((1.0, 2.0)), r"translate\(\.\.\., offset=\.\.\.\) needs a Vector"),
         (lambda: box(math.nan, 1.0, 1.0), r"nan is no finite number"),
         (lambda: box(math.inf, 1.0, 1.0), r"inf is no finite number"),
-        (lambda: box(1.0, 1.0, 1.0) - circle(1.0), r"difference\(\.\.\., b=\.\.\.\) needs a Solid, got a Profile"),
-        (lambda: row((0, 0, 0), (1, 0, 0), Float.parameter("n")), r"needs an int, got a Float handle; it must be"),
+        (
+            lambda: box(1.0, 1.0, 1.0) - circle(1.0),
+            r"difference\(\.\.\., b=\.\.\.\) needs a Solid, got a Profile",
+        ),
+        (
+            lambda: row((0, 0, 0), (1, 0, 0), Float.parameter("n")),
+            r"needs an int, got a Float handle; it must be",
+        ),
         (lambda: row((0, 0, 0), (1, 0, 0), 2.5), r"needs an int, got 2\.5"),
-        (lambda: part(box(1.0, 1.0, 1.0), 7, material("oak")), r"part\(\.\.\., label=\.\.\.\) needs a str, got 7"),
+        (
+            lambda: part(box(1.0, 1.0, 1.0), 7, material("oak")),
+            r"part\(\.\.\., label=\.\.\.\) needs a str, got 7",
+        ),
         (lambda: part(box(1.0, 1.0, 1.0), "a", "oak"), r"material=\.\.\.\) needs a Material, got 'oak'"),
         (lambda: Revolute("a", axis=Z, limits=(0.0,)), r"needs 2 values of Float or None, got \(0\.0,\)"),
         (lambda: Float.record("add", a=1.0), r"add misses its input 'b'"),

@@ -45,7 +45,9 @@ def cabinet():
     side = switch(width > 0.5, X, -1.0 * Y)
     knob = part(cylinder(0.01, 0.02).at(side), "knob", material("brass"))
     drawer = part(box(width, 0.4, 0.1), "class", material("oak"))
-    slide = Prismatic("slide", axis=-Y, limits=(0.0, open_), needs=(Revolute("lock", axis=Z) > 0.5) & (knob_turn() < 3))
+    slide = Prismatic(
+        "slide", axis=-Y, limits=(0.0, open_), needs=(Revolute("lock", axis=Z) > 0.5) & (knob_turn() < 3)
+    )
     drawer = drawer.attach(knob, knob_turn())
     body = part(box(width, 0.5, 1.0).at(0, 1), "body", material("oak"))
     lock = part(box(0.01, 0.01, 0.01), "lock", material("brass"))
@@ -72,11 +74,13 @@ def test_a_whole_asset_round_trips():
 NUMBERS = st.floats(allow_nan=False, allow_infinity=False)
 FLOATS = st.recursive(
     st.sampled_from(["a", "b"]).map(Float.parameter) | NUMBERS,
-    lambda inner: st.tuples(
-        st.sampled_from(["add", "subtract", "multiply", "divide", "power", "modulo"]), inner, inner
-    ).map(lambda made: Float.record(made[0], a=made[1], b=made[2]))
-    | inner.map(lambda value: Float.record("negate", a=value))
-    | inner.map(lambda value: Float.record("absolute", a=value)),
+    lambda inner: (
+        st.tuples(
+            st.sampled_from(["add", "subtract", "multiply", "divide", "power", "modulo"]), inner, inner
+        ).map(lambda made: Float.record(made[0], a=made[1], b=made[2]))
+        | inner.map(lambda value: Float.record("negate", a=value))
+        | inner.map(lambda value: Float.record("absolute", a=value))
+    ),
     max_leaves=12,
 )
 
@@ -89,7 +93,10 @@ def test_any_arithmetic_round_trips(a, b, comparison):
 
 def test_joints_leave_out_what_is_usual():
     turn = Revolute("turn", axis=Z, limits=(0.0, 1.5), damping=0.1)
-    assert "joint('turn', 'revolute', axis=vector(z=1.0), limits=(0.0, 1.5), damping=0.1)" in Graph(turn).to_python()
+    assert (
+        "joint('turn', 'revolute', axis=vector(z=1.0), limits=(0.0, 1.5), damping=0.1)"
+        in Graph(turn).to_python()
+    )
 
 
 def test_a_negative_base_keeps_its_sign():

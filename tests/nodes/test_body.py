@@ -67,8 +67,9 @@ def test_a_label_twice_says_how_to_mend_it():
     body = body.attach(block("door"), turn("right"))  # marker: twice
     with pytest.raises(EvaluationError) as caught:
         value(body)
-    assert "the link name 'door' is used twice; give one part(...) another label, or the same label and a name" in str(
-        caught.value
+    assert (
+        "the link name 'door' is used twice; give one part(...) another label, or the same label and a name"
+        in str(caught.value)
     )
     assert place_of(__file__, "marker: twice") in str(caught.value)
 
@@ -82,19 +83,25 @@ def test_the_same_label_with_another_name_is_fine():
 
 def test_a_joint_name_twice_says_how_to_mend_it():
     body = block("base").attach(block("a"), turn("hinge")).attach(block("b"), turn("hinge"))
-    with pytest.raises(EvaluationError, match="the joint name 'hinge' is used twice; give one joint another name"):
+    with pytest.raises(
+        EvaluationError, match="the joint name 'hinge' is used twice; give one joint another name"
+    ):
         value(body)
 
 
 def test_a_grasp_name_twice_says_how_to_mend_it():
     grasp = frame((0, 0, 0))
-    with pytest.raises(EvaluationError, match=r"grasp name 'a_grasp' is used twice; .* a name of its own \(name=...\)"):
+    with pytest.raises(
+        EvaluationError, match=r"grasp name 'a_grasp' is used twice; .* a name of its own \(name=...\)"
+    ):
         value(weld(block("a", grasp=grasp), block("a", grasp=grasp)))
     assert value(weld(block("a", grasp=grasp), block("a", name="b", grasp=grasp)))
 
 
 def test_welded_solids_stay_apart_but_make_one_link():
-    made = value(weld(part(box(1.0, 1.0, 1.0), "case", STEEL), part(box(0.5, 2.0, 0.1).at(2.0), "pane", GLASS)))
+    made = value(
+        weld(part(box(1.0, 1.0, 1.0), "case", STEEL), part(box(0.5, 2.0, 0.1).at(2.0), "pane", GLASS))
+    )
     assert made.link.name == "case"
     assert made.link.labels == ("case", "pane")
     assert [piece.material.name for piece in made.link.pieces] == ["steel", "glass"]
@@ -112,7 +119,9 @@ def test_where_welded_solids_overlap_the_volume_counts_once():
 
 def test_welding_in_another_order_gives_the_overlap_to_another():
     first, second = part(box(1.0, 1.0, 1.0), "a", STEEL), part(box(1.0, 1.0, 1.0).at(0.5), "b", OAK)
-    assert value(weld(second, first)).link.mass_properties.mass == pytest.approx(OAK.density + 0.5 * STEEL.density)
+    assert value(weld(second, first)).link.mass_properties.mass == pytest.approx(
+        OAK.density + 0.5 * STEEL.density
+    )
 
 
 def test_a_weld_keeps_what_is_joined_to_its_bodies():
@@ -125,7 +134,9 @@ def test_a_weld_keeps_what_is_joined_to_its_bodies():
 
 def test_details_are_seen_but_have_neither_mass_nor_collider():
     plain = value(part(box(1.0, 1.0, 1.0), "case", STEEL)).link
-    seen = value(weld(part(box(1.0, 1.0, 1.0), "case", STEEL), detail(box(9.0, 9.0, 9.0), "print", GLASS))).link
+    seen = value(
+        weld(part(box(1.0, 1.0, 1.0), "case", STEEL), detail(box(9.0, 9.0, 9.0), "print", GLASS))
+    ).link
     assert seen.mass_properties.mass == plain.mass_properties.mass
     assert len(seen.colliders) == len(plain.colliders)
     assert "glass" in {surface.material.name for surface in seen.surfaces}
@@ -133,7 +144,9 @@ def test_details_are_seen_but_have_neither_mass_nor_collider():
 
 def test_a_link_of_details_only_is_refused():
     body = block().attach(detail(box(1.0, 1.0, 1.0), "print", GLASS), turn())
-    with pytest.raises(AssetError, match="link 'print' is made of details only, which have no mass; weld them"):
+    with pytest.raises(
+        AssetError, match="link 'print' is made of details only, which have no mass; weld them"
+    ):
         asset(body)
 
 
@@ -155,7 +168,10 @@ def test_grasps_go_along_with_their_part():
 
 def test_several_grasps_are_numbered():
     body = block("bar", grasp=(frame((0, 0, 0)), frame((1, 0, 0))))
-    assert [grasp.name for grasp in value(body.suffixed("_a")).link.grasps] == ["bar_grasp_0_a", "bar_grasp_1_a"]
+    assert [grasp.name for grasp in value(body.suffixed("_a")).link.grasps] == [
+        "bar_grasp_0_a",
+        "bar_grasp_1_a",
+    ]
 
 
 def test_a_grasp_needs_two_directions():
@@ -181,7 +197,9 @@ def test_children_move_with_their_parents():
 
 
 def test_repeat_makes_a_suffixed_copy_at_each_point():
-    body = block("panel").repeat(block("knob"), turn("spin", pivot=(0, 0, 1)), at=row((0, 0, 0), (2, 0, 0), 3))
+    body = block("panel").repeat(
+        block("knob"), turn("spin", pivot=(0, 0, 1)), at=row((0, 0, 0), (2, 0, 0), 3)
+    )
     made = asset(body)
     assert [link.name for link in made.links] == ["panel", "knob_0", "knob_1", "knob_2"]
     assert {link.label for link in made.links[1:]} == {"knob"}
@@ -211,7 +229,9 @@ def test_repeats_within_repeats():
 
 
 def test_repeat_is_one_node_and_the_child_is_made_once():
-    body = block("panel").repeat(part(box(Float.parameter("a"), 1.0, 1.0), "key", OAK), turn(), at=row(X, Y, 20))
+    body = block("panel").repeat(
+        part(box(Float.parameter("a"), 1.0, 1.0), "key", OAK), turn(), at=row(X, Y, 20)
+    )
     result = evaluate(body, {"a": 1.0})
     assert (result.runs["box"], result.runs["repeat"]) == (2, 1)
 
@@ -253,7 +273,11 @@ def test_a_mirrored_hinge_turns_the_other_way():
     assert mirrored.axis.tolist() == [0, 0, -1]
     assert mirrored.pivot.tolist() == [-1, 0, 0]
     slide = Prismatic("slide", axis=X, limits=(0, 1))
-    assert asset(block("base").attach(block("box"), slide).mirror(X)).joint("slide").axis.tolist() == [-1, 0, 0]
+    assert asset(block("base").attach(block("box"), slide).mirror(X)).joint("slide").axis.tolist() == [
+        -1,
+        0,
+        0,
+    ]
 
 
 def test_suffixes_reach_links_joints_and_grasps():

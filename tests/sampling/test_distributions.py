@@ -94,7 +94,9 @@ def test_by_nests_and_tells_what_it_needs():
 
 
 def test_by_without_the_case_names_the_nearest():
-    with pytest.raises(ParameterError, match=r"by\('layout', ...\) has no case for 'frensh'\. Did you mean 'french'\?"):
+    with pytest.raises(
+        ParameterError, match=r"by\('layout', ...\) has no case for 'frensh'\. Did you mean 'french'\?"
+    ):
         by("layout", french=1.0, single=2.0).draw(stream(0, "x"), {"layout": "frensh"})
 
 
@@ -153,7 +155,9 @@ def test_hard_limits_hold_for_overrides_but_the_support_does_not():
     uniform(0.8, 1.2).check("height", 99.0)
     with pytest.raises(ParameterError, match=r"height = 2\.1 is out of range: 0\.3 to 2 m is allowed"):
         made.check("height", 2.1)
-    with pytest.raises(ParameterError, match=r"height = uniform\(0\.5, 3\) is out of range: 0\.3 to 2 m is allowed"):
+    with pytest.raises(
+        ParameterError, match=r"height = uniform\(0\.5, 3\) is out of range: 0\.3 to 2 m is allowed"
+    ):
         made.check("height", uniform(0.5, 3.0))
 
 
@@ -179,14 +183,20 @@ def test_hard_limits_hold_for_overrides_but_the_support_does_not():
         (lambda: count(True, 2), "count: bounds must be whole numbers, got True"),
         (lambda: count(3, 2), r"count\(3, 2\): low exceeds high; swap them"),
         (lambda: by("layout"), r"by\('layout'\) needs a distribution for each value of 'layout'"),
-        (lambda: by("a", x=uniform(0, 1, within=(0, 1))), r"by\('a', x=...\): .* give within=... to by itself"),
+        (
+            lambda: by("a", x=uniform(0, 1, within=(0, 1))),
+            r"by\('a', x=...\): .* give within=... to by itself",
+        ),
         (lambda: uniform(0, 1, within=(2, 0)), r"within=\(2, 0\) has low above high; swap them"),
         (lambda: uniform(0, 1, within=3), r"within must be a pair of numbers \(low, high\), got 3"),
         (lambda: uniform(0, 1, within=(0, 1, 2)), "within must be a pair of numbers"),
         (lambda: uniform(0, 1, within=(0, "a")), "within must be a finite number, got 'a'"),
         (lambda: uniform(0, 5, within=(0, 3)), r"uniform\(0, 5\) may give 5\.0, outside within=\(0, 3\)"),
         (lambda: count(0, 5, within=(1, 9)), r"may give 0, outside within=\(1, 9\)"),
-        (lambda: choice("a", within=(0, 1)), r"choice\('a'\): within limits numbers, and not all of these are"),
+        (
+            lambda: choice("a", within=(0, 1)),
+            r"choice\('a'\): within limits numbers, and not all of these are",
+        ),
         (lambda: by("a", x=uniform(0, 5), within=(0, 3)), r"may give 5\.0, outside within"),
     ],
 )

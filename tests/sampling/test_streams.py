@@ -33,7 +33,9 @@ def test_different_seeds_and_attempts_give_different_draws(seeds):
 def test_known_draws_stay_what_they_are():
     """A change here changes every asset that was ever generated."""
     assert stream(7, "door/width").bit_generator.random_raw() == 7696212133433702156
-    assert stream(2**40, "door/handle.lever_handle.length", 3).bit_generator.random_raw() == 6761791839715064434
+    assert (
+        stream(2**40, "door/handle.lever_handle.length", 3).bit_generator.random_raw() == 6761791839715064434
+    )
 
 
 def test_neighbouring_names_are_not_correlated():

@@ -75,7 +75,11 @@ OVERRIDES: dict[str, dict[str, Any]] = {
     "loft": {"profiles": (circle(SIZE), circle(0.2)), "heights": (0.0, 1.0)},
     "offset": {"distance": 0.01},
     "polygon": {"points": ((0.0, 0.0), (SIZE, 0.0), (0.0, 1.0)), "radius": 0.0},
-    "polyline": {"points": ((0.0, 0.0, 0.0), (SIZE, 0.0, 0.0), (1.0, 1.0, 0.0)), "fillet": 0.0, "closed": False},
+    "polyline": {
+        "points": ((0.0, 0.0, 0.0), (SIZE, 0.0, 0.0), (1.0, 1.0, 0.0)),
+        "fillet": 0.0,
+        "closed": False,
+    },
     "power": {"b": -2.0},
     "profile_difference": {"b": circle(0.05)},
     "rectangle": {"radius": 0.01},
@@ -117,5 +121,3 @@ def sample(name: str) -> Handle:
     given = OVERRIDES.get(name, {})
     inputs = {key: given[key] if key in given else value_of(hint) for key, hint in known.inputs.items()}
     return Handle.HANDLES[known.result].record(name, **inputs)
-
-

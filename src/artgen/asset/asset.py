@@ -56,8 +56,8 @@ class Asset:
         """Make an asset of an evaluated body.
 
         Raises:
-            AssetError: A link has no mass, a coupling or dependency names an unknown joint, or couplings form a
-                circle.
+            AssetError: A link has no mass, a coupling or dependency names an unknown joint, or couplings
+                form a circle.
         """
         for link in tree.links():
             if all(piece.visual for piece in link.pieces):
@@ -110,7 +110,9 @@ class Asset:
         """The materials of its surfaces and solids, in order of appearance."""
         found: dict[str, Material] = {}
         for link in self.links:
-            for material in (item.material for of_link in (link.surfaces, link.colliders) for item in of_link):
+            for material in (
+                item.material for of_link in (link.surfaces, link.colliders) for item in of_link
+            ):
                 known = found.setdefault(material.name, material)
                 if known != material:
                     raise AssetError(
@@ -147,10 +149,11 @@ class Asset:
                 low, high = joint.limits
                 if not low - _LIMIT_SLACK <= position <= high + _LIMIT_SLACK:
                     raise AssetError(
-                        f"joint {name!r} cannot stand at {position:.6g}; its limits are {low:.6g} to {high:.6g}"
+                        f"joint {name!r} cannot stand at {position:.6g}; "
+                        f"its limits are {low:.6g} to {high:.6g}"
                     )
             result[name] = float(position)
-        return {name: value for name, value in self._followed(result).items()}
+        return self._followed(result)
 
     def _followed(self, q: dict[str, float]) -> dict[str, float]:
         positions = positions_of_followers(self._joints, q)
@@ -172,8 +175,8 @@ class Asset:
             q: Positions by joint name; those not given stand nearest to 0, coupled ones follow [rad or m].
 
         Returns:
-            For each link the transform, shape (4, 4), that takes its geometry from rest (asset coordinates) to
-            the pose.
+            For each link the transform, shape (4, 4), that takes its geometry from rest (asset coordinates)
+            to the pose.
 
         Raises:
             AssetError: A joint is unknown, coupled to another, or beyond its limits.
@@ -254,6 +257,7 @@ class Asset:
         }
         # the digits beyond differ between machines, whose libraries round differently
         rounded: dict[str, Any] = _rounded(data)
+        rounded["mass"] = _rounded(sum(link["mass"] for link in rounded["links"]))
         return rounded
 
     def to_json(self) -> str:
@@ -281,8 +285,8 @@ def _check_references(joint: Joint, joints: Mapping[str, Joint]) -> None:
     for verb, name in named:
         if name not in joints:
             raise AssetError(
-                f"joint {joint.name!r} {verb} {name!r}, which is no joint of this asset; attach {name!r} as well."
-                f"{nearest(name, [other for other in joints if other != joint.name])}",
+                f"joint {joint.name!r} {verb} {name!r}, which is no joint of this asset; "
+                f"attach {name!r} as well.{nearest(name, [other for other in joints if other != joint.name])}",
                 joint=joint.name,
             )
         if name == joint.name:

@@ -257,7 +257,7 @@ def positions_of_followers(joints: Mapping[str, Joint], q: dict[str, float]) -> 
         while current not in result:
             if current in chain:
                 raise AssetError(
-                    f"the couplings of joints {', '.join(sorted(chain))} form a circle; one of them must lead",
+                    f"the couplings of joints {', '.join(sorted(chain))} form a circle; one must lead",
                     joint=current,
                 )
             chain.append(current)

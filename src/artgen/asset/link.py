@@ -136,6 +136,11 @@ class Link:
     def colliders(self) -> tuple[Collider, ...]:
         """Convex pieces that contain the solids, at most `MOST_COLLIDERS`."""
         pieces = self._solid_pieces()
+        if len(pieces) > MOST_COLLIDERS:
+            raise AssetError(
+                f"link {self.name!r} is made of {len(pieces)} solids; a link may carry at most "
+                f"{MOST_COLLIDERS} colliders: join small solids or make them details"
+            )
         try:
             found = budgeted_together([piece.shape.pieces for piece in pieces], most_pieces=MOST_COLLIDERS)
         except ValueError as error:

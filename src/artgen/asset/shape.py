@@ -18,7 +18,7 @@ PROPERTIES = 6
 """Vertex property channels of every manifold: nx ny nz u v paint."""
 
 _COINCIDENT = 1e-9  # [m]: vertices closer than this are one point of the surface
-_GRAIN = 2.0**40  # steps per metre: hides in which last digit the machines' sines and cosines differ
+_GRAIN = 1e12  # steps per metre: hides the last digit, in which the sines of different machines differ
 _HAS_NORMALS = 2  # bit of a mesh run: the first three channels are normals, to be turned with the solid
 
 

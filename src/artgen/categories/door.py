@@ -4,9 +4,9 @@ The door is built once: hinges at the left, opening towards the viewer (-y). Oth
 away are mirror images.
 
 Links: `frame`; `door`, or `door_left` and `door_right`; `handle` and `latch`, `lock` and `deadbolt` where
-there are such; `flush_bolt` in the inactive leaf of a double door. Joints: `door_hinge` (`door_hinge_left` and
-`door_hinge_right` for two leaves), `handle_turn` or `handle_push`, `latch_slide`, `lock_turn`,
-`deadbolt_slide`, `flush_bolt_slide`.
+there are such; `flush_bolt` in the inactive leaf of a double door. Joints: `door_hinge` (with `_left` and
+`_right` for two leaves), `handle_turn` or `handle_push`, `latch_slide`, `lock_turn`, `deadbolt_slide`,
+`flush_bolt_slide`.
 
 Sizes are those of residential doors: leaves 24-42 in wide (28, 30, 32 and 36 in are stock), 6 ft 6 in to 8 ft
 high, 1 3/8 to 1 3/4 in thick (ANSI/SDI A250.8, WDMA I.S. 1A); clearances 3 mm at the sides, 10-19 mm at the
@@ -41,7 +41,6 @@ from artgen import (
 )
 from artgen.categories.parts import HARDWARE_LABELS
 from artgen.categories.parts import flush_bolt as bolts
-from artgen.categories.parts.arch import Arch
 from artgen.categories.parts.frame import Doorway, FrameKind, door_frame
 from artgen.categories.parts.hanging import Hanging
 from artgen.categories.parts.knobs import knob_handle
@@ -57,7 +56,14 @@ from artgen.categories.parts.leaf import (
     panel_leaf,
 )
 from artgen.categories.parts.levers import lever_handle
-from artgen.categories.parts.lockset import Lockset, Site, dead_lock, pushed_handle, turning_handle
+from artgen.categories.parts.lockset import (
+    Lockset,
+    Site,
+    dead_lock,
+    pushed_handle,
+    rigid_handle,
+    turning_handle,
+)
 from artgen.categories.parts.pulls import pull_handle
 from artgen.categories.parts.push_bar import push_bar
 
@@ -84,7 +90,7 @@ _HALF_OPEN = 0.35
 """Two leaves are out of each other's way when either stands further open than this [rad]."""
 
 
-@category(labels=("frame", "threshold", "door", "glass", "plate", "flush_bolt", *HARDWARE_LABELS))
+@category(labels=("frame", "seal", "threshold", "door", "glass", "plate", "flush_bolt", *HARDWARE_LABELS))
 def door(
     *,
     layout: Literal["single", "double"] = choice("single", "double", weights=(0.82, 0.18)),
@@ -177,15 +183,8 @@ def door(
 ) -> Body:
     """Make a door with its frame, hinges, handle, latch and locks."""
     meeting = 1.25 * side_gap if layout == "double" else side_gap  # between the leaf and what its bolts enter
-    blank = Blank(
-        width,
-        floor_gap,
-        floor_gap + height,
-        thickness,
-        width * rise if frame == "arched" else None,
-        None,
-        finish,
-    )
+    arched = width * rise if frame == "arched" else None
+    blank = Blank(width, floor_gap, floor_gap + height, thickness, arched, None, finish)
     spindle = vector(width / 2.0 - backset, 0.0, handle_height)
     site = Site(spindle, backset, thickness, meeting, metal)
     match opener:
@@ -203,18 +202,16 @@ def door(
         case "push_bar":
             lockset = pushed_handle(site, handle, width=width, travel=handle_range, throw=throw)
         case "pull" | "none":
-            lockset = Lockset(fixed=(handle(thickness=thickness, finish=metal).at(spindle),))
+            lockset = rigid_handle(site, handle)
     if bolted:
-        above = 0.30 if opener == "pull" else 0.15  # above the end of a pull, or of a long plate
+        above = 0.30 if opener in ("pull", "none") else 0.15  # past the end of a pull, or of a long plate
         lockset = lockset + dead_lock(replace(site, spindle=spindle + (0.0, 0.0, above)))
 
     hanging = Hanging(
         blank, hinges, side_gap, hinge_height, hinge_radius, metal, swing, hinge_friction, hinge_damping
     )
     total = (2.0 * width + meeting if layout == "double" else width) + 2.0 * side_gap
-    arch = None
-    if blank.rise is not None:
-        arch = Arch.over(width, spring=blank.straight, rise=blank.rise).outset(side_gap)
+    arch = None if blank.arch is None else blank.arch.outset(side_gap)
     surround = partial(
         door_frame,
         Doorway(total, blank.top + side_gap, thickness, jamb_depth, arch, floor_gap),
@@ -231,11 +228,14 @@ def door(
     else:
         body = _double(surround, leaf, blank, hanging, lockset, needs, site, hand)
     body = body.require(hanging.turns_within_gap(), "the far corner of the leaf would strike the jamb")
-    if hand == "right" and opens == "away":
-        return body.rotate(Z, math.pi)
-    if opens == "away":
-        return body.mirror(Y)
-    return body.mirror(X) if hand == "right" else body
+    return _handed(body, hand, opens)
+
+
+def _handed(body: Body, hand: str, opens: str) -> Body:
+    """Turn or mirror the door with hinges at the left that opens towards the viewer into another one."""
+    if opens == "towards":
+        return body.mirror(X) if hand == "right" else body
+    return body.rotate(Z, math.pi) if hand == "right" else body.mirror(Y)
 
 
 def _single(

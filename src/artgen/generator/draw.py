@@ -29,14 +29,18 @@ class Overrides:
             if dotted in given:
                 raise ParameterError(f"the parameter {dotted!r} is given twice")
             given[dotted] = value
-        known = category.parameters()
+        known = every = category.parameters()
         # outer names first: the choice of a generator decides which parameters inner names may mean;
         # longer names last: they say more precisely which parameter they mean
         for dotted in sorted(given, key=lambda name: (name.count("."), name)):
             matching = [parameter for parameter in known.values() if _means(dotted, parameter.name)]
             if not matching:
                 short = {".".join(full.split(".")[::2]) for full in known}
-                raise ParameterError(f"{category.name} has no parameter {dotted!r}.{nearest(dotted, short)}")
+                other = any(_means(dotted, full) for full in every)
+                raise ParameterError(
+                    f"{category.name} has no parameter {dotted!r}"
+                    f"{' with the generators that are chosen' if other else ''}.{nearest(dotted, short)}"
+                )
             for parameter in matching:
                 self._values[parameter.name] = value = given[dotted]
                 parameter.check_override(value, dotted)

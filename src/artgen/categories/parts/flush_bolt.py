@@ -1,7 +1,7 @@
 """The flush bolt that holds the inactive leaf of a double door in the head of its frame.
 
-Everything is drawn about the top of the leaf: the origin is on the axis of the bolt (along Z), in the middle of
-the leaf's thickness, level with its top. The front of the leaf, with the thumb slide, faces -y.
+Everything is drawn about the top of the leaf: the origin is on the axis of the bolt (along Z), in the middle
+of the leaf's thickness, level with its top. The front of the leaf, with the thumb slide, faces -y.
 """
 
 from artgen import (

@@ -16,7 +16,9 @@ from artgen import (
     X,
     Y,
     box,
+    detail,
     extrude,
+    material,
     part,
     polygon,
     polyline,
@@ -104,6 +106,7 @@ def door_frame(
         *_stops(doorway),
     ]
     bodies = [part(solid, "frame", finish) for solid in solids]
+    bodies.append(detail(_seals(doorway), "seal", material("rubber")))
     if kind == "full":
         front = _casing(doorway, casing).at(0.0, -doorway.thickness / 2.0, 0.0)
         back = _casing(doorway, casing).mirror(Y).at(0.0, doorway.depth - doorway.thickness / 2.0, 0.0)
@@ -138,6 +141,15 @@ def _stops(doorway: Doorway) -> list[Solid]:
         band = doorway.arch.outset(-out).band(out, beyond=out)
         top = extrude(band, deep, axis=Y, bevel=0.0025).at(0.0, middle, 0.0)
     return [side, side.mirror(X), top]
+
+
+def _seals(doorway: Doorway) -> Solid:
+    """Make the strips of rubber on the sides of the stops that the leaf touches."""
+    tall = doorway.straight - _STOP[0]
+    side = box(0.007, STOP_GAP - 0.0003, tall, bevel=0.0005)
+    middle = (doorway.thickness + STOP_GAP) / 2.0 + 0.0002
+    side = side.at((doorway.width - _STOP[0]) / 2.0, middle, tall / 2.0)
+    return side | side.mirror(X)
 
 
 def _casing(doorway: Doorway, width: Scalar) -> Solid:

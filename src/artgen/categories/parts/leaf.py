@@ -76,6 +76,11 @@ class Blank:
         return self.top if self.rise is None else self.top - self.rise
 
     @property
+    def arch(self) -> Arch | None:
+        """The arch of its top, if any."""
+        return None if self.rise is None else Arch.over(self.width, spring=self.straight, rise=self.rise)
+
+    @property
     def upright(self) -> Scalar:
         """The length of its edges [m]."""
         return self.straight - self.bottom
@@ -117,12 +122,10 @@ def flush_leaf(*, blank: Blank, inlays: int = choice(0, 3, 4, weights=(0.7, 0.15
         inlays: Strips of aluminium across the faces.
     """
     core = blank.finish.with_(name=f"{blank.finish.name}_faced", density=340.0)
-    if blank.rise is None:
+    if blank.arch is None:
         slab = box(blank.width, blank.thickness, blank.upright, bevel=0.0015).at(0.0, 0.0, blank.waist)
     else:
-        outline = _arch(blank, blank.rise).segment() | rectangle(blank.width, blank.upright).at(
-            0.0, blank.waist
-        )
+        outline = blank.arch.segment() | rectangle(blank.width, blank.upright).at(0.0, blank.waist)
         slab = extrude(outline, blank.thickness, axis=Y, bevel=0.0015)
     body = part(blank.carved(slab), "door", core)
     if not inlays:
@@ -254,10 +257,6 @@ def louver_leaf(
     return _framed(blank, stile, [Row(0.45, 1, lower), Row(0.55, 1, louver)])
 
 
-def _arch(blank: Blank, rise: Float) -> Arch:
-    return Arch.over(blank.width, spring=blank.straight, rise=rise)
-
-
 def _framed(blank: Blank, stile: Float, rows: Sequence[Row]) -> Body:
     """Make stiles and rails, and fill what is between them; rows count from the bottom."""
     straight, finish = blank.straight, blank.finish
@@ -267,8 +266,8 @@ def _framed(blank: Blank, stile: Float, rows: Sequence[Row]) -> Body:
         part(upright.mirror(X), "door", finish),
     ]
     inner = blank.width - 2.0 * stile
-    if blank.rise is not None:
-        head = extrude(_arch(blank, blank.rise).segment(), blank.thickness, axis=Y, bevel=EASED)
+    if blank.arch is not None:
+        head = extrude(blank.arch.segment(), blank.thickness, axis=Y, bevel=EASED)
         bodies.append(part(head, "door", finish))
     free = blank.upright - _BOTTOM_RAIL - _TOP_RAIL - _LOCK_RAIL * (len(rows) - 1)
     level: Scalar = blank.bottom

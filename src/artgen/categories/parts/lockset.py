@@ -4,7 +4,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Literal
 
-from artgen import Body, Condition, Joint, Material, Solid, Vector
+from artgen import Body, Condition, Joint, Material, Solid, Vector, box, cylinder, detail, weld
 from artgen.categories.parts.latch import (
     DEADBOLT,
     faceplate,
@@ -178,6 +178,20 @@ def pushed_handle(
     return Lockset(fixed=fixed, moving=((moving.at(at), push),)) + latch(
         site, push, throw=throw, release=_RELEASE * travel
     )
+
+
+def rigid_handle(site: Site, handle: Callable[..., Body]) -> Lockset:
+    """Fit a pull or finger plates, and the roller that snaps into the jamb instead of a latch.
+
+    Args:
+        site: Where.
+        handle: Generator of the pull or the plates.
+    """
+    at, backset, finish = site.spindle, site.backset, site.finish
+    plate = box(0.0008, 0.0235, 0.057, bevel=0.0002).at(backset, 0.0, 0.0)
+    roller = cylinder(0.006, 0.014, bevel=0.001).at(backset - 0.0045, 0.0, 0.0)
+    catch = weld(detail(plate, "faceplate", finish), detail(roller, "latch", finish))
+    return Lockset(fixed=(handle(thickness=site.thickness, finish=finish).at(at), catch.at(at)))
 
 
 def dead_lock(site: Site) -> Lockset:
