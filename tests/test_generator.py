@@ -65,7 +65,8 @@ def test_the_hash_seed_of_python_changes_no_byte(tmp_path):
         "for seed in range(3):\n"
         "    asset = door.generate(seed)\n"
         "    surfaces = [s.mesh for link in asset.links for s in link.surfaces]\n"
-        "    data = b''.join(a.tobytes() for m in surfaces for a in (m.vertices, m.normals, m.uvs, m.triangles))\n"
+        "    arrays = [a for m in surfaces for a in (m.vertices, m.normals, m.uvs, m.triangles)]\n"
+        "    data = b''.join(a.tobytes() for a in arrays)\n"
         "    print(hashlib.sha256(asset.to_json().encode() + data).hexdigest())\n"
     )
     paths = [str(Path(__file__).parent), *sys.path]
@@ -238,9 +239,7 @@ def test_a_direct_call_hides_no_draw():
 def test_inputs_are_checked():
     with pytest.raises(BuildError, match=r"knob has no input 'thicknes'\. Did you mean 'thickness'\?"):
         knob(thicknes=0.1, radius=0.02)
-    with pytest.raises(
-        BuildError, match=r"knob needs the input 'thickness'\n  defined at .*generators.py:"
-    ):
+    with pytest.raises(BuildError, match=r"knob needs the input 'thickness'\n  defined at .*generators.py:"):
         knob(radius=0.02)
     with pytest.raises(BuildError, match=r"lever needs the input 'thickness'"):
         lever.generate(0)

@@ -282,11 +282,12 @@ def _check_references(joint: Joint, joints: Mapping[str, Joint]) -> None:
     named = [("follows", joint.follows.leader)] if joint.follows is not None else []
     if joint.needs is not None:
         named += [("needs", name) for name in joint.needs.condition.joints()]
+    others = [other for other in joints if other != joint.name]
     for verb, name in named:
         if name not in joints:
             raise AssetError(
                 f"joint {joint.name!r} {verb} {name!r}, which is no joint of this asset; "
-                f"attach {name!r} as well.{nearest(name, [other for other in joints if other != joint.name])}",
+                f"attach {name!r} as well.{nearest(name, others)}",
                 joint=joint.name,
             )
         if name == joint.name:

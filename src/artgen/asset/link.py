@@ -1,8 +1,9 @@
 """Links: rigid bodies made of named pieces of one material each."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import Any
+from typing import Any, overload
 
 import numpy as np
 from manifold3d import Manifold, OpType
@@ -10,6 +11,7 @@ from numpy.typing import NDArray
 
 from artgen.asset.mass import MassProperties, Moments, polyhedron_moments, total
 from artgen.asset.shape import Mesh, Shape
+from artgen.asset.surface import by_paint, joined, turned
 from artgen.colliders import Convex, budgeted_together
 from artgen.errors import AssetError
 from artgen.materials import Material
@@ -105,7 +107,7 @@ class Link:
 
     name: str
     label: str
-    pieces: tuple[Piece, ...] = ()
+    pieces: Sequence[Piece] = ()
     grasps: tuple[Grasp, ...] = field(default=())
 
     @cached_property
@@ -156,10 +158,11 @@ class Link:
         """The visible faces, one surface for each label and material."""
         groups: dict[tuple[str, Material], list[Mesh]] = {}
         for piece in self.pieces:
-            for material, mesh in _by_material(piece):
+            for number, mesh in by_paint(piece.shape.mesh):
+                material = piece.shape.paints[number] if number else piece.material
                 groups.setdefault((piece.label, material), []).append(mesh)
         return tuple(
-            Surface(f"{label}_{material.name}", label, material, _joined(meshes))
+            Surface(f"{label}_{material.name}", label, material, joined(meshes))
             for (label, material), meshes in groups.items()
         )
 
@@ -171,8 +174,9 @@ class Link:
 
     def moved(self, matrix: Array) -> "Link":
         """Return the link carried along by a rigid motion or a reflection, shape (4, 4)."""
-        pieces = tuple(replace(piece, shape=piece.shape.transformed(matrix)) for piece in self.pieces)
-        return replace(self, pieces=pieces, grasps=tuple(grasp.moved(matrix) for grasp in self.grasps))
+        grasps = tuple(grasp.moved(matrix) for grasp in self.grasps)
+        pieces = MovedPieces(self.pieces, matrix)
+        return MovedLink(self.name, self.label, pieces, grasps, source=self, matrix=matrix)
 
     def renamed(self, suffix: str) -> "Link":
         """Return the link with a suffix on its name and on its grasps' names."""
@@ -224,54 +228,61 @@ def _overlap(a: Array, b: Array) -> bool:
     return bool((a[0] < b[1]).all() and (b[0] < a[1]).all())
 
 
-def _by_material(piece: Piece) -> list[tuple[Material, Mesh]]:
-    """Split the faces of a piece by their paint."""
-    mesh = piece.shape.mesh
-    paint = mesh.paints[mesh.triangles[:, 0]]
-    result = []
-    for number in np.unique(paint):
-        chosen = mesh.triangles[paint == number]
-        material = piece.material if number == 0 else piece.shape.paints[int(number)]
-        result.append((material, _compacted(mesh, chosen)))
-    return result
+class MovedPieces(Sequence[Piece]):
+    """Pieces that are moved when they are looked at."""
+
+    def __init__(self, pieces: Sequence[Piece], matrix: Array) -> None:
+        self._source = pieces
+        self._matrix = matrix
+
+    @cached_property
+    def _moved(self) -> tuple[Piece, ...]:
+        return tuple(replace(piece, shape=piece.shape.transformed(self._matrix)) for piece in self._source)
+
+    def __len__(self) -> int:
+        return len(self._source)
+
+    @overload
+    def __getitem__(self, index: int) -> Piece: ...
+    @overload
+    def __getitem__(self, index: slice) -> Sequence[Piece]: ...
+    def __getitem__(self, index: int | slice) -> Piece | Sequence[Piece]:
+        return self._moved[index]
 
 
-def _compacted(mesh: Mesh, triangles: NDArray[np.int64]) -> Mesh:
-    used, renumbered = np.unique(triangles, return_inverse=True)
-    return Mesh(
-        mesh.vertices[used],
-        mesh.normals[used],
-        mesh.uvs[used],
-        mesh.paints[used],
-        renumbered.reshape(-1, 3),
-    )
+@dataclass(frozen=True, eq=False)
+class MovedLink(Link):
+    """A link that was moved after it was made; what is derived of it moves along instead of being made anew.
 
+    Attributes:
+        source: The link before.
+        matrix: Rigid motion or reflection, shape (4, 4).
+    """
 
-def _joined(meshes: list[Mesh]) -> Mesh:
-    """Concatenate meshes, and put vertices and triangles in an order that only their values decide."""
-    offsets = np.cumsum([0, *(len(mesh.vertices) for mesh in meshes[:-1])])
-    rows = np.concatenate(
-        [np.concatenate([mesh.vertices, mesh.normals, mesh.uvs], axis=1) for mesh in meshes]
-    )
-    triangles = np.concatenate(
-        [mesh.triangles + offset for mesh, offset in zip(meshes, offsets, strict=True)]
-    )
-    quantised = np.rint(rows * 1e7).astype(np.int64)
-    order = np.lexsort(quantised.T[::-1])
-    ordered = quantised[order]
-    new = np.ones(len(order), bool)
-    new[1:] = (ordered[1:] != ordered[:-1]).any(axis=1)
-    number = np.empty(len(order), np.int64)
-    number[order] = np.cumsum(new) - 1
-    rows = rows[order[new]]
-    corners = number[triangles]
-    proper = (
-        (corners[:, 0] != corners[:, 1]) & (corners[:, 1] != corners[:, 2]) & (corners[:, 2] != corners[:, 0])
-    )
-    corners = corners[proper]
-    turned = np.argmin(corners, axis=1)[:, None] + np.arange(3)
-    corners = np.take_along_axis(corners, turned % 3, axis=1)
-    corners = corners[np.lexsort(corners.T[::-1])]
-    return Mesh(
-        rows[:, :3], rows[:, 3:6], rows[:, 6:8], np.zeros(len(rows), np.int64), corners
-    )
+    source: Link = field(kw_only=True)
+    matrix: Array = field(kw_only=True)
+
+    @cached_property
+    def labels(self) -> tuple[str, ...]:
+        """The semantic labels on the link, its own first."""
+        return self.source.labels
+
+    @cached_property
+    def mass_properties(self) -> MassProperties:
+        """Mass, centre and inertia of the source, moved."""
+        return self.source.mass_properties.moved(self.matrix)
+
+    @cached_property
+    def colliders(self) -> tuple[Collider, ...]:
+        """Convex pieces of the source, moved."""
+        return tuple(
+            replace(collider, convex=collider.convex.transformed(self.matrix))
+            for collider in self.source.colliders
+        )
+
+    @cached_property
+    def surfaces(self) -> tuple[Surface, ...]:
+        """The visible faces of the source, moved."""
+        return tuple(
+            replace(surface, mesh=turned(surface.mesh, self.matrix)) for surface in self.source.surfaces
+        )

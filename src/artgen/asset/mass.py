@@ -62,6 +62,13 @@ class MassProperties:
         axes[:, 2] = np.cross(axes[:, 0], axes[:, 1])
         return moments, axes
 
+    def moved(self, matrix: Array) -> "MassProperties":
+        """Return the properties after a rigid motion or a reflection, shape (4, 4)."""
+        rotation = matrix[:3, :3]
+        return MassProperties(
+            self.mass, rotation @ self.center + matrix[:3, 3], rotation @ self.inertia @ rotation.T
+        )
+
     def moments(self) -> Moments:
         """Return the moments about the asset's origin that these properties stand for."""
         about_center = 0.5 * np.trace(self.inertia) * np.eye(3) - self.inertia

@@ -4,6 +4,7 @@ import hashlib
 import sys
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
+from functools import cache
 from types import FrameType, MappingProxyType
 from typing import Any
 
@@ -119,13 +120,13 @@ def authors_line() -> str:
     """
     frame: FrameType | None = sys._getframe(1)
     inner = frame
-    while frame is not None and _is_language(frame):
+    while frame is not None and _is_language(frame.f_globals.get("__name__", "")):
         inner, frame = frame, frame.f_back
     if frame is not None and not frame.f_code.co_filename.startswith("<frozen importlib"):
         inner = frame
     return f"{inner.f_code.co_filename}:{inner.f_lineno}" if inner is not None else ""
 
 
-def _is_language(frame: FrameType) -> bool:
-    module = frame.f_globals.get("__name__", "")
+@cache
+def _is_language(module: str) -> bool:
     return any(module == part or module.startswith(f"{part}.") for part in _LANGUAGE)

@@ -1,7 +1,6 @@
 """Bodies: parts become links, joints join them."""
 
 from collections.abc import Sequence
-from dataclasses import replace
 from typing import Annotated, Any, ClassVar
 
 import numpy as np
@@ -125,10 +124,11 @@ def _weld(bodies: tuple[Tree, ...]) -> Tree:
     if not bodies:
         raise ValueError("weld needs at least one body")
     first = bodies[0].link
-    link = replace(
-        first,
-        pieces=tuple(piece for body in bodies for piece in body.link.pieces),
-        grasps=tuple(grasp for body in bodies for grasp in body.link.grasps),
+    link = Link(
+        first.name,
+        first.label,
+        tuple(piece for body in bodies for piece in body.link.pieces),
+        tuple(grasp for body in bodies for grasp in body.link.grasps),
     )
     return Tree(link, tuple(branch for body in bodies for branch in body.branches)).checked()
 

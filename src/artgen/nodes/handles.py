@@ -1,5 +1,6 @@
 """The typed handles: numbers, vectors, profiles, solids and bodies that authors combine."""
 
+import math
 from collections.abc import Sequence
 from typing import Annotated, Any, ClassVar, Union
 
@@ -30,7 +31,7 @@ def _number(value: Any) -> Any:
     if isinstance(value, bool | np.bool_) or not isinstance(value, float | int | np.floating | np.integer):
         return NotImplemented
     number = float(value)
-    if not np.isfinite(number):
+    if not math.isfinite(number):
         raise BuildError(f"{number} is no finite number\n  at {authors_line()}")
     return number
 

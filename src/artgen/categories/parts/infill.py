@@ -137,12 +137,12 @@ def slats_in(opening: Opening, thickness: Scalar, slats: int) -> list[Body]:
     pitch = opening.height / slats
     depth = thickness - 0.010
     rise = 0.98 * pitch
-    tilt = atan2(rise, depth)
-    plank = 0.006
-    slat = box(opening.width, sqrt(depth * depth + rise * rise) - plank, plank, bevel=0.0025)
+    plank = 0.006  # its edges are half round, so that they stick out as far at every tilt
+    out, up = depth - plank, rise - plank
+    slat = box(opening.width, sqrt(out * out + up * up) + plank, plank, bevel=plank / 2.0)
     places = [
         (0.0, 0.0, (at - (slats - 1) / 2.0) * (opening.height - rise) / (slats - 1)) for at in range(slats)
     ]
     # the outer edge hangs down, so that rain and eyes stay out
-    solid = enclosed(array(slat.rotate(X, tilt), at=places)).at(opening.centers[0])
+    solid = enclosed(array(slat.rotate(X, atan2(up, out)), at=places)).at(opening.centers[0])
     return [part(solid, "door", opening.finish)]

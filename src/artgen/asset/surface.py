@@ -1,0 +1,71 @@
+"""Meshes of visible surfaces: split by paint, joined, and moved."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from artgen.asset.shape import Mesh
+
+Array = NDArray[np.float64]
+
+
+def by_paint(mesh: Mesh) -> list[tuple[int, Mesh]]:
+    """Split a mesh by the paint of its faces; return each paint's number with its faces."""
+    paint = mesh.paints[mesh.triangles[:, 0]]
+    numbers = [int(number) for number in np.unique(paint)]
+    if len(numbers) == 1:
+        return [(numbers[0], mesh)]
+    return [(number, _compacted(mesh, mesh.triangles[paint == number])) for number in numbers]
+
+
+def turned(mesh: Mesh, matrix: Array) -> Mesh:
+    """Return a mesh moved by a rigid motion or a reflection, shape (4, 4)."""
+    rotation = matrix[:3, :3]
+    reflected = np.linalg.det(rotation) < 0.0
+    return Mesh(
+        mesh.vertices @ rotation.T + matrix[:3, 3],
+        mesh.normals @ rotation.T,
+        mesh.uvs,
+        mesh.paints,
+        mesh.triangles[:, ::-1] if reflected else mesh.triangles,
+    )
+
+
+def _compacted(mesh: Mesh, triangles: NDArray[np.int64]) -> Mesh:
+    used, renumbered = np.unique(triangles, return_inverse=True)
+    return Mesh(
+        mesh.vertices[used],
+        mesh.normals[used],
+        mesh.uvs[used],
+        mesh.paints[used],
+        renumbered.reshape(-1, 3),
+    )
+
+
+def joined(meshes: list[Mesh]) -> Mesh:
+    """Concatenate meshes, and put vertices and triangles in an order that only their values decide."""
+    offsets = np.cumsum([0, *(len(mesh.vertices) for mesh in meshes[:-1])])
+    rows = np.concatenate(
+        [np.concatenate([mesh.vertices, mesh.normals, mesh.uvs], axis=1) for mesh in meshes]
+    )
+    triangles = np.concatenate(
+        [mesh.triangles + offset for mesh, offset in zip(meshes, offsets, strict=True)]
+    )
+    quantised = np.rint(rows * 1e7).astype(np.int64)
+    order = np.lexsort(quantised.T[::-1])
+    ordered = quantised[order]
+    new = np.ones(len(order), bool)
+    new[1:] = (ordered[1:] != ordered[:-1]).any(axis=1)
+    number = np.empty(len(order), np.int64)
+    number[order] = np.cumsum(new) - 1
+    rows = rows[order[new]]
+    corners = number[triangles]
+    proper = (
+        (corners[:, 0] != corners[:, 1]) & (corners[:, 1] != corners[:, 2]) & (corners[:, 2] != corners[:, 0])
+    )
+    corners = corners[proper]
+    turned = np.argmin(corners, axis=1)[:, None] + np.arange(3)
+    corners = np.take_along_axis(corners, turned % 3, axis=1)
+    corners = corners[np.lexsort(corners.T[::-1])]
+    return Mesh(
+        rows[:, :3], rows[:, 3:6], rows[:, 6:8], np.zeros(len(rows), np.int64), corners
+    )
