@@ -68,7 +68,7 @@ from artgen.nodes.scalar import (
 from artgen.nodes.sweep import sweep
 from artgen.nodes.text import text, text_width
 from artgen.nodes.vector import X, Y, Z, cross, dot, norm, normalize, vector
-from artgen.sampling import Distribution, by, choice, count, loguniform, normal, uniform
+from artgen.sampling import Distribution, by, choice, count, fixed, given, loguniform, normal, uniform
 from artgen.version import __version__
 
 __all__ = [
@@ -135,11 +135,13 @@ __all__ = [
     "ellipsoid",
     "enclosed",
     "extrude",
+    "fixed",
     "floor",
     "frame",
     "frustum",
     "generate",
     "generator",
+    "given",
     "grid",
     "helix",
     "hull",

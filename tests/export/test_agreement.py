@@ -5,9 +5,9 @@ from pathlib import Path
 import numpy as np
 import pinocchio
 import pytest
-from support.agreement import check_formats_agree
 
 from artgen.asset import Asset
+from support.agreement import check_formats_agree
 
 
 @pytest.fixture(scope="module")

@@ -3,6 +3,7 @@
 import inspect
 from typing import Literal
 
+import numpy as np
 import pytest
 
 from artgen.errors import (
@@ -10,12 +11,13 @@ from artgen.errors import (
     ParameterError,
 )
 from artgen.generator import CATEGORIES, Generator, category, generator, one_of
-from artgen.materials import MATERIALS, Material
+from artgen.graph import evaluate
+from artgen.materials import MATERIALS, Material, material
 from artgen.nodes.body import part
 from artgen.nodes.handles import Body, Bool, Float, Solid, Vector
 from artgen.nodes.primitive import box
 from artgen.nodes.vector import Z
-from artgen.sampling import Fixed, by, choice, count, uniform
+from artgen.sampling import Fixed, by, choice, count, fixed, given, uniform
 from support.generators import OAK, block, door, knob, lever
 
 
@@ -215,3 +217,18 @@ def test_two_modules_cannot_define_one_category(catalog):
     assert catalog["bench"] is first
     again = category(labels=("block",))(bench)
     assert catalog["bench"] is again
+
+
+def test_an_input_with_a_default_is_no_parameter():
+    @generator
+    def block(size: Float = given(0.2), height: Float = fixed(0.1, "m", within=(0.05, 0.5))) -> Body:
+        return part(box(size, size, height), "block", material("oak"))
+
+    assert list(block.parameters()) == ["height"]
+    assert block.generate(0).parameters == {"height": 0.1}
+    with pytest.raises(ParameterError, match="block has no parameter 'size'"):
+        block.generate(0, size=0.3)
+    larger = block.build({"height": 0.1}, size=0.3)
+    assert np.ptp(evaluate(larger, {"height": 0.1}).value.link.bounds(), axis=0)[0] == pytest.approx(0.3)
+    with pytest.raises(ParameterError, match=r"height = 0\.6 is out of range: 0\.05 to 0\.5 m"):
+        block.generate(0, height=0.6)

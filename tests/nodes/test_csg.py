@@ -187,6 +187,15 @@ def test_an_array_of_overlapping_copies_is_united():
     assert volume(shape) < 3 * volume(PIN)
 
 
+def test_an_enclosed_solid_collides_as_its_hull_and_stays_what_it_was():
+    comb = arrays._array(PIN, np.array([[0.05 * i, 0.0, 0.0] for i in range(8)]))
+    shape = csg._enclosed(comb)
+    assert volume(shape) == pytest.approx(volume(comb))
+    (around,) = shape.pieces.outer(0.001)
+    assert np.ptp(around.bounds(), axis=0) == pytest.approx(np.ptp(comb.bounds(), axis=0), abs=0.002)
+    assert len(shape.pieces.inner(0.001)) == len(comb.pieces.inner(0.001))
+
+
 def test_an_array_needs_points():
     with pytest.raises(ValueError, match="at needs at least 1 points, got 0"):
         arrays._array(PIN, np.zeros((0, 3)))

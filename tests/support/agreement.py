@@ -3,9 +3,9 @@
 from pathlib import Path
 
 import numpy as np
-from support.readers import draw_positions, expected_frames, read_all, silence, usd_faults
 
 from artgen.asset import Asset
+from support.readers import draw_positions, expected_frames, read_all, silence, usd_faults
 
 POSES = 20
 EXACT = 1e-6
@@ -40,10 +40,15 @@ def check_formats_agree(asset: Asset, directory: Path) -> None:
             wanted = moving[name].limits
             assert (limits is None) == (wanted is None), f"{reading.name}: joint {name}"
             if limits is not None and wanted is not None:
-                assert np.abs(np.subtract(limits, wanted)).max() <= EXACT, (reading.name, name, limits, wanted)
+                assert np.abs(np.subtract(limits, wanted)).max() <= EXACT, (
+                    reading.name,
+                    name,
+                    limits,
+                    wanted,
+                )
         for name, axis in reading.axes.items():
             assert np.abs(axis - moving[name].axis).max() <= EXACT, (reading.name, name, axis)
-        if reading.name != "pinocchio" and reading.name != "mujoco urdf":
+        if reading.name not in {"pinocchio", "mujoco urdf"}:
             assert set(reading.couplings) == {name for name, joint in moving.items() if joint.follows}, (
                 reading.name
             )
@@ -55,7 +60,7 @@ def check_formats_agree(asset: Asset, directory: Path) -> None:
 
 
 def _followed(asset: Asset, name: str, leader: str, position: float) -> float:
-    """Return where a joint stands when a leader, near or far along its chain of couplings, is at a position."""
+    """Return where a joint stands when a leader, near or far along its chain, is at a position."""
     if name == leader:
         return position
     follows = asset.joint(name).follows

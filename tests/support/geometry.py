@@ -55,9 +55,7 @@ def polytope(convex: Convex, tolerance: float = FINE) -> Array:
         ring = np.stack([np.cos(angles), np.sin(angles)], axis=1) * radius / np.cos(np.pi / sides)
         if convex.kind == "cylinder":
             half = convex.size[1] / 2
-            local = np.concatenate(
-                [np.column_stack([ring, np.full(sides, z)]) for z in (-half, half)]
-            )
+            local = np.concatenate([np.column_stack([ring, np.full(sides, z)]) for z in (-half, half)])
         else:
             half = convex.size[1] / 2 if convex.kind == "capsule" else 0.0
             ball = trimesh.creation.icosphere(subdivisions=4, radius=radius).vertices * 1.002
@@ -97,9 +95,7 @@ def check_colliders_cover(link: Link) -> None:
     if not outside.is_empty():
         corners = _vertices(outside)
         planes = [ConvexHull(polytope(convex)).equations for convex in convexes]
-        distance = np.min(
-            [(plane[:, :3] @ corners.T + plane[:, 3:]).max(axis=0) for plane in planes], axis=0
-        )
+        distance = np.min([(plane[:, :3] @ corners.T + plane[:, 3:]).max(axis=0) for plane in planes], axis=0)
         worst = int(np.argmax(distance))
         assert distance[worst] <= STICKS_OUT, (
             f"{link.name}: the solid sticks out of its colliders by {1e3 * distance[worst]:.3f} mm at "

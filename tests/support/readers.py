@@ -158,7 +158,7 @@ def read_pinocchio(asset: Asset, directory: Path) -> Reading:
 
 
 def read_mujoco(asset: Asset, directory: Path, suffix: str) -> Reading:
-    """Read the MJCF (`xml`) or the URDF (`urdf`) with MuJoCo, which joins the links that are fixed in URDF."""
+    """Read the MJCF (`xml`) or the URDF (`urdf`) with MuJoCo, which joins links fixed in URDF."""
     model = mujoco.MjModel.from_xml_path(str(directory / f"{asset.name}.{suffix}"))
     tried, data = mujoco.MjData(model), mujoco.MjData(model)
     for _ in range(2):

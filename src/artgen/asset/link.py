@@ -125,7 +125,9 @@ class Link:
             near = [other for other, box in done if _overlap(box, bounds)]
             done.append((manifold, bounds))
             if near:
-                manifold = manifold - (near[0] if len(near) == 1 else Manifold.batch_boolean(near, OpType.Add))
+                manifold = manifold - (
+                    near[0] if len(near) == 1 else Manifold.batch_boolean(near, OpType.Add)
+                )
                 if manifold.is_empty():
                     continue
             mesh = manifold.to_mesh64()

@@ -100,9 +100,7 @@ def polyhedron_moments(vertices: Array, triangles: NDArray[np.int64]) -> Moments
     total = a + b + c
     first = (six_volumes[:, None] * total).sum(axis=0) / 24.0
     weighted = six_volumes[:, None] * corners.sum(axis=1)
-    second = total.T @ weighted + sum(
-        corner.T @ (six_volumes[:, None] * corner) for corner in (a, b, c)
-    )
+    second = total.T @ weighted + sum(corner.T @ (six_volumes[:, None] * corner) for corner in (a, b, c))
     return _shifted(Moments(volume, first, second / 120.0), reference)
 
 

@@ -66,6 +66,4 @@ def joined(meshes: list[Mesh]) -> Mesh:
     turned = np.argmin(corners, axis=1)[:, None] + np.arange(3)
     corners = np.take_along_axis(corners, turned % 3, axis=1)
     corners = corners[np.lexsort(corners.T[::-1])]
-    return Mesh(
-        rows[:, :3], rows[:, 3:6], rows[:, 6:8], np.zeros(len(rows), np.int64), corners
-    )
+    return Mesh(rows[:, :3], rows[:, 3:6], rows[:, 6:8], np.zeros(len(rows), np.int64), corners)

@@ -14,7 +14,7 @@ from artgen.generator.parameter import Parameter, Variant, is_variant
 from artgen.generator.signature import read_parameters
 from artgen.graph import Cache, Evaluation, Graph, Handle
 from artgen.nodes.handles import Body
-from artgen.sampling import Fixed
+from artgen.sampling import Fixed, Given
 from artgen.version import __version__
 
 _SHARED_CACHE = Cache()
@@ -24,7 +24,7 @@ class Generator(Variant):
     """A function that builds a graph, with the distributions of its parameters.
 
     What stands in the function's signature is a parameter if its default is a distribution or a plain value.
-    It is an input, which callers give, if it has no default, or a handle or None as its default.
+    It is an input, which callers give, if it has no default, or a handle, None or `given(...)` as default.
 
     Attributes:
         function: The author's function.
@@ -129,6 +129,8 @@ class Generator(Variant):
                 arguments[name] = given(self.own[name])
             elif declared.default is declared.empty:
                 raise BuildError(f"{self.name} needs the input {name!r}\n  defined at {self.where}")
+            elif isinstance(declared.default, Given):
+                arguments[name] = declared.default.value
         result = self.function(**arguments)
         if not isinstance(result, Handle):
             raise BuildError(

@@ -3,13 +3,14 @@
 import inspect
 import typing
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from typing import Any
 
 from artgen.errors import BuildError, ParameterError
 from artgen.generator.draw import drawing_order
 from artgen.generator.parameter import Parameter, is_optional, is_socket, spelled, supported
 from artgen.graph import Handle
-from artgen.sampling import Distribution, Fixed
+from artgen.sampling import Distribution, Fixed, Given
 from artgen.sampling.choices import By, case_key
 
 _RESERVED = ("seed", "name", "base", "cache", "attempts", "overrides")
@@ -18,7 +19,7 @@ _RESERVED = ("seed", "name", "base", "cache", "attempts", "overrides")
 def read_parameters(function: Callable[..., Any], where: str) -> dict[str, Parameter]:
     """Return the parameters that a function's signature declares, by name.
 
-    What has no default, or a handle or None as its default, is an input: callers give it.
+    What has no default, or a handle, None or `given(...)` as its default, is an input: callers give it.
 
     Args:
         function: The author's function.
@@ -54,7 +55,7 @@ def _parameter(
     if name not in hints:
         raise BuildError(f"{place} has no annotation; annotate it Float, int, str, ...\n  at {where}")
     kind = hints[name]
-    if default is declared.empty:
+    if default is declared.empty or isinstance(default, Given):
         return None
     if isinstance(default, Handle) or (default is None and is_optional(kind)):
         if isinstance(default, Handle) and is_socket(kind) and not isinstance(default, kind):
@@ -71,7 +72,7 @@ def _parameter(
     parameter = Parameter(name, kind, distribution)
     _check_type(parameter, place, where)
     if isinstance(distribution, Fixed):
-        return Parameter(name, kind, Fixed(value=parameter.accept(distribution.value)))
+        return Parameter(name, kind, replace(distribution, value=parameter.accept(distribution.value)))
     return parameter
 
 

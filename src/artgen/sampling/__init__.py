@@ -1,7 +1,29 @@
 """Sampling: distributions as values, and independent random streams by name."""
 
 from artgen.sampling.choices import by, choice, count
-from artgen.sampling.distributions import Distribution, Fixed, loguniform, normal, uniform
+from artgen.sampling.distributions import (
+    Distribution,
+    Fixed,
+    Given,
+    fixed,
+    given,
+    loguniform,
+    normal,
+    uniform,
+)
 from artgen.sampling.streams import stream
 
-__all__ = ["Distribution", "Fixed", "by", "choice", "count", "loguniform", "normal", "stream", "uniform"]
+__all__ = [
+    "Distribution",
+    "Fixed",
+    "Given",
+    "by",
+    "choice",
+    "count",
+    "fixed",
+    "given",
+    "loguniform",
+    "normal",
+    "stream",
+    "uniform",
+]

@@ -146,6 +146,31 @@ class Fixed(Distribution):
         return shown(self.value)
 
 
+def fixed(value: Any, unit: str = "", *, doc: str = "", within: Within = None) -> Any:
+    """Make a parameter that keeps one value unless it is overridden.
+
+    Raises:
+        ParameterError: The value lies outside `within`.
+    """
+    return limited(Fixed(unit, doc, None, value), within)
+
+
+@dataclass(frozen=True)
+class Given:
+    """The value of an input that a caller does not give.
+
+    Attributes:
+        value: The value.
+    """
+
+    value: Any
+
+
+def given(value: Any) -> Any:
+    """Make an input that callers may leave out: no parameter, so neither drawn nor overridden."""
+    return Given(value)
+
+
 def shown(option: Any) -> str:
     """Spell a value as authors know it: generators and materials by their names."""
     name = getattr(option, "name", None)

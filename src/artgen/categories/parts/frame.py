@@ -15,6 +15,8 @@ from artgen import (
     Solid,
     X,
     Y,
+    Z,
+    array,
     box,
     detail,
     extrude,
@@ -97,11 +99,12 @@ def door_frame(
     """
     wide = _TIMBER if kind == "arched" else JAMB
     jamb = box(wide, doorway.depth, doorway.straight, bevel=0.0015)
-    jamb = jamb.at((doorway.width + wide) / 2.0, doorway.middle, doorway.straight / 2.0)
+    beside, half_way = (doorway.width + wide) / 2.0, doorway.straight / 2.0
+    right = jamb.at(beside, doorway.middle, half_way)
     head = _head(doorway, wide)
     solids = [
-        jamb if jamb_cut is None else jamb - jamb_cut,
-        jamb.mirror(X),
+        right if jamb_cut is None else right - jamb_cut,
+        jamb.at(-beside, doorway.middle, half_way),
         head if head_cut is None else head - head_cut,
         *_stops(doorway),
     ]
@@ -109,7 +112,9 @@ def door_frame(
     bodies.append(detail(_seals(doorway), "seal", material("rubber")))
     if kind == "full":
         front = _casing(doorway, casing).at(0.0, -doorway.thickness / 2.0, 0.0)
-        back = _casing(doorway, casing).mirror(Y).at(0.0, doorway.depth - doorway.thickness / 2.0, 0.0)
+        back = (
+            _casing(doorway, casing).rotate(Z, math.pi).at(0.0, doorway.depth - doorway.thickness / 2.0, 0.0)
+        )
         bodies += [part(front, "frame", finish), part(back, "frame", finish)]
     if kind != "jambs":
         tall = doorway.floor_gap - _SILL_PLAY
@@ -133,14 +138,15 @@ def _stops(doorway: Doorway) -> list[Solid]:
     out, deep = _STOP
     middle = doorway.thickness / 2.0 + STOP_GAP + deep / 2.0
     side = box(out, deep, doorway.straight, bevel=0.0025)
-    side = side.at((doorway.width - out) / 2.0, middle, doorway.straight / 2.0)
+    beside = (doorway.width - out) / 2.0
+    sides = [side.at(x, middle, doorway.straight / 2.0) for x in (-beside, beside)]
     if doorway.arch is None:
         top = box(doorway.width - 2.0 * out, deep, out, bevel=0.0025)
         top = top.at(0.0, middle, doorway.height - out / 2.0)
     else:
         band = doorway.arch.outset(-out).band(out, beyond=out)
         top = extrude(band, deep, axis=Y, bevel=0.0025).at(0.0, middle, 0.0)
-    return [side, side.mirror(X), top]
+    return [*sides, top]
 
 
 def _seals(doorway: Doorway) -> Solid:
@@ -148,8 +154,8 @@ def _seals(doorway: Doorway) -> Solid:
     tall = doorway.straight - _STOP[0]
     side = box(0.007, STOP_GAP - 0.0003, tall, bevel=0.0005)
     middle = (doorway.thickness + STOP_GAP) / 2.0 + 0.0002
-    side = side.at((doorway.width - _STOP[0]) / 2.0, middle, tall / 2.0)
-    return side | side.mirror(X)
+    beside = (doorway.width - _STOP[0]) / 2.0
+    return array(side, at=[(-beside, middle, tall / 2.0), (beside, middle, tall / 2.0)])
 
 
 def _casing(doorway: Doorway, width: Scalar) -> Solid:

@@ -12,7 +12,7 @@ from artgen import (
     Material,
     Solid,
     X,
-    Y,
+    Z,
     array,
     atan2,
     box,
@@ -82,7 +82,7 @@ def _sticking(opening: Opening, thickness: Scalar, depth: Scalar, reach: Scalar)
     ring = polyline([(-x, -z, 0.0), (x, -z, 0.0), (x, z, 0.0), (-x, z, 0.0)], closed=True)
     # swept on the floor, where the section's y is up, then stood up: up becomes the front
     front = sweep(section, ring).rotate(X, math.pi / 2.0).at(0.0, -thickness / 2.0, 0.0)
-    return detail(opening.everywhere(front | front.mirror(Y)), "door", opening.finish)
+    return detail(opening.everywhere(front | front.rotate(Z, math.pi)), "door", opening.finish)
 
 
 def panels_in(

@@ -5,6 +5,7 @@ y = -thickness / 2 and y = thickness / 2, its lock edge is at x = width / 2. Fra
 make them, of stiles that run through and rails between them; each board has its own grain.
 """
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal, NamedTuple
@@ -14,8 +15,8 @@ from artgen import (
     Float,
     Material,
     Solid,
-    X,
     Y,
+    Z,
     array,
     box,
     choice,
@@ -260,10 +261,11 @@ def louver_leaf(
 def _framed(blank: Blank, stile: Float, rows: Sequence[Row]) -> Body:
     """Make stiles and rails, and fill what is between them; rows count from the bottom."""
     straight, finish = blank.straight, blank.finish
-    upright = blank.board(stile, blank.upright).at((blank.width - stile) / 2.0, 0.0, blank.waist)
+    upright = blank.board(stile, blank.upright)
+    beside = (blank.width - stile) / 2.0
     bodies = [
-        part(blank.carved(upright), "door", finish),
-        part(upright.mirror(X), "door", finish),
+        part(blank.carved(upright.at(beside, 0.0, blank.waist)), "door", finish),
+        part(upright.at(-beside, 0.0, blank.waist), "door", finish),
     ]
     inner = blank.width - 2.0 * stile
     if blank.arch is not None:
@@ -322,7 +324,7 @@ def finger_plate(*, thickness: Float, finish: Material, height: Float = uniform(
         for x in (-1, 1)
         for z in (-1, 1)
     ]
-    return weld(part(plate, "plate", finish), part(plate.mirror(Y), "plate", finish), *screws)
+    return weld(part(plate, "plate", finish), part(plate.rotate(Z, math.pi), "plate", finish), *screws)
 
 
 def astragal(blank: Blank, gap: Scalar) -> Body:
