@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from artgen.asset.mass import MassProperties, Moments, polyhedron_moments, total
 from artgen.asset.shape import Mesh, Shape
-from artgen.asset.surface import by_paint, joined, turned
+from artgen.asset.surface import by_paint, joined
 from artgen.colliders import Convex, budgeted_together
 from artgen.errors import AssetError
 from artgen.materials import Material
@@ -119,20 +119,19 @@ class Link:
     def mass_properties(self) -> MassProperties:
         """Mass, centre and inertia of the solids; where welded solids overlap, the first one counts."""
         moments: list[Moments] = []
-        done: list[tuple[Manifold, Array]] = []
+        done: list[tuple[Shape, Array]] = []
         for piece in self._solid_pieces():
-            manifold, bounds = piece.shape.manifold, piece.shape.bounds()
-            near = [other for other, box in done if _overlap(box, bounds)]
-            done.append((manifold, bounds))
+            shape, bounds = piece.shape, piece.shape.bounds()
+            near = [other.manifold for other, box in done if _overlap(box, bounds)]
+            done.append((shape, bounds))
+            vertices, triangles = shape.mesh.vertices, shape.mesh.triangles
             if near:
-                manifold = manifold - (
-                    near[0] if len(near) == 1 else Manifold.batch_boolean(near, OpType.Add)
-                )
-                if manifold.is_empty():
+                rest = Manifold.batch_boolean([shape.manifold, *near], OpType.Subtract)
+                if rest.is_empty():
                     continue
-            mesh = manifold.to_mesh64()
-            vertices = np.asarray(mesh.vert_properties)[:, :3]
-            triangles = np.asarray(mesh.tri_verts).astype(np.int64)
+                mesh = rest.to_mesh64()
+                vertices = np.asarray(mesh.vert_properties)[:, :3]
+                triangles = np.asarray(mesh.tri_verts).astype(np.int64)
             moments.append(polyhedron_moments(vertices, triangles).scaled(piece.material.density))
         return total(moments)
 
@@ -286,5 +285,5 @@ class MovedLink(Link):
     def surfaces(self) -> tuple[Surface, ...]:
         """The visible faces of the source, moved."""
         return tuple(
-            replace(surface, mesh=turned(surface.mesh, self.matrix)) for surface in self.source.surfaces
+            replace(surface, mesh=surface.mesh.moved(self.matrix)) for surface in self.source.surfaces
         )

@@ -19,6 +19,7 @@ PROPERTIES = 6
 
 _COINCIDENT = 1e-9  # [m]: vertices closer than this are one point of the surface
 _GRAIN = 1e12  # steps per metre: hides the last digit, in which the sines of different machines differ
+_RIGID = 1e-12  # what a rotation may miss orthogonality by
 _HAS_NORMALS = 2  # bit of a mesh run: the first three channels are normals, to be turned with the solid
 
 
@@ -39,6 +40,18 @@ class Mesh:
     uvs: Array
     paints: Indices
     triangles: Indices
+
+    def moved(self, matrix: Array) -> "Mesh":
+        """Return the mesh after a rigid motion or a reflection, shape (4, 4)."""
+        rotation = matrix[:3, :3]
+        reflected = np.linalg.det(rotation) < 0.0
+        return Mesh(
+            self.vertices @ rotation.T + matrix[:3, 3],
+            self.normals @ rotation.T,
+            self.uvs,
+            self.paints,
+            self.triangles[:, ::-1] if reflected else self.triangles,
+        )
 
 
 @dataclass(frozen=True, eq=False)
@@ -147,11 +160,61 @@ class Shape:
 
     def transformed(self, matrix: Array) -> "Shape":
         """Return the shape moved by an affine matrix, shape (4, 4)."""
-        if np.linalg.det(matrix[:3, :3]) < 0.0:
-            moved = _reflected(self.manifold, matrix)
+        linear = matrix[:3, :3]
+        if np.abs(linear @ linear.T - np.eye(3)).max() < _RIGID:
+            return MovedShape(self, matrix)
+        return Shape(_moved(self.manifold, matrix), self.pieces.transformed(matrix), self.paints).checked()
+
+
+class MovedShape(Shape):
+    """A shape after a rigid motion or a reflection; its manifold is moved when it is asked for.
+
+    Attributes:
+        source: The shape before.
+        matrix: The motion, shape (4, 4).
+    """
+
+    source: Shape
+    matrix: Array
+
+    def __init__(self, source: Shape, matrix: Array) -> None:
+        if isinstance(source, MovedShape):
+            matrix = matrix @ source.matrix
+            source = source.source
+        if not np.isfinite(matrix).all():
+            raise ValueError("the motion has numbers that are not finite")
+        vars(self).update(
+            source=source, matrix=matrix, pieces=source.pieces.transformed(matrix), paints=source.paints
+        )
+
+    @cached_property
+    def manifold(self) -> Manifold:
+        """The watertight surface, with the channels of `PROPERTIES`."""
+        return _moved(self.source.manifold, self.matrix)
+
+    def checked(self) -> "Shape":
+        """Return the shape: a solid stays one when it is moved."""
+        return self
+
+    def bounds(self) -> Array:
+        """Return the corners of the bounding box, shape (2, 3) [m]."""
+        linear = self.matrix[:3, :3]
+        if np.count_nonzero(linear) == 3:  # boxes stay boxes under quarter turns
+            corners = self.source.bounds() @ linear.T + self.matrix[:3, 3]
         else:
-            moved = self.manifold.transform(np.ascontiguousarray(matrix[:3]))
-        return Shape(moved, self.pieces.transformed(matrix), self.paints)
+            corners = self.mesh.vertices
+        return np.array([corners.min(axis=0), corners.max(axis=0)])
+
+    @cached_property
+    def mesh(self) -> Mesh:
+        """The triangles of the source, moved."""
+        return self.source.mesh.moved(self.matrix)
+
+
+def _moved(manifold: Manifold, matrix: Array) -> Manifold:
+    if np.linalg.det(matrix[:3, :3]) < 0.0:
+        return _reflected(manifold, matrix)
+    return manifold.transform(np.ascontiguousarray(matrix[:3]))
 
 
 def _reflected(manifold: Manifold, matrix: Array) -> Manifold:

@@ -17,19 +17,6 @@ def by_paint(mesh: Mesh) -> list[tuple[int, Mesh]]:
     return [(number, _compacted(mesh, mesh.triangles[paint == number])) for number in numbers]
 
 
-def turned(mesh: Mesh, matrix: Array) -> Mesh:
-    """Return a mesh moved by a rigid motion or a reflection, shape (4, 4)."""
-    rotation = matrix[:3, :3]
-    reflected = np.linalg.det(rotation) < 0.0
-    return Mesh(
-        mesh.vertices @ rotation.T + matrix[:3, 3],
-        mesh.normals @ rotation.T,
-        mesh.uvs,
-        mesh.paints,
-        mesh.triangles[:, ::-1] if reflected else mesh.triangles,
-    )
-
-
 def _compacted(mesh: Mesh, triangles: NDArray[np.int64]) -> Mesh:
     used, renumbered = np.unique(triangles, return_inverse=True)
     return Mesh(

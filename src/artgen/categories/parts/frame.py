@@ -19,13 +19,13 @@ from artgen import (
     array,
     box,
     detail,
+    enclosed,
     extrude,
     material,
     part,
     polygon,
-    polyline,
     rectangle,
-    sweep,
+    split,
     weld,
 )
 from artgen.categories.parts.arch import Arch
@@ -111,11 +111,10 @@ def door_frame(
     bodies = [part(solid, "frame", finish) for solid in solids]
     bodies.append(detail(_seals(doorway), "seal", material("rubber")))
     if kind == "full":
-        front = _casing(doorway, casing).at(0.0, -doorway.thickness / 2.0, 0.0)
-        back = (
-            _casing(doorway, casing).rotate(Z, math.pi).at(0.0, doorway.depth - doorway.thickness / 2.0, 0.0)
-        )
-        bodies += [part(front, "frame", finish), part(back, "frame", finish)]
+        front, back = -doorway.thickness / 2.0, doorway.depth - doorway.thickness / 2.0
+        for board in _casing(doorway, casing):
+            bodies.append(part(board.at(0.0, front, 0.0), "frame", finish))
+            bodies.append(part(board.rotate(Z, math.pi).at(0.0, back, 0.0), "frame", finish))
     if kind != "jambs":
         tall = doorway.floor_gap - _SILL_PLAY
         plate = box(doorway.width, doorway.depth, tall, bevel=0.0022)
@@ -158,8 +157,8 @@ def _seals(doorway: Doorway) -> Solid:
     return array(side, at=[(-beside, middle, tall / 2.0), (beside, middle, tall / 2.0)])
 
 
-def _casing(doorway: Doorway, width: Scalar) -> Solid:
-    """Make the moulded trim of the front, mitred at its corners, its back at y = 0.
+def _casing(doorway: Doorway, width: Scalar) -> list[Solid]:
+    """Make the moulded trim of the front, mitred at its corners, its back at y = 0: two legs and a head.
 
     Its inner edge is thin and its outer one 15 mm thick, so that the leaf swings clear of it.
     """
@@ -178,6 +177,9 @@ def _casing(doorway: Doorway, width: Scalar) -> Solid:
         ]
     )
     x, z = doorway.width / 2.0 + _REVEAL, doorway.height + _REVEAL
-    # swept on the floor, where the section's x is outward and its y is up; stood up, up becomes the front
-    line = polyline([(-x, 0.0, 0.0), (-x, z, 0.0), (x, z, 0.0), (x, 0.0, 0.0)])
-    return sweep(section, line).rotate(X, math.pi / 2.0)
+    leg = extrude(section.rotate(math.pi), z + width, axis=Z).at(-x, 0.0, (z + width) / 2.0)
+    leg = enclosed(split(leg, point=(-x, 0.0, z), normal=(-1.0, 0.0, -1.0)))
+    head = extrude(section.rotate(math.pi / 2.0), 2.0 * (x + width), axis=X).at(0.0, 0.0, z)
+    for side in (-1, 1):
+        head = split(head, point=(side * x, 0.0, z), normal=(-side, 0.0, 1.0))
+    return [leg, leg.mirror(X), enclosed(head)]

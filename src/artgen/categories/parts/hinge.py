@@ -50,7 +50,7 @@ def _half(
     sheet, inner = _PLATE - _CENTER, side * _CENTER
     pitch = height / count
     tall = pitch - _AXIAL_GAP
-    knuckle = cylinder(radius, tall, axis=Z, bevel=0.0004)
+    knuckle = cylinder(radius, tall, axis=Z)  # sharp rims: with its tab one hull of less than 64 corners
     tab = box(sheet, radius + 0.0006, tall).align((inner, 0.0, 0.0), x=-side, y=-1.0)
     middles = [pitch * (index + 0.5) - height / 2 for index in range(0 if side < 0 else 1, count, 2)]
     # the plate runs past the other half's knuckles, 0.5 mm behind them
