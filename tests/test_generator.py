@@ -249,7 +249,7 @@ def test_defaults_that_are_handles_or_none_are_inputs():
     assert "axis" not in lever.parameters()
     assert "grip" not in knob.parameters()
     direct = knob(thickness=0.1, radius=0.02, grip=sphere(0.5))
-    assert any(node.op == "sphere" and node.inputs["radius"] == 0.5 for node in [*direct.node.children()])
+    assert any(node.op == "sphere" and node.inputs["radius"] == 0.5 for node in [*direct.node.children])
 
 
 def test_a_caller_may_give_what_would_be_drawn():

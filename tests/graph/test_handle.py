@@ -196,7 +196,7 @@ def test_repr_names_type_operation_and_place():
 def test_handles_share_no_graph():
     a, b = Float.parameter("a"), Float.parameter("b")
     assert (a + 1.0).node.inputs["a"] is a.node
-    assert list(b.node.children()) == []
+    assert list(b.node.children) == []
 
 
 def test_a_joint_cannot_carry_a_requirement():

@@ -74,7 +74,7 @@ def test_equal_subgraphs_have_equal_keys_wherever_they_were_written():
 def test_children_come_in_order_and_with_repeats():
     a, b = Node("a", {}), Node("b", {})
     node = Node("made", {"x": a, "y": [b, [a, 1.0]], "z": "a"})
-    assert [child.op for child in node.children()] == ["a", "b", "a"]
+    assert [child.op for child in node.children] == ["a", "b", "a"]
 
 
 def test_a_node_varies_when_a_parameter_is_below_it():
@@ -88,7 +88,7 @@ def test_topological_order_lists_each_node_once_after_its_inputs():
     order = topological(solid.node)
     position = {node.key: index for index, node in enumerate(order)}
     assert len(position) == len(order)
-    assert all(position[child.key] < position[node.key] for node in order for child in node.children())
+    assert all(position[child.key] < position[node.key] for node in order for child in node.children)
 
 
 def test_the_authors_line_is_recorded():

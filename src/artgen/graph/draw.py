@@ -36,7 +36,7 @@ def table(handle: Handle, evaluation: Evaluation | None = None) -> str:
     """
     order = topological(handle.node)
     number = {node.key: index for index, node in enumerate(order)}
-    uses = Counter(child.key for node in order for child in node.children())
+    uses = Counter(child.key for node in order for child in node.children)
     rows = [("node", "type", "operation", "uses", "inputs", "where")]
     for node in order:
         inputs = ", ".join(f"{name}={_short(value, number)}" for name, value in node.inputs.items())

@@ -4,7 +4,7 @@ import hashlib
 import math
 import typing
 from collections import Counter, OrderedDict
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from time import perf_counter
 from typing import Any
@@ -14,7 +14,7 @@ import numpy as np
 from artgen.errors import EvaluationError, InfeasibleError
 from artgen.graph.handle import Handle, decode, handle_type
 from artgen.graph.kernel import Operation, alternatives, operation
-from artgen.graph.node import PARAMETER, Node, digest, topological
+from artgen.graph.node import PARAMETER, Node, topological
 
 _ABSENT = object()
 
@@ -124,7 +124,7 @@ def _content_keys(order: list[Node], given: Mapping[str, Any], values: dict[str,
             text = f"{PARAMETER}\0{literal!r}"
             keys[node.key] = hashlib.blake2b(text.encode(), digest_size=12).hexdigest()
         elif node.varies:
-            keys[node.key] = digest(node, lambda child: keys[child.key])
+            keys[node.key] = node.digest(keys)
         else:
             keys[node.key] = node.key
     return keys
@@ -143,10 +143,10 @@ def _parameter_value(node: Node, given: Mapping[str, Any]) -> tuple[Any, Any]:
     return literal, kind.decode(literal)
 
 
-def _needed(node: Node, known: Operation, values: Mapping[str, Any]) -> list[Node]:
+def _needed(node: Node, known: Operation, values: Mapping[str, Any]) -> Sequence[Node]:
     """Return the inputs that must be computed next: all, or for a switch the chosen branch only."""
     if not known.lazy:
-        return list(node.children())
+        return node.children
     condition = node.inputs["condition"]
     if isinstance(condition, Node):
         if condition.key not in values:

@@ -5,6 +5,7 @@ import types
 import typing
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import cache
 from typing import Any, TypeVar, overload
 
 from artgen.errors import GraphError, nearest
@@ -105,6 +106,7 @@ def operation(name: str) -> Operation:
     return OPERATIONS[name]
 
 
+@cache
 def alternatives(hint: Any) -> tuple[Any, ...]:
     """Return the members of a union type, or the type alone."""
     if isinstance(hint, types.UnionType) or typing.get_origin(hint) is typing.Union:

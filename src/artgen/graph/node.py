@@ -2,7 +2,7 @@
 
 import hashlib
 import sys
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cache
 from types import FrameType, MappingProxyType
@@ -23,6 +23,7 @@ class Node:
         where: File and line of the author's code that made the node; no part of the key.
         key: Hash of the operation and everything below it.
         varies: Whether a parameter is among the nodes below (or is this node).
+        children: The nodes among the inputs, in order, repeats included.
     """
 
     op: str
@@ -30,19 +31,29 @@ class Node:
     where: str = ""
     key: str = field(init=False)
     varies: bool = field(init=False)
+    children: tuple["Node", ...] = field(init=False)
+    _spelling: tuple["str | Node", ...] = field(init=False)
 
     def __post_init__(self) -> None:
         """Compute the key from the inputs' keys."""
         frozen = {name: _frozen(value) for name, value in self.inputs.items()}
-        object.__setattr__(self, "inputs", MappingProxyType(frozen))
-        object.__setattr__(self, "key", digest(self, lambda node: node.key))
-        varies = self.op == PARAMETER or any(node.varies for node in self.children())
-        object.__setattr__(self, "varies", varies)
+        spelling: list[str | Node] = [self.op]
+        for name, value in frozen.items():
+            spelling.append(name)
+            _spell(value, spelling)
+        children = tuple(part for part in spelling if isinstance(part, Node))
+        vars(self).update(
+            inputs=MappingProxyType(frozen),
+            children=children,
+            varies=self.op == PARAMETER or any(node.varies for node in children),
+            _spelling=tuple(spelling),
+        )
+        vars(self)["key"] = self.digest({node.key: node.key for node in children})
 
-    def children(self) -> Iterator["Node"]:
-        """Yield the nodes among the inputs, in order, repeats included."""
-        for value in self.inputs.values():
-            yield from nodes_in(value)
+    def digest(self, keys: Mapping[str, str]) -> str:
+        """Hash the operation, its literals, and what stands in `keys` for the keys of its children."""
+        text = [part if isinstance(part, str) else "$" + keys[part.key] for part in self._spelling]
+        return hashlib.blake2b("\0".join(text).encode(), digest_size=12).hexdigest()
 
     def __repr__(self) -> str:
         """Name the operation and its place, but not what lies below: that may be thousands of nodes."""
@@ -66,28 +77,20 @@ def nodes_in(value: Any) -> Iterator[Node]:
             yield from nodes_in(item)
 
 
-def digest(node: Node, key_of: Callable[[Node], str]) -> str:
-    """Hash a node by its operation, its literals and `key_of(child)` of its children."""
-    text: list[str] = [node.op]
-    for name, value in node.inputs.items():
-        text.append(name)
-        _spell(value, key_of, text)
-    return hashlib.blake2b("\0".join(text).encode(), digest_size=12).hexdigest()
-
-
-def _spell(value: Any, key_of: Callable[[Node], str], text: list[str]) -> None:
+def _spell(value: Any, text: list[str | Node]) -> None:
+    """Append the value of one input to a spelling, in which nodes stand for themselves."""
     if isinstance(value, Node):
-        text.append("$" + key_of(value))
+        text.append(value)
     elif isinstance(value, tuple | list):  # a list only within JSON data
         text.append("[")
         for item in value:
-            _spell(item, key_of, text)
+            _spell(item, text)
         text.append("]")
     elif isinstance(value, dict):
         text.append("{")
         for name in sorted(value):
             text.append(name)
-            _spell(value[name], key_of, text)
+            _spell(value[name], text)
         text.append("}")
     else:
         text.append(repr(value))
@@ -105,7 +108,7 @@ def topological(root: Node) -> list[Node]:
         elif node.key not in seen:
             seen.add(node.key)
             stack.append((node, True))
-            stack.extend((child, False) for child in reversed(list(node.children())))
+            stack.extend((child, False) for child in reversed(node.children))
     return order
 
 

@@ -42,7 +42,7 @@ class _Writer:
 
     def __init__(self, handle: Handle) -> None:
         order = topological(handle.node)
-        uses = Counter(child.key for node in order for child in node.children())
+        uses = Counter(child.key for node in order for child in node.children)
         self.lines: list[str] = []
         self.imports: dict[str, set[str]] = {}
         self._spelled: dict[str, str] = {}

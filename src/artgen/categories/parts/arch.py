@@ -58,13 +58,15 @@ class Arch:
             points.append((self.radius * sin(angle), self.center + self.radius * cos(angle)))
         return polygon(points)
 
-    def band(self, width: Scalar, *, beyond: Scalar = 0.0) -> Profile:
-        """Make the band of a width outside the arch, whose ends reach on along the circle by `beyond` [m]."""
-        sweep = 2.0 * (self.angle + beyond / self.radius)
-        middle = self.radius + width / 2.0
-        return bow(middle, width, start=(math.pi - sweep) / 2.0, sweep=sweep).at(0.0, self.center)
+    def bands(self, width: Scalar, *, count: int = 1, beyond: Scalar = 0.0) -> list[Profile]:
+        """Make the band of a width outside the arch, in equal lengths from right to left.
 
-    def line(self) -> Path:
-        """Make the arch as a path in the plane of X and Y, from right to left."""
-        start = math.pi / 2.0 - self.angle
-        return arc((0.0, self.center, 0.0), self.radius, start=start, sweep=2.0 * self.angle)
+        Args:
+            width: Of the band [m].
+            count: How many lengths it is made of.
+            beyond: How far both ends reach on along the circle [m].
+        """
+        whole = 2.0 * (self.angle + beyond / self.radius)
+        middle, sweep = self.radius + width / 2.0, whole / count
+        starts = [(math.pi - whole) / 2.0 + index * sweep for index in range(count)]
+        return [bow(middle, width, start=start, sweep=sweep).at(0.0, self.center) for start in starts]

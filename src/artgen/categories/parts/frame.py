@@ -24,7 +24,6 @@ from artgen import (
     material,
     part,
     polygon,
-    rectangle,
     split,
     weld,
 )
@@ -98,8 +97,9 @@ def door_frame(
         head_cut: What a flush bolt needs taken out of the head.
     """
     wide = _TIMBER if kind == "arched" else JAMB
-    jamb = box(wide, doorway.depth, doorway.straight, bevel=0.0015)
-    beside, half_way = (doorway.width + wide) / 2.0, doorway.straight / 2.0
+    tall = doorway.straight if doorway.arch is None else doorway.arch.outset(wide).spring
+    jamb = box(wide, doorway.depth, tall, bevel=0.0015)
+    beside, half_way = (doorway.width + wide) / 2.0, tall / 2.0
     right = jamb.at(beside, doorway.middle, half_way)
     head = _head(doorway, wide)
     solids = [
@@ -116,9 +116,9 @@ def door_frame(
             bodies.append(part(board.at(0.0, front, 0.0), "frame", finish))
             bodies.append(part(board.rotate(Z, math.pi).at(0.0, back, 0.0), "frame", finish))
     if kind != "jambs":
-        tall = doorway.floor_gap - _SILL_PLAY
-        plate = box(doorway.width, doorway.depth, tall, bevel=0.0022)
-        bodies.append(part(plate.at(0.0, doorway.middle, tall / 2.0), "threshold", sill))
+        thick = doorway.floor_gap - _SILL_PLAY
+        plate = box(doorway.width, doorway.depth, thick, bevel=0.0022)
+        bodies.append(part(plate.at(0.0, doorway.middle, thick / 2.0), "threshold", sill))
     return weld(*bodies)
 
 
@@ -126,9 +126,9 @@ def _head(doorway: Doorway, wide: float) -> Solid:
     if doorway.arch is None:
         head = box(doorway.width + 2.0 * wide, doorway.depth, wide, bevel=0.0015)
         return head.at(0.0, doorway.middle, doorway.height + wide / 2.0)
-    # the band reaches on into the jambs, where its ends do not show, and is as wide as they are
-    within = rectangle(doorway.width + 2.0 * wide, doorway.height).at(0.0, doorway.height)
-    band = doorway.arch.band(wide, beyond=wide) & within
+    # its ends lie within the jambs, which reach up to its outer corners
+    arch = doorway.arch
+    (band,) = arch.bands(wide, beyond=(arch.outset(wide).angle - arch.angle) * arch.radius)
     return extrude(band, doorway.depth, axis=Y, bevel=0.0015).at(0.0, doorway.middle, 0.0)
 
 
@@ -139,12 +139,13 @@ def _stops(doorway: Doorway) -> list[Solid]:
     side = box(out, deep, doorway.straight, bevel=0.0025)
     beside = (doorway.width - out) / 2.0
     sides = [side.at(x, middle, doorway.straight / 2.0) for x in (-beside, beside)]
-    if doorway.arch is None:
-        top = box(doorway.width - 2.0 * out, deep, out, bevel=0.0025)
-        top = top.at(0.0, middle, doorway.height - out / 2.0)
-    else:
-        band = doorway.arch.outset(-out).band(out, beyond=out)
-        top = extrude(band, deep, axis=Y, bevel=0.0025).at(0.0, middle, 0.0)
+    if doorway.arch is not None:
+        # in lengths that collide as their hulls, a few millimetres into the doorway
+        bands = doorway.arch.outset(-out).bands(out, count=4, beyond=out)
+        strips = [enclosed(extrude(band, deep, axis=Y, bevel=0.001)) for band in bands]
+        return [*sides, *(strip.at(0.0, middle, 0.0) for strip in strips)]
+    top = box(doorway.width - 2.0 * out, deep, out, bevel=0.0025)
+    top = top.at(0.0, middle, doorway.height - out / 2.0)
     return [*sides, top]
 
 
