@@ -345,6 +345,18 @@ def test_the_handle_springs_back(opener: str, tmp_path: Path) -> None:
     assert abs(simulated["latch_slide"]) < 0.0003
 
 
+@pytest.mark.parametrize(
+    "changes",
+    [
+        {"layout": "double", "leaf": "panel_leaf", "leaf__panels": 8, "bolted": True, "hinges": 3},
+        {"frame": "arched", "leaf": "glazed_leaf", "opener": "pull", "bolted": True, "hinges": 3},
+    ],
+)
+def test_doors_with_most_colliders_touch_nothing_at_rest(changes: dict[str, Any], tmp_path: Path) -> None:
+    simulated = Simulated(made(**changes), tmp_path)
+    assert simulated.data.ncon == 0
+
+
 def test_an_open_door_stays_where_it_is_left(tmp_path: Path) -> None:
     simulated = Simulated(made(), tmp_path, door_hinge=0.8)
     simulated.run(2.0)

@@ -4,7 +4,7 @@ import numpy as np
 import trimesh
 from manifold3d import Error, Manifold, OpType
 from numpy.typing import NDArray
-from scipy.spatial import ConvexHull
+from scipy.spatial import ConvexHull, cKDTree
 
 from artgen.asset import Link
 from artgen.colliders import Convex
@@ -160,6 +160,11 @@ def _farthest(points: Array, solids: Manifold) -> tuple[float, Array]:
     raw = solids.to_mesh64()
     corners = np.asarray(raw.vert_properties)[:, :3][np.asarray(raw.tri_verts).astype(int)]
     points = np.unique(points.round(7), axis=0)
+    # no point is farther from the surface than from its nearest vertex: most are near one
+    bound, _ = cKDTree(np.asarray(raw.vert_properties)[:, :3]).query(points)
+    if bound.max() <= EXCESS_SURFACE:
+        return float(bound.max()), points[int(np.argmax(bound))]
+    points = points[bound > EXCESS_SURFACE]
     low, high = corners.min(axis=1), corners.max(axis=1)
     best = np.zeros(len(points))
     for index, point in enumerate(points):

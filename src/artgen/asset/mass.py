@@ -15,6 +15,8 @@ from artgen.errors import AssetError
 
 Array = NDArray[np.float64]
 
+_DIGITS = 12  # that mass properties keep: beyond, the order of additions shows
+
 
 @dataclass(frozen=True, eq=False)
 class Moments:
@@ -96,12 +98,18 @@ def polyhedron_moments(vertices: Array, triangles: NDArray[np.int64]) -> Moments
     corners = (vertices - reference)[triangles]
     a, b, c = corners[:, 0], corners[:, 1], corners[:, 2]
     six_volumes = np.einsum("ij,ij->i", a, np.cross(b, c))
-    volume = float(six_volumes.sum()) / 6.0
+    volume = float(_sum(six_volumes)) / 6.0
     total = a + b + c
-    first = (six_volumes[:, None] * total).sum(axis=0) / 24.0
-    weighted = six_volumes[:, None] * corners.sum(axis=1)
-    second = total.T @ weighted + sum(corner.T @ (six_volumes[:, None] * corner) for corner in (a, b, c))
+    first = _sum(six_volumes[:, None] * total) / 24.0
+    products = sum(corner[:, :, None] * corner[:, None, :] for corner in (a, b, c, total))
+    second = _sum(six_volumes[:, None, None] * products)
     return _shifted(Moments(volume, first, second / 120.0), reference)
+
+
+def _sum(terms: Array) -> Array:
+    """Add up along the first axis; sorted, so that the order of the triangles does not show in the last digit."""
+    result: Array = np.sort(terms, axis=0).sum(axis=0)
+    return result
 
 
 def _shifted(moments: Moments, origin: Array) -> Moments:
@@ -127,4 +135,9 @@ def total(moments: Iterable[Moments]) -> MassProperties:
     center = np.sum([part.first for part in parts], axis=0) / mass
     second = np.sum([part.second for part in parts], axis=0) - mass * np.outer(center, center)
     second = 0.5 * (second + second.T)
-    return MassProperties(mass, center, np.trace(second) * np.eye(3) - second)
+    inertia = np.trace(second) * np.eye(3) - second
+    # what is only rounding, such as a product of inertia of a symmetric solid, is exactly 0
+    grain = 10.0 ** np.ceil(np.log10(np.trace(inertia)) - _DIGITS)
+    return MassProperties(
+        float(f"{mass:.{_DIGITS}g}"), np.round(center, _DIGITS) + 0.0, np.rint(inertia / grain) * grain + 0.0
+    )

@@ -3,7 +3,7 @@
 import math
 from dataclasses import dataclass
 
-from artgen import Float, Path, Profile, arc, atan2, bow, cos, polygon, sin, sqrt
+from artgen import Float, Profile, atan2, bow, cos, polygon, sin, sqrt
 from artgen.nodes.handles import Scalar
 
 _STEPS = 24
