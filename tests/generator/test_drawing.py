@@ -316,3 +316,26 @@ def test_numpy_seeds_are_seeds():
 def test_the_other_arguments_are_checked(given_, message):
     with pytest.raises(ParameterError, match=message):
         door.generate(0, **given_)
+
+
+def test_a_short_name_need_suit_only_the_generator_that_is_drawn():
+    @generator
+    def short(*, length: Float = uniform(0.1, 0.2, "m", within=(0.05, 0.3))) -> Body:
+        return part(box(length, 0.1, 0.1), "grip", OAK)
+
+    @generator
+    def long(*, length: Float = uniform(1.0, 2.0, "m", within=(0.5, 3.0))) -> Body:
+        return part(box(length, 0.1, 0.1), "grip", OAK)
+
+    @generator
+    def tool(*, grip: Generator = one_of(short, long)) -> Body:
+        return grip()
+
+    assert tool.sample(0, overrides={"grip": "long", "grip.length": 0.8})["grip.length"] == 0.8
+    assert tool.sample(0, overrides={"grip": "short", "grip.length": 0.25})["grip.length"] == 0.25
+    drawn = {tool.sample(seed)["grip"].name: seed for seed in range(20)}
+    assert tool.sample(drawn["long"], overrides={"grip.length": 0.8})["grip.length"] == 0.8
+    with pytest.raises(ParameterError, match=r"grip\.length = 0\.8 is out of range: 0\.05 to 0\.3 m"):
+        tool.sample(drawn["short"], overrides={"grip.length": 0.8})
+    with pytest.raises(ParameterError, match=r"grip\.length = 0\.4 is out of range"):
+        tool.sample(drawn["long"], overrides={"grip.length": 0.4})

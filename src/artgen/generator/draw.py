@@ -23,6 +23,7 @@ class Overrides:
 
     def __init__(self, category: Variant, overrides: Mapping[str, Any]) -> None:
         self._values: dict[str, Any] = {}
+        self._faults: dict[str, ParameterError] = {}
         given: dict[str, Any] = {}
         for name, value in overrides.items():
             dotted = name.replace("__", ".")
@@ -41,17 +42,33 @@ class Overrides:
                     f"{category.name} has no parameter {dotted!r}"
                     f"{' with the generators that are chosen' if other else ''}.{nearest(dotted, short)}"
                 )
+            value = given[dotted]
+            faults: dict[str, ParameterError] = {}
             for parameter in matching:
-                self._values[parameter.name] = value = given[dotted]
-                parameter.check_override(value, dotted)
-                _check_needs(parameter, dotted, value, known)
+                self._values[parameter.name] = value
+                try:
+                    parameter.check_override(value, dotted)
+                    _check_needs(parameter, dotted, value, known)
+                except ParameterError as error:
+                    faults[parameter.name] = error
+                    continue
                 if is_variant(parameter.kind):
                     known = _with_variants(known, parameter, value)
+            # `handle.length` may suit the lever and not the pull: it is a fault if the pull is drawn
+            if len(faults) == len(matching):
+                raise next(iter(faults.values()))
+            self._faults |= faults
 
     def distribution(self, parameter: Parameter) -> Distribution:
-        """Return how the parameter of that full name is drawn."""
+        """Return how the parameter of that full name is drawn.
+
+        Raises:
+            ParameterError: Its override suits a parameter of that name in other generators only.
+        """
         if parameter.name not in self._values:
             return parameter.distribution
+        if parameter.name in self._faults:
+            raise self._faults[parameter.name]
         value = self._values[parameter.name]
         return value if isinstance(value, Distribution) else Fixed(value=value)
 

@@ -1,0 +1,46 @@
+"""A changed parameter recomputes only what depends on it, counted in kernels."""
+
+import pytest
+
+from artgen.catalog import find
+from artgen.graph import OPERATIONS, Cache, Handle
+from artgen.nodes.handles import Path, Profile, Solid
+
+SEED = 3
+FIXED = {"opener": "lever", "handle.style": "wave", "layout": "single", "stock": "made_to_measure"}
+GEOMETRY = {
+    name
+    for name, operation in OPERATIONS.items()
+    if Handle.HANDLES.get(operation.result) in {Solid, Profile, Path}
+}
+
+
+@pytest.fixture(scope="module")
+def door() -> tuple[Cache, dict[str, float], int]:
+    """A cache that has seen one latched door, its parameters, and how many kernels that took."""
+    cache = Cache()
+    asset, evaluation = find("door").evaluate(SEED, cache=cache, overrides=FIXED)
+    return cache, dict(asset.parameters), sum(evaluation.runs.values())
+
+
+def again(door: tuple[Cache, dict[str, float], int], **changed: float) -> dict[str, int]:
+    return dict(find("door").evaluate(SEED, cache=door[0], overrides={**FIXED, **changed})[1].runs)
+
+
+def test_a_limit_runs_no_geometry_kernel(door: tuple[Cache, dict[str, float], int]) -> None:
+    runs = again(door, swing=1.77)
+    assert runs, "something must have changed"
+    assert not GEOMETRY & set(runs), runs
+    assert sum(runs.values()) <= 8, runs
+
+
+def test_a_width_runs_only_what_depends_on_it(door: tuple[Cache, dict[str, float], int]) -> None:
+    runs = again(door, width=door[1]["width"] + 0.01)
+    assert GEOMETRY & set(runs), "a wider door has other solids"
+    assert sum(runs.values()) < 0.6 * door[2], (sum(runs.values()), door[2])
+    # the lever, its spindle and the latch do not know how wide the leaf is
+    assert not {"spline", "ellipse", "dome", "coupling"} & set(runs), runs
+
+
+def test_nothing_runs_when_nothing_changes(door: tuple[Cache, dict[str, float], int]) -> None:
+    assert again(door) == {}
