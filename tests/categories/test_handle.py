@@ -48,7 +48,7 @@ STYLES = [
 
 @pytest.mark.parametrize(("kind", "style", "lock"), STYLES)
 def test_every_style_moves_freely(kind: str, style: str, lock: str) -> None:
-    asset = handle.generate(3, kind=kind, lock=lock, cache=Cache(), **{f"{kind}.style": style})
+    asset = handle.generate(3, kind=kind, lock=lock, cache=Cache(), **{f"handle.{kind}_handle.style": style})
     assert_no_overlap(asset)
     expected = ["base", "handle", "latch"] + (["lock"] if lock != "none" else [])
     assert sorted(link.name for link in asset.links) == sorted(expected)

@@ -67,20 +67,32 @@ from artgen.categories.parts.lockset import (
 from artgen.categories.parts.pulls import pull_handle
 from artgen.categories.parts.push_bar import push_bar
 
-_PAINT = material("painted_wood")
-_PAINTS = tuple(
-    _PAINT.with_(name=f"paint_{name}", base_color=color, density=520.0)  # softwood under the paint
-    for name, color in {
-        "white": (0.80, 0.79, 0.76),
-        "ivory": (0.74, 0.69, 0.58),
-        "grey": (0.30, 0.31, 0.31),
-        "graphite": (0.055, 0.058, 0.062),
-        "sage": (0.30, 0.36, 0.27),
-        "navy": (0.035, 0.060, 0.12),
-        "red": (0.30, 0.035, 0.030),
-    }.items()
+_COLORS = {
+    "white": (0.80, 0.79, 0.76),
+    "ivory": (0.74, 0.69, 0.58),
+    "grey": (0.30, 0.31, 0.31),
+    "graphite": (0.055, 0.058, 0.062),
+    "sage": (0.30, 0.36, 0.27),
+    "navy": (0.035, 0.060, 0.12),
+    "red": (0.30, 0.035, 0.030),
+}
+
+
+def _painted(density: float, name: str) -> tuple[Material, ...]:
+    """Return the paints over a wood of some density [kg/m3]."""
+    return tuple(
+        material("painted_wood").with_(name=f"{name}_{color}", base_color=rgb, density=density)
+        for color, rgb in _COLORS.items()
+    )
+
+
+_PAINTS = _painted(480.0, "paint")  # over light softwood
+_SOLID_PAINTS = _painted(660.0, "exterior_paint")  # over hardwood
+_WOODS = tuple(material(name) for name in ("oak", "walnut", "mahogany"))
+_LIGHT_WOODS = (  # veneer on light softwood
+    *(material(name).with_(name=f"{name}_veneer", density=480.0) for name in ("oak", "walnut")),
+    material("pine").with_(density=480.0),
 )
-_WOODS = tuple(material(name) for name in ("oak", "walnut", "pine", "mahogany"))
 
 _METALS = tuple(
     material(name) for name in ("satin_nickel", "stainless", "chrome", "brass", "aged_bronze", "black_steel")
@@ -93,6 +105,12 @@ _HALF_OPEN = 0.35
 @category(labels=("frame", "seal", "threshold", "door", "glass", "plate", "flush_bolt", *HARDWARE_LABELS))
 def door(
     *,
+    use: Literal["interior", "exterior"] = choice(
+        "interior",
+        "exterior",
+        weights=(0.62, 0.38),
+        doc="rooms have hollow or light leaves, entrances solid ones",
+    ),
     layout: Literal["single", "double"] = choice("single", "double", weights=(0.82, 0.18)),
     hand: Literal["left", "right"] = choice("left", "right", doc="side of the hinges of the (active) leaf"),
     opens: Literal["towards", "away"] = choice(
@@ -101,8 +119,12 @@ def door(
     stock: Literal["standard", "made_to_measure"] = choice("standard", "made_to_measure"),
     width: Float = by(
         "stock",
-        standard=choice(0.610, 0.711, 0.762, 0.813, 0.914),  # 24, 28, 30, 32, 36 in
-        made_to_measure=uniform(0.61, 1.07),
+        standard=by(  # 24, 28, 30, 32, 36 in
+            "use",
+            interior=choice(0.610, 0.711, 0.762, 0.813),
+            exterior=choice(0.813, 0.914, weights=(0.4, 0.6)),
+        ),
+        made_to_measure=by("use", interior=uniform(0.64, 0.90), exterior=uniform(0.80, 0.93)),
         unit="m",
         doc="of one leaf",
         within=(0.60, 1.25),
@@ -115,7 +137,13 @@ def door(
         doc="of a leaf",
         within=(1.8, 2.7),
     ),
-    thickness: Float = uniform(0.035, 0.045, "m", within=(0.03, 0.06)),
+    thickness: Float = by(  # 1 3/8 and 1 3/4 in
+        "use",
+        interior=uniform(0.035, 0.040),
+        exterior=uniform(0.042, 0.046),
+        unit="m",
+        within=(0.03, 0.06),
+    ),
     side_gap: Float = uniform(0.003, 0.0036, "m", within=(0.0028, 0.006)),
     floor_gap: Float = uniform(0.010, 0.019, "m", within=(0.008, 0.03)),
     jamb_depth: Float = uniform(0.105, 0.145, "m", within=(0.08, 0.3)),
@@ -126,16 +154,15 @@ def door(
     ),
     casing: Float = uniform(0.055, 0.090, "m"),
     rise: Float = uniform(0.10, 0.20, doc="of an arch, as a share of the leaf's width"),
-    leaf: Generator = one_of(
-        flush_leaf,
-        panel_leaf,
-        glazed_leaf,
-        half_lite_leaf,
-        louver_leaf,
-        weights=(0.22, 0.36, 0.15, 0.15, 0.12),
+    leaf: Generator = by(
+        "use",
+        interior=one_of(flush_leaf, panel_leaf, louver_leaf, weights=(0.4, 0.4, 0.2)),
+        exterior=one_of(panel_leaf, glazed_leaf, half_lite_leaf, weights=(0.3, 0.35, 0.35)),
     ),
-    finish: Material = choice(
-        *_WOODS, *_PAINTS, weights=(2.0, 1.5, 1.5, 1.0, 3.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0)
+    finish: Material = by(
+        "use",
+        interior=choice(*_LIGHT_WOODS, *_PAINTS, weights=(1.0, 1.0, 1.0, 4.0, 1.5, 1.5, 0.7, 1.0, 0.7, 0.4)),
+        exterior=choice(*_WOODS, *_SOLID_PAINTS, weights=(2.0, 1.5, 1.0, 2.0, 0.7, 0.7, 1.0, 1.0, 1.0, 1.0)),
     ),
     frame_finish: Literal["same", "white"] = choice("same", "white", weights=(0.7, 0.3)),
     metal: Material = choice(*_METALS, doc="of all hardware"),

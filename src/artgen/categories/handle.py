@@ -15,7 +15,6 @@ from artgen import (
     detail,
     material,
     max_,
-    one_of,
     part,
     uniform,
     weld,
@@ -43,8 +42,7 @@ def handle(
     inside: Literal["lever", "knob"] = by(
         "kind", lever=choice("lever"), knob=choice("knob"), grip_set=choice("lever", "knob")
     ),
-    lever: Generator = one_of(lever_handle),
-    knob: Generator = one_of(knob_handle),
+    handle: Generator = by("inside", lever=lever_handle, knob=knob_handle),
     rose_style: Literal["round", "square", "plate"] = choice(
         "round", "square", "plate", weights=(0.5, 0.25, 0.25)
     ),
@@ -114,9 +112,9 @@ def handle(
 
     lean = spring_turn(limit=turn, preload=preload, torque=preload * torque_ratio, damping=damping)
     if inside == "lever":
-        base = base.attach(lever(**common), lean)
+        base = base.attach(handle(**common), lean)
     else:
-        base = base.attach(knob(**common, lock=lock, lock_side=side), lean)
+        base = base.attach(handle(**common, lock=lock, lock_side=side), lean)
     if pinned != "none":
         base = with_button(
             base,

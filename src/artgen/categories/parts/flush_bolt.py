@@ -98,4 +98,5 @@ def flush_bolt_plate(*, thickness: Float, gap: Float, finish: Material) -> Body:
         )
         for place in (middle - tall / 2.0 + 0.006, middle + tall / 2.0 - 0.006)
     ]
-    return weld(part(plate - _slot(thickness / 2.0 + 0.004, gap), "faceplate", finish), *screws)
+    cover = plate - _slot(thickness / 2.0 + 0.004, gap)
+    return weld(detail(cover, "faceplate", finish), *screws)  # thin, and behind the slide

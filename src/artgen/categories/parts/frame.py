@@ -24,7 +24,8 @@ from artgen import (
     material,
     part,
     polygon,
-    split,
+    polyline,
+    sweep,
     weld,
 )
 from artgen.categories.parts.arch import Arch
@@ -39,6 +40,7 @@ STOP_GAP = 0.002
 """Gap between the closed leaf and the stops [m]; a seal fills it."""
 
 _REVEAL = 0.0095  # casings leave so much of the front of the jamb bare: the hinges swing there [m]
+_ARCH_STOPS = 12  # lengths of the stop under an arch
 _SILL_PLAY = 0.004  # between threshold and leaf [m]
 
 FrameKind = Literal["jambs", "full", "arched"]
@@ -112,9 +114,9 @@ def door_frame(
     bodies.append(detail(_seals(doorway), "seal", material("rubber")))
     if kind == "full":
         front, back = -doorway.thickness / 2.0, doorway.depth - doorway.thickness / 2.0
-        for board in _casing(doorway, casing):
-            bodies.append(part(board.at(0.0, front, 0.0), "frame", finish))
-            bodies.append(part(board.rotate(Z, math.pi).at(0.0, back, 0.0), "frame", finish))
+        trim = _casing(doorway, casing)
+        bodies.append(part(trim.at(0.0, front, 0.0), "frame", finish))
+        bodies.append(part(trim.rotate(Z, math.pi).at(0.0, back, 0.0), "frame", finish))
     if kind != "jambs":
         thick = doorway.floor_gap - _SILL_PLAY
         plate = box(doorway.width, doorway.depth, thick, bevel=0.0022)
@@ -140,8 +142,8 @@ def _stops(doorway: Doorway) -> list[Solid]:
     beside = (doorway.width - out) / 2.0
     sides = [side.at(x, middle, doorway.straight / 2.0) for x in (-beside, beside)]
     if doorway.arch is not None:
-        # in lengths that collide as their hulls, a few millimetres into the doorway
-        bands = doorway.arch.outset(-out).bands(out, count=4, beyond=out)
+        # in lengths that collide as their hulls, half a millimetre into the doorway
+        bands = doorway.arch.outset(-out).bands(out, count=_ARCH_STOPS, beyond=out)
         strips = [enclosed(extrude(band, deep, axis=Y, bevel=0.001)) for band in bands]
         return [*sides, *(strip.at(0.0, middle, 0.0) for strip in strips)]
     top = box(doorway.width - 2.0 * out, deep, out, bevel=0.0025)
@@ -158,8 +160,8 @@ def _seals(doorway: Doorway) -> Solid:
     return array(side, at=[(-beside, middle, tall / 2.0), (beside, middle, tall / 2.0)])
 
 
-def _casing(doorway: Doorway, width: Scalar) -> list[Solid]:
-    """Make the moulded trim of the front, mitred at its corners, its back at y = 0: two legs and a head.
+def _casing(doorway: Doorway, width: Scalar) -> Solid:
+    """Make the moulded trim of the front, mitred at its corners, its back at y = 0.
 
     Its inner edge is thin and its outer one 15 mm thick, so that the leaf swings clear of it.
     """
@@ -178,9 +180,6 @@ def _casing(doorway: Doorway, width: Scalar) -> list[Solid]:
         ]
     )
     x, z = doorway.width / 2.0 + _REVEAL, doorway.height + _REVEAL
-    leg = extrude(section.rotate(math.pi), z + width, axis=Z).at(-x, 0.0, (z + width) / 2.0)
-    leg = enclosed(split(leg, point=(-x, 0.0, z), normal=(-1.0, 0.0, -1.0)))
-    head = extrude(section.rotate(math.pi / 2.0), 2.0 * (x + width), axis=X).at(0.0, 0.0, z)
-    for side in (-1, 1):
-        head = split(head, point=(side * x, 0.0, z), normal=(-side, 0.0, 1.0))
-    return [leg, leg.mirror(X), enclosed(head)]
+    # swept on the floor, up the left leg and down the right one, then stood up: up becomes the front
+    course = polyline([(-x, 0.0, 0.0), (-x, z, 0.0), (x, z, 0.0), (x, 0.0, 0.0)])
+    return sweep(section, course).rotate(X, math.pi / 2.0)

@@ -5,12 +5,12 @@ half a gap away; both faces that look at the reader are at y = `offset`, behind 
 towards -y, about -Z.
 """
 
+import math
 from collections.abc import Sequence
 
 from artgen import (
     Body,
     Material,
-    Solid,
     X,
     Z,
     array,
@@ -44,7 +44,6 @@ def _half(
     count: int,
     side: int,
     finish: Material,
-    levels: Sequence[Scalar],
 ) -> list[Body]:
     """Make the knuckles, tabs, plates and screws of one half; `side` is 1 for the leaf, -1 for the frame."""
     sheet, inner = _PLATE - _CENTER, side * _CENTER
@@ -61,17 +60,16 @@ def _half(
     screws = [(inner, hinge_offset(radius) + row * depth, level * height) for level, row in rows]
     return [
         # a knuckle and its tab nearly are their own hull
-        part(_stacked(enclosed(knuckle | tab), [(0.0, 0.0, z) for z in middles], levels), "hinge", finish),
-        part(_stacked(plate, [(0.0, 0.0, 0.0)], levels), "hinge", finish),
-        detail(_stacked(head, screws, levels), "screw", finish),
+        part(array(enclosed(knuckle | tab), at=[(0.0, 0.0, z) for z in middles]), "hinge", finish),
+        part(plate, "hinge", finish),
+        detail(array(head, at=screws), "screw", finish),
     ]
 
 
-def _stacked(
-    solid: Solid, places: Sequence[tuple[Scalar, Scalar, Scalar]], levels: Sequence[Scalar]
-) -> Solid:
-    """Put copies of a solid at places of a hinge, for hinges at several heights."""
-    return array(solid, at=[(x, y, z + level) for level in levels for x, y, z in places])
+def _stacked(bodies: Sequence[Body], levels: Sequence[Scalar]) -> Body:
+    """Put copies of a half hinge at several heights."""
+    half = weld(*bodies)
+    return weld(*(half.at(0.0, 0.0, level) for level in levels))
 
 
 def hinge_leaf(
@@ -93,7 +91,7 @@ def hinge_leaf(
         knuckles: 3 or 5, those of both halves together.
         levels: Heights of the middles of all hinges of the door [m].
     """
-    return weld(*_half(height, radius, depth, knuckles, 1, finish, levels))
+    return _stacked(_half(height, radius, depth, knuckles, 1, finish), levels)
 
 
 def hinge_frame(
@@ -115,9 +113,6 @@ def hinge_frame(
         knuckles: 3 or 5, those of both halves together.
         levels: Heights of the middles of all hinges of the door [m].
     """
-    heads = []
-    for end in (-1, 1):
-        head = dome(radius * 0.92, height=radius * 0.55, axis=(0.0, 0.0, end))
-        place = (0.0, 0.0, end * (height / 2 - 0.0003))
-        heads.append(detail(_stacked(head, [place], levels), "hinge", finish))
-    return weld(*_half(height, radius, depth, knuckles, -1, finish, levels), *heads)
+    head = dome(radius * 0.92, height=radius * 0.55).at(0.0, 0.0, height / 2 - 0.0003)
+    heads = [detail(each, "hinge", finish) for each in (head, head.rotate(X, math.pi))]
+    return _stacked([*_half(height, radius, depth, knuckles, -1, finish), *heads], levels)

@@ -12,13 +12,14 @@ from artgen import (
     Material,
     Solid,
     X,
+    Y,
     Z,
     array,
     atan2,
     box,
     detail,
-    enclosed,
-    hull,
+    extrude,
+    min_,
     part,
     polygon,
     polyline,
@@ -28,6 +29,7 @@ from artgen import (
 from artgen.nodes.handles import Scalar, VectorLike
 
 _PANE = 0.005  # toughened glass [m]
+_BEVEL = 0.055  # width of the bevels of a fielded panel, moulding included [m]
 
 
 class Opening(NamedTuple):
@@ -91,20 +93,26 @@ def panels_in(
     """Make the panels of a row with their mouldings."""
     width, height = opening.width - 0.001, opening.height - 0.001
     tongue = 0.25 * thickness  # 9-11 mm stand in the groove
-    panel = box(width, tongue, height)
     if relief == "raised":
-        # a flat margin, then a chamfer of 40 degrees: flatter ones would be shaded as if they were round
-        out = (0.75 * thickness - 0.008) / 2.0
-        margin = 2.0 * (moulding + 0.016)
-        foot = box(width - margin, tongue, height - margin)
-        run = 2.0 * 1.15 * out
-        panel = enclosed(
-            panel | hull(foot, box(width - margin - run, tongue + 2.0 * out, height - margin - run))
-        )
+        # fielded on both faces: bevels rise from the groove to a field 4 mm below the faces of the leaf
+        run = min_(_BEVEL, 0.3 * min_(width, height))
+        field = thickness - 0.008
+        panel = _fielded(width, height, tongue, field, run) & _fielded(
+            height, width, tongue, field, run
+        ).rotate(Y, math.pi / 2.0)
+    else:
+        panel = box(width, tongue, height)
     return [
         part(opening.everywhere(panel), "door", opening.finish),
         _sticking(opening, thickness, (thickness - tongue) / 2.0, moulding),
     ]
+
+
+def _fielded(width: Scalar, length: Scalar, edge: Scalar, field: Scalar, run: Scalar) -> Solid:
+    """Make a board along Z whose section, of a width along X, has bevels from its edges to its field."""
+    x, inner, y, out = width / 2.0, width / 2.0 - run, edge / 2.0, field / 2.0
+    corners = [(x, -y), (x, y), (inner, out), (-inner, out), (-x, y), (-x, -y), (-inner, -out), (inner, -out)]
+    return extrude(polygon(corners), length, axis=Z)
 
 
 def panes_in(opening: Opening, thickness: Scalar, columns: int, lights: int, glass: Material) -> list[Body]:
@@ -137,12 +145,12 @@ def slats_in(opening: Opening, thickness: Scalar, slats: int) -> list[Body]:
     pitch = opening.height / slats
     depth = thickness - 0.010
     rise = 0.98 * pitch
-    plank = 0.006  # its edges are half round, so that they stick out as far at every tilt
+    plank = 0.008  # its edges are half round, so that they stick out as far at every tilt
     out, up = depth - plank, rise - plank
     slat = box(opening.width, sqrt(out * out + up * up) + plank, plank, bevel=plank / 2.0)
     places = [
         (0.0, 0.0, (at - (slats - 1) / 2.0) * (opening.height - rise) / (slats - 1)) for at in range(slats)
     ]
     # the outer edge hangs down, so that rain and eyes stay out
-    solid = enclosed(array(slat.rotate(X, atan2(up, out)), at=places)).at(opening.centers[0])
+    solid = array(slat.rotate(X, atan2(up, out)), at=places).at(opening.centers[0])
     return [part(solid, "door", opening.finish)]

@@ -1,5 +1,6 @@
 """Door knobs."""
 
+import math
 from typing import Literal
 
 from artgen import (
@@ -8,6 +9,7 @@ from artgen import (
     Frame,
     Material,
     Solid,
+    X,
     Y,
     bore,
     choice,
@@ -59,10 +61,11 @@ def knob_handle(
     """
     solids: list[Solid] = []
     grasps: list[Frame] = []
+    start, end = thickness / 2 + rose_depth + NECK_GAP, thickness / 2 + projection
+    back = _one_knob(style, start, end, radius)
     for side in SIDES[faces]:
-        start, end = side * (thickness / 2 + rose_depth + NECK_GAP), side * (thickness / 2 + projection)
-        solids += _one_knob(style, start, end, side, radius)
-        middle = (0.0, end - side * 0.5 * radius, 0.0)
+        solids += back if side > 0 else [solid.rotate(X, math.pi) for solid in back]
+        middle = (0.0, side * (end - 0.5 * radius), 0.0)
         grasps.append(frame(middle, approach=(0.0, -side, 0.0)))
     solids.append(spindle(thickness, rose_depth, faces))
     solid = union(*solids)
@@ -74,21 +77,20 @@ def knob_handle(
     return with_button(body, lock, face=face, depth=_PIN_DEPTH, finish=finish, side=lock_side)
 
 
-def _one_knob(style: str, start: Scalar, end: Scalar, side: int, radius: Scalar) -> list[Solid]:
+def _one_knob(style: str, start: Scalar, end: Scalar, radius: Scalar) -> list[Solid]:
     """Make a knob from y = start, in front of the rose, to y = end."""
-    neck = cylinder(0.0115, side * (end - start) * 0.6, axis=Y)
+    neck = cylinder(0.0115, (end - start) * 0.6, axis=Y)
     collar = cylinder(0.016, 0.0045, axis=Y, bevel=0.0015)
-    solids = [neck.at(0.0, start + 0.3 * (end - start), 0.0), collar.at(0.0, start + side * 0.00225, 0.0)]
-    outward = (0.0, side, 0.0)
+    solids = [neck.at(0.0, start + 0.3 * (end - start), 0.0), collar.at(0.0, start + 0.00225, 0.0)]
     deep = 0.74 * radius  # half the depth of a ball
     if style == "ball":
-        solids.append(ellipsoid(radius, deep, radius).at(0.0, end - side * deep, 0.0))
+        solids.append(ellipsoid(radius, deep, radius).at(0.0, end - deep, 0.0))
     elif style == "egg":
-        solids.append(ellipsoid(1.15 * radius, deep, 0.85 * radius).at(0.0, end - side * deep, 0.0))
+        solids.append(ellipsoid(1.15 * radius, deep, 0.85 * radius).at(0.0, end - deep, 0.0))
     elif style == "flat":
-        solids.append(cylinder(radius, 0.022, axis=Y, bevel=0.006).at(0.0, end - side * 0.011, 0.0))
+        solids.append(cylinder(radius, 0.022, axis=Y, bevel=0.0035).at(0.0, end - 0.011, 0.0))
     else:
-        cup = frustum(0.5 * radius, radius, 0.026, axis=outward, bevel=0.003)
-        solids.append(cup.at(0.0, end - side * 0.016, 0.0))
-        solids.append(cylinder(0.8 * radius, 0.008, axis=Y, bevel=0.0015).at(0.0, end - side * 0.004, 0.0))
+        cup = frustum(0.5 * radius, radius, 0.026, axis=Y, bevel=0.003)
+        solids.append(cup.at(0.0, end - 0.016, 0.0))
+        solids.append(cylinder(0.8 * radius, 0.008, axis=Y, bevel=0.0015).at(0.0, end - 0.004, 0.0))
     return solids

@@ -16,6 +16,7 @@ from artgen import (
     Solid,
     X,
     Z,
+    array,
     box,
     cylinder,
     detail,
@@ -49,6 +50,9 @@ class Bolt:
 
 LATCH = Bolt(0.012, 0.018)
 DEADBOLT = Bolt(0.0145, 0.025)
+
+LATCH_HOLE = LATCH.height + 2 * PLAY
+"""Height of the hole of a spindle that meets the pocket of a latch [m]."""
 
 _TAIL = 0.022  # what stays in the leaf behind the throw [m]
 _OVERTRAVEL = 1.6  # a handle turns further than the latch needs: the pocket is that many throws deep
@@ -90,10 +94,16 @@ def latch_slide(leader: Joint, *, throw: Scalar, release: Scalar, name: str = "l
     return Prismatic(name, axis=-X, follows=(throw / release) * leader, damping=2.0, friction=0.2)
 
 
-def latch_pocket(*, backset: Scalar, throw: Scalar) -> Solid:
-    """Make the tool that cuts the bolt's pocket into the lock edge of the leaf."""
-    deep = _TAIL + _OVERTRAVEL * throw
-    return _slot(LATCH, deep + 0.01, backset + 0.005)  # 5 mm past the edge, through the faceplate
+def latch_pocket(*, backset: Scalar, throw: Scalar, through: bool = False) -> Solid:
+    """Make the tool that cuts the bolt's pocket into the lock edge of the leaf.
+
+    Args:
+        backset: Distance from the spindle to the lock edge [m].
+        throw: How far the bolt stands out at rest [m].
+        through: Whether it reaches to the spindle, as the case of a mortise lock does.
+    """
+    deep = backset if through else _TAIL + _OVERTRAVEL * throw + 0.005
+    return _slot(LATCH, deep + 0.005, backset + 0.005)  # 5 mm past the edge, through the faceplate
 
 
 def _slot(bolt: Bolt, length: Scalar, end: Scalar) -> Solid:
@@ -114,7 +124,7 @@ def faceplate(*, backset: Scalar, finish: Material, bolt: BoltName = "latch") ->
     plate = box(thick, width, height, bevel=0.0002).align((backset + _PROUD, 0.0, 0.0), x=1.0)
     hole = _slot(section, 0.02, backset + 0.005)
     return weld(
-        part(plate - hole, "faceplate", finish),
+        detail(plate - hole, "faceplate", finish),  # it stands out of the wood by 0.3 mm
         *_plate_screws(backset + _PROUD, 1, section.height / 2 + 0.010, finish),
     )
 
@@ -122,16 +132,11 @@ def faceplate(*, backset: Scalar, finish: Material, bolt: BoltName = "latch") ->
 def _plate_screws(x: Scalar, side: int, height: Scalar, finish: Material) -> list[Body]:
     """Make screw heads above and below a bolt on a plate at x that faces `side`."""
     dark = recess(finish)
-    bodies = []
-    for z in (-height, height):
-        head = cylinder(0.0036, 0.0008, axis=X, bevel=0.0003).at(x, 0.0, z)
-        # a Phillips recess: two dark bars, 0.1 mm proud of the head
-        cross = box(0.0002, 0.0036, 0.0008) | box(0.0002, 0.0008, 0.0036)
-        bodies += [
-            detail(head, "screw", finish),
-            detail(cross.at(x + side * 0.0004, 0.0, z), "screw", dark),
-        ]
-    return bodies
+    places = [(x, 0.0, -height), (x, 0.0, height)]
+    heads = array(cylinder(0.0036, 0.0008, axis=X, bevel=0.0003), at=places)
+    # a Phillips recess: two dark bars, 0.1 mm proud of the head
+    bars = [box(0.0002, *sizes).at(side * 0.0004, 0.0, 0.0) for sizes in ((0.0036, 0.0008), (0.0008, 0.0036))]
+    return [detail(heads, "screw", finish), *(detail(array(bar, at=places), "screw", dark) for bar in bars)]
 
 
 def strike_pocket(*, backset: Scalar, gap: Scalar, throw: Scalar, bolt: Bolt = LATCH) -> Solid:

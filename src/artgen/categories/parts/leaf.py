@@ -19,6 +19,7 @@ from artgen import (
     Z,
     array,
     box,
+    by,
     choice,
     count,
     cylinder,
@@ -122,7 +123,7 @@ def flush_leaf(*, blank: Blank, inlays: int = choice(0, 3, 4, weights=(0.7, 0.15
         blank: Its measures.
         inlays: Strips of aluminium across the faces.
     """
-    core = blank.finish.with_(name=f"{blank.finish.name}_faced", density=340.0)
+    core = blank.finish.with_(name=f"{blank.finish.name}_faced", density=350.0)
     if blank.arch is None:
         slab = box(blank.width, blank.thickness, blank.upright, bevel=0.0015).at(0.0, 0.0, blank.waist)
     else:
@@ -235,16 +236,17 @@ def half_lite_leaf(
 def louver_leaf(
     *,
     blank: Blank,
-    slats: int = count(22, 26, doc="in one section"),
     below: Literal["louver", "panel"] = choice("louver", "panel"),
+    # each slat is a collider: two sections and a leaf's hardware stay below 64
+    slats: int = by("below", louver=count(9, 10), panel=count(15, 18), doc="in one section", within=(6, 24)),
     stile: Float = uniform(0.106, 0.115, "m", within=(0.1, 0.16)),
 ) -> Body:
     """Make a louvred leaf: slats tilted by about 40 degrees that hide what is behind.
 
     Args:
         blank: Its measures.
-        slats: Slats in each section.
         below: What fills the lower section.
+        slats: Slats in each section.
         stile: Width of the stiles [m].
     """
 

@@ -1,5 +1,6 @@
 """Lever handles, and the sprung joint by which a handle turns."""
 
+import math
 from typing import Literal
 
 from artgen import (
@@ -104,15 +105,18 @@ def lever_handle(
     """
     solids: list[Solid] = []
     grasps: list[Frame] = []
+    collar = cylinder(girth + 0.002, 0.010, axis=Y, bevel=0.0012)
+    start, out = thickness / 2 + rose_depth + NECK_GAP, thickness / 2 + projection
+    level = style != "wave"  # its upper and lower half are alike: turned over, it fits the other face
     for side in SIDES[faces]:
-        start, out = side * (thickness / 2 + rose_depth + NECK_GAP), side * (thickness / 2 + projection)
-        collar = cylinder(girth + 0.002, 0.010, axis=Y, bevel=0.0012)
-        solids.append(collar.at(0.0, start + side * 0.005, 0.0))
-        if style == "wave":
-            solids += _wave(start, out, side, length, girth)
+        sense = 1 if level else side
+        solid = [collar.at(0.0, sense * (start + 0.005), 0.0)]
+        if level:
+            solid += _bar(style, section, start, out, length, girth)
         else:
-            solids += _bar(style, section, start, out, side, length, girth)
-        grasps.append(frame((-0.62 * length, out, 0.0), approach=(0.0, -side, 0.0)))
+            solid += _wave(side * start, side * out, side, length, girth)
+        solids += [each.rotate(X, math.pi) for each in solid] if side < sense else solid
+        grasps.append(frame((-0.62 * length, side * out, 0.0), approach=(0.0, -side, 0.0)))
     solids.append(spindle(thickness, rose_depth, faces))
     return part(union(*solids), "handle", finish, grasp=grasps, grasp_width=2 * girth + 0.03)
 
@@ -122,7 +126,6 @@ def _bar(
     section: str,
     start: Scalar,
     out: Scalar,
-    side: int,
     length: Scalar,
     girth: Scalar,
 ) -> list[Solid]:
@@ -131,7 +134,7 @@ def _bar(
     corners: list[VectorLike] = [(0.0, start, 0.0), (0.0, out, 0.0)]
     if style == "bent":
         reach = thin - length
-        corners += [(reach, out, 0.0), (reach, out - side * _RETURN, 0.0)]
+        corners += [(reach, out, 0.0), (reach, out - _RETURN, 0.0)]
     else:
         corners += [(0.002 - length, out, 0.0)]
     bar = sweep(_section(section, girth), polyline(corners, fillet=_BEND))

@@ -17,6 +17,7 @@ from artgen import (
     box,
     cylinder,
     detail,
+    enclosed,
     frame,
     frustum,
     part,
@@ -63,14 +64,14 @@ def deadbolt_slide(turn: Joint, *, name: str = "deadbolt_slide") -> Joint:
 
 def deadbolt_pocket(*, backset: Scalar) -> Solid:
     """Make the tool that cuts the deadbolt's pocket into the lock edge of the leaf."""
-    length = THROW + _TAIL + 0.010
-    pocket = box(length, DEADBOLT.width + 2 * PLAY, DEADBOLT.height + 2 * PLAY)
+    # from 5 mm past the edge into the hole of the spindle, as high as that
+    pocket = box(backset + 0.005, DEADBOLT.width + 2 * PLAY, DEADBOLT.height + 2 * PLAY)
     return pocket.align((backset + 0.005, 0.0, 0.0), x=1.0)
 
 
 def deadbolt_hole(thickness: Scalar) -> Solid:
     """Make the tool that cuts the hole for the spindle of a thumb turn through a leaf."""
-    return spindle_hole(thickness)
+    return spindle_hole(thickness, height=DEADBOLT.height + 2 * PLAY)
 
 
 def thumb_turn_joint(
@@ -92,7 +93,7 @@ def thumb_turn(*, thickness: Scalar, finish: Material, side: int = -1) -> Body:
     """
     start = thickness / 2 + _ROSETTE_DEPTH + _GAP
     base = cylinder(0.012, 0.004, axis=Y, bevel=0.0012).at(0.0, side * (start + 0.002), 0.0)
-    wing = box(0.007, 0.018, 0.034, bevel=0.003).at(0.0, side * (start + 0.012), 0.0)
+    wing = enclosed(box(0.007, 0.018, 0.034, bevel=0.003)).at(0.0, side * (start + 0.012), 0.0)
     reach = start + 0.003  # from the middle of the leaf into the turn
     stem = cylinder(SPINDLE, reach, axis=Y).at(0.0, side * reach / 2, 0.0)
     hold = frame((0.0, side * (start + 0.014), 0.0), approach=(0.0, -side, 0.0), closing=(1.0, 0.0, 0.0))

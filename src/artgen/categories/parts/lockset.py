@@ -7,6 +7,7 @@ from typing import Literal
 from artgen import Body, Condition, Joint, Material, Solid, Vector, box, cylinder, detail, weld
 from artgen.categories.parts.latch import (
     DEADBOLT,
+    LATCH_HOLE,
     faceplate,
     latch_bolt,
     latch_pocket,
@@ -90,7 +91,7 @@ class Lockset:
         )
 
 
-def latch(site: Site, leader: Joint, *, throw: Scalar, release: Scalar) -> Lockset:
+def latch(site: Site, leader: Joint, *, throw: Scalar, release: Scalar, through: bool = False) -> Lockset:
     """Fit a latch that a handle draws.
 
     Args:
@@ -98,11 +99,12 @@ def latch(site: Site, leader: Joint, *, throw: Scalar, release: Scalar) -> Locks
         leader: Joint of the handle.
         throw: How far the bolt stands out [m].
         release: Position of the handle at which the bolt is drawn [rad or m].
+        through: Whether the pocket of the bolt reaches to the hole of a spindle.
     """
     at, backset, finish = site.spindle, site.backset, site.finish
     strike = strike_plate(backset=backset, gap=site.gap, throw=throw, thickness=site.thickness, finish=finish)
     return Lockset(
-        cuts=(latch_pocket(backset=backset, throw=throw).at(at),),
+        cuts=(latch_pocket(backset=backset, throw=throw, through=through).at(at),),
         fixed=(faceplate(backset=backset, finish=finish).at(at),),
         moving=(
             (
@@ -144,9 +146,11 @@ def turning_handle(
     roses = rose(thickness=thickness, depth=rose_depth, across=rose_across, finish=finish, style=rose_style)
     moving = handle(thickness=thickness, rose_depth=rose_depth, finish=finish)
     fitted = Lockset(
-        cuts=(spindle_hole(thickness).at(at),), fixed=(roses.at(at),), moving=((moving.at(at), turn),)
+        cuts=(spindle_hole(thickness, height=LATCH_HOLE).at(at),),
+        fixed=(roses.at(at),),
+        moving=((moving.at(at), turn),),
     )
-    return fitted + latch(site, turn, throw=throw, release=_RELEASE * limit)
+    return fitted + latch(site, turn, throw=throw, release=_RELEASE * limit, through=True)
 
 
 def pushed_handle(

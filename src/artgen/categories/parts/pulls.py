@@ -1,5 +1,6 @@
 """Pull handles: rigid bars on stand-offs."""
 
+import math
 from typing import Literal
 
 from artgen import (
@@ -8,6 +9,7 @@ from artgen import (
     Frame,
     Material,
     Solid,
+    X,
     Y,
     capsule,
     choice,
@@ -15,19 +17,20 @@ from artgen import (
     cylinder,
     frame,
     generator,
+    given,
     part,
-    polyline,
     rectangle,
-    sweep,
     uniform,
     union,
     weld,
 )
+from artgen.categories.parts.bars import bent_bar, rod
 from artgen.categories.parts.finish import casting
 from artgen.categories.parts.roses import SIDES, Faces
 from artgen.nodes.handles import Scalar
 
 _SUNK = 0.0005  # how deep feet are let into the leaf [m]
+_BOW = 0.022  # radius of the bends of a bow [m]
 
 
 @generator
@@ -35,7 +38,7 @@ def pull_handle(
     *,
     thickness: Float,
     finish: Material,
-    faces: Faces = "both",
+    faces: Faces = given("both"),
     style: Literal["U", "T", "Z"] = choice("U", "T", "Z"),
     length: Float = uniform(0.22, 0.45, "m", doc="overall length of the grip", within=(0.10, 1.8)),
     projection: Float = uniform(0.045, 0.065, "m", doc="face of the leaf to the middle of the grip"),
@@ -56,15 +59,16 @@ def pull_handle(
         girth: Radius of the bar [m].
     """
     bodies: list[Body] = []
+    makers = {"U": _bow, "T": _bar_on_posts, "Z": _offset_bar}
+    foot, reach = thickness / 2 - _SUNK, thickness / 2 + projection
+    back = union(*makers[style](foot, reach, length, girth))
     for side in SIDES[faces]:
-        foot, out = side * (thickness / 2 - _SUNK), side * (thickness / 2 + projection)
-        makers = {"U": _bow, "T": _bar_on_posts, "Z": _offset_bar}
-        solids = makers[style](foot, out, side, length, girth)
+        out = side * reach
         grasp: Frame = frame((0.0, out, 0.0), approach=(0.0, -side, 0.0), closing=(1.0, 0.0, 0.0))
         name = "handle_front" if side < 0 else "handle_back"
         bodies.append(
             part(
-                union(*solids),
+                back if side > 0 else back.rotate(X, math.pi),  # upper and lower half are alike
                 "handle",
                 casting(finish),
                 name=name,
@@ -75,39 +79,34 @@ def pull_handle(
     return weld(*bodies)
 
 
-def _feet(foot: Scalar, side: int, x: Scalar, half: Scalar, girth: Scalar) -> list[Solid]:
+def _feet(foot: Scalar, x: Scalar, half: Scalar, girth: Scalar) -> list[Solid]:
     """Make the round flanges under both ends."""
     flange = cylinder(girth + 0.004, 0.005, axis=Y, bevel=0.0012)
-    return [flange.at(x, foot + side * 0.0025, end * half) for end in (-1, 1)]
+    return [flange.at(x, foot + 0.0025, end * half) for end in (-1, 1)]
 
 
-def _bow(foot: Scalar, out: Scalar, side: int, length: Scalar, girth: Scalar) -> list[Solid]:
+def _bow(foot: Scalar, out: Scalar, length: Scalar, girth: Scalar) -> list[Solid]:
     half = length / 2 - girth
-    course = polyline(
-        [(0.0, foot, -half), (0.0, out, -half), (0.0, out, half), (0.0, foot, half)], fillet=0.022
-    )
-    return [sweep(circle(girth), course), *_feet(foot, side, 0.0, half, girth)]
+    corners = [(0.0, foot, -half), (0.0, out, -half), (0.0, out, half), (0.0, foot, half)]
+    ways = [(0, 1, 0), (0, 0, 1), (0, -1, 0)]
+    bow = bent_bar(circle(girth), corners, ways, bend=_BOW, halves=True, run=rod(girth))
+    return [*bow, *_feet(foot, 0.0, half, girth)]
 
 
-def _bar_on_posts(foot: Scalar, out: Scalar, side: int, length: Scalar, girth: Scalar) -> list[Solid]:
+def _bar_on_posts(foot: Scalar, out: Scalar, length: Scalar, girth: Scalar) -> list[Solid]:
     half = 0.32 * length
-    post = cylinder(0.7 * girth, side * (out - foot), axis=Y)
+    post = cylinder(0.7 * girth, out - foot, axis=Y)
     posts = [post.at(0.0, (foot + out) / 2, end * half) for end in (-1, 1)]
     bar = cylinder(girth, length, bevel=0.0015).at(0.0, out, 0.0)
-    return [bar, *posts, *_feet(foot, side, 0.0, half, girth)]
+    return [bar, *posts, *_feet(foot, 0.0, half, girth)]
 
 
-def _offset_bar(foot: Scalar, out: Scalar, side: int, length: Scalar, girth: Scalar) -> list[Solid]:
+def _offset_bar(foot: Scalar, out: Scalar, length: Scalar, girth: Scalar) -> list[Solid]:
     half = 0.32 * length
     aside = 0.03
-    arms = [
-        sweep(
-            rectangle(1.2 * girth, 1.2 * girth, radius=0.002),
-            polyline(
-                [(aside, foot, end * half), (aside, out, end * half), (0.0, out, end * half)], fillet=0.01
-            ),
-        )
-        for end in (-1, 1)
-    ]
+    section = rectangle(1.2 * girth, 1.2 * girth, radius=0.002)
+    corners = [(aside, foot, 0.0), (aside, out, 0.0), (0.0, out, 0.0)]
+    arm = bent_bar(section, corners, [(0, 1, 0), (-1, 0, 0)], bend=0.01, halves=False)
+    arms = [solid.at(0.0, 0.0, end * half) for solid in arm for end in (-1, 1)]
     bar = capsule(girth, length).at(0.0, out, 0.0)
-    return [bar, *arms, *_feet(foot, side, aside, half, girth)]
+    return [bar, *arms, *_feet(foot, aside, half, girth)]

@@ -10,6 +10,7 @@ from artgen import (
     detail,
     frame,
     generator,
+    given,
     part,
     weld,
 )
@@ -71,7 +72,9 @@ def push_slide(
 
 
 @generator
-def push_bar(*, thickness: Float, length: Float, travel: Float, finish: Material, side: int = 1) -> Body:
+def push_bar(
+    *, thickness: Float, length: Float, travel: Float, finish: Material, side: int = given(1)
+) -> Body:
     """Make the touch bar, the link `handle`; attach it by `push_slide` and weld `push_bar_case` to the leaf.
 
     Args:

@@ -4,6 +4,7 @@ A rose hides a square hole, as a square spindle has; the neck of the handle stan
 covers it, so that nothing of the hole is seen.
 """
 
+import math
 from typing import Literal
 
 from artgen import (
@@ -11,6 +12,7 @@ from artgen import (
     Material,
     Solid,
     Y,
+    Z,
     bore,
     box,
     cylinder,
@@ -45,9 +47,14 @@ _HOLE = 0.0105  # side of the hole [m]
 _SUNK = 0.0005  # how deep a rose is let into the leaf [m]
 
 
-def spindle_hole(thickness: Scalar) -> Solid:
-    """Make the tool that cuts the hole for a spindle through a leaf (4 mm past either face)."""
-    return box(_HOLE, thickness + 0.008, _HOLE)
+def spindle_hole(thickness: Scalar, *, height: Scalar = _HOLE) -> Solid:
+    """Make the tool that cuts the hole for a spindle through a leaf (4 mm past either face).
+
+    Args:
+        thickness: Thickness of the leaf [m].
+        height: Height of the hole: that of a bolt's pocket lets both end in the same planes [m].
+    """
+    return box(_HOLE, thickness + 0.008, height)
 
 
 def rose(
@@ -75,6 +82,9 @@ def rose(
         pin: Whether there is a hole for the pin of a privacy lock, `PIN_BELOW` the spindle.
         pin_side: The face with that hole, -1 for the front.
     """
+    if faces == "both" and not pin:
+        front = weld(*_one_rose(thickness, depth, across, finish, style, height, -1, pin=False))
+        return weld(front, front.rotate(Z, math.pi))
     bodies: list[Body] = []
     for side in SIDES[faces]:
         bodies += _one_rose(
