@@ -232,6 +232,42 @@ def test_what_a_killed_process_left_is_cleared_by_the_next(
     assert "half.obj" not in tree(directory)
 
 
+@pytest.mark.parametrize("file", ["", "asset.json"])
+def test_what_a_killed_process_set_aside_can_be_read(cabinet: Asset, tmp_path: Path, file: str) -> None:
+    directory = export(cabinet, tmp_path / "it", formats=("urdf",))
+    before = tree(directory)
+    directory.rename(tmp_path / ".it.previous")
+    loaded = load(directory / file)
+    assert loaded.to_data() == json.loads(json.dumps(cabinet.to_data()))
+    assert len(loaded.link("lid").surfaces[0].mesh.triangles)
+    assert tree(tmp_path) == {f".it.previous/{path}": content for path, content in before.items()}
+
+
+def test_new_directory_is_read_before_what_was_set_aside(
+    cabinet: Asset, nested: Asset, tmp_path: Path
+) -> None:
+    """Killed after both renames: the old directory is still to be removed."""
+    export(cabinet, tmp_path / "it", formats=("urdf",)).rename(tmp_path / ".it.previous")
+    export(nested, tmp_path / "new", formats=("urdf",)).rename(tmp_path / "it")
+    assert load(tmp_path / "it").name == nested.name
+    export(nested, tmp_path / "it", formats=("urdf",))
+    assert [path.name for path in tmp_path.iterdir()] == ["it"]
+
+
+def test_files_set_aside_outlive_an_empty_directory_in_their_place(
+    cabinet: Asset, nested: Asset, tmp_path: Path
+) -> None:
+    directory = export(cabinet, tmp_path / "it", formats=("urdf",))
+    (directory / "mine.txt").write_text("keep me")
+    directory.rename(tmp_path / ".it.previous")
+    directory.mkdir()
+    assert load(directory).name == cabinet.name
+    export(nested, directory, formats=("urdf",))
+    assert load(directory).name == nested.name
+    assert tree(directory)["mine.txt"] == b"keep me"
+    assert [path.name for path in tmp_path.iterdir()] == ["it"]
+
+
 def test_process_killed_while_writing_leaves_no_directory(tmp_path: Path) -> None:
     """Kill a process by its own hand halfway through its files."""
     script = """

@@ -5,11 +5,13 @@ import pytest
 import trimesh
 from hypothesis import given
 from hypothesis import strategies as st
+from numpy.typing import NDArray
 
 from artgen.asset import Asset, Mesh
-from artgen.asset.files import mesh_names
+from artgen.asset.files import mesh_names, read_obj
 from artgen.colliders import Convex
-from artgen.export.meshes import display_color, hull_text, mesh_files, mtl_text, surface_text
+from artgen.export.hulls import Hull
+from artgen.export.meshes import display_color, hull_texts, mesh_files, mtl_text, surface_text
 from artgen.materials import Material
 
 coordinates = st.floats(-50.0, 50.0, allow_nan=False)
@@ -20,6 +22,12 @@ def words(text: bytes, keyword: str) -> list[list[float]]:
     return [[float(word) for word in line[1:]] for line in lines if line and line[0] == keyword]
 
 
+def corners(text: bytes) -> list[list[str]]:
+    """Return position, texture coordinate and normal of each corner of the faces."""
+    lines = [line.split()[1:] for line in text.decode().splitlines() if line.startswith("f")]
+    return [corner.split("/") for line in lines for corner in line]
+
+
 @given(st.lists(st.tuples(coordinates, coordinates, coordinates), min_size=4, max_size=12))
 def test_positions_are_written_to_a_tenth_of_a_micrometre(points: list[tuple[float, float, float]]) -> None:
     vertices = np.array(points)
@@ -27,7 +35,8 @@ def test_positions_are_written_to_a_tenth_of_a_micrometre(points: list[tuple[flo
     mesh = Mesh(vertices, np.zeros((count, 3)), vertices[:, :2], np.zeros(count, int), np.array([[0, 1, 2]]))
     text = surface_text(mesh, np.array([1.0, 2.0, 3.0]), "x.mtl", "oak")
     np.testing.assert_allclose(words(text, "v"), vertices - [1.0, 2.0, 3.0], atol=0.51e-7)
-    np.testing.assert_allclose(words(text, "vt"), vertices[:, :2], atol=0.51e-6)
+    found = np.array(words(text, "vt"))[[int(corner[1]) - 1 for corner in corners(text)]]
+    np.testing.assert_allclose(found, vertices[:3, :2], atol=0.51e-6)
     assert b"-0\n" not in text
     assert b"-0 " not in text
     assert b"e" not in b"".join(line for line in text.splitlines() if line.startswith(b"v"))
@@ -48,16 +57,58 @@ def test_surface_text_is_plain_obj() -> None:
         "vt 0 100",
         "vt 1 0",
         "vt 1 2",
-        *["vn 0 0 -1"] * 4,
-        "f 1/1/1 3/3/3 2/2/2",
+        "vn 0 0 -1",
+        "f 1/1/1 3/3/1 2/2/1",
     ]
 
 
-@pytest.mark.parametrize("corners", [[0, 1, 2], [1, 2, 0], [2, 0, 1]])
-def test_lone_triangle_is_halved_facing_the_same_way(corners: list[int]) -> None:
+@given(data=st.data())
+def test_surface_read_back_has_its_vertices_normals_and_triangles(
+    tmp_path_factory: pytest.TempPathFactory, data: st.DataObject
+) -> None:
+    count = data.draw(st.integers(4, 30))
+    grid = st.integers(-200_000, 200_000)
+
+    def draw(columns: int) -> NDArray[np.float64]:
+        rows = st.lists(st.tuples(*[grid] * columns), min_size=count, max_size=count)
+        return np.array(data.draw(rows), float)
+
+    mesh = Mesh(
+        draw(3) / 1e5,
+        draw(3) / 1e5,
+        draw(2) / 1e3,
+        np.zeros(count, np.int64),
+        np.array([np.arange(count), np.roll(np.arange(count), 1), np.roll(np.arange(count), 2)]).T,
+    )
+    path = tmp_path_factory.mktemp("obj") / "it.obj"
+    path.write_bytes(surface_text(mesh, np.zeros(3), "x.mtl", "oak"))
+    found = read_obj(path, np.zeros(3))
+    np.testing.assert_allclose(found.vertices, mesh.vertices, atol=1e-12)
+    np.testing.assert_allclose(found.normals, mesh.normals, atol=1e-12)
+    np.testing.assert_allclose(found.uvs, mesh.uvs, atol=1e-12)
+    np.testing.assert_array_equal(found.triangles, mesh.triangles)
+
+
+def test_each_normal_and_texture_coordinate_is_written_once(cabinet: Asset) -> None:
+    for path, text in mesh_files(cabinet).files.items():
+        for keyword in ("vt", "vn"):
+            found = words(text, keyword)
+            assert len(found) == len({tuple(row) for row in found}), path
+
+
+def test_kilometres_of_texture_are_written_as_well() -> None:
+    vertices = np.array([[0.0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]])
+    uvs = np.array([[-4e6, 5e6], [0.5, 5e6], [0.5, -5e6], [-4e6, 0.125]])
+    mesh = Mesh(vertices, vertices, uvs, np.zeros(4, int), np.array([[0, 1, 2], [0, 2, 3]]))
+    text = surface_text(mesh, np.zeros(3), "x.mtl", "oak")
+    assert words(text, "vt") == uvs.tolist()
+
+
+@pytest.mark.parametrize("triangle", [[0, 1, 2], [1, 2, 0], [2, 0, 1]])
+def test_lone_triangle_is_halved_facing_the_same_way(triangle: list[int]) -> None:
     vertices = np.array([[0.0, 0, 0], [2, 0, 0], [0, 2, 0]])
     mesh = Mesh(
-        vertices, np.tile([0, 0, 1.0], (3, 1)), vertices[:, :2], np.zeros(3, int), np.array([corners])
+        vertices, np.tile([0, 0, 1.0], (3, 1)), vertices[:, :2], np.zeros(3, int), np.array([triangle])
     )
     text = surface_text(mesh, np.zeros(3), "x.mtl", "oak")
     points = np.array(words(text, "v"))
@@ -70,12 +121,37 @@ def test_lone_triangle_is_halved_facing_the_same_way(corners: list[int]) -> None
 
 def test_hulls_are_closed_convex_and_wound_outward() -> None:
     points = np.random.default_rng(5).normal(size=(40, 3))
-    text = hull_text(Convex("hull", np.eye(4), (), points), np.array([0.5, 0.0, 0.0]))
+    hull = Hull.of([(Convex("hull", np.eye(4), (), points), np.array([0.5, 0.0, 0.0]))])
+    (text,) = hull_texts(hull)
     mesh = trimesh.load(trimesh.util.wrap_as_stream(text.decode()), file_type="obj")
     assert mesh.is_watertight
     assert mesh.is_convex
     assert mesh.volume == pytest.approx(trimesh.convex.convex_hull(points).volume, rel=1e-9)
     np.testing.assert_allclose(mesh.bounds.max(axis=0), points.max(axis=0) - [0.5, 0, 0], atol=1e-9)
+
+
+def test_many_hulls_are_written_like_each_alone() -> None:
+    random = np.random.default_rng(8)
+    pieces = [
+        (Convex("hull", np.eye(4), (), random.normal(size=(n, 3))), random.normal(size=3)) for n in (9, 4, 30)
+    ]
+    alone = [hull_texts(Hull.of([piece]))[0] for piece in pieces]
+    assert hull_texts(Hull.of(pieces)) == alone
+    assert len(set(alone)) == 3
+    assert hull_texts(Hull.of([])) == []
+
+
+def test_hull_is_convex_as_it_is_written() -> None:
+    """Points of a round cap lie nanometres off each other's planes; the text must not dent it."""
+    angle = np.linspace(0.0, np.pi, 40)
+    cap = np.array([1e-3 * np.cos(angle), 1e-3 * np.sin(angle), np.zeros(40)]).T
+    points = np.concatenate([cap, cap + [0.0, 0.0, 2e-4]]) + 1.0 / 3.0
+    (hull,) = Hull.of([(Convex("hull", np.eye(4), (), points), np.full(3, 1.0 / 7.0))])
+    written = np.array(words(hull_texts([hull])[0], "v"))
+    np.testing.assert_array_equal(written, hull.vertices)
+    reach = np.einsum("ik,jk->ij", written, hull.normals)
+    on = np.einsum("jk,jk->j", written[hull.triangles[:, 0]], hull.normals)
+    assert (reach - on).max() < 1e-12
 
 
 def test_meshes_lie_in_their_links_frame(cabinet: Asset) -> None:

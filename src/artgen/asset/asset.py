@@ -1,6 +1,5 @@
 """The asset: a tree of links and joints with the parameters it was made from."""
 
-import json
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -13,6 +12,7 @@ from numpy.typing import NDArray
 from artgen.asset.joint import Joint, positions_of_followers
 from artgen.asset.link import Link
 from artgen.asset.mass import MassProperties, total
+from artgen.asset.record import json_text, rounded, rounded_link
 from artgen.asset.tree import Tree
 from artgen.errors import AssetError, nearest
 from artgen.materials import Material
@@ -239,8 +239,12 @@ class Asset:
         return load(directory)
 
     def to_data(self) -> dict[str, Any]:
-        """Return everything but the triangles as JSON data, numbers to 12 significant digits."""
-        data = {
+        """Return everything but the triangles as JSON data.
+
+        Numbers have 12 significant digits; poses and points of colliders have 12 decimals.
+        """
+        links = [rounded_link(link.to_data()) for link in self.links]
+        data: dict[str, Any] = {
             "format": FORMAT,
             "name": self.name,
             "category": self.category,
@@ -250,32 +254,19 @@ class Asset:
             "base": self.base,
             "labels": list(self.labels),
             "parameters": dict(self.parameters),
-            "mass": self.mass,
+            "mass": sum(link["mass"] for link in links),
             "materials": [material.to_data() for material in self.materials],
-            "links": [link.to_data() for link in self.links],
-            "joints": [joint.to_data() for joint in self.joints],
         }
-        # the digits beyond differ between machines, whose libraries round differently
-        rounded: dict[str, Any] = _rounded(data)
-        rounded["mass"] = _rounded(sum(link["mass"] for link in rounded["links"]))
-        return rounded
+        joints = [joint.to_data() for joint in self.joints]
+        return {**rounded(data), "links": links, "joints": rounded(joints)}
 
     def to_json(self) -> str:
         """Return everything but the triangles as JSON text."""
-        return json.dumps(self.to_data(), indent=1, ensure_ascii=False) + "\n"
+        return json_text(self.to_data())
 
 
 FORMAT = "artgen-asset-1"
 """Marks the files that this version of the asset's JSON can be read from."""
-
-
-def _rounded(data: Any) -> Any:
-    """Round every number in JSON data to 12 significant digits."""
-    if isinstance(data, float):
-        return float(f"{data:.12g}") + 0.0
-    if isinstance(data, dict):
-        return {key: _rounded(value) for key, value in data.items()}
-    return [_rounded(item) for item in data] if isinstance(data, list | tuple) else data
 
 
 def _check_references(joint: Joint, joints: Mapping[str, Joint]) -> None:

@@ -1,6 +1,7 @@
 """Reading an asset back from the directory that it was exported to."""
 
 import json
+import os
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -29,6 +30,7 @@ def load(directory: str | Path) -> Asset:
     """Read an asset that was exported to a directory.
 
     The numbers come from its `asset.json`; the visible faces from `meshes/`, when they are first asked for.
+    Where an export was killed before it put the new directory in place, the asset before is read.
 
     Args:
         directory: The directory, or its `asset.json`.
@@ -39,6 +41,9 @@ def load(directory: str | Path) -> Asset:
     """
     path = Path(directory)
     path = path / ASSET_FILE if path.suffix != ".json" else path
+    before = previous_directory(path.parent) / path.name
+    if not path.exists() and before.exists():
+        path = before
     try:
         data = json.loads(path.read_text(encoding="utf-8"))
     except (OSError, ValueError) as error:
@@ -52,6 +57,12 @@ def load(directory: str | Path) -> Asset:
         return _asset(data, path.parent)
     except (KeyError, TypeError) as error:
         raise AssetError(f"{path} is damaged ({error!r}); export the asset again") from error
+
+
+def previous_directory(directory: Path) -> Path:
+    """Return where the earlier asset of a directory is while a new one takes its place."""
+    target = Path(os.path.realpath(directory))
+    return target.parent / f".{target.name}.previous"
 
 
 def mesh_names(names: Mapping[str, Sequence[str]], taken: Iterable[str] = ()) -> dict[str, tuple[str, ...]]:
@@ -181,7 +192,7 @@ def read_obj(path: Path, origin: Array) -> Mesh:
     """Read the triangles of an OBJ file that artgen wrote.
 
     Args:
-        path: The file; its vertices have a normal and a texture coordinate each.
+        path: The file; each of its vertices has one normal and one texture coordinate.
         origin: What to add to its vertices, shape (3,) [m].
 
     Raises:
@@ -202,11 +213,15 @@ def read_obj(path: Path, origin: Array) -> Mesh:
         if keyword in rows:
             rows[keyword].append(rest)
     try:
-        corners = _numbers(rows[b"f"], 9).astype(np.int64)[:, ::3] - 1
-        vertices, normals, uvs = _numbers(rows[b"v"], 3), _numbers(rows[b"vn"], 3), _numbers(rows[b"vt"], 2)
-    except ValueError as error:
+        corners = _numbers(rows[b"f"], 9).astype(np.int64).reshape(-1, 3) - 1
+        vertices = _numbers(rows[b"v"], 3)
+        normals, uvs = np.zeros((len(vertices), 3)), np.zeros((len(vertices), 2))
+        uvs[corners[:, 0]] = _numbers(rows[b"vt"], 2)[corners[:, 1]]
+        normals[corners[:, 0]] = _numbers(rows[b"vn"], 3)[corners[:, 2]]
+    except (ValueError, IndexError) as error:
         raise AssetError(f"{path} is not a mesh that artgen wrote: {error}") from error
-    return Mesh(vertices + origin, normals, uvs, np.zeros(len(vertices), np.int64), corners)
+    paints = np.zeros(len(vertices), np.int64)
+    return Mesh(vertices + origin, normals, uvs, paints, corners[:, 0].reshape(-1, 3))
 
 
 def _numbers(rows: Sequence[bytes], columns: int) -> Array:

@@ -107,7 +107,7 @@ def polyhedron_moments(vertices: Array, triangles: NDArray[np.int64]) -> Moments
 
 
 def _sum(terms: Array) -> Array:
-    """Add up along the first axis; sorted, so that the order of the triangles does not show in the last digit."""
+    """Add up along the first axis; sorted, so that the triangles' order does not show in the last digit."""
     result: Array = np.sort(terms, axis=0).sum(axis=0)
     return result
 

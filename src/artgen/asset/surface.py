@@ -50,6 +50,9 @@ def joined(meshes: list[Mesh]) -> Mesh:
         (corners[:, 0] != corners[:, 1]) & (corners[:, 1] != corners[:, 2]) & (corners[:, 2] != corners[:, 0])
     )
     corners = corners[proper]
+    used = np.zeros(len(rows), bool)
+    used[corners] = True
+    rows, corners = rows[used], (np.cumsum(used) - 1)[corners]
     turned = np.argmin(corners, axis=1)[:, None] + np.arange(3)
     corners = np.take_along_axis(corners, turned % 3, axis=1)
     corners = corners[np.lexsort(corners.T[::-1])]

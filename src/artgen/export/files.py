@@ -10,7 +10,8 @@ from typing import Any
 
 from artgen.asset import Asset
 from artgen.asset.asset import FORMAT
-from artgen.asset.files import ASSET_FILE
+from artgen.asset.files import ASSET_FILE, previous_directory
+from artgen.asset.record import json_text
 from artgen.errors import ExportError, nearest
 from artgen.export.losses import Written
 from artgen.export.mjcf import write_mjcf
@@ -83,7 +84,7 @@ def encode(asset: Asset, formats: Sequence[str]) -> dict[str, bytes]:
             "losses": [loss.to_data() for loss in written.losses],
         }
     data = asset.to_data() | {"formats": record}
-    files[ASSET_FILE] = (json.dumps(data, indent=1, ensure_ascii=False, allow_nan=False) + "\n").encode()
+    files[ASSET_FILE] = json_text(data).encode()
     return files
 
 
@@ -136,24 +137,25 @@ def _earlier_files(target: Path) -> set[str] | None:
         return None
 
 
-def _replace(target: Path, files: Mapping[str, bytes], kept: Iterable[str]) -> None:
+def _replace(target: Path, files: Mapping[str, bytes], kept: Sequence[str]) -> None:
     """Put a directory with the files, and those to be kept, in the place of the target."""
     if target.exists() and (os.path.ismount(target) or target in (Path.cwd(), *Path.cwd().parents)):
         raise ExportError(
             f"cannot export to {target}: a working directory or mount cannot be replaced as a whole; choose "
             f"a directory in it, such as {target / 'asset'}"
         )
-    partial, previous = _sibling(target, "partial"), _sibling(target, "previous")
+    partial, previous = target.parent / f".{target.name}.partial", previous_directory(target)
     missing = [parent for parent in target.parents if not parent.exists()]
     try:
         target.parent.mkdir(parents=True, exist_ok=True)
         if partial.exists():
             shutil.rmtree(partial)  # of a process that was killed
-        partial.mkdir()
+        for folder in sorted({path.rpartition("/")[0] for path in (*files, *kept)}):
+            (partial / folder).mkdir(parents=True, exist_ok=True)
         for path, content in files.items():
-            _file_in(partial, path).write_bytes(content)
+            (partial / path).write_bytes(content)
         for path in kept:
-            shutil.copy2(target / path, _file_in(partial, path), follow_symlinks=False)
+            shutil.copy2(target / path, partial / path, follow_symlinks=False)
         if target.exists():
             target.rename(previous)
         partial.rename(target)
@@ -167,23 +169,14 @@ def _replace(target: Path, files: Mapping[str, bytes], kept: Iterable[str]) -> N
     shutil.rmtree(previous, ignore_errors=True)
 
 
-def _file_in(directory: Path, path: str) -> Path:
-    """Return a file in a directory, having made the directories between them."""
-    file = directory / path
-    file.parent.mkdir(parents=True, exist_ok=True)
-    return file
-
-
 def _recover(target: Path) -> None:
     """Finish what a process was killed in: put the old directory back, or away if the new one is in place."""
-    previous = _sibling(target, "previous")
+    previous = previous_directory(target)
     if not previous.exists():
         return
+    if target.is_dir() and not any(target.iterdir()):
+        target.rmdir()  # made since, by somebody who missed the old one
     if target.exists():
         shutil.rmtree(previous)
     else:
         previous.rename(target)
-
-
-def _sibling(target: Path, what: str) -> Path:
-    return target.parent / f".{target.name}.{what}"

@@ -5,6 +5,7 @@ stands at 0. Formats that allow one joint between two bodies get an intermediate
 the last of a pair.
 """
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -167,19 +168,18 @@ def _unused(name: str, taken: set[str]) -> str:
 
 def quaternion(matrix: Array) -> Array:
     """Return the rotation of a transform as a unit quaternion (w, x, y, z) with w >= 0, shape (4,)."""
-    m = matrix[:3, :3]
+    (xx, xy, xz), (yx, yy, yz), (zx, zy, zz) = matrix[:3, :3].tolist()
     # four times each product of two components (Shepperd); the row of the largest one is well conditioned
-    products = np.array(
-        [
-            [1 + m[0, 0] + m[1, 1] + m[2, 2], m[2, 1] - m[1, 2], m[0, 2] - m[2, 0], m[1, 0] - m[0, 1]],
-            [m[2, 1] - m[1, 2], 1 + m[0, 0] - m[1, 1] - m[2, 2], m[1, 0] + m[0, 1], m[0, 2] + m[2, 0]],
-            [m[0, 2] - m[2, 0], m[1, 0] + m[0, 1], 1 - m[0, 0] + m[1, 1] - m[2, 2], m[2, 1] + m[1, 2]],
-            [m[1, 0] - m[0, 1], m[0, 2] + m[2, 0], m[2, 1] + m[1, 2], 1 - m[0, 0] - m[1, 1] + m[2, 2]],
-        ]
+    products = (
+        (1.0 + xx + yy + zz, zy - yz, xz - zx, yx - xy),
+        (zy - yz, 1.0 + xx - yy - zz, yx + xy, xz + zx),
+        (xz - zx, yx + xy, 1.0 - xx + yy - zz, zy + yz),
+        (yx - xy, xz + zx, zy + yz, 1.0 - xx - yy + zz),
     )
-    row = products[np.argmax(np.diag(products).round(9))]
-    unit: Array = row / np.linalg.norm(row)
-    return -unit if unit[0] < 0.0 else unit
+    number = max(range(4), key=lambda index: round(products[index][index], 9))
+    row = np.array(products[number])
+    length = math.sqrt(sum(component * component for component in products[number]))
+    return row / (-length if row[0] < 0.0 else length)
 
 
 def coupling(asset: Asset, joint: Joint) -> Coupling | None:

@@ -17,12 +17,14 @@ from artgen.export.frames import (
     chain,
     local,
 )
+from artgen.export.hulls import hulls
 from artgen.export.losses import Written
 from artgen.export.usd_geometry import (
     PART_LABEL,
-    write_collider,
+    write_hull,
     write_label,
     write_material,
+    write_primitive,
     write_surface,
 )
 from artgen.export.usd_joints import joint_losses, write_fixed_joint, write_joints
@@ -122,10 +124,14 @@ class _Writer:
         for surface in link.surfaces:
             write_surface(visuals[1], surface, origin, looks.AppendChild(surface.material.name))
         collisions = define(prim, "collisions", "Scope"), define(meshes, "collisions")
+        of_link = hulls(self.asset)[link.name]
         for number, collider in enumerate(link.colliders):
-            scope = collisions[collider.convex.kind == "hull"]
+            name = f"{collider.convex.kind}_{number}"
             material = looks.AppendChild(collider.material.name)
-            write_collider(scope, f"{collider.convex.kind}_{number}", collider, origin, material)
+            if number in of_link:
+                write_hull(collisions[1], name, of_link[number], material)
+            else:
+                write_primitive(collisions[0], name, collider.convex, origin, material)
         if link.grasps:
             grasps = define(prim, "grasps", "Scope")
             for grasp in link.grasps:

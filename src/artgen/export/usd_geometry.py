@@ -4,8 +4,10 @@ import numpy as np
 from numpy.typing import NDArray
 from pxr import Sdf, Vt
 
-from artgen.asset import Collider, Surface
+from artgen.asset import Surface
+from artgen.colliders import Convex
 from artgen.export.frames import translation
+from artgen.export.hulls import Hull
 from artgen.export.usd_layer import (
     TYPES,
     connect,
@@ -20,6 +22,8 @@ from artgen.export.usd_layer import (
 from artgen.materials import Material
 
 Array = NDArray[np.float64]
+
+_COLLISION = ("PhysicsCollisionAPI", "MaterialBindingAPI")
 
 PART_LABEL = "SemanticsLabelsAPI:part"
 
@@ -76,28 +80,37 @@ def write_surface(scope: Sdf.PrimSpec, surface: Surface, origin: Array, material
     write(prim, TYPES.IntArray, {"primvars:st:indices": indices})
 
 
-def write_collider(
-    scope: Sdf.PrimSpec, name: str, collider: Collider, origin: Array, material: Sdf.Path
-) -> None:
-    """Add a convex piece that simulators collide with, unseen by cameras.
+def write_hull(scope: Sdf.PrimSpec, name: str, hull: Hull, material: Sdf.Path) -> None:
+    """Add a hull that simulators collide with, unseen by cameras.
 
     Args:
         scope: The prim that it belongs to.
         name: Its name.
-        collider: The piece, in asset coordinates.
+        hull: Its surface, in the link's frame.
+        material: The prim of its material, for friction.
+    """
+    prim = define(scope, name, "Mesh", [*_COLLISION, "PhysicsMeshCollisionAPI"])
+    _mesh(prim, hull.vertices, hull.triangles)
+    write(prim, TYPES.Normal3fArray, {"normals": vec3_array(hull.normals)}, interpolation="uniform")
+    write(prim, TYPES.Token, {"physics:approximation": "convexHull"}, uniform=True)
+    _collide(prim, material)
+
+
+def write_primitive(
+    scope: Sdf.PrimSpec, name: str, convex: Convex, origin: Array, material: Sdf.Path
+) -> None:
+    """Add a box or round piece that simulators collide with, unseen by cameras.
+
+    Args:
+        scope: The prim that it belongs to.
+        name: Its name.
+        convex: The piece, in asset coordinates.
         origin: The origin of the link's frame, shape (3,) [m].
         material: The prim of its material, for friction.
     """
-    schemas = ["PhysicsCollisionAPI", "MaterialBindingAPI"]
-    convex = collider.convex
-    if convex.kind == "hull":
-        prim = define(scope, name, "Mesh", [*schemas, "PhysicsMeshCollisionAPI"])
-        _hull(prim, collider, origin)
-    else:
-        prim = define(scope, name, _PRIMITIVES[convex.kind], schemas)
-        _primitive(prim, collider, origin)
-    write(prim, TYPES.Token, {"purpose": "guide"}, uniform=True)
-    relate(prim, "material:binding:physics", material)
+    prim = define(scope, name, _PRIMITIVES[convex.kind], _COLLISION)
+    _primitive(prim, convex, origin)
+    _collide(prim, material)
 
 
 def write_label(prim: Sdf.PrimSpec, taxonomy: str, labels: list[str]) -> None:
@@ -112,8 +125,12 @@ def _label(prim: Sdf.PrimSpec, label: str) -> None:
     write_label(prim, "part", [label])
 
 
-def _primitive(prim: Sdf.PrimSpec, collider: Collider, origin: Array) -> None:
-    convex = collider.convex
+def _collide(prim: Sdf.PrimSpec, material: Sdf.Path) -> None:
+    write(prim, TYPES.Token, {"purpose": "guide"}, uniform=True)
+    relate(prim, "material:binding:physics", material)
+
+
+def _primitive(prim: Sdf.PrimSpec, convex: Convex, origin: Array) -> None:
     size = convex.size
     pose = translation(-origin) @ convex.pose
     if convex.kind == "box":
@@ -130,19 +147,6 @@ def _primitive(prim: Sdf.PrimSpec, collider: Collider, origin: Array) -> None:
         half[2] = 0.5 * size[1] + (size[0] if convex.kind == "capsule" else 0.0)
     _extent(prim, np.array([-half, half]))
     place(prim, pose)
-
-
-def _hull(prim: Sdf.PrimSpec, collider: Collider, origin: Array) -> None:
-    mesh = collider.convex.manifold().to_mesh64()
-    points = np.asarray(mesh.vert_properties)[:, :3] - origin
-    triangles = np.asarray(mesh.tri_verts).astype(np.int64)
-    _mesh(prim, points, triangles)
-    a, b, c = (points[triangles[:, corner]] for corner in range(3))
-    normals = np.cross(b - a, c - a)
-    length = np.linalg.norm(normals, axis=1, keepdims=True)
-    normals = normals / np.where(length > 0.0, length, 1.0)
-    write(prim, TYPES.Normal3fArray, {"normals": vec3_array(normals)}, interpolation="uniform")
-    write(prim, TYPES.Token, {"physics:approximation": "convexHull"}, uniform=True)
 
 
 def _mesh(prim: Sdf.PrimSpec, points: Array, triangles: NDArray[np.int64]) -> None:

@@ -20,6 +20,9 @@ Array = NDArray[np.float64]
 
 TYPES = Sdf.ValueTypeNames
 
+_PLACED = Vt.TokenArray(["xformOp:translate", "xformOp:orient"])
+_PLACED_AND_SCALED = Vt.TokenArray([*_PLACED, "xformOp:scale"])
+
 
 def new_layer(extension: str, default_prim: str) -> Sdf.Layer:
     """Make an empty layer in memory with the conventions of every asset: z up, metres, kilograms."""
@@ -101,13 +104,12 @@ def place(prim: Sdf.PrimSpec, pose: Array, scale: Sequence[float] | None = None)
         pose: Rigid transform, shape (4, 4) [m].
         scale: Factors along its own axes, which act first; None leaves the prim unscaled.
     """
-    order = ["xformOp:translate", "xformOp:orient"]
     write(prim, TYPES.Double3, {"xformOp:translate": Gf.Vec3d(*_plain(pose[:3, 3]))})
     write(prim, TYPES.Quatd, {"xformOp:orient": Gf.Quatd(*_plain(quaternion(pose)))})
     if scale is not None:
-        order.append("xformOp:scale")
         write(prim, TYPES.Double3, {"xformOp:scale": Gf.Vec3d(*_plain(scale))})
-    write(prim, TYPES.TokenArray, {"xformOpOrder": Vt.TokenArray(order)}, uniform=True)
+    order = _PLACED if scale is None else _PLACED_AND_SCALED
+    write(prim, TYPES.TokenArray, {"xformOpOrder": order}, uniform=True)
 
 
 def vec3(value: Array | Sequence[float]) -> Gf.Vec3f:
@@ -151,4 +153,5 @@ def binary(layer: Sdf.Layer) -> bytes:
 
 def _plain(values: Array | Sequence[float]) -> list[float]:
     """Return numbers without negative zeros, which would read oddly in the text."""
-    return [float(value) + 0.0 for value in values]
+    plain: list[float] = (np.asarray(values) + 0.0).tolist()
+    return plain
