@@ -106,6 +106,10 @@ class Dependency:
         free = self.until is not None and abs(position) >= self.until
         return closed or free or self.condition.holds(q)
 
+    def __str__(self) -> str:
+        """Spell the dependency as its author would."""
+        return str(self.condition) if self.until is None else f"({self.condition}).until({self.until:.6g})"
+
     def to_data(self) -> dict[str, Any]:
         """Return the dependency as JSON data."""
         return {"condition": self.condition.to_data(), "until": self.until}

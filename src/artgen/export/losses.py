@@ -55,7 +55,7 @@ def dependency_losses(asset: Asset) -> tuple[Loss, ...]:
         Loss(
             "joint dependency",
             joint.name,
-            f"nothing: the parts' contact must hold it unless {joint.needs.condition}",
+            f"nothing: the parts' contact must hold it unless {joint.needs}",
         )
         for joint in asset.joints
         if joint.needs is not None
