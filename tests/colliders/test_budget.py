@@ -92,6 +92,16 @@ def test_over_budget_coarser_bores_are_taken() -> None:
     assert (joined_manifold(found) ^ shaft).volume() < 1e-12
 
 
+def test_the_solids_of_most_pieces_become_coarser_first() -> None:
+    _, wide = bored_plate(1, 1, 0.02, 64)
+    _, narrow = bored_plate(1, 1, 0.005, 64)
+    fine = len(narrow.simplified(0.00025))
+    assert fine > len(narrow.simplified(0.0005))
+    most = len(wide.simplified(0.00025)) + fine - 1
+    found = budgeted_together([narrow, wide], most_pieces=most)
+    assert [len(pieces) for pieces in found] == [fine, len(wide.simplified(0.0005))]
+
+
 def test_a_budget_that_would_seal_holes_is_refused() -> None:
     _, pieces = bored_plate(4, 5, 0.008)
     message = r"needs \d+ convex pieces, \d+ after joining those that seal no cavity; at most 64 are allowed"

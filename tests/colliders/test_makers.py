@@ -128,6 +128,18 @@ def test_straight_chain_is_one_piece() -> None:
     assert len(chain_pieces(rings).inner(TOLERANCE)) == 1
 
 
+@given(st.floats(-1.2, 1.2), st.floats(0.001, 0.05), st.integers(5, 32))
+@settings(max_examples=40, deadline=None)
+def test_a_link_of_a_chain_is_the_hull_of_its_rings(angle: float, step: float, count: int) -> None:
+    ring = np.column_stack((circle(0.01, count), np.zeros(count)))
+    turn = np.array([(1, 0, 0), (0, np.cos(angle), -np.sin(angle)), (0, np.sin(angle), np.cos(angle))])
+    rings = [ring, ring @ turn.T + (0.0, 0.0, step)]  # the second one may go through the first
+    (piece,) = chain_pieces(rings).outer(TOLERANCE)
+    hull = Convex.hull(np.concatenate(rings))
+    assert piece.volume == pytest.approx(hull.volume, rel=1e-9)
+    assert len(piece.points) == len(hull.points)
+
+
 def test_bent_chain_keeps_its_straight_parts_whole() -> None:
     square = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)]) * 0.005
     low = [np.column_stack((square, np.full(4, z))) for z in (0.0, 0.1, 0.2)]

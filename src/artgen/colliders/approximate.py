@@ -67,28 +67,6 @@ def sphere_points(radius: float, tolerance: float, *, inscribed: bool = False) -
     return points * (radius if inscribed else radius / nearest)
 
 
-def enclosing(polytope: Polytope, most_vertices: int, tolerance: float) -> tuple[Polytope, float]:
-    """Return a polytope around another one with fewer faces, and by how far [m] it is exceeded.
-
-    The faces are added where the excess is greatest, until it is within the tolerance [m] or the vertices
-    are as many as allowed.
-    """
-    lower, upper = polytope.bounds
-    around = Polytope.box(lower, upper)
-    waiting = polytope.planes
-    while len(waiting):
-        heights = around.heights(waiting).max(axis=1)
-        worst = int(np.argmax(heights))
-        if heights[worst] <= tolerance:
-            return around, max(float(heights[worst]), 0.0)
-        smaller = around.split(waiting[worst])[0]
-        if smaller is None or len(smaller.points) > most_vertices:
-            return around, float(heights[worst])
-        around = smaller
-        waiting = np.delete(waiting, worst, axis=0)
-    return around, 0.0
-
-
 def inscribed_points(points: Array, tolerance: float) -> Array:
     """Return vertices of a convex mesh, shape (n, 3), whose hull falls short by the tolerance [m] at most.
 

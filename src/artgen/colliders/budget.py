@@ -15,8 +15,9 @@ def budgeted(
 ) -> tuple[Convex, ...]:
     """Return convex pieces around a solid that a simulator can carry.
 
-    Round things are facetted to the tolerance; over the budget to 0.5 mm, then 1 mm, then pieces are joined
-    as long as all of their hull stays within about 1 mm of the solid. A cavity is never closed.
+    Round things are facetted to the tolerance; over the budget to 0.5 mm, then 1 mm, those solids first that
+    have most pieces; then pieces are joined as long as all of their hull stays within about 1 mm of the
+    solid. A cavity is never closed.
 
     Args:
         pieces: The solid.
@@ -48,15 +49,18 @@ def budgeted_together(
         raise ValueError(
             f"a budget needs at least 1 piece and 8 vertices, got {most_pieces} and {most_vertices}"
         )
-    covers: list[tuple[Convex, ...]] = []
-    fewest = None
-    for limit in (tolerance, *(coarse for coarse in _COARSER if coarse > tolerance)):
-        found = [solid.simplified(limit, most_vertices) for solid in solids]
-        count = sum(map(len, found))
-        if count <= most_pieces:
-            return found
-        if fewest is None or count < fewest:
-            covers, fewest = found, count
+    covers = [solid.simplified(tolerance, most_vertices) for solid in solids]
+    fewest = sum(map(len, covers))
+    for limit in (coarse for coarse in _COARSER if coarse > tolerance):
+        for number in sorted(range(len(covers)), key=lambda number: (-len(covers[number]), number)):
+            if fewest <= most_pieces:
+                return covers
+            coarser = solids[number].simplified(limit, most_vertices)
+            if len(coarser) < len(covers[number]):
+                fewest -= len(covers[number]) - len(coarser)
+                covers[number] = coarser
+    if fewest <= most_pieces:
+        return covers
     merged = condensed(covers, most_pieces, most_vertices, _MARGIN)
     count = sum(map(len, merged))
     if count > most_pieces:

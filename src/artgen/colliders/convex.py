@@ -15,7 +15,7 @@ from artgen.colliders.approximate import (
     inscribed_circle,
     sphere_points,
 )
-from artgen.colliders.polytope import Polytope
+from artgen.colliders.polytope import Polytope, hull_triangles, is_rigid
 
 Array = NDArray[np.float64]
 Kind = Literal["box", "cylinder", "sphere", "capsule", "hull"]
@@ -24,6 +24,7 @@ TOLERANCE = 0.00025
 """How far facets may stand off a round piece unless said otherwise [m]."""
 
 _SQUARE = 1e-9  # relative error of angles and lengths within which a piece keeps its kind
+_MANY = 128  # vertices of a hull beyond which its faces are found only when they are asked for
 _NO_POINTS = np.empty((0, 3))
 _IDENTITY = np.eye(4)
 _NO_POINTS.setflags(write=False)
@@ -41,6 +42,7 @@ class Convex:
             capsule: (radius, length between the centres of its ends); hull: () [m].
         points: Hull vertices in asset coordinates, shape (n, 3) [m]; empty for the other kinds.
         polytope: The faces of a hull where they are known already.
+        origin: The piece from which a hull of many vertices was moved, and the rigid motion.
     """
 
     kind: Kind
@@ -48,6 +50,7 @@ class Convex:
     size: tuple[float, ...] = ()
     points: Array = field(default_factory=lambda: _NO_POINTS)
     polytope: Polytope | None = field(default=None, repr=False)
+    origin: tuple["Convex", Array] | None = field(default=None, repr=False)
 
     @classmethod
     def box(cls, size: tuple[float, float, float] | Array, pose: Array = _IDENTITY) -> "Convex":
@@ -76,7 +79,12 @@ class Convex:
         Raises:
             ValueError: The points are fewer than four, not finite, or lie in one plane.
         """
-        return cls.of(Polytope.hull(np.asarray(points, np.float64)))
+        points = np.asarray(points, np.float64)
+        if len(points) > _MANY:
+            vertices, _, centre = hull_triangles(points)
+            if len(vertices) > _MANY:
+                return cls("hull", _IDENTITY, (), vertices + centre)
+        return cls.of(Polytope.hull(points))
 
     @classmethod
     def of(cls, polytope: Polytope) -> "Convex":
@@ -180,6 +188,8 @@ class Convex:
             ValueError: The matrix is not finite or flattens the piece.
         """
         linear = matrix[:3, :3]
+        if is_rigid(linear) and np.isfinite(matrix[:3, 3]).all():
+            return self._carried(matrix)
         determinant = np.linalg.det(linear)
         if not abs(determinant) > 0.0 or not np.isfinite(matrix).all():
             raise ValueError(f"a piece cannot be moved by a matrix of determinant {determinant:.3g}")
@@ -203,6 +213,26 @@ class Convex:
         shape = self.inner_polytope(tolerance) if inner else self.outer_polytope(tolerance)
         return Convex.of(shape.transformed(matrix))
 
+    def _carried(self, matrix: Array) -> "Convex":
+        """Return the piece carried along by a rigid motion or a reflection."""
+        if self.kind == "hull" and self.polytope is not None:
+            moved = self.polytope.transformed(matrix)
+            return Convex("hull", _IDENTITY, (), moved.points, moved)
+        if self.kind == "hull":
+            source, before = self.origin or (self, _IDENTITY)
+            points = self.points @ matrix[:3, :3].T + matrix[:3, 3]
+            return Convex("hull", _IDENTITY, (), points, origin=(source, matrix @ before))
+        pose = matrix @ self.pose
+        if _mirrors(matrix):
+            pose[:3, 0] *= -1.0  # all primitives are their own mirror image
+        return Convex(self.kind, pose, self.size)
+
+
+def _mirrors(matrix: Array) -> bool:
+    """Tell whether a motion, shape (4, 4), is a reflection."""
+    (a, b, c), (d, e, f), (g, h, i) = matrix[:3, :3].tolist()  # numpy's determinant takes ten times as long
+    return bool(a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g) < 0.0)
+
 
 def _checked(
     kind: str, pose: Array, size: tuple[float, ...] | Array, count: int
@@ -223,6 +253,12 @@ def _as_box(polytope: Polytope) -> Convex | None:
     if len(polytope.points) != 8 or len(polytope.planes) != 6:
         return None
     normals = polytope.planes[:, :3]
+    if (np.abs(normals).max(axis=1) >= 1.0).all():  # along the axes
+        lower, upper = polytope.bounds
+        pose = np.eye(4)
+        pose[:3, 3] = (lower + upper) / 2.0
+        length = (upper - lower).tolist()
+        return Convex("box", pose, (length[0], length[1], length[2]), polytope=polytope)
     cosine = normals @ normals.T
     opposite = np.argmin(cosine, axis=1)
     square = np.abs(np.abs(cosine) - np.rint(np.abs(cosine))).max() <= _SQUARE

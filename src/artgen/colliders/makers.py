@@ -5,8 +5,9 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from artgen.colliders.approximate import enclosing, inscribed_points
+from artgen.colliders.approximate import inscribed_points
 from artgen.colliders.convex import Array, Convex
+from artgen.colliders.enclose import Facets, enclosing
 from artgen.colliders.pieces import Bounded, Cover, Exact, Pieces
 from artgen.colliders.polygon import convex_hull, decompose_polygon
 from artgen.colliders.polytope import SLIVER, Polytope
@@ -38,7 +39,7 @@ def round_pieces(primitive: Convex, points: Array) -> Pieces:
 
 
 def _thinned_hull(solid: Convex, tolerance: float) -> Cover:
-    return (Convex.hull(inscribed_points(solid.faces.points, tolerance)),)
+    return (Convex.hull(inscribed_points(solid.points, tolerance)),)
 
 
 def cylinder_pieces(radius: float, length: float, pose: Array = _IDENTITY, mesh_sides: int = 32) -> Pieces:
@@ -119,11 +120,11 @@ def prism_pieces(
 
 
 def _fewer_sides(prism: Polytope, tolerance: float) -> Polytope:
-    """Return a prism around a prism of many sides with at most 32, if the tolerance allows."""
-    if len(prism.points) <= _MOST_PRISM_VERTICES // 2:
+    """Return a prism around a prism of too many sides with fewer, if the tolerance allows."""
+    if len(prism.points) <= _MOST_PRISM_VERTICES:
         return prism
-    around, excess = enclosing(prism, _MOST_PRISM_VERTICES, tolerance)
-    return around if excess <= tolerance else prism
+    around, excess = enclosing(Facets.hull(prism.points), _MOST_PRISM_VERTICES, tolerance)
+    return Polytope.hull(around) if excess <= tolerance else prism
 
 
 def chain_pieces(rings: Sequence[Array], *, closed: bool = False) -> Pieces:
@@ -148,14 +149,40 @@ def chain_pieces(rings: Sequence[Array], *, closed: bool = False) -> Pieces:
         raise ValueError("a chain needs finite rings, got NaN or infinity")
 
     def outer(tolerance: float) -> Cover:
+        ends = _ring_planes(stack)
         runs = _straight_runs(stack, tolerance)
-        return tuple(Convex.hull(stack[start : end + 1].reshape(-1, 3)) for start, end in runs)
+        return tuple(_link(stack[start : end + 1], ends[start], ends[end]) for start, end in runs)
 
     def inner(_: float) -> Cover:
         links = (_inner_link(stack[start], stack[end]) for start, end in _straight_runs(stack, _STRAIGHT))
         return tuple(Convex.of(link) for link in links if link is not None)
 
     return Bounded(outer, inner)
+
+
+def _ring_planes(stack: Array) -> Array:
+    """Return the planes of rings as (nx, ny, nz, d), shape (n, 4) [m]; zero where a ring is not flat."""
+    middle = stack.mean(axis=1)
+    around = stack - middle[:, None]
+    normals = np.cross(around, np.roll(around, -1, axis=1)).sum(axis=1)
+    normals /= np.maximum(np.sqrt(np.sum(normals * normals, axis=1)), 1e-30)[:, None]
+    off = np.abs(np.einsum("rki,ri->rk", around, normals)).max(axis=1)
+    planes = np.column_stack((normals, np.sum(normals * middle, axis=1)))
+    planes[off > _STRAIGHT] = 0.0
+    return planes
+
+
+def _link(rings: Array, first: Array, last: Array) -> Convex:
+    """Return the hull of rings in a row.
+
+    All points of two flat rings are its corners if each ring is a face of it, as they are but in tight bends.
+    """
+    count = rings.shape[1]
+    if len(rings) == 2 and 4 < count <= _MOST_PRISM_VERTICES // 2:
+        ahead, behind = rings[1] @ first[:3] - first[3], rings[0] @ last[:3] - last[3]
+        if min(ahead.min(), -behind.max()) > SLIVER or min(-ahead.max(), behind.min()) > SLIVER:
+            return Convex("hull", _IDENTITY, (), rings.reshape(-1, 3))
+    return Convex.hull(rings.reshape(-1, 3))
 
 
 def _straight_runs(stack: Array, tolerance: float) -> list[tuple[int, int]]:

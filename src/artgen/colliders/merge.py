@@ -6,7 +6,6 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from artgen.colliders.approximate import enclosing
 from artgen.colliders.convex import Array, Convex
 from artgen.colliders.polytope import Polytope
 from artgen.colliders.split import Facetted, subtract
@@ -25,7 +24,7 @@ def joined(pieces: Sequence[Convex], most_vertices: int) -> list[Convex]:
     while True:
         taken: set[int] = set()
         fresh: list[Convex] = []
-        for first, second in _meeting(rest):
+        for first, second in _meeting(rest, most_vertices):
             if first in taken or second in taken:
                 continue
             hull = _hull(rest[first].faces, rest[second].faces, most_vertices)
@@ -61,9 +60,16 @@ def _outermost(pieces: Sequence[Convex]) -> list[Convex]:
     return [piece for index, piece in enumerate(pieces) if index not in dropped]
 
 
-def _meeting(pieces: Sequence[Convex]) -> list[tuple[int, int]]:
-    """Return the pairs that join without adding anything, those with the largest common face first."""
-    flat = [index for index, piece in enumerate(pieces) if piece.kind in ("box", "hull")]
+def _meeting(pieces: Sequence[Convex], most_vertices: int) -> list[tuple[int, int]]:
+    """Return the pairs that join without adding anything, those with the largest common face first.
+
+    Hulls of which the faces are not known have far more vertices than a joined one may have.
+    """
+    flat = [
+        index
+        for index, piece in enumerate(pieces)
+        if piece.kind == "box" or (piece.kind == "hull" and piece.polytope is not None)
+    ]
     if len(flat) < 2:
         return []
     shapes = [pieces[index].faces for index in flat]
@@ -87,6 +93,9 @@ def _meeting(pieces: Sequence[Convex]) -> list[tuple[int, int]]:
         same &= np.abs(spreads[left] - spreads[right]) <= _SAME * (1.0 + spreads[left])
         for one, two in zip(left[same].tolist(), right[same].tolist(), strict=True):
             first, second = int(owner[one]), int(owner[two])
+            corners = 2 * np.count_nonzero(shapes[first].contact[:, face[one]])
+            if len(shapes[first].points) + len(shapes[second].points) - corners > most_vertices:
+                continue  # only those of the common face may vanish
             if _behind(shapes[first], shapes[second], face[one]) and _behind(
                 shapes[second], shapes[first], face[two]
             ):
@@ -156,14 +165,14 @@ class _Condenser:
 
     def _covered(self, group: int, hull: Polytope) -> bool:
         """Tell whether a hull is within the margin of the group's solid."""
-        left = [Facetted(hull)]
+        left = [Facetted(known=hull)]
         for index, shape in enumerate(self._solid[group]):
             if not _overlap(shape.bounds, hull.bounds, self._margin):
                 continue
             key = (group, index)
             if key not in self._inflated:
                 self._inflated[key] = shape.inflated(self._margin)
-            left = subtract(left, [self._inflated[key]])
+            left = subtract(left, [Facetted(known=self._inflated[key])])
             if not left:
                 return True
         return False
@@ -172,29 +181,3 @@ class _Condenser:
 def _overlap(first: Array, second: Array, margin: float) -> bool:
     """Tell whether two bounding boxes come as near as the margin [m]."""
     return bool((first[0] <= second[1] + margin).all() and (second[0] <= first[1] + margin).all())
-
-
-def few_vertices(piece: Convex, most_vertices: int, tolerance: float, *, halvings: int = 2) -> list[Convex]:
-    """Return pieces around a piece, none with more vertices than allowed.
-
-    One piece where it exceeds the given one by the tolerance [m] at most, else two halves, each again so.
-    """
-    if piece.kind != "hull" or len(piece.points) <= most_vertices:
-        return [piece]
-    around, excess = enclosing(piece.faces, most_vertices, tolerance)
-    if excess <= tolerance or halvings == 0:
-        return [Convex.of(around)]
-    halves: list[Convex] = []
-    for half in piece.faces.split(_middle(piece.bounds())):
-        if half is not None:
-            halves.extend(few_vertices(Convex.of(half), most_vertices, tolerance, halvings=halvings - 1))
-    return halves
-
-
-def _middle(bounds: Array) -> Array:
-    """Return the plane square to the longest side of a bounding box, through its middle."""
-    axis = int(np.argmax(bounds[1] - bounds[0]))
-    plane = np.zeros(4)
-    plane[axis] = 1.0
-    plane[3] = bounds[:, axis].mean()
-    return plane

@@ -6,13 +6,13 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from artgen.colliders.convex import Array, Convex
-from artgen.colliders.merge import few_vertices, joined
-from artgen.colliders.polytope import Polytope
+from artgen.colliders.enclose import few_vertices
+from artgen.colliders.merge import joined
+from artgen.colliders.polytope import is_rigid
 from artgen.colliders.split import Facetted, intersect, subtract
 
 Cover = tuple[Convex, ...]
 
-_RIGID = 1e-12  # relative error of scale within which a motion is rigid
 _MANY = 10**9  # more vertices than any piece has
 
 
@@ -123,7 +123,7 @@ class _Transformed(Pieces):
         self._matrix = matrix
         linear = matrix[:3, :3]
         self._scale = 1.0
-        if np.abs(linear.T @ linear - np.eye(3)).max() > _RIGID:  # most motions are rigid, and this is quick
+        if not is_rigid(linear):
             self._scale = float(np.linalg.norm(linear, 2))
         if not self._scale > 0.0:
             raise ValueError(f"pieces cannot be moved by a matrix that flattens them: {matrix.tolist()}")
@@ -159,11 +159,11 @@ class _Difference(Pieces):
 
     def _outer(self, tolerance: float) -> Cover:
         around = [Facetted.around(piece, tolerance) for piece in self._solid.outer(tolerance)]
-        return _cut(around, [piece.inner_polytope(tolerance) for piece in self._cutter.inner(tolerance)])
+        return _cut(around, [Facetted.within(piece, tolerance) for piece in self._cutter.inner(tolerance)])
 
     def _inner(self, tolerance: float) -> Cover:
         within = [Facetted.within(piece, tolerance) for piece in self._solid.inner(tolerance)]
-        return _cut(within, [piece.outer_polytope(tolerance) for piece in self._cutter.outer(tolerance)])
+        return _cut(within, [Facetted.around(piece, tolerance) for piece in self._cutter.outer(tolerance)])
 
 
 class _Intersection(Pieces):
@@ -186,7 +186,7 @@ class _Intersection(Pieces):
         return tuple(part.convex() for part in intersect(first, second))
 
 
-def _cut(pieces: Sequence[Facetted], cutters: Sequence[Polytope]) -> Cover:
+def _cut(pieces: Sequence[Facetted], cutters: Sequence[Facetted]) -> Cover:
     """Subtract the cutters; what several of them cut is put together again where it fits."""
     rest = [part.convex() for part in subtract(pieces, cutters)]
     if len(cutters) > 1 and len(rest) > len(pieces):

@@ -26,6 +26,9 @@ SLIVER = 1e-6
 
 _COPLANAR = 1e-8  # [m]: hull points closer than this to a face lie on it
 
+_RIGID = 1e-12  # error of lengths within which a motion is rigid
+_UNIT = np.eye(3)
+_NEXT, _AFTER = np.array([1, 2, 0]), np.array([2, 0, 1])
 _BOX_SIGNS = np.array([[x, y, z] for x in (-0.5, 0.5) for y in (-0.5, 0.5) for z in (-0.5, 0.5)])
 _BOX_NORMALS = np.array(
     [[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]], dtype=np.float64
@@ -87,25 +90,15 @@ class Polytope:
         Raises:
             ValueError: The points are fewer than four, not finite, or lie in one plane.
         """
-        if points.ndim != 2 or points.shape[1] != 3 or len(points) < 4:
-            raise ValueError(f"a hull needs at least 4 points of shape (n, 3), got shape {points.shape}")
-        if not np.isfinite(points).all():
-            raise ValueError("a hull needs finite points, got NaN or infinity")
-        centre = (points.min(axis=0) + points.max(axis=0)) / 2.0
-        solid = Manifold.hull_points(np.ascontiguousarray(points - centre))
-        if solid.is_empty():
-            raise ValueError(f"the {len(points)} points lie in one plane; a hull needs a volume")
-        mesh = solid.to_mesh64()
-        vertices = np.array(mesh.vert_properties)[:, :3]
-        triangles = np.asarray(mesh.tri_verts).astype(np.int64)
+        vertices, triangles, centre = hull_triangles(points)
         planes, contact = _faces(vertices, triangles)
         while True:
-            corner = np.count_nonzero(contact, axis=1) >= 3
-            face = np.count_nonzero(contact[corner], axis=0) >= 3
-            contact = contact[corner][:, face]
-            vertices, planes = vertices[corner], planes[face]
+            corner = np.add.reduce(contact, axis=1, dtype=np.int64) >= 3
+            face = np.add.reduce(contact[corner], axis=0, dtype=np.int64) >= 3
             if corner.all() and face.all():
                 break
+            contact = contact[corner][:, face]
+            vertices, planes = vertices[corner], planes[face]
         if len(vertices) < 4 or len(planes) < 4:
             raise ValueError(f"the {len(points)} points lie in one plane to 1e-8 m; a hull needs a volume")
         planes[:, 3] += planes[:, :3] @ centre
@@ -144,6 +137,11 @@ class Polytope:
         reach = self.planes[:, :3] @ self.points.T
         return float((self.planes[:, 3] - reach.min(axis=1)).min())
 
+    @cached_property
+    def _shares(self) -> NDArray[np.float32]:
+        """The contacts as numbers, whose products count what two vertices share."""
+        return self.contact.astype(np.float32)
+
     def manifold(self) -> Manifold:
         """Return the solid as a manifold."""
         return Manifold.hull_points(np.ascontiguousarray(self.points))
@@ -157,6 +155,10 @@ class Polytope:
         """Return the polytope moved by an invertible affine matrix, shape (4, 4)."""
         linear, shift = matrix[:3, :3], matrix[:3, 3]
         planes = np.empty_like(self.planes)
+        if is_rigid(linear):
+            planes[:, :3] = self.planes[:, :3] @ linear.T
+            planes[:, 3] = self.planes[:, 3] + planes[:, :3] @ shift
+            return Polytope(self.points @ linear.T + shift, planes, self.contact)
         normals = self.planes[:, :3] @ np.linalg.inv(linear)
         length = np.sqrt(np.sum(normals * normals, axis=1))
         planes[:, :3] = normals / length[:, None]
@@ -172,8 +174,8 @@ class Polytope:
             return None, self
         below, above = np.flatnonzero(height < -SNAP), np.flatnonzero(height > SNAP)
         on = np.abs(height) <= SNAP
-        faces = self.contact.astype(np.float32)
-        lower, upper = np.nonzero(faces[below] @ faces[above].T > 1.5)
+        shares = self._shares
+        lower, upper = np.nonzero(shares[below] @ shares[above].T > 1.5)
         lower, upper = below[lower], above[upper]
         share = height[lower] / (height[lower] - height[upper])
         start = self.points[lower]
@@ -192,7 +194,7 @@ class Polytope:
         contact[:count, :-1] = old
         contact[count:, :-1] = fresh_contact
         contact[:count, -1] = on[kept]
-        face = np.count_nonzero(contact, axis=0) >= 3
+        face = np.add.reduce(contact, axis=0, dtype=np.int64) >= 3
         face[-1] = True
         planes = np.concatenate((self.planes, plane[None]))
         return Polytope(np.concatenate((self.points[kept], fresh)), planes[face], contact[:, face])
@@ -232,27 +234,61 @@ class Polytope:
         return bool((self.planes[:, :3] @ points.T - self.planes[:, 3:]).max() <= margin)
 
 
+def hull_triangles(points: Array) -> tuple[Array, Indices, Array]:
+    """Return the convex hull of points, shape (n, 3) [m], as a mesh.
+
+    Returns:
+        Vertices from the middle of the bounding box, shape (k, 3) [m]; vertex indices of the triangles, shape
+        (m, 3); the middle, shape (3,) [m].
+
+    Raises:
+        ValueError: The points are fewer than four, not finite, or lie in one plane.
+    """
+    if points.ndim != 2 or points.shape[1] != 3 or len(points) < 4:
+        raise ValueError(f"a hull needs at least 4 points of shape (n, 3), got shape {points.shape}")
+    if not np.isfinite(points).all():
+        raise ValueError("a hull needs finite points, got NaN or infinity")
+    centre = (points.min(axis=0) + points.max(axis=0)) / 2.0
+    solid = Manifold.hull_points(np.ascontiguousarray(points - centre))
+    if solid.is_empty():
+        raise ValueError(f"the {len(points)} points lie in one plane; a hull needs a volume")
+    mesh = solid.to_mesh64()
+    return np.array(mesh.vert_properties)[:, :3], np.asarray(mesh.tri_verts).astype(np.int64), centre
+
+
+def is_rigid(linear: Array) -> bool:
+    """Tell whether a linear map, shape (3, 3), is a rotation or a reflection."""
+    return bool(np.abs(linear.T @ linear - _UNIT).max() <= _RIGID)
+
+
+def cross(first: Array, second: Array) -> Array:
+    """Return the cross products of rows, shape (n, 3)."""
+    product: Array = first[:, _NEXT] * second[:, _AFTER] - first[:, _AFTER] * second[:, _NEXT]
+    return product
+
+
 def _faces(vertices: Array, triangles: Indices) -> tuple[Array, Mask]:
     """Join the coplanar triangles of a hull to faces: their planes and vertex contacts."""
     corners = vertices[triangles]
-    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    area = np.sqrt(np.sum(normals * normals, axis=1))
-    sides = corners - np.roll(corners, 1, axis=1)
-    longest = np.sqrt(np.sum(sides * sides, axis=2)).max(axis=1)
+    first, second = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
+    normals = cross(first, second)
+    area = np.einsum("ij,ij->i", normals, normals)
+    longest = np.maximum(np.einsum("ij,ij->i", first, first), np.einsum("ij,ij->i", second, second))
     order = np.argsort(-area, kind="stable")
-    order = order[area[order] > _COPLANAR * longest[order]]  # the normal of a needle means nothing
-    normals = normals[order] / area[order, None]
+    order = order[area[order] > _COPLANAR**2 * longest[order]]  # the normal of a needle means nothing
+    normals = normals[order] / np.sqrt(area[order])[:, None]
     reach = normals @ vertices.T
     offset = reach.max(axis=1)
     touching = reach >= offset[:, None] - _COPLANAR
-    seen: dict[bytes, int] = {}
-    for row, key in enumerate(np.packbits(touching, axis=1)):
-        seen.setdefault(key.tobytes(), row)
-    rows = np.fromiter(seen.values(), np.int64)
-    touching = touching[rows]
-    shared = touching.astype(np.float32)
-    common = shared @ shared.T
-    count = np.diagonal(common)
-    inside = (common >= count[:, None]) & (count[None, :] > count[:, None])
-    rows, touching = rows[~inside.any(axis=1)], touching[~inside.any(axis=1)]
-    return np.column_stack((normals[rows], offset[rows])), touching.T
+    count = np.add.reduce(touching, axis=1, dtype=np.int64)
+    large = np.flatnonzero(count > 3)
+    if len(large):  # one row for each face, the largest triangle's, with all of its vertices
+        bits = np.zeros((len(count), -(-len(vertices) // 64) * 8), np.uint8)
+        packed = np.packbits(touching, axis=1)
+        bits[:, : packed.shape[1]] = packed
+        words = bits.view(np.uint64)
+        within = (words[:, None] & ~words[None, large] == 0).all(axis=2)
+        within &= (count[large] > count[:, None]) | (large < np.arange(len(count))[:, None])
+        rows = ~within.any(axis=1)
+        normals, offset, touching = normals[rows], offset[rows], touching[rows]
+    return np.column_stack((normals, offset)), touching.T

@@ -2,51 +2,91 @@
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
 from artgen.colliders.convex import Array, Convex
+from artgen.colliders.enclose import few_vertices
 from artgen.colliders.polytope import SLIVER, SNAP, Polytope
 
+_MANY = 128  # vertices of a piece beyond which it is enclosed in simpler ones before it is cut
+_FEW = 64  # vertices of these
 _PARALLEL = 1e-12  # 1 - cosine below which a plane is square to a cylinder's axis
 
 
 @dataclass(frozen=True, eq=False)
 class Facetted:
-    """A piece beside the polytope that stands in for it when it is cut.
+    """A piece beside the polytope that stands in for it when it is cut, which is made when it is asked for.
 
     Attributes:
-        shape: The piece itself, or the polytope around (or within) it if it is round.
         kept: The piece as it was made, where it is known.
+        known: The polytope, where it is known.
+        tolerance: How far the polytope of a round piece may be off [m].
+        inside: Whether that is within the piece instead of around it.
     """
 
-    shape: Polytope
     kept: Convex | None = None
+    known: Polytope | None = None
+    tolerance: float = 0.0
+    inside: bool = False
 
     @classmethod
     def around(cls, piece: Convex, tolerance: float) -> "Facetted":
         """Facet a round piece on the outside, to the tolerance [m]."""
-        return cls(piece.outer_polytope(tolerance), piece)
+        return cls(piece, None, tolerance)
 
     @classmethod
     def within(cls, piece: Convex, tolerance: float) -> "Facetted":
         """Facet a round piece on the inside, to the tolerance [m]."""
-        return cls(piece.inner_polytope(tolerance), piece)
+        return cls(piece, None, tolerance, inside=True)
+
+    @cached_property
+    def shape(self) -> Polytope:
+        """The polytope."""
+        if self.known is not None:
+            return self.known
+        assert self.kept is not None, "a piece needs a polytope or the solid for which it stands in"
+        if self.inside:
+            return self.kept.inner_polytope(self.tolerance)
+        return self.kept.outer_polytope(self.tolerance)
+
+    @cached_property
+    def bounds(self) -> Array:
+        """Corners of the bounding box, shape (2, 3) [m]."""
+        return self.shape.bounds if self.kept is None else self.kept.bounds()
+
+    @property
+    def is_large(self) -> bool:
+        """Whether it takes long to cut the piece, which may be replaced by simpler ones around it."""
+        return self.kept is not None and not self.inside and len(self.kept.points) > _MANY
+
+    def simpler(self) -> list["Facetted"]:
+        """Return pieces of few vertices around the piece."""
+        assert self.kept is not None
+        return [Facetted.around(few, self.tolerance) for few in few_vertices(self.kept, _FEW, self.tolerance)]
 
     def convex(self) -> Convex:
         """Return the piece."""
         return self.kept or Convex.of(self.shape)
 
 
-def subtract(pieces: Sequence[Facetted], cutters: Iterable[Polytope]) -> list[Facetted]:
+def subtract(pieces: Sequence[Facetted], cutters: Iterable[Facetted]) -> list[Facetted]:
     """Return the pieces without the cutters: each cut piece in few convex parts, the others as they were."""
     rest = list(pieces)
     for cutter in cutters:
-        kept: list[Facetted] = []
         touched = _near(rest, cutter.bounds)
+        if not any(touched):
+            continue
+        kept: list[Facetted] = []
         for near, piece in zip(touched, rest, strict=True):
-            parts = _without(piece, cutter) if near else None
-            kept.extend([piece] if parts is None else parts)
+            if not near:
+                kept.append(piece)
+            elif piece.is_large:
+                kept.extend(subtract(piece.simpler(), [cutter]))
+            else:
+                parts = _without(piece, cutter.shape)
+                kept.extend([piece] if parts is None else parts)
         rest = kept
     return rest
 
@@ -55,7 +95,7 @@ def intersect(pieces: Sequence[Facetted], others: Sequence[Facetted]) -> list[Fa
     """Return what each piece shares with each of the others."""
     shared: list[Facetted] = []
     for other in others:
-        for near, piece in zip(_near(pieces, other.shape.bounds), pieces, strict=True):
+        for near, piece in zip(_near(pieces, other.bounds), pieces, strict=True):
             if near:
                 common = _common(piece, other)
                 if common is not None:
@@ -67,7 +107,7 @@ def _near(pieces: Sequence[Facetted], bounds: Array) -> list[bool]:
     """Tell which pieces have a bounding box that reaches into the given one."""
     if not pieces:
         return []
-    boxes = np.array([piece.shape.bounds for piece in pieces])
+    boxes = np.array([piece.bounds for piece in pieces])
     reach = (boxes[:, 1] > bounds[0] + SNAP) & (boxes[:, 0] < bounds[1] - SNAP)
     found: list[bool] = reach.all(axis=1).tolist()
     return found
@@ -132,8 +172,8 @@ def _split(piece: Facetted, plane: Array) -> tuple[Facetted | None, Facetted | N
         if 1.0 - abs(cosine) <= _PARALLEL:
             return _shortened(cylinder, inside), _shortened(cylinder, outside)
     return (
-        None if inside is None else Facetted(inside),
-        None if outside is None else Facetted(outside),
+        None if inside is None else Facetted(known=inside),
+        None if outside is None else Facetted(known=outside),
     )
 
 
@@ -144,4 +184,4 @@ def _shortened(cylinder: Convex, shape: Polytope) -> Facetted:
     lower, upper = float(along.min()), float(along.max())
     pose = cylinder.pose.copy()
     pose[:3, 3] += axis * (lower + upper) / 2.0
-    return Facetted(shape, Convex("cylinder", pose, (cylinder.size[0], upper - lower)))
+    return Facetted(Convex("cylinder", pose, (cylinder.size[0], upper - lower)), shape)

@@ -3,6 +3,7 @@
 import functools
 import math
 from collections.abc import Callable, Sequence
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,6 +18,18 @@ Array = NDArray[np.float64]
 _SOFT_EDGE = 0.012
 """Edges of a box rounded by more than this [m] show in its collider; below, it is a plain box."""
 
+_FAR = 0.001
+"""How far a collider may stand off a rounded edge [m], unless that adds little volume."""
+
+_LITTLE = 0.025
+"""Share of a solid's volume that the colliders of its rounded edges may add, however far they stand off."""
+
+_SIDES = 24
+"""Sides of the chamfers around the rounded rims of a cylinder."""
+
+_CHAMFERED = 0.0007
+"""How far one chamfer around a rounded rim may stand off [m]; farther, there are two."""
+
 
 def moved(pieces: Pieces, matrix: Array) -> Pieces:
     """Return pieces moved by an affine matrix, shape (4, 4)."""
@@ -25,9 +38,11 @@ def moved(pieces: Pieces, matrix: Array) -> Pieces:
 
 def around_rounded_box(size: Array, bevel: float) -> Pieces:
     """Return the pieces of a box about the origin whose edges are rounded by `bevel` [m]."""
+    added = (4.0 - math.pi) * bevel**2 * float(size.sum() / size.prod())
+    reach = bevel * (math.sqrt(3.0) - 1.0)
 
     def outer(tolerance: float) -> tuple[Convex, ...]:
-        if bevel <= max(_SOFT_EDGE, tolerance):
+        if bevel <= _SOFT_EDGE and (reach <= _FAR or added <= _LITTLE):
             return (Convex.box(size),)
         return (_chamfered(size, bevel * math.tan(math.pi / 8.0), bevel),)
 
@@ -63,7 +78,37 @@ def around_cylinder(radius: float, length: float, sides: int, matrix: Array, bev
         return whole
     shorter = colliders.cylinder_pieces(radius, length - 2.0 * bevel, matrix, sides)
     thinner = colliders.cylinder_pieces(radius - bevel, length, matrix, sides)
-    return Bounded(whole.outer, lambda tolerance: shorter.inner(tolerance) + thinner.inner(tolerance))
+    added = (4.0 - math.pi) * bevel**2 / (radius * length)
+
+    def outer(tolerance: float) -> tuple[Convex, ...]:
+        if bevel * (math.sqrt(2.0) - 1.0) <= _FAR or added <= _LITTLE:
+            return whole.outer(tolerance)
+        return tuple(_rims(radius, length, matrix, bevel))
+
+    return Bounded(outer, lambda tolerance: shorter.inner(tolerance) + thinner.inner(tolerance))
+
+
+def _rims(radius: float, length: float, matrix: Array, bevel: float) -> list[Convex]:
+    """Return the ends of a chamfered cylinder along local z around rounded ones, and what is between.
+
+    The chamfers touch the quarter of a circle at angles that divide it evenly.
+    """
+    count = 1 if bevel * (1.0 / math.cos(math.pi / 8.0) - 1.0) <= _CHAMFERED else 2
+    half = math.pi / 4.0 / (count + 1)
+    corner = half * (2.0 * np.arange(count + 1) + 1.0)
+    radii = radius - bevel + bevel * np.cos(corner) / math.cos(half)
+    heights = length / 2.0 - bevel + bevel * np.sin(corner) / math.cos(half)
+    angle = np.arange(_SIDES) * (math.tau / _SIDES)
+    circle = np.column_stack((np.cos(angle), np.sin(angle))) / math.cos(math.pi / _SIDES)
+    pieces = [Convex.cylinder(radius, 2.0 * float(heights[0]), matrix)]
+    for side in (-1.0, 1.0):
+        rings = [
+            np.column_stack((circle * ring, np.full(_SIDES, side * height)))
+            for ring, height in zip(radii, heights, strict=True)
+        ]
+        placed = [ring @ matrix[:3, :3].T + matrix[:3, 3] for ring in rings]
+        pieces += [Convex.hull(np.concatenate(pair)) for pair in pairwise(placed)]
+    return pieces
 
 
 def lazily(make: Callable[[], Pieces]) -> Pieces:

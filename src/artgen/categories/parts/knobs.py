@@ -88,7 +88,7 @@ def _one_knob(style: str, start: Scalar, end: Scalar, radius: Scalar) -> list[So
     elif style == "egg":
         solids.append(ellipsoid(1.15 * radius, deep, 0.85 * radius).at(0.0, end - deep, 0.0))
     elif style == "flat":
-        solids.append(cylinder(radius, 0.022, axis=Y, bevel=0.0035).at(0.0, end - 0.011, 0.0))
+        solids.append(cylinder(radius, 0.022, axis=Y, bevel=0.0028).at(0.0, end - 0.011, 0.0))
     else:
         cup = frustum(0.5 * radius, radius, 0.026, axis=Y, bevel=0.003)
         solids.append(cup.at(0.0, end - 0.016, 0.0))

@@ -1,0 +1,200 @@
+"""Polytopes of few vertices around convex solids of many."""
+
+from dataclasses import dataclass
+from functools import cached_property, lru_cache
+from typing import Self
+
+import numpy as np
+from manifold3d import Manifold, Mesh64
+from numpy.typing import NDArray
+
+from artgen.colliders.convex import TOLERANCE, Array, Convex
+from artgen.colliders.polytope import SNAP, cross
+
+_NEEDLE = 1e-7  # [m]: height of a triangle below which it is a needle
+_FLAT = 1e-8  # area of a dual triangle by its longest side squared, below which it is a needle
+_APART = 1e8  # [1/m]: corners nearer than its inverse are one
+_WORTHWHILE = 0.5  # share of the greatest excess at a corner that is cut off along with the worst one
+_NEAR = 0.0006  # [m]: how far a polytope of fewer vertices may stand off
+_FAR = 0.001  # [m]: how far it may where it adds little volume
+_ADDED = 0.02  # share of volume that is little
+_MOST_HALVINGS = 3
+
+
+@dataclass(frozen=True, eq=False)
+class Facets:
+    """A convex solid as its triangles, of which some may lie in one plane.
+
+    Quick to make even of a thousand vertices, where a `Polytope` knows which faces meet at a vertex.
+
+    Attributes:
+        solid: The solid as a convex manifold.
+    """
+
+    solid: Manifold
+
+    @classmethod
+    def hull(cls, points: Array) -> Self:
+        """Make the convex hull of points, shape (n, 3) [m]."""
+        return cls(Manifold.hull_points(np.ascontiguousarray(points)))
+
+    @cached_property
+    def points(self) -> Array:
+        """The vertices, shape (n, 3) [m]."""
+        points: Array = np.array(self._mesh.vert_properties)[:, :3]
+        return points
+
+    @cached_property
+    def planes(self) -> Array:
+        """The planes of the triangles as (nx, ny, nz, d), inside is `n.x <= d`, shape (m, 4)."""
+        normals, area, corners = self._across
+        sides = corners - np.roll(corners, 1, axis=1)
+        longest = np.sqrt(np.sum(sides * sides, axis=2)).max(axis=1)
+        sound = area > _NEEDLE * longest  # the normal of a needle means nothing
+        planes = np.empty((np.count_nonzero(sound), 4))
+        planes[:, :3] = normals[sound] / area[sound, None]
+        planes[:, 3] = np.sum(planes[:, :3] * corners[sound, 0], axis=1)
+        return planes
+
+    @cached_property
+    def centre(self) -> Array:
+        """The centroid of the surface, shape (3,) [m]: well inside even if most vertices are at one end."""
+        _, area, corners = self._across
+        return np.asarray(area @ corners.mean(axis=1) / area.sum(), np.float64)
+
+    @cached_property
+    def volume(self) -> float:
+        """The volume [m^3]."""
+        return float(self.solid.volume())
+
+    def halves(self) -> "list[Facets]":
+        """Return the parts on both sides of the middle of the longest side of the bounding box."""
+        lower, upper = self.points.min(axis=0), self.points.max(axis=0)
+        axis = int(np.argmax(upper - lower))
+        middle = (lower[axis] + upper[axis]) / 2.0
+        height = self.points[:, axis] - middle
+        triangles = self._triangles
+        start, end = triangles.ravel(), np.roll(triangles, -1, axis=1).ravel()
+        crossing = (height[start] < 0.0) & (height[end] > 0.0)  # once: it runs up in one triangle
+        start, end = start[crossing], end[crossing]
+        share = height[start] / (height[start] - height[end])
+        cut = self.points[start] + share[:, None] * (self.points[end] - self.points[start])
+        cut[:, axis] = middle
+        sides = (self.points[height <= 0.0], self.points[height >= 0.0])
+        return [Facets.hull(np.concatenate((side, cut))) for side in sides]
+
+    @cached_property
+    def _mesh(self) -> Mesh64:
+        return self.solid.to_mesh64()
+
+    @cached_property
+    def _triangles(self) -> NDArray[np.int64]:
+        return np.asarray(self._mesh.tri_verts).astype(np.int64)
+
+    @cached_property
+    def _across(self) -> tuple[Array, Array, Array]:
+        """Normals of the length of the triangles' doubled areas, these areas, and the triangles' corners."""
+        corners = self.points[self._triangles]
+        normals = cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+        return normals, np.sqrt(np.sum(normals * normals, axis=1)), corners
+
+
+def enclosing(solid: Facets, most_vertices: int, tolerance: float) -> tuple[Array, float]:
+    """Return the corners of a polytope around a convex solid, shape (n, 3) [m], and by how far it stands off.
+
+    It has some of the solid's faces and those of its bounding box. At each of its corners the face that cuts
+    off most is added, the corners that stand off farthest first, until all are within the tolerance [m] or
+    the vertices are as many as allowed.
+    """
+    chosen = _bounding_planes(solid.points)
+    corners = _corners(chosen, solid.centre)
+    waiting = solid.planes
+    most_added = most_vertices
+    while True:
+        heights = waiting[:, :3] @ corners.T - waiting[:, 3:]
+        reach, corner = heights.max(axis=1), heights.argmax(axis=1)
+        excess = max(float(reach.max()), 0.0)
+        spare = min((most_vertices - len(corners)) // 2, most_added)
+        if excess <= max(tolerance, SNAP) or spare < 1:
+            return corners, excess
+        cutting = reach > tolerance  # the others never will, as the polytope only shrinks
+        waiting, reach, corner = waiting[cutting], reach[cutting], corner[cutting]
+        order = np.argsort(-reach, kind="stable")
+        order = order[reach[order] >= excess * _WORTHWHILE]
+        _, first = np.unique(corner[order], return_index=True)
+        more = np.concatenate((chosen, waiting[order[np.sort(first)[:spare]]]))
+        fresh = _corners(more, solid.centre)
+        if len(fresh) > most_vertices:  # a corner of many edges was cut off
+            most_added = spare // 2
+            continue
+        chosen, corners = more, fresh
+
+
+def _bounding_planes(points: Array) -> Array:
+    """Return the planes of the bounding box, shape (6, 4) [m]."""
+    planes = np.zeros((6, 4))
+    planes[:3, :3], planes[3:, :3] = np.eye(3), -np.eye(3)
+    planes[:3, 3], planes[3:, 3] = points.max(axis=0), -points.min(axis=0)
+    return planes
+
+
+def _corners(planes: Array, centre: Array) -> Array:
+    """Return the corners of the polytope behind planes around an inner point, shape (n, 3) [m].
+
+    A face n.x <= d about the inner point becomes the point n / d; each face of the hull of these is a corner.
+    """
+    depth = planes[:, 3] - planes[:, :3] @ centre
+    dual = Manifold.hull_points(planes[:, :3] / depth[:, None]).to_mesh64()
+    ends = np.array(dual.vert_properties)[:, :3][np.asarray(dual.tri_verts).astype(np.int64)]
+    first, second = ends[:, 1] - ends[:, 0], ends[:, 2] - ends[:, 0]
+    poles = cross(first, second)
+    longest = np.maximum(np.einsum("ij,ij->i", first, first), np.einsum("ij,ij->i", second, second))
+    sound = np.einsum("ij,ij->i", poles, poles) > (_FLAT * longest) ** 2  # of equal corners one is always
+    corners = poles[sound] / np.einsum("ij,ij->i", poles[sound], ends[sound, 0])[:, None]
+    near = np.rint(corners * _APART)
+    order = np.lexsort(near.T)
+    fresh = np.ones(len(order), dtype=bool)
+    fresh[1:] = (near[order[1:]] != near[order[:-1]]).any(axis=1)
+    around: Array = corners[order[fresh]] + centre
+    return around
+
+
+def few_vertices(piece: Convex, most_vertices: int, tolerance: float) -> list[Convex]:
+    """Return pieces around a piece, none with more vertices than allowed.
+
+    One piece where that stays within 0.6 mm of the given one, or within 1 mm where it adds little volume;
+    else two, four or eight; four at most where the tolerance [m] is a coarse one.
+    """
+    if piece.kind != "hull" or len(piece.points) <= most_vertices:
+        return [piece]
+    if piece.origin is None:
+        return list(_few_vertices(piece, most_vertices, tolerance))
+    source, matrix = piece.origin
+    return [found.transformed(matrix) for found in _few_vertices(source, most_vertices, tolerance)]
+
+
+@lru_cache(maxsize=32)
+def _few_vertices(piece: Convex, most_vertices: int, tolerance: float) -> tuple[Convex, ...]:
+    """Return pieces around a piece, remembered: a solid is often there several times."""
+    halvings = _MOST_HALVINGS - (tolerance > TOLERANCE)
+    return tuple(_enclosed(Facets.hull(piece.points), most_vertices, tolerance, halvings))
+
+
+def _enclosed(solid: Facets, most_vertices: int, tolerance: float, halvings: int) -> list[Convex]:
+    """Return polytopes around a solid, which may be halved so many times."""
+    if len(solid.points) <= most_vertices:
+        return [Convex.hull(solid.points)]
+    around, excess = enclosing(solid, most_vertices, tolerance)
+    piece = Convex.hull(around)
+    if excess <= tolerance or halvings == 0:
+        return [piece]
+    # halving a smooth solid halves all of these
+    times = max(excess / max(_FAR, tolerance), (piece.volume / solid.volume - 1.0) / _ADDED)
+    times = min(times, excess / max(_NEAR, tolerance))
+    if times <= 1.0:
+        return [piece]
+    parts = [solid]
+    while times > 1.0 and halvings > 0:
+        parts = [half for part in parts for half in part.halves()]
+        times, halvings = times / 2.0, halvings - 1
+    return [made for part in parts for made in _enclosed(part, most_vertices, tolerance, halvings)]

@@ -1,0 +1,76 @@
+"""How closely colliders follow rounded edges."""
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from manifold3d import Manifold, OpType
+
+from artgen.colliders import TOLERANCE
+from artgen.nodes import primitive
+from support.shapes import Y, Z
+
+
+def covered(shape):
+    """Return by which share the colliders of a shape exceed it; they contain it."""
+    pieces = shape.pieces.outer(TOLERANCE)
+    cover = Manifold.batch_boolean([piece.manifold(1e-5) for piece in pieces], OpType.Add)
+    assert (shape.manifold - cover).volume() < 1e-7 * shape.manifold.volume()
+    return cover.volume() / shape.manifold.volume() - 1.0
+
+
+def farthest(shape, core):
+    """Return how far the corners of a shape's colliders are from a core, at most [m].
+
+    Args:
+        shape: The shape, along the axes.
+        core: Takes points to what they are beyond the core in each of its directions, negative within [m].
+    """
+    corners = np.concatenate([piece.outer_points(1e-5) for piece in shape.pieces.outer(TOLERANCE)])
+    return np.linalg.norm(np.maximum(core(corners), 0.0), axis=1).max()
+
+
+@settings(max_examples=40, deadline=None)
+@given(st.floats(0.004, 0.04), st.floats(0.005, 0.3), st.floats(0.0, 0.9))
+def test_a_rounded_cylinder_is_followed(radius, length, share):
+    bevel = share * min(radius, length / 2.0)
+    shape = primitive._cylinder(radius, length, Z, bevel)
+
+    def core(points):
+        across = np.hypot(points[:, 0], points[:, 1]) - (radius - bevel)
+        return np.column_stack((across, np.abs(points[:, 2]) - (length / 2.0 - bevel)))
+
+    assert covered(shape) < 0.045 or farthest(shape, core) - bevel < 0.0012
+
+
+@settings(max_examples=40, deadline=None)
+@given(st.floats(0.01, 0.4), st.floats(0.01, 0.4), st.floats(0.01, 0.4), st.floats(0.0, 0.9))
+def test_a_rounded_box_is_followed(x, y, z, share):
+    bevel = share * min(x, y, z) / 2.0
+    shape = primitive._box(x, y, z, bevel)
+    assert len(shape.pieces.outer(TOLERANCE)) == 1
+
+    def core(points):
+        return np.abs(points) - (np.array((x, y, z)) / 2.0 - bevel)
+
+    assert covered(shape) < 0.045 or farthest(shape, core) - bevel < max(0.0012, 0.2 * bevel)
+
+
+@pytest.mark.parametrize(("bevel", "kinds"), [(0.001, ["cylinder"]), (0.006, ["cylinder", "hull", "hull"])])
+def test_a_knob_shows_its_rims_where_they_matter(bevel, kinds):
+    shape = primitive._cylinder(0.028, 0.025, Y, bevel)
+    assert [piece.kind for piece in shape.pieces.outer(TOLERANCE)] == kinds
+    assert covered(shape) < 0.03
+
+
+@pytest.mark.parametrize(
+    ("size", "bevel", "kind"),
+    [
+        ((0.5, 0.5, 0.5), 0.01, "box"),
+        ((0.02, 0.005, 0.03), 0.001, "box"),
+        ((0.02, 0.01, 0.03), 0.004, "hull"),
+    ],
+)
+def test_a_box_shows_its_edges_where_they_matter(size, bevel, kind):
+    (piece,) = primitive._box(*size, bevel).pieces.outer(TOLERANCE)
+    assert piece.kind == kind
