@@ -10,7 +10,7 @@ from artgen.colliders import TOLERANCE, Convex
 Array = NDArray[np.float64]
 
 X, Y, Z = np.eye(3)
-_THIN = 1e-6  # [m]: slivers lower than this have no normal to speak of
+_THIN = 1e-7  # [m]: slivers lower than this have no normal to speak of
 _MISSED = 2e-5  # share of the volume: pieces may leave out films of a micrometre
 
 

@@ -6,7 +6,7 @@ from functools import cached_property
 
 import numpy as np
 from manifold3d import Error, Manifold, Mesh64
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from artgen.colliders import Pieces
 from artgen.materials import Material
@@ -108,17 +108,8 @@ class Shape:
         properties /= _GRAIN
         if paints is not None:
             properties[:, 8] = paints
-        kept = triangles[proper].astype(np.uint64)
-        mesh = Mesh64(
-            properties,
-            kept,
-            duplicate.astype(np.uint64),
-            target[duplicate].astype(np.uint64),
-            run_index=np.array([0, 3 * len(kept)], np.uint64),
-            run_original_id=np.array([Manifold.reserve_ids(1)], np.uint32),
-            run_flags=np.array([_HAS_NORMALS], np.uint8),
-        )
-        return Shape(Manifold(mesh), pieces, paint_materials or {}).checked()
+        manifold = manifold_of(properties, triangles[proper], duplicate, target[duplicate])
+        return Shape(manifold, pieces, paint_materials or {}).checked()
 
     def checked(self) -> "Shape":
         """Force the manifold and return the shape if it is a solid.
@@ -227,13 +218,26 @@ def _reflected(manifold: Manifold, matrix: Array) -> Manifold:
     properties[:, :3] = properties[:, :3] @ matrix[:3, :3].T + matrix[:3, 3]
     normals = properties[:, 3:6] @ np.linalg.inv(matrix[:3, :3])
     properties[:, 3:6] = normals / np.linalg.norm(normals, axis=1, keepdims=True)
+    return manifold_of(properties, raw.tri_verts[:, ::-1], raw.merge_from_vert, raw.merge_to_vert)
+
+
+def manifold_of(table: Array, triangles: ArrayLike, merged: ArrayLike, target: ArrayLike) -> Manifold:
+    """Make a manifold, whose status is not checked, of vertices with the channels of `PROPERTIES`.
+
+    Args:
+        table: x y z and the channels of each vertex, shape (n, 3 + PROPERTIES).
+        triangles: Vertex indices, shape (m, 3).
+        merged: Vertices that lie where another one does, shape (k,).
+        target: The other one of each of them, shape (k,).
+    """
+    corners = np.array(triangles, np.uint64, order="C").reshape(-1, 3)
     return Manifold(
         Mesh64(
-            properties,
-            np.ascontiguousarray(np.asarray(raw.tri_verts)[:, ::-1]),
-            np.array(raw.merge_from_vert),
-            np.array(raw.merge_to_vert),
-            run_index=np.array([0, 3 * len(raw.tri_verts)], np.uint64),
+            table,
+            corners,
+            np.array(merged, np.uint64),
+            np.array(target, np.uint64),
+            run_index=np.array([0, corners.size], np.uint64),
             run_original_id=np.array([Manifold.reserve_ids(1)], np.uint32),
             run_flags=np.array([_HAS_NORMALS], np.uint8),
         )

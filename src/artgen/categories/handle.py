@@ -92,7 +92,7 @@ def handle(
     # all is built about the spindle, and moved onto its stand at the end
     height = 0.35 if is_set else 0.145
     base = weld(
-        _stand(thickness, backset, throw, low=-height, high=0.09 if is_set else 0.125, wood=leaf),
+        _stand(thickness, backset, throw, low=-height, high=0.125, wood=leaf),
         rose(
             thickness=thickness,
             depth=rose_depth,

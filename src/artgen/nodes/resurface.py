@@ -4,16 +4,14 @@ import math
 from collections.abc import Callable
 
 import numpy as np
-from manifold3d import Manifold, Mesh64
+from manifold3d import Manifold
 from numpy.typing import NDArray
 
-from artgen.asset.shape import Shape
+from artgen.asset.shape import Shape, manifold_of
 from artgen.colliders import Pieces
 from artgen.nodes.contours import CREASE
 
 Array = NDArray[np.float64]
-
-_HAS_NORMALS = np.array([2], np.uint8)
 
 
 def with_properties(manifold: Manifold, change: Callable[[Array], None]) -> Manifold:
@@ -21,18 +19,7 @@ def with_properties(manifold: Manifold, change: Callable[[Array], None]) -> Mani
     raw = manifold.to_mesh64()
     table = np.array(raw.vert_properties)
     change(table)
-    triangles = np.array(raw.tri_verts)
-    return Manifold(
-        Mesh64(
-            table,
-            triangles,
-            np.array(raw.merge_from_vert),
-            np.array(raw.merge_to_vert),
-            run_index=np.array([0, 3 * len(triangles)], np.uint64),
-            run_original_id=np.array([Manifold.reserve_ids(1)], np.uint32),
-            run_flags=_HAS_NORMALS,
-        )
-    )
+    return manifold_of(table, raw.tri_verts, raw.merge_from_vert, raw.merge_to_vert)
 
 
 def faceted_shape(solid: Manifold, pieces: Pieces) -> Shape:
