@@ -10,6 +10,8 @@ import pytest
 
 import artgen
 from artgen.cli import main
+from artgen.generator import CATEGORIES
+from support.generators import chest
 
 
 @dataclass
@@ -100,6 +102,13 @@ def test_generate_takes_overrides_base_name_and_place(artgen_command) -> None:
         (["generate", "door", "--seed", "many"], "'--seed'"),
         (["generate", "door", "--base", "loose"], "'--base'"),
         (["generate", "door", "--name", "a/b"], "name = 'a/b' is no identifier"),
+        (
+            ["generate", "door", "--tolerance", "-0.001"],
+            "tolerance = -0.001 is not allowed: it is the clearance",
+        ),
+        (["generate", "door", "--tolerance", "nan"], "tolerance = nan is not allowed"),
+        (["generate", "door", "--tolerance", "1mm"], "'--tolerance'"),
+        (["generate", "door", "--on-collision", "ignore"], "'--on-collision'"),
         (["generate"], "Missing argument"),
         (["generate", "door", "--sed", "1"], "--sed"),
         (["paint"], "'paint'"),
@@ -115,6 +124,47 @@ def test_wrong_input_is_one_line_and_writes_nothing(
     assert result.err.count("\n") == 1
     assert message in result.err
     assert not list(tmp_path.iterdir())
+
+
+COLLIDES = ("generate", "chest", "--set", "gap=-0.001", "--format", "mjcf")
+
+
+@pytest.fixture
+def chests(monkeypatch):
+    monkeypatch.setitem(CATEGORIES, "chest", chest)
+
+
+@pytest.mark.parametrize(
+    ("asked", "code", "message"),
+    [
+        (
+            (),
+            2,
+            "error: chest: none of 100 draws for seed 0 is feasible; the last: not proven: 1 of 1 pairs fail",
+        ),
+        (("--on-collision", "fail"), 1, "error: chest_0: not proven: 1 of 1 pairs fail"),
+        (("--on-collision", "keep"), 0, "warning: not proven: 1 of 1 pairs fail"),
+        (("--no-certify",), 0, ""),
+        (("--no-certify", "--on-collision", "fail"), 0, ""),
+    ],
+)
+@pytest.mark.usefixtures("chests")
+def test_what_becomes_of_a_collision(artgen_command, tmp_path: Path, asked, code: int, message: str) -> None:
+    result = artgen_command(*COLLIDES, *asked)
+    assert result.code == code
+    assert result.err.startswith(message)
+    assert result.err.count("\n") == bool(message)
+    if message:
+        assert "box and drawer collide at slide=" in result.err
+    assert result.out == ("" if code else "chest_0/chest_0.xml\n")
+    assert bool(list(tmp_path.iterdir())) == (code == 0)
+
+
+@pytest.mark.usefixtures("chests")
+def test_the_tolerance_has_to_be_proven(artgen_command) -> None:
+    chest_of_2_mm = ("generate", "chest", "--set", "gap=0.002", "--format", "mjcf", "--on-collision", "fail")
+    assert artgen_command(*chest_of_2_mm, "--tolerance", "0.0015").code == 0
+    assert artgen_command(*chest_of_2_mm, "--tolerance", "0.0025").code == 1
 
 
 def test_a_place_that_cannot_be_written_is_refused(artgen_command, tmp_path: Path) -> None:
@@ -135,6 +185,8 @@ def test_help_and_version(artgen_command) -> None:
         assert {"list", "show-params", "generate"} <= set(result.out.split())
     options = artgen_command("generate", "--help").out
     for option in ("--seed", "--set", "--format", "--out", "--base", "--name"):
+        assert option in options
+    for option in ("--certify", "--no-certify", "--tolerance", "--on-collision"):
         assert option in options
 
 

@@ -6,11 +6,12 @@ from types import ModuleType
 import artgen
 from artgen import errors
 from artgen.graph import OPERATIONS, Handle
-from artgen.nodes import MODULES, body, csg, measure, points, profile, scalar, transform, vector
+from artgen.nodes import MODULES, body, contact, csg, measure, points, profile, scalar, transform, vector
 
 # constructors that authors spell as operators or methods of a handle
 BY_METHOD = {
     body: {"attach", "mirror_body", "repeat", "rotate_body", "suffix", "translate_body"},
+    contact: {"allow_contact"},
     csg: {"difference", "paint"},
     measure: {"anchor", "area", "bounds", "centroid", "size", "volume"},
     points: {"points_move", "points_scale"},

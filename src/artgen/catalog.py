@@ -50,13 +50,16 @@ def generate(category: str | Generator, /, seed: int = 0, **overrides: Any) -> A
     Args:
         category: Name of a category, or a category or generator itself.
         seed: Decides every draw: the same seed gives the same asset, byte for byte.
-        **overrides: What `Generator.generate` takes: `name`, `base` ("fixed" or "free"), and a value or a
-            distribution by parameter name. `handle__length` stands for `handle.length`.
+        **overrides: What `Generator.generate` takes: `name`, `base` ("fixed" or "free"), `certify=False` to
+            skip the proof that no two links collide, `tolerance` [m] and `on_collision` ("redraw", "fail" or
+            "keep") for it, and a value or a distribution by parameter name. `handle__length` stands for
+            `handle.length`.
 
     Raises:
-        ParameterError: The category, the seed or an override is unknown or not allowed.
+        ParameterError: The category, the seed, an option or an override is unknown or not allowed.
         EvaluationError: A kernel failed.
-        InfeasibleError: No draw met the category's requirements.
+        InfeasibleError: No draw met the category's requirements, or none is proven free of collisions.
+        CheckError: The links are not proven apart, and `on_collision` is "fail".
     """
     chosen = find(category) if isinstance(category, str) else category
     if not isinstance(chosen, Generator):

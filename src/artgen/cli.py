@@ -1,4 +1,4 @@
-"""The command line: list categories, show their parameters, generate assets."""
+"""The command line: list categories, show their parameters, generate, prove and check assets."""
 
 import json
 import sys
@@ -12,12 +12,17 @@ from rich.table import Table
 
 from artgen.asset.files import ASSET_FILE
 from artgen.catalog import categories, find
-from artgen.errors import ArtgenError
+from artgen.commands.certify import certify as certify_category
+from artgen.commands.colliders import colliders
+from artgen.commands.validate import validate
+from artgen.errors import ArtgenError, CheckError
 from artgen.export import FORMATS
-from artgen.generator import Fixed, Parameter
+from artgen.export.collision import Collision
+from artgen.generator import Fixed, OnCollision, Parameter
 from artgen.overrides import parse_overrides
 from artgen.version import __version__
 
+_FAULT = 1  # exit code
 _WRONG_INPUT = 2  # exit code
 _PLAIN_WIDTH = 1000  # columns of a table that goes to a file or pipe: one line for each row
 
@@ -38,14 +43,15 @@ def main(arguments: Sequence[str] | None = None) -> NoReturn:
         arguments: What follows the command's name; by default what the process was started with.
 
     Raises:
-        SystemExit: It is done; the code is 0, or 2 for wrong input, which one line on stderr explains.
+        SystemExit: It is done; the code is 0, 1 where an asset has a fault, or 2 for wrong input, which one
+            line on stderr explains.
     """
     try:
         code = app(args=arguments, prog_name="artgen", standalone_mode=False)
     except (ArtgenError, typer.TyperException) as error:
         message = error.format_message() if isinstance(error, typer.TyperException) else str(error)
         typer.echo(f"error: {' '.join(message.split())}", err=True)
-        sys.exit(_WRONG_INPUT)
+        sys.exit(_FAULT if isinstance(error, CheckError) else _WRONG_INPUT)
     except typer.Abort:
         sys.exit(1)
     sys.exit(code if isinstance(code, int) else 0)
@@ -121,16 +127,50 @@ def generate(
         Literal["fixed", "free"], typer.Option(help="Whether the asset is fixed to the world.")
     ] = "fixed",
     name: Annotated[str, typer.Option(help="Name of the asset; category and seed by default.")] = "",
+    collision: Annotated[
+        Collision,
+        typer.Option(help="Colliders: those known from how solids were made, CoACD's, or convex hulls."),
+    ] = "exact",
+    certify: Annotated[
+        bool, typer.Option(help="Prove that no two links collide anywhere in the joint ranges.")
+    ] = True,
+    tolerance: Annotated[
+        float, typer.Option(metavar="METRES", help="Clearance between links that has to be proven.")
+    ] = 0.0,
+    on_collision: Annotated[
+        OnCollision,
+        typer.Option(help="If that is not proven: draw another sample, fail, or keep the asset."),
+    ] = "redraw",
 ) -> None:
     """Generate an asset and print the paths of what was written."""
     chosen = [item.strip() for item in formats.split(",") if item.strip()]
     if not chosen:
         raise typer.BadParameter(f"--format {formats!r} names no format; choose of {', '.join(FORMATS)}")
     found = find(category)
-    asset, _ = found.evaluate(seed, name=name, base=base, overrides=parse_overrides(overrides or ()))
-    directory = asset.export(Path(asset.name) if out is None else out, formats=chosen)
+    asset, _ = found.evaluate(
+        seed,
+        name=name,
+        base=base,
+        certify=certify,
+        tolerance=tolerance,
+        on_collision=on_collision,
+        overrides=parse_overrides(overrides or ()),
+    )
+    if asset.certificate is not None and not asset.certificate.proven:
+        typer.echo(f"warning: {' '.join(str(asset.certificate).split())}", err=True)
+    directory = asset.export(Path(asset.name) if out is None else out, formats=chosen, collision=collision)
+    if collision != "exact" and asset.certificate is not None:
+        typer.echo(
+            f"note: the certificate is of the exact colliders; the export with {collision!r} has none",
+            err=True,
+        )
     for path in _main_files(directory, asset.name):
         typer.echo(path)
+
+
+app.command(name="certify")(certify_category)
+app.command()(validate)
+app.command()(colliders)
 
 
 def _main_files(directory: Path, name: str) -> list[Path]:

@@ -143,7 +143,7 @@ def test_a_panel_leaf_has_as_many_panels_as_asked(panels: int) -> None:
 
 
 def test_louvres_hide_what_is_behind_them() -> None:
-    link = made(leaf="louver_leaf", leaf__slats=24, leaf__below="louver").link("door")
+    link = made(leaf="louver_leaf", leaf__slats=24, leaf__below="louver", certify=False).link("door")
     slats = [piece.shape for piece in link.pieces if len(piece.shape.manifold.decompose()) == 24]
     assert len(slats) == 2
     for section in slats:

@@ -5,10 +5,12 @@ from typing import Literal
 from artgen.generator import Generator, generator, one_of
 from artgen.materials import Material, material
 from artgen.nodes.body import part
+from artgen.nodes.choose import require
 from artgen.nodes.handles import Body, Bool, Float, Solid, Vector
-from artgen.nodes.joint import Revolute
+from artgen.nodes.joint import Prismatic, Revolute
 from artgen.nodes.primitive import box, sphere
-from artgen.nodes.vector import X
+from artgen.nodes.scalar import sqrt
+from artgen.nodes.vector import X, Y
 from artgen.sampling import by, choice, count, loguniform, normal, uniform
 
 OAK, STEEL = material("oak"), material("steel")
@@ -59,7 +61,25 @@ def door(
     handle: Generator = one_of(lever, knob),
 ) -> Body:
     leaf = part(box(width, 0.04 * ratio, height).at(offset), "door", wood)
-    return leaf.attach(handle(thickness=width / 20), Revolute("turn", axis=X, limits=(0.0, swing)))
+    turn = Revolute("turn", axis=X, limits=(0.0, swing))
+    return leaf.attach(handle(thickness=width / 20).at(2.0, 0.0, 0.0), turn)
+
+
+@generator
+def chest(
+    *,
+    gap: Float = uniform(0.001, 0.004, "m", within=(-0.1, 0.1)),
+    depth: Float = uniform(0.2, 0.3, "m"),
+    least: Float = 0.0,
+    stroke: Float = 0.1,
+    place: Vector = (0.0, 0.0, 0.5),
+) -> Body:
+    """A drawer between two walls, which it overlaps where the gap is negative."""
+    wall = box(0.01, depth, 0.1)
+    walls = part(wall.at(0.055 + gap) | wall.at(-0.055 - gap), "box", OAK)
+    drawer = part(box(0.1, depth * sqrt(10 * stroke), 0.1), "drawer", OAK)
+    body = walls.attach(drawer, Prismatic("slide", axis=-Y, limits=(0.0, stroke)))
+    return require(body, depth >= least, "the drawer is too short").at(place)
 
 
 NAMES = list(door.sample(0))

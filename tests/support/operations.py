@@ -54,6 +54,11 @@ BY_TYPE: dict[Any, Any] = {
 _BASE = part(box(1.0, 1.0, 0.1), "base", material("steel"))
 
 OVERRIDES: dict[str, dict[str, Any]] = {
+    "allow_contact": {
+        "body": _BASE.attach(part(BLOCK, "block", material("oak")), LEADER),
+        "a": "base",
+        "b": "block/block",
+    },
     "array": {"at": row((0.0, 0.0, 0.0), (1.0, 0.0, 0.0), 3)},
     "attach": {"parent": _BASE},
     "bezier": {"points": ((0.0, 0.0, 0.0), (SIZE, 0.0, 1.0), (1.0, 0.0, 1.0))},

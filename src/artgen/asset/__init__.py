@@ -1,6 +1,7 @@
 """Assets: links, joints, poses and mass properties, as plain data."""
 
 from artgen.asset.asset import Asset, Base
+from artgen.asset.contact import AllowedContact
 from artgen.asset.joint import DYNAMICS, Condition, Coupling, Dependency, Joint, JointKind, rotation
 from artgen.asset.link import MOST_COLLIDERS, Collider, Grasp, Link, Piece, Surface
 from artgen.asset.mass import MassProperties, Moments, polyhedron_moments
@@ -12,6 +13,7 @@ __all__ = [
     "DYNAMICS",
     "MOST_COLLIDERS",
     "PROPERTIES",
+    "AllowedContact",
     "Asset",
     "Base",
     "Branch",

@@ -4,22 +4,28 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
-from typing import Any, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
+from artgen.asset.certificate import Certificate
+from artgen.asset.contact import AllowedContact
 from artgen.asset.joint import Joint, positions_of_followers
 from artgen.asset.link import Link
 from artgen.asset.mass import MassProperties, total
 from artgen.asset.record import json_text, rounded, rounded_link
-from artgen.asset.tree import Tree
+from artgen.asset.tree import Tree, check_contact
 from artgen.errors import AssetError, nearest
 from artgen.materials import Material
+
+if TYPE_CHECKING:
+    from artgen.check.report import Report
 
 Array = NDArray[np.float64]
 Base = Literal["fixed", "free"]
 
+_CERTIFICATE = "_certificate"  # where an asset keeps what was proven of it
 _LIMIT_SLACK = 1e-9  # a position may miss its limit by rounding [rad or m]
 
 
@@ -38,6 +44,7 @@ class Asset:
         base: Whether the base is fixed to the world or free to move.
         version: Version of artgen that made it.
         labels: Semantic labels that the category declares.
+        contacts: What may touch by design.
     """
 
     name: str
@@ -50,14 +57,15 @@ class Asset:
     base: Base = "fixed"
     version: str = ""
     labels: tuple[str, ...] = ()
+    contacts: tuple[AllowedContact, ...] = ()
 
     @staticmethod
     def from_tree(tree: Tree, name: str, category: str, **fields: Any) -> "Asset":
         """Make an asset of an evaluated body.
 
         Raises:
-            AssetError: A link has no mass, a coupling or dependency names an unknown joint, or couplings
-                form a circle.
+            AssetError: A link has no mass, a coupling, a dependency or a contact by design names an unknown
+                joint, couplings form a circle, or the joint that a contact names does not move its links.
         """
         for link in tree.links():
             if all(piece.visual for piece in link.pieces):
@@ -75,7 +83,10 @@ class Asset:
         ranged: dict[str, Joint] = {}
         for joint in joints.values():
             ranged[joint.name] = _with_followed_limits(joint, joints)
-        return Asset(name, category, tuple(tree.links()), tuple(ranged.values()), **fields)
+        contacts = tuple(tree.all_contacts())
+        for contact in contacts:
+            check_contact(contact, [link.name for link in tree.links()], joints)
+        return Asset(name, category, tuple(tree.links()), tuple(ranged.values()), contacts=contacts, **fields)
 
     @cached_property
     def _links(self) -> dict[str, Link]:
@@ -223,13 +234,74 @@ class Asset:
 
     def with_base(self, base: Base) -> "Asset":
         """Return the asset with its base fixed to the world or free."""
-        return replace(self, base=base)
+        result = replace(self, base=base)
+        if self.certificate is not None:
+            remember(result, self.certificate)
+        return result
 
-    def export(self, directory: str | Path, *, formats: Sequence[str] = ("urdf", "mjcf", "usd")) -> Path:
-        """Write the asset to a directory; see `artgen.export.export`."""
+    @property
+    def certificate(self) -> Certificate | None:
+        """What `certify` proved last; None before, and on every asset made of this one by a change."""
+        certificate: Certificate | None = vars(self).get(_CERTIFICATE)
+        return certificate
+
+    def certify(self, tolerance: float = 0.0, *, measure: bool = False) -> Certificate:
+        """Prove that no two links collide anywhere in the joint ranges; see `artgen.check.certify.certify`.
+
+        The certificate is kept: `export` writes it beside the asset.
+
+        Args:
+            tolerance: Clearance to prove between links that move against each other [m].
+            measure: Whether to bracket each pair's smallest clearance, within a fifth and up to 10 mm.
+
+        Raises:
+            AssetError: The asset has no links, or a joint has no range to speak of or can never move.
+        """
+        from artgen.check.certify import certify
+
+        certificate = certify(self, tolerance, measure=measure)
+        remember(self, certificate)
+        return certificate
+
+    def safe_limits(self) -> dict[str, tuple[float, float]]:
+        """Return for each free joint the largest range around rest without a collision [rad or m].
+
+        See `artgen.check.limits.safe_limits`.
+        """
+        from artgen.check.limits import safe_limits
+
+        return safe_limits(self)
+
+    def clearance(self, q: Mapping[str, float] | None = None) -> dict[tuple[str, str], float]:
+        """Return how far the links of each pair are apart at one pose, negative where they overlap [m].
+
+        See `artgen.check.limits.clearance`.
+        """
+        from artgen.check.limits import clearance
+
+        return clearance(self, q)
+
+    def validate(self, *, behaviour: bool = True) -> "Report":
+        """Export the asset to a temporary directory and run every check on what was written there.
+
+        Args:
+            behaviour: Whether to try it out in MuJoCo, if that is installed.
+        """
+        from artgen.check.validate import validate
+
+        return validate(self, behaviour=behaviour)
+
+    def export(
+        self,
+        directory: str | Path,
+        *,
+        formats: Sequence[str] = ("urdf", "mjcf", "usd"),
+        collision: Literal["exact", "coacd", "hull"] = "exact",
+    ) -> Path:
+        """Write the asset to a directory, with its own colliders or others; see `artgen.export.export`."""
         from artgen.export import export
 
-        return export(self, directory, formats=formats)
+        return export(self, directory, formats=formats, collision=collision)
 
     @staticmethod
     def load(directory: str | Path) -> "Asset":
@@ -258,7 +330,16 @@ class Asset:
             "materials": [material.to_data() for material in self.materials],
         }
         joints = [joint.to_data() for joint in self.joints]
-        return {**rounded(data), "links": links, "joints": rounded(joints)}
+        contacts = [contact.to_data() for contact in self.contacts]
+        certificate = self.certificate
+        proven = {"certificate": None if certificate is None else rounded(certificate.to_data())}
+        return {
+            **rounded(data),
+            "links": links,
+            "joints": rounded(joints),
+            "contacts": rounded(contacts),
+            **proven,
+        }
 
     def to_json(self) -> str:
         """Return everything but the triangles as JSON text."""
@@ -267,6 +348,11 @@ class Asset:
 
 FORMAT = "artgen-asset-1"
 """Marks the files that this version of the asset's JSON can be read from."""
+
+
+def remember(asset: Asset, certificate: Certificate) -> None:
+    """Keep what was proven of an asset with it; assets made of it by a change do not inherit it."""
+    vars(asset)[_CERTIFICATE] = certificate
 
 
 def _check_references(joint: Joint, joints: Mapping[str, Joint]) -> None:

@@ -11,7 +11,9 @@ from typing import Any, NoReturn
 import numpy as np
 from numpy.typing import NDArray
 
-from artgen.asset.asset import FORMAT, Asset
+from artgen.asset.asset import FORMAT, Asset, remember
+from artgen.asset.certificate import Certificate
+from artgen.asset.contact import AllowedContact
 from artgen.asset.joint import Joint
 from artgen.asset.link import Collider, Grasp, Link, Surface
 from artgen.asset.mass import MassProperties
@@ -23,6 +25,7 @@ from artgen.materials import Material
 Array = NDArray[np.float64]
 
 ASSET_FILE = "asset.json"
+CERTIFICATE_FILE = "certificate.json"
 MESH_DIRECTORY = "meshes"
 
 
@@ -104,6 +107,7 @@ def _asset(data: Mapping[str, Any], directory: Path) -> Asset:
             grasps=tuple(
                 Grasp(each["name"], np.array(each["frame"], float), each["width"]) for each in item["grasps"]
             ),
+            separate=item.get("separate", ""),
             data=item,
             materials=materials,
             meshes=tuple(directory / MESH_DIRECTORY / file for file in files[item["name"]]),
@@ -122,10 +126,24 @@ def _asset(data: Mapping[str, Any], directory: Path) -> Asset:
         base=data["base"],
         version=data["version"],
         labels=tuple(data["labels"]),
+        contacts=tuple(AllowedContact.from_data(item) for item in data.get("contacts", ())),
     )
     # a cached property lives in its instance's dictionary; found there, it is not derived from the surfaces
     vars(asset)["materials"] = tuple(materials.values())
+    if data.get("certificate") is not None:
+        remember(asset, Certificate.from_data(data["certificate"], _leaves(directory / CERTIFICATE_FILE)))
     return asset
+
+
+def _leaves(path: Path) -> dict[str, Any] | None:
+    """Read the proof of a certificate; what is wrong with it is for the check of the certificate to say."""
+    try:
+        data = json.loads(path.read_text(encoding="utf-8"))
+    except FileNotFoundError:
+        return None
+    except (OSError, ValueError) as error:
+        return {"format": f"unreadable: {error}"}
+    return data if isinstance(data, dict) else {"format": "unreadable: no JSON object"}
 
 
 @dataclass(frozen=True, eq=False)

@@ -103,12 +103,14 @@ class Link:
         label: Semantic label of the link as a whole.
         pieces: Its solids; empty on an asset read from files, which has surfaces and colliders only.
         grasps: Frames at which a hand takes hold of the link.
+        separate: Why its solids do not all hang together, if they are meant not to.
     """
 
     name: str
     label: str
     pieces: Sequence[Piece] = ()
     grasps: tuple[Grasp, ...] = field(default=())
+    separate: str = ""
 
     @cached_property
     def labels(self) -> tuple[str, ...]:
@@ -177,7 +179,7 @@ class Link:
         """Return the link carried along by a rigid motion or a reflection, shape (4, 4)."""
         grasps = tuple(grasp.moved(matrix) for grasp in self.grasps)
         pieces = MovedPieces(self.pieces, matrix)
-        return MovedLink(self.name, self.label, pieces, grasps, source=self, matrix=matrix)
+        return MovedLink(self.name, self.label, pieces, grasps, self.separate, source=self, matrix=matrix)
 
     def renamed(self, suffix: str) -> "Link":
         """Return the link with a suffix on its name and on its grasps' names."""
@@ -215,7 +217,19 @@ class Link:
                 }
                 for surface in self.surfaces
             ],
+            "details": self._details(),
+            "separate": self.separate,
         }
+
+    def _details(self) -> list[dict[str, Any]]:
+        """Return label and bounding box of each connected part that is only seen, as JSON data."""
+        boxes = [
+            (piece.label, np.round(solid.bounding_box(), 9).reshape(2, 3).tolist())
+            for piece in self.pieces
+            if piece.visual
+            for solid in piece.shape.manifold.decompose()
+        ]
+        return [{"label": label, "bounds": bounds} for label, bounds in sorted(boxes)]
 
     def _solid_pieces(self) -> list[Piece]:
         if not self.pieces:

@@ -32,7 +32,9 @@ def rounded_link(data: dict[str, Any]) -> dict[str, Any]:
         }
         for item in data["colliders"]
     ]
-    return {key: colliders if key == "colliders" else rounded(value) for key, value in data.items()}
+    details = [{**item, "bounds": _coordinates(item["bounds"])} for item in data.get("details", ())]
+    exact = {"colliders": colliders, "details": details}
+    return {key: exact.get(key, rounded(value)) for key, value in data.items()}
 
 
 def _coordinates(rows: Any) -> Any:

@@ -1,15 +1,17 @@
 """The value of a body: a link with the links that are joined to it, before it has a seed and a name."""
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass, replace
 from itertools import chain
 
 import numpy as np
 from numpy.typing import NDArray
 
+from artgen.asset.contact import AllowedContact
 from artgen.asset.joint import Joint
 from artgen.asset.link import Link
+from artgen.errors import AssetError, nearest
 
 Array = NDArray[np.float64]
 
@@ -29,10 +31,13 @@ class Tree:
     Attributes:
         link: The link nearest to the root.
         branches: The children with their joints.
+        contacts: What may touch by design, of the pairs of links that were declared here; those that a
+            branch declared are the branch's.
     """
 
     link: Link
     branches: tuple[Branch, ...] = ()
+    contacts: tuple[AllowedContact, ...] = ()
 
     def links(self) -> Iterator[Link]:
         """Yield every link, parents before their children."""
@@ -47,6 +52,12 @@ class Tree:
                 yield replace(joint, parent=self.link.name, child=branch.tree.link.name)
             yield from branch.tree.joints()
 
+    def all_contacts(self) -> Iterator[AllowedContact]:
+        """Yield the contacts by design of the whole tree, parents before their children."""
+        yield from self.contacts
+        for branch in self.branches:
+            yield from branch.tree.all_contacts()
+
     def moved(self, matrix: Array) -> "Tree":
         """Return the tree carried along by a rigid motion or a reflection, shape (4, 4)."""
         return Tree(
@@ -55,6 +66,7 @@ class Tree:
                 Branch(tuple(joint.moved(matrix) for joint in branch.joints), branch.tree.moved(matrix))
                 for branch in self.branches
             ),
+            self.contacts,
         )
 
     def suffixed(self, suffix: str) -> "Tree":
@@ -62,6 +74,7 @@ class Tree:
         return self._renamed({joint.name: joint.name + suffix for joint in self.joints()}, suffix)
 
     def _renamed(self, joint_names: dict[str, str], suffix: str) -> "Tree":
+        link_names = {name: name + suffix for contact in self.contacts for name in contact.links}
         return Tree(
             self.link.renamed(suffix),
             tuple(
@@ -71,6 +84,7 @@ class Tree:
                 )
                 for branch in self.branches
             ),
+            tuple(contact.renamed(link_names, joint_names) for contact in self.contacts),
         )
 
     def checked(self) -> "Tree":
@@ -95,3 +109,57 @@ class Tree:
             if twice:
                 raise ValueError(f"the {what} name {twice[0]!r} is used twice; {remedy[what]}")
         return self
+
+
+def check_contact(contact: AllowedContact, links: Collection[str], joints: Mapping[str, Joint]) -> None:
+    """Check that a contact by design speaks of links, and of joints that move one against the other.
+
+    Args:
+        contact: The contact.
+        links: Names of all links of the asset.
+        joints: All joints of the asset by name.
+
+    Raises:
+        AssetError: It names a link or joint that does not exist, or a joint that is not between the links.
+    """
+    for link in contact.links:
+        if link not in links:
+            raise AssetError(
+                f"a contact names the link {link!r}, which is no link of this asset.{nearest(link, links)}",
+                link=link,
+            )
+    if contact.when is None:
+        return
+    (a, b), (first, second) = contact.links, contact.labels
+    between = _moving(contact.links, joints)
+    for name in contact.when.joints():
+        if name in between:
+            continue
+        fault = f"is no joint of this asset.{nearest(name, joints)}"
+        if name in joints:
+            fault = "does not move one against the other."
+        raise AssetError(
+            f"the contact of {a}/{first} with {b}/{second} is allowed where {contact.when}, but {name!r} "
+            f"{fault} Between them are: {', '.join(between)}.",
+            joint=name,
+            link=a,
+        )
+
+
+def _moving(links: tuple[str, str], joints: Mapping[str, Joint]) -> list[str]:
+    """Return the joints on the way between two links, then the joints that those follow."""
+    ways: list[list[str]] = []
+    for link in links:
+        way: list[str] = []
+        current = link
+        while above := [joint for joint in joints.values() if joint.child == current]:
+            way += [joint.name for joint in above]
+            current = above[0].parent
+        ways.append(way)
+    first, second = ways
+    found = [name for name in first if name not in second] + [name for name in second if name not in first]
+    for name in found:  # grows: what a leader follows comes after it
+        follows = joints[name].follows
+        if follows is not None and follows.leader not in found:
+            found.append(follows.leader)
+    return found

@@ -262,8 +262,8 @@ def is_rigid(linear: Array) -> bool:
 
 
 def cross(first: Array, second: Array) -> Array:
-    """Return the cross products of rows, shape (n, 3)."""
-    product: Array = first[:, _NEXT] * second[:, _AFTER] - first[:, _AFTER] * second[:, _NEXT]
+    """Return the cross products of vectors, shape (..., 3)."""
+    product: Array = first[..., _NEXT] * second[..., _AFTER] - first[..., _AFTER] * second[..., _NEXT]
     return product
 
 

@@ -1,4 +1,4 @@
-"""The only module that writes to a disk: all files of an asset at once, or none."""
+"""The only module that writes assets to a disk: all files of an asset at once, or none."""
 
 import json
 import os
@@ -10,14 +10,20 @@ from typing import Any
 
 from artgen.asset import Asset
 from artgen.asset.asset import FORMAT
-from artgen.asset.files import ASSET_FILE, previous_directory
+from artgen.asset.files import ASSET_FILE, CERTIFICATE_FILE, previous_directory
 from artgen.asset.record import json_text
 from artgen.errors import ExportError, nearest
+from artgen.export.collision import Collision, collision_of, with_colliders
 from artgen.export.losses import Written
 from artgen.export.mjcf import write_mjcf
 from artgen.export.urdf import write_urdf
 
 Writer = Callable[[Asset], Written]
+
+REPORT_FILE = "report.json"
+"""What `artgen validate` says of an export, beside it; a new export makes it obsolete."""
+
+_OWN_FILES = (ASSET_FILE, CERTIFICATE_FILE, REPORT_FILE)
 
 
 def write_usd(asset: Asset) -> Written:
@@ -31,7 +37,13 @@ FORMATS: Mapping[str, Writer] = {"urdf": write_urdf, "mjcf": write_mjcf, "usd": 
 """The writers by the names of their formats."""
 
 
-def export(asset: Asset, directory: str | Path, *, formats: Sequence[str] = ("urdf", "mjcf", "usd")) -> Path:
+def export(
+    asset: Asset,
+    directory: str | Path,
+    *,
+    formats: Sequence[str] = ("urdf", "mjcf", "usd"),
+    collision: Collision = "exact",
+) -> Path:
     """Write an asset to a directory: `asset.json` and the files of each format.
 
     Everything is written beside the directory first and then put in its place, so that a failure leaves no
@@ -42,14 +54,18 @@ def export(asset: Asset, directory: str | Path, *, formats: Sequence[str] = ("ur
         asset: The asset.
         directory: Where to; it is made, or it is empty, or it holds an earlier export.
         formats: What to write, of `urdf`, `mjcf` and `usd`.
+        collision: Which colliders it carries: `exact` are those that it has; `coacd` and `hull` are made of
+            its solids, see `artgen.export.collision.with_colliders`, and the certificate is not of them, so
+            none is written. `asset.json` records it.
 
     Returns:
         The directory.
 
     Raises:
-        ExportError: A format is unknown, the directory holds other files, or the disk refuses.
+        ExportError: A format or collision is unknown, the directory holds other files, or the disk refuses.
+        AssetError: The asset was read from files, which keep no solids, and other colliders are asked for.
     """
-    files = encode(asset, formats)
+    files = encode(asset, formats, collision)
     target = Path(os.path.realpath(directory))
     kept = _foreign_files(target, files)
     try:
@@ -64,16 +80,18 @@ def export(asset: Asset, directory: str | Path, *, formats: Sequence[str] = ("ur
     return Path(directory)
 
 
-def encode(asset: Asset, formats: Sequence[str]) -> dict[str, bytes]:
+def encode(asset: Asset, formats: Sequence[str], collision: Collision = "exact") -> dict[str, bytes]:
     """Return the content of every file of an export by its path relative to the directory.
 
     Raises:
-        ExportError: A format is unknown.
+        ExportError: A format or collision is unknown.
+        AssetError: The asset was read from files, which keep no solids, and other colliders are asked for.
     """
     chosen = dict.fromkeys([formats] if isinstance(formats, str) else formats)
     for name in chosen:
         if name not in FORMATS:
             raise ExportError(f"there is no format {name!r}.{nearest(name, FORMATS)}")
+    asset = with_colliders(asset, collision)
     files: dict[str, bytes] = {}
     record: dict[str, Any] = {}
     for name in chosen:
@@ -83,8 +101,11 @@ def encode(asset: Asset, formats: Sequence[str]) -> dict[str, bytes]:
             "files": sorted(written.files),
             "losses": [loss.to_data() for loss in written.losses],
         }
-    data = asset.to_data() | {"formats": record}
+    data = asset.to_data()
+    data |= {"collision": collision_of(data["links"]), "formats": record}
     files[ASSET_FILE] = json_text(data).encode()
+    if asset.certificate is not None and asset.certificate.leaves is not None:
+        files[CERTIFICATE_FILE] = json_text(asset.certificate.leaves).encode()
     return files
 
 
@@ -132,7 +153,7 @@ def _earlier_files(target: Path) -> set[str] | None:
         data = json.loads((target / ASSET_FILE).read_text(encoding="utf-8"))
         if data["format"] != FORMAT:
             return None
-        return {ASSET_FILE, *(path for record in data["formats"].values() for path in record["files"])}
+        return {*_OWN_FILES, *(path for record in data["formats"].values() for path in record["files"])}
     except (OSError, ValueError, LookupError, TypeError, AttributeError):
         return None
 

@@ -3,6 +3,17 @@
 from artgen.generator.declare import CATEGORIES, category, generator, one_of
 from artgen.generator.generator import Generator
 from artgen.generator.parameter import Parameter, accept
+from artgen.generator.proof import OnCollision
 from artgen.sampling import Fixed
 
-__all__ = ["CATEGORIES", "Fixed", "Generator", "Parameter", "accept", "category", "generator", "one_of"]
+__all__ = [
+    "CATEGORIES",
+    "Fixed",
+    "Generator",
+    "OnCollision",
+    "Parameter",
+    "accept",
+    "category",
+    "generator",
+    "one_of",
+]

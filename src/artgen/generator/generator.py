@@ -8,11 +8,20 @@ from dataclasses import dataclass
 from typing import Any
 
 from artgen.asset import Asset, Base
-from artgen.errors import ArtgenError, AssetError, BuildError, InfeasibleError, ParameterError, nearest
+from artgen.errors import (
+    ArtgenError,
+    AssetError,
+    BuildError,
+    InfeasibleError,
+    ParameterError,
+    nearest,
+)
 from artgen.generator.draw import Draw, Overrides
 from artgen.generator.parameter import Parameter, Variant, is_variant
+from artgen.generator.proof import OnCollision, certify_sample, check_proof
 from artgen.generator.signature import read_parameters
 from artgen.graph import Cache, Evaluation, Graph, Handle
+from artgen.graph.node import Node, topological
 from artgen.nodes.handles import Body
 from artgen.sampling import Fixed, Given
 from artgen.version import __version__
@@ -156,9 +165,15 @@ class Generator(Variant):
         base: Base = "fixed",
         cache: Cache | None = None,
         attempts: int = 100,
+        certify: bool = True,
+        tolerance: float = 0.0,
+        on_collision: OnCollision = "redraw",
         **overrides: Any,
     ) -> Asset:
-        """Draw the parameters, build and evaluate the graph, and return the asset.
+        """Draw the parameters, build and evaluate the graph, certify the asset and return it.
+
+        The certificate, which says that no two links collide anywhere in the joint ranges, is then the
+        asset's `certificate`.
 
         Args:
             seed: Decides every draw.
@@ -166,18 +181,31 @@ class Generator(Variant):
             base: Whether the base is fixed to the world or free.
             cache: Values known from earlier evaluations; by default one that the process shares.
             attempts: How many draws are made before a category counts as infeasible.
+            certify: Whether to prove that no two links collide; without it, `certificate` is None.
+            tolerance: Clearance that has to be proven [m].
+            on_collision: What to do if that is not proven: `redraw` as if the sample were infeasible, `fail`,
+                or `keep` the asset with its certificate, which says where its links collide.
             **overrides: A value or a distribution by parameter name; `handle__length` stands for
                 `handle.length`.
 
         Raises:
-            ParameterError: The seed, the name or the base is not allowed, or an override is unknown or not
-                allowed.
+            ParameterError: The seed, the name, the base, the tolerance or another option is not allowed, or
+                an override is unknown or not allowed.
             EvaluationError: A kernel failed.
-            InfeasibleError: No draw met the category's requirements.
+            InfeasibleError: No draw met the category's requirements, or none is proven free of collisions.
+            CheckError: The links are not proven apart, and `on_collision` is `fail`.
             AssetError: The parts do not make an asset: a joint refers to an unknown one, say.
         """
         asset, _ = self.evaluate(
-            seed, name=name, base=base, cache=cache, attempts=attempts, overrides=overrides
+            seed,
+            name=name,
+            base=base,
+            cache=cache,
+            attempts=attempts,
+            certify=certify,
+            tolerance=tolerance,
+            on_collision=on_collision,
+            overrides=overrides,
         )
         return asset
 
@@ -189,26 +217,31 @@ class Generator(Variant):
         base: Base = "fixed",
         cache: Cache | None = None,
         attempts: int = 100,
+        certify: bool = True,
+        tolerance: float = 0.0,
+        on_collision: OnCollision = "redraw",
         overrides: Mapping[str, Any] | None = None,
     ) -> tuple[Asset, Evaluation]:
         """Generate like `generate`, and return with the asset what its evaluation cost."""
         seed = _checked_seed(seed)
         name = name or f"{self.name}_{seed}"
-        if not name.isidentifier() or not name.isascii():
-            raise ParameterError(f"name = {name!r} is no identifier; use letters, digits and _")
-        if base not in ("fixed", "free"):
-            raise ParameterError(f"base = {base!r} is not allowed: it must be 'fixed' or 'free'")
-        if attempts < 1:
-            raise ParameterError(f"attempts must be at least 1, got {attempts!r}")
+        _check_options(name, base, attempts)
+        check_proof(certify, tolerance, on_collision)
         reason = ""
+        refused: list[Mapping[str, Any]] = []
         for attempt in range(attempts):
             values = self.sample(seed, attempt=attempt, overrides=overrides)
+            if values in refused:  # few parameters, or few values of them, give the same sample again
+                continue
             try:
                 body = self.build(values)
                 evaluation = Graph(body).evaluate(values, _SHARED_CACHE if cache is None else cache)
                 asset = self._asset(body, evaluation, values, name, base, seed=seed, attempt=attempt)
+                if certify:
+                    certify_sample(asset, tolerance, on_collision)
             except InfeasibleError as error:
                 reason = str(error)
+                refused.append(values)
             except ArtgenError as error:
                 error.add_note(f"while generating {self.name} from seed {seed}, attempt {attempt}")
                 raise
@@ -305,17 +338,35 @@ def _checked_seed(seed: Any) -> int:
     return number
 
 
+def _check_options(name: str, base: Any, attempts: int) -> None:
+    if not name.isidentifier() or not name.isascii():
+        raise ParameterError(f"name = {name!r} is no identifier; use letters, digits and _")
+    if base not in ("fixed", "free"):
+        raise ParameterError(f"base = {base!r} is not allowed: it must be 'fixed' or 'free'")
+    if attempts < 1:
+        raise ParameterError(f"attempts must be at least 1, got {attempts!r}")
+
+
 def _place(body: Handle, error: AssetError) -> str:
-    """Return the author's line of the joint or part that an error is about.
+    """Return the author's line of the joint, the part or the contact that an error is about.
 
     Names of copies begin with the name that the author gave.
     """
-    found, place = "", ""
+    about, found, place = error.joint or error.link, "", ""
     for node in Graph(body).nodes:
-        operations, about = (("joint",), error.joint) if error.joint else (("part", "detail"), error.link)
-        if node.op not in operations:
-            continue
-        for name in (node.inputs.get("name"), node.inputs.get("label")):
-            if name and about.startswith(name) and len(name) > len(found):
+        for name in _names_given(node, error):
+            if about.startswith(name) and len(name) > len(found):
                 found, place = name, node.where
     return place
+
+
+def _names_given(node: Node, error: AssetError) -> list[str]:
+    """Return by which names a node speaks of things such as an error is about."""
+    if error.joint and error.link:  # a contact between links, which is allowed where a joint stands
+        when = node.inputs["when"] if node.op == "allow_contact" else None
+        below = topological(when) if isinstance(when, Node) else []
+        return [other.inputs["joint"] for other in below if "joint" in other.inputs]
+    if node.op not in (("joint",) if error.joint else ("part", "detail")):
+        return []
+    names = (node.inputs.get("name"), node.inputs.get("label"))
+    return [name for name in names if name]

@@ -13,7 +13,17 @@ from artgen.graph import Handle
 from artgen.sampling import Distribution, Fixed, Given
 from artgen.sampling.choices import By, case_key
 
-_RESERVED = ("seed", "name", "base", "cache", "attempts", "overrides")
+_RESERVED = (
+    "seed",
+    "name",
+    "base",
+    "cache",
+    "attempts",
+    "certify",
+    "tolerance",
+    "on_collision",
+    "overrides",
+)
 
 
 def read_parameters(function: Callable[..., Any], where: str) -> dict[str, Parameter]:

@@ -7,6 +7,7 @@ from artgen.nodes import (
     arrays,
     body,
     choose,
+    contact,
     csg,
     extrude,
     joint,
@@ -43,6 +44,7 @@ MODULES = (
     measure,
     joint,
     body,
+    contact,
 )
 """The modules that define operations."""
 

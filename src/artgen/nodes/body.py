@@ -1,6 +1,7 @@
 """Bodies: parts become links, joints join them."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Annotated, Any, ClassVar
 
 import numpy as np
@@ -61,6 +62,7 @@ def _part(
     name: str | None,
     grasp: tuple[Array4x4, ...],
     grasp_width: float,
+    separate: str,
 ) -> Tree:
     link_name = label if name is None else name
     _check_name(label, "label")
@@ -71,7 +73,7 @@ def _part(
         Grasp(f"{link_name}_grasp{f'_{index}' if len(grasp) > 1 else ''}", pose, grasp_width)
         for index, pose in enumerate(grasp)
     )
-    return Tree(Link(link_name, label, (Piece(label, material, solid),), grasps))
+    return Tree(Link(link_name, label, (Piece(label, material, solid),), grasps, separate))
 
 
 def part(
@@ -82,6 +84,7 @@ def part(
     name: str | None = None,
     grasp: Frame | Sequence[Frame] = (),
     grasp_width: Scalar = 0.08,
+    separate: str = "",
 ) -> Body:
     """Make a rigid link of a solid.
 
@@ -92,6 +95,8 @@ def part(
         name: Name of the link; by default its label.
         grasp: Frames at which a hand takes hold, in asset coordinates.
         grasp_width: Opening that the fingers need [m].
+        separate: Why the solids of the link do not all hang together; checks take a gap of more than
+            0.5 mm between them for a fault unless it is said.
     """
     grasps = (grasp,) if isinstance(grasp, Frame) else grasp
     return Body.record(
@@ -102,6 +107,7 @@ def part(
         name=name,
         grasp=grasps,
         grasp_width=grasp_width,
+        separate=separate,
     )
 
 
@@ -129,8 +135,12 @@ def _weld(bodies: tuple[Tree, ...]) -> Tree:
         first.label,
         tuple(piece for body in bodies for piece in body.link.pieces),
         tuple(grasp for body in bodies for grasp in body.link.grasps),
+        "; ".join(dict.fromkeys(body.link.separate for body in bodies if body.link.separate)),
     )
-    return Tree(link, tuple(branch for body in bodies for branch in body.branches)).checked()
+    contacts = tuple(
+        contact.renamed({body.link.name: first.name}, {}) for body in bodies for contact in body.contacts
+    )
+    return Tree(link, tuple(branch for body in bodies for branch in body.branches), contacts).checked()
 
 
 def weld(*bodies: Body) -> Body:
@@ -145,7 +155,7 @@ def weld(*bodies: Body) -> Body:
 def _attach(parent: Tree, child: Tree, joints: tuple[values.Joint, ...]) -> Tree:
     if not joints:
         raise ValueError("attach needs at least one joint; weld joins bodies rigidly")
-    return Tree(parent.link, (*parent.branches, Branch(joints, child))).checked()
+    return replace(parent, branches=(*parent.branches, Branch(joints, child))).checked()
 
 
 def attach(parent: Body, child: Body, joints: Sequence[Joint]) -> Body:
@@ -166,7 +176,7 @@ def _repeat(parent: Tree, child: Tree, joints: tuple[values.Joint, ...], at: Arr
         matrix[:3, 3] = point
         copy = Tree(_NOWHERE, (Branch(joints, child),)).moved(matrix).suffixed(f"_{index}")
         branches.append(copy.branches[0])
-    return Tree(parent.link, (*parent.branches, *branches)).checked()
+    return replace(parent, branches=(*parent.branches, *branches)).checked()
 
 
 def repeat(parent: Body, child: Body, joints: Sequence[Joint], at: PointsLike) -> Body:

@@ -401,6 +401,27 @@ class Body(Handle):
         """Join a copy of a child, moved to each point, with copies of its joints; suffixed `_0`, `_1`, ..."""
         return Body.record("repeat", parent=self, child=child, joints=joints, at=at)
 
+    def allow_contact(self, a: str, b: str, *, depth: Scalar, reason: str = "", when: Any = None) -> "Body":
+        """Allow pieces of two links to touch or to press into each other by design, as a gasket does.
+
+        Args:
+            a: Label of the pieces on one link, such as `"gasket"`; `"door/gasket"` where other links carry
+                that label too.
+            b: Label of the pieces on the other link.
+            depth: How far they may press into each other; 0 where they only touch [m].
+            reason: Why they do; the certificate lists it.
+            when: Where they may, such as `hinge < 0.02`; by default everywhere.
+
+        Raises:
+            BuildError: There is no reason.
+        """
+        if not str(reason or "").strip():
+            raise BuildError(
+                f"allow_contact({a!r}, {b!r}) gives no reason\n  at {authors_line()}\n"
+                '  Say why they may touch, for those who read the certificate: reason="the gasket seals"'
+            )
+        return Body.record("allow_contact", body=self, a=a, b=b, depth=depth, reason=reason, when=when)
+
     def at(self, x: "Scalar | VectorLike" = 0.0, y: Scalar = 0.0, z: Scalar = 0.0) -> "Body":
         """Move by a vector, or by x, y and z [m]."""
         return Body.record("translate_body", body=self, offset=offset_of(x, y, z))

@@ -79,9 +79,9 @@ def knob_handle(
 
 def _one_knob(style: str, start: Scalar, end: Scalar, radius: Scalar) -> list[Solid]:
     """Make a knob from y = start, in front of the rose, to y = end."""
-    neck = cylinder(0.0115, (end - start) * 0.6, axis=Y)
+    neck = cylinder(0.0115, (end - start) * 0.7, axis=Y)
     collar = cylinder(0.016, 0.0045, axis=Y, bevel=0.0015)
-    solids = [neck.at(0.0, start + 0.3 * (end - start), 0.0), collar.at(0.0, start + 0.00225, 0.0)]
+    solids = [neck.at(0.0, start + 0.35 * (end - start), 0.0), collar.at(0.0, start + 0.00225, 0.0)]
     deep = 0.74 * radius  # half the depth of a ball
     if style == "ball":
         solids.append(ellipsoid(radius, deep, radius).at(0.0, end - deep, 0.0))

@@ -24,7 +24,8 @@ _BAR_REACH = 0.048  # face of the leaf to the front of the bar at rest [m]
 _PLAY = 0.0008  # between the bar and the flanges above and below it [m]
 _CASE_DEPTH = 0.052
 _CASE_HEIGHT = 0.070
-_CASE_LENGTH = 0.085  # of the case over the lock; the far one is half as long [m]
+_CASE_LENGTH = 0.085  # of a full case; half of it is behind the lock, and the far one is half as long [m]
+_CASE_TO_EDGE = 0.027  # from the lock to the end of its case: in front is the overlap of a second leaf [m]
 _END_GAP = 0.0015  # between the bar and its cases [m]
 _FULL = 0.2  # cases and bars are sheet metal around little: share of a full one's weight
 _BOTTOM = 0.002  # what the innermost position leaves to the rail [m]
@@ -102,13 +103,14 @@ def push_bar_case(*, thickness: Scalar, length: Scalar, finish: Material, side: 
     flanges = [
         flange.at(middle, side * (face + _CHANNEL_DEPTH / 2), end * (inner + _SHEET / 2)) for end in (-1, 1)
     ]
-    near = box(_CASE_LENGTH, _CASE_DEPTH, _CASE_HEIGHT, bevel=0.005)
+    low, high = -_CASE_LENGTH / 2, _CASE_TO_EDGE
+    near = box(high - low, _CASE_DEPTH, _CASE_HEIGHT, bevel=0.005)
     far = box(_CASE_LENGTH / 2, _CASE_DEPTH, _CASE_HEIGHT, bevel=0.005)
     far_middle = _CASE_LENGTH * 0.75 - length
     dark = recess(finish)
     plate = box(0.034, 0.0004, 0.007).at(0.0, side * (face + _CASE_DEPTH), 0.014)
     return weld(
-        part(near.at(0.0, side * (face + _CASE_DEPTH / 2), 0.0), "rose", casting(finish, _FULL)),
+        part(near.at((low + high) / 2, side * (face + _CASE_DEPTH / 2), 0.0), "rose", casting(finish, _FULL)),
         part(far.at(far_middle, side * (face + _CASE_DEPTH / 2), 0.0), "rose", casting(finish, _FULL)),
         part(back.at(middle, side * (face + _SHEET / 2), 0.0), "rose", finish),
         *(part(each, "rose", finish) for each in flanges),

@@ -1,0 +1,244 @@
+"""The certificate of an asset: what is proven about collisions of its links over all joint positions."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any, Literal
+
+from artgen.asset.contact import AllowedContact
+
+Verdict = Literal["proven", "collision", "not proven"]
+Region = Mapping[str, tuple[float, float]]
+"""An interval for each free joint [rad or m]."""
+
+
+@dataclass(frozen=True)
+class Witness:
+    """A pose at which two links overlap.
+
+    Attributes:
+        pose: Position of every free joint that moves the pair [rad or m].
+        first_contact: Where on the straight way from rest to `pose` they first touch; equal to the rest
+            position if they overlap there [rad or m].
+        depth: How far the two pieces press into each other at `pose` [m].
+        volume: What the two links have in common at `pose` [m^3].
+        place: Middle of what they have in common, in asset coordinates at `pose` [m].
+        labels: Labels of the two pieces.
+    """
+
+    pose: Mapping[str, float]
+    first_contact: Mapping[str, float]
+    depth: float
+    volume: float
+    place: tuple[float, float, float]
+    labels: tuple[str, str]
+
+    def to_data(self) -> dict[str, Any]:
+        """Return the witness as JSON data."""
+        return {
+            "pose": dict(self.pose),
+            "first_contact": dict(self.first_contact),
+            "depth": self.depth,
+            "volume": self.volume,
+            "place": list(self.place),
+            "labels": list(self.labels),
+        }
+
+    @staticmethod
+    def from_data(data: Mapping[str, Any]) -> "Witness":
+        """Read what `to_data` wrote."""
+        x, y, z = data["place"]
+        first, second = data["labels"]
+        return Witness(
+            data["pose"], data["first_contact"], data["depth"], data["volume"], (x, y, z), (first, second)
+        )
+
+
+@dataclass(frozen=True)
+class OpenCell:
+    """A region of joint space in which two pieces were proven neither apart nor in collision.
+
+    Attributes:
+        region: Interval of each free joint that moves the pair [rad or m].
+        labels: Labels of the two pieces.
+        distance: Distance of the pieces in the middle of the region [m].
+    """
+
+    region: Region
+    labels: tuple[str, str]
+    distance: float
+
+    def to_data(self) -> dict[str, Any]:
+        """Return the cell as JSON data."""
+        region = {name: list(interval) for name, interval in self.region.items()}
+        return {"region": region, "labels": list(self.labels), "distance": self.distance}
+
+    @staticmethod
+    def from_data(data: Mapping[str, Any]) -> "OpenCell":
+        """Read what `to_data` wrote."""
+        region = {name: (low, high) for name, (low, high) in data["region"].items()}
+        first, second = data["labels"]
+        return OpenCell(region, (first, second), data["distance"])
+
+
+@dataclass(frozen=True)
+class PairResult:
+    """What was proven about two links.
+
+    Attributes:
+        links: Their names.
+        joints: The free joints that move one against the other.
+        verdict: `proven`: the solids stay apart at every position. `collision`: they overlap at the
+            witness. `not proven`: neither; counts as a failure.
+        colliders: The same of the colliders, which contain the solids.
+        guaranteed: The solids are never closer than this; negative for a contact by design [m].
+        found: The convex pieces around them are that close at `found_at`; None if not measured [m].
+        found_at: Positions of the free joints there [rad or m].
+        witness: Where they overlap, if they do (the colliders, where only those do).
+        open_cells: Where nothing was proven, the first few.
+        open_fraction: Share of the joint space of the pair in which nothing was proven.
+    """
+
+    links: tuple[str, str]
+    joints: tuple[str, ...]
+    verdict: Verdict
+    colliders: Verdict
+    guaranteed: float | None = None
+    found: float | None = None
+    found_at: Mapping[str, float] = field(default_factory=dict)
+    witness: Witness | None = None
+    open_cells: tuple[OpenCell, ...] = ()
+    open_fraction: float = 0.0
+
+    @property
+    def clear(self) -> bool:
+        """Whether both the solids and the colliders are proven."""
+        return self.verdict == "proven" and self.colliders == "proven"
+
+    def __str__(self) -> str:
+        """Tell the verdict in one line."""
+        names = f"{self.links[0]} and {self.links[1]}"
+        if self.clear:
+            assert self.guaranteed is not None
+            return f"{names}: proven apart, at least {_mm(self.guaranteed)}"
+        if self.witness is not None:
+            what = "collide" if self.verdict == "collision" else "collide in their colliders only"
+            witness = self.witness
+            first, second = witness.labels
+            x, y, z = witness.place
+            return (
+                f"{names} {what} at {_pose(witness.pose)}: {first} presses {_mm(witness.depth)} into "
+                f"{second} at ({x:.3f}, {y:.3f}, {z:.3f}) m; first contact at {_pose(witness.first_contact)}"
+            )
+        place = f", such as {_region(self.open_cells[0].region)}" if self.open_cells else ""
+        which = "not proven" if self.verdict != "proven" else "not proven for the colliders"
+        return f"{names}: {which} in {100 * self.open_fraction:.2g} % of their joint space{place}"
+
+    def to_data(self) -> dict[str, Any]:
+        """Return the result as JSON data."""
+        return {
+            "links": list(self.links),
+            "joints": list(self.joints),
+            "verdict": self.verdict,
+            "colliders": self.colliders,
+            "guaranteed": self.guaranteed,
+            "found": self.found,
+            "found_at": dict(self.found_at),
+            "witness": None if self.witness is None else self.witness.to_data(),
+            "open_cells": [cell.to_data() for cell in self.open_cells],
+            "open_fraction": self.open_fraction,
+        }
+
+    @staticmethod
+    def from_data(data: Mapping[str, Any]) -> "PairResult":
+        """Read what `to_data` wrote."""
+        a, b = data["links"]
+        witness = data["witness"]
+        return PairResult(
+            (a, b),
+            tuple(data["joints"]),
+            data["verdict"],
+            data["colliders"],
+            data["guaranteed"],
+            data["found"],
+            data["found_at"],
+            None if witness is None else Witness.from_data(witness),
+            tuple(OpenCell.from_data(cell) for cell in data["open_cells"]),
+            data["open_fraction"],
+        )
+
+
+@dataclass(frozen=True)
+class Certificate:
+    """What was proven about all pairs of links of an asset that move against each other.
+
+    Attributes:
+        tolerance: Clearance that had to be proven [m].
+        pairs: The result of each pair.
+        contacts: The contacts that the category allows.
+        leaves: The proof, which `artgen.check.recheck` verifies; None where it was not kept.
+    """
+
+    tolerance: float
+    pairs: tuple[PairResult, ...]
+    contacts: tuple[AllowedContact, ...] = ()
+    leaves: Mapping[str, Any] | None = field(default=None, repr=False, compare=False)
+
+    @property
+    def proven(self) -> bool:
+        """Whether every pair is proven, the solids and the colliders."""
+        return all(pair.clear for pair in self.pairs)
+
+    @property
+    def failures(self) -> tuple[PairResult, ...]:
+        """The pairs that are not proven, those that collide first."""
+        order = {"collision": 0, "not proven": 1, "proven": 2}
+        failed = [pair for pair in self.pairs if not pair.clear]
+        return tuple(sorted(failed, key=lambda pair: (order[pair.verdict], order[pair.colliders])))
+
+    @property
+    def clearance(self) -> PairResult | None:
+        """The pair with the smallest guaranteed clearance; None if nothing moves, or not all is proven."""
+        if not self.proven or not self.pairs:
+            return None
+        return min(self.pairs, key=lambda pair: (pair.guaranteed or 0.0, pair.links))
+
+    def __str__(self) -> str:
+        """Tell the verdict in one line, and each failure in one more."""
+        if not self.pairs:
+            return "nothing moves: there is nothing to prove"
+        if self.proven:
+            text = f"proven: {len(self.pairs)} pairs of links never collide"
+        else:
+            text = f"not proven: {len(self.failures)} of {len(self.pairs)} pairs fail"
+        return "\n".join([text, *(f"  {pair}" for pair in self.failures)])
+
+    def to_data(self) -> dict[str, Any]:
+        """Return everything but the leaves as JSON data."""
+        return {
+            "tolerance": self.tolerance,
+            "proven": self.proven,
+            "pairs": [pair.to_data() for pair in self.pairs],
+            "contacts": [contact.to_data() for contact in self.contacts],
+        }
+
+    @staticmethod
+    def from_data(data: Mapping[str, Any], leaves: Mapping[str, Any] | None = None) -> "Certificate":
+        """Read what `to_data` wrote."""
+        return Certificate(
+            data["tolerance"],
+            tuple(PairResult.from_data(item) for item in data["pairs"]),
+            tuple(AllowedContact.from_data(item) for item in data["contacts"]),
+            leaves,
+        )
+
+
+def _mm(length: float) -> str:
+    return f"{1e3 * length:.3f} mm"
+
+
+def _pose(pose: Mapping[str, float]) -> str:
+    return ", ".join(f"{name}={position:.4g}" for name, position in pose.items()) or "rest"
+
+
+def _region(region: Region) -> str:
+    return ", ".join(f"{name} in {low:.4g}..{high:.4g}" for name, (low, high) in region.items())

@@ -1,0 +1,270 @@
+"""An exported asset in MuJoCo: joints by name, couplings resolved, contacts named."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from artgen.asset import Asset, Condition
+from artgen.check.behaviour_motion import Motion, length, motions_of, unit
+from artgen.check.report import Finding
+
+Array = NDArray[np.float64]
+
+CHECK = "behaviour"
+
+Pieces = tuple[tuple[str, str], tuple[str, str]]
+"""Link and label of the two pieces of a contact."""
+
+_COUPLING_SHARE = 0.01  # how far a follower may be off, as a share of its range
+_FLOOR = "the floor"
+
+
+class UnstableError(Exception):
+    """The simulation exploded; what was found is on record."""
+
+
+class Simulation:
+    """A model of an asset with its state, and what was noticed while it moved.
+
+    Attributes:
+        asset: The asset.
+        model: MuJoCo's model.
+        data: MuJoCo's state.
+        motions: The free joints by name.
+        doing: What is being tried, for messages.
+        warnings: What MuJoCo has warned of since `collected_warnings` began.
+    """
+
+    def __init__(self, asset: Asset, model: Any, warnings: list[str]) -> None:
+        import mujoco
+
+        self.asset, self.model, self.data = asset, model, mujoco.MjData(model)
+        self.doing = ""
+        self.warnings = warnings
+        self.motions = motions_of(asset, model)
+        self._step = mujoco.mj_step
+        self._mujoco = mujoco
+        self._followers = _Followers.of(self.motions)
+        self._noticed = 0
+        self._findings: dict[tuple[str, str], Finding] = {}
+        self._start: dict[str, float] = {}
+
+    @property
+    def step_time(self) -> float:
+        """Length of a time step [s]."""
+        return float(self.model.opt.timestep)
+
+    def begin(self, q: Mapping[str, float], doing: str) -> None:
+        """Put all at rest at positions of free joints; those not given are closed."""
+        self._mujoco.mj_resetData(self.model, self.data)
+        for name, position in self.asset.positions(q).items():
+            if not self.asset.joint(name).locked:
+                self.data.qpos[self.model.joint(name).qposadr[0]] = position
+        self.doing = doing
+        self._start = self.pose()
+        self._mujoco.mj_forward(self.model, self.data)
+
+    def step(self) -> None:
+        """Make one time step.
+
+        Raises:
+            UnstableError: The state is no longer finite.
+        """
+        self._step(self.model, self.data)
+        if len(self.warnings) > self._noticed or self.data.warning.number.any():
+            self._notice_warnings()
+        followers = self._followers
+        if followers.names:
+            qpos = self.data.qpos
+            off = np.abs(qpos[followers.at] - followers.ratios * qpos[followers.leaders] - followers.offsets)
+            worse = off > followers.worst
+            if worse.any():
+                followers.worst[worse] = off[worse]
+                if (off[worse] > followers.allowed[worse]).any():
+                    self._notice_couplings(off)
+
+    def position(self, motion: Motion) -> float:
+        """Return where a free joint stands [rad or m]."""
+        return float(self.data.qpos[motion.positions[0]])
+
+    def speed(self, motion: Motion) -> float:
+        """Return how fast a free joint moves [rad/s or m/s]."""
+        return float(self.data.qvel[motion.speeds[0]])
+
+    def pose(self) -> dict[str, float]:
+        """Return where the free joints stand [rad or m]."""
+        return {name: self.position(motion) for name, motion in self.motions.items()}
+
+    def all_positions(self) -> dict[str, float]:
+        """Return where every joint stands [rad or m]."""
+        return {
+            joint.name: joint.closed
+            if joint.locked
+            else float(self.data.qpos[self.model.joint(joint.name).qposadr[0]])
+            for joint in self.asset.joints
+        }
+
+    def holds(self, condition: Condition) -> bool:
+        """Tell whether the joints stand in a region."""
+        return condition.holds(self.all_positions())
+
+    def load(self, motion: Motion) -> float:
+        """Return the force of gravity, springs and damping at a free joint, without friction [N m or N]."""
+        data = self.data
+        return float(motion.ratios @ (data.qfrc_passive - data.qfrc_bias)[motion.speeds])
+
+    def weight(self, motion: Motion) -> float:
+        """Return the force of gravity alone at a free joint that is at rest [N m or N]."""
+        return -float(motion.ratios @ self.data.qfrc_bias[motion.speeds])
+
+    def pull(self, motion: Motion) -> float:
+        """Return `load` and what the accelerations of other joints add to it [N m or N]."""
+        others = self.data.qacc.copy()
+        others[motion.speeds] = 0.0
+        result = np.zeros(self.model.nv)
+        self._mujoco.mj_mulM(self.model, self.data, result, others)
+        return self.load(motion) - float(motion.ratios @ result[motion.speeds])
+
+    def inertia(self, motion: Motion) -> float:
+        """Return the inertia that a force at a free joint moves while the others are free [kg m^2 or kg]."""
+        full = np.zeros((self.model.nv, self.model.nv))
+        self._mujoco.mj_fullM(self.model, self.data, full)
+        fixed = [dof for dof in range(self.model.nv) if dof not in self._moved_speeds()]
+        columns = np.zeros((self.model.nv, len(self.motions) + len(fixed)))
+        for number, each in enumerate(self.motions.values()):
+            columns[each.speeds, number] = each.ratios
+        for number, dof in enumerate(fixed):
+            columns[dof, len(self.motions) + number] = 1.0
+        index = list(self.motions).index(motion.name)
+        return 1.0 / float(np.linalg.inv(columns.T @ full @ columns)[index, index])
+
+    def _moved_speeds(self) -> set[int]:
+        return {int(dof) for motion in self.motions.values() for dof in motion.speeds}
+
+    def geom(self, number: int) -> tuple[str, str]:
+        """Return link and label of a collider; the label is empty where the file says nothing of it."""
+        name = self.model.geom(number).name
+        body = int(self.model.geom_bodyid[number])
+        if body == 0:
+            return _FLOOR, ""
+        link = self.model.body(body).name
+        prefix = f"{link}_collider_"
+        index = name.removeprefix(prefix)
+        if name.startswith(prefix) and index.isdecimal():
+            colliders = self.asset.link(link).colliders
+            if int(index) < len(colliders):
+                return link, colliders[int(index)].label
+        return link, ""
+
+    def depths(self) -> Array:
+        """Return how deep each contact is, shape (n,) [m]."""
+        return -np.asarray(self.data.contact.dist) if self.data.ncon else np.zeros(0)
+
+    def contact(self, number: int) -> Pieces:
+        """Return link and label of the two pieces of a contact."""
+        first, second = self.data.contact[number].geom
+        return self.geom(int(first)), self.geom(int(second))
+
+    def touching(self, motion: Motion, others: frozenset[int] | None = None) -> list[str]:
+        """Name what presses on what a joint moves, the strongest contact first.
+
+        Args:
+            motion: The joint.
+            others: Only contacts with these bodies; any if None.
+        """
+        forces: dict[str, float] = {}
+        for number in range(self.data.ncon):
+            bodies = [int(self.model.geom_bodyid[geom]) for geom in self.data.contact[number].geom]
+            inside = [body in motion.bodies for body in bodies]
+            if inside[0] == inside[1]:
+                continue
+            if others is not None and bodies[inside.index(False)] not in others:
+                continue
+            wrench = np.zeros(6)
+            self._mujoco.mj_contactForce(self.model, self.data, number, wrench)
+            if wrench[0] > 0.0:
+                text = " and ".join(piece(*each) for each in self.contact(number))
+                forces[text] = forces.get(text, 0.0) + float(wrench[0])
+        return sorted(forces, key=lambda text: -forces[text])[:3]
+
+    def findings(self) -> list[Finding]:
+        """Return the warnings and loose couplings that were noticed."""
+        return list(self._findings.values())
+
+    def _notice_warnings(self) -> None:
+        new, self._noticed = self.warnings[self._noticed :], len(self.warnings)
+        for text in new:
+            kind = text.split(" at DOF")[0].split(" Time =")[0]
+            self._findings.setdefault(
+                ("warning", kind),
+                Finding(
+                    CHECK,
+                    f"MuJoCo warns while {self.doing}: {text.strip()}",
+                    pose=self._start,
+                    hint="look for parts that overlap there, or for a mass or an armature that is too small",
+                ),
+            )
+        number = self.data.warning.number
+        kinds = self._mujoco.mjtWarning
+        bad = (kinds.mjWARN_BADQPOS, kinds.mjWARN_BADQVEL, kinds.mjWARN_BADQACC)
+        if any(number[int(kind)] for kind in bad):
+            raise UnstableError
+
+    def _notice_couplings(self, off: Array) -> None:
+        followers = self._followers
+        for number in np.flatnonzero(off > followers.allowed):
+            name = followers.names[number]
+            joint = self.asset.joint(name)
+            assert joint.follows is not None
+            error = float(off[number])
+            share = _COUPLING_SHARE * error / float(followers.allowed[number])
+            self._findings["coupling", name] = Finding(
+                CHECK,
+                f"is {length(joint, error)} or {100 * share:.2g} % of its range off the position that "
+                f"{joint.follows.leader} gives it, while {self.doing}",
+                link=joint.child,
+                joint=name,
+                value=error,
+                unit=unit(joint),
+                pose=self.pose(),
+                hint="a coupling gives way where a part stands in its way, or where what it moves is much "
+                "heavier than what leads it; make room, or add armature to the leader",
+            )
+
+
+@dataclass
+class _Followers:
+    """The coupled joints, as arrays with one row for each."""
+
+    names: list[str] = field(default_factory=list)
+    at: NDArray[np.int64] = field(default_factory=lambda: np.zeros(0, np.int64))
+    leaders: NDArray[np.int64] = field(default_factory=lambda: np.zeros(0, np.int64))
+    ratios: Array = field(default_factory=lambda: np.zeros(0))
+    offsets: Array = field(default_factory=lambda: np.zeros(0))
+    allowed: Array = field(default_factory=lambda: np.zeros(0))
+    worst: Array = field(default_factory=lambda: np.zeros(0))
+
+    @staticmethod
+    def of(motions: Mapping[str, Motion]) -> "_Followers":
+        rows = [(motion, number) for motion in motions.values() for number in range(1, len(motion.members))]
+        if not rows:
+            return _Followers()
+        ratios = np.array([motion.ratios[number] for motion, number in rows])
+        ranges = np.array([motion.range for motion, _ in rows])
+        return _Followers(
+            [motion.members[number].name for motion, number in rows],
+            np.array([motion.positions[number] for motion, number in rows]),
+            np.array([motion.positions[0] for motion, _ in rows]),
+            ratios,
+            np.array([motion.offsets[number] for motion, number in rows]),
+            _COUPLING_SHARE * np.abs(ratios) * ranges,
+            np.zeros(len(rows)),
+        )
+
+
+def piece(link: str, label: str) -> str:
+    """Spell a piece by its link and label."""
+    return f"{link}/{label}" if label else link

@@ -1,0 +1,140 @@
+"""Free joints with all that follows them, as MuJoCo numbers them; and how their positions are spelt."""
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from artgen.asset import Asset, Joint
+from artgen.export.frames import coupling
+
+Array = NDArray[np.float64]
+
+_TRAVEL = 1.0  # what is looked at of a slide without limits [m]
+
+
+@dataclass(frozen=True, eq=False)
+class Motion:
+    """A free joint with all that moves with it.
+
+    Attributes:
+        joint: The free joint.
+        members: The joint itself and those that follow it.
+        ratios: How far each member moves with the joint, shape (n,).
+        offsets: Where each member stands when the joint is at 0, shape (n,).
+        positions: Indices of the members in MuJoCo's positions, shape (n,).
+        speeds: Indices of the members in MuJoCo's velocities and forces, shape (n,).
+        bodies: MuJoCo's bodies that move with the joint.
+    """
+
+    joint: Joint
+    members: tuple[Joint, ...]
+    ratios: Array
+    offsets: Array
+    positions: NDArray[np.int64]
+    speeds: NDArray[np.int64]
+    bodies: frozenset[int]
+
+    @property
+    def name(self) -> str:
+        """Name of the free joint."""
+        return self.joint.name
+
+    @property
+    def limits(self) -> tuple[float, float]:
+        """The range to be looked at: without limits, a full turn or a metre [rad or m]."""
+        if self.joint.limits is not None:
+            return self.joint.limits
+        return (0.0, 2.0 * math.pi if self.joint.kind == "revolute" else _TRAVEL)
+
+    @property
+    def range(self) -> float:
+        """Length of the range to be looked at [rad or m]."""
+        low, high = self.limits
+        return high - low
+
+    @property
+    def friction(self) -> float:
+        """Dry friction of all members, felt at the joint [N m or N]."""
+        frictions = [member.friction for member in self.members]
+        return float(np.abs(self.ratios) @ np.array(frictions))
+
+    @property
+    def stiffness(self) -> float:
+        """Stiffness of all springs, felt at the joint [N m/rad or N/m]."""
+        return float(self.ratios**2 @ np.array([member.stiffness for member in self.members]))
+
+    @property
+    def damping(self) -> float:
+        """Damping of all members, felt at the joint [N m s/rad or N s/m]."""
+        return float(self.ratios**2 @ np.array([member.damping for member in self.members]))
+
+    @property
+    def rest(self) -> float:
+        """Where the springs are at ease; only where there are some [rad or m]."""
+        pulls = [member.stiffness * member.rest for member in self.members]
+        stiffness = np.array([member.stiffness for member in self.members])
+        return float(self.ratios @ (np.array(pulls) - stiffness * self.offsets)) / self.stiffness
+
+
+def motions_of(asset: Asset, model: Any) -> dict[str, Motion]:
+    """Return the free joints of an asset by name, as they are in MuJoCo's model of it.
+
+    Raises:
+        KeyError: The model lacks a joint or a link.
+    """
+    for link in asset.links:
+        model.body(link.name)
+    return {joint.name: _motion(asset, model, joint) for joint in asset.free_joints}
+
+
+def _motion(asset: Asset, model: Any, joint: Joint) -> Motion:
+    members, ratios, offsets = [joint], [1.0], [0.0]
+    for other in asset.joints:
+        law = coupling(asset, other)
+        if law is not None and law.leader == joint.name:
+            members.append(other)
+            ratios.append(law.ratio)
+            offsets.append(law.offset)
+    found = [model.joint(member.name) for member in members]
+    return Motion(
+        joint,
+        tuple(members),
+        np.array(ratios),
+        np.array(offsets),
+        np.array([each.qposadr[0] for each in found]),
+        np.array([each.dofadr[0] for each in found]),
+        frozenset(body for member in members for body in _subtree(model, member.child)),
+    )
+
+
+def _subtree(model: Any, link: str) -> set[int]:
+    found = {int(model.body(link).id)}
+    for body in range(model.nbody):
+        if int(model.body_parentid[body]) in found:
+            found.add(body)
+    return found
+
+
+def length(joint: Joint, distance: float) -> str:
+    """Spell a distance along a joint in degrees or millimetres."""
+    if joint.kind == "revolute":
+        return f"{math.degrees(distance):.3g} degrees"
+    return f"{1e3 * distance:.3g} mm"
+
+
+def place(joint: Joint, position: float) -> str:
+    """Spell a position of a joint in radians or metres."""
+    return f"{position + 0.0:.4g} {'rad' if joint.kind == 'revolute' else 'm'}"
+
+
+def force(joint: Joint, amount: float) -> str:
+    """Spell a torque or a force at a joint."""
+    return f"{amount + 0.0:.3g} {'N m' if joint.kind == 'revolute' else 'N'}"
+
+
+def unit(joint: Joint) -> str:
+    """Return the unit of a joint's positions."""
+    return "rad" if joint.kind == "revolute" else "m"

@@ -1,0 +1,205 @@
+"""Convex pieces of several links in one table, each link's in a tree of boxes."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from manifold3d import Manifold
+from numpy.typing import NDArray
+
+from artgen.colliders.polytope import cross
+
+Array = NDArray[np.float64]
+Indices = NDArray[np.int64]
+Mask = NDArray[np.bool_]
+
+_FAN = 4  # children of a box, at most
+_CORNERS = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)])
+_SQUARE = np.eye(3)
+_NORMAL_DECIMALS = 9
+_PARALLEL = 0.999  # cosine
+
+
+@dataclass(frozen=True)
+class _Node:
+    """A box around a range of pieces, or one piece.
+
+    Attributes:
+        first: The first piece of the range, in the link's order.
+        last: The piece behind the last.
+        vertices: Shape (v, 3) [m].
+        children: Numbers of the nodes within; none for a piece.
+        piece: Number of the piece in the link; -1 for a box.
+    """
+
+    first: int
+    last: int
+    vertices: Array
+    children: tuple[int, ...]
+    piece: int
+
+
+class Hierarchy:
+    """The trees of several links; nodes are numbered through.
+
+    Attributes:
+        orders: For each link, its pieces in the order in which the nodes of its tree hold ranges of them.
+        roots: The root of each link's tree, shape (links,).
+        first: First piece of each node's range in its link's order, shape (nodes,).
+        last: The one behind its last piece, shape (nodes,).
+        piece: Number of a leaf's piece in its link, -1 for boxes, shape (nodes,).
+        leaf: Whether the node is a piece, shape (nodes,).
+        centre: Middle of the node's box, shape (nodes, 3) [m].
+        radius: Distance of the farthest vertex from the middle, shape (nodes,) [m].
+        half: Half the lengths of the node's box, shape (nodes, 3) [m].
+        count: Number of vertices, shape (nodes,).
+        tree: Number of the link that the node belongs to, shape (nodes,).
+    """
+
+    def __init__(self, links: Sequence[Sequence[Array]]) -> None:
+        self._nodes: list[_Node] = []
+        self.orders: list[tuple[int, ...]] = []
+        roots, sizes = [], []
+        for pieces in links:
+            low, high = np.array([(points.min(axis=0), points.max(axis=0)) for points in pieces]).swapaxes(
+                0, 1
+            )
+            order: list[int] = []
+            roots.append(self._grow(pieces, np.arange(len(pieces)), low, high, order))
+            self.orders.append(tuple(order))
+            sizes.append(len(self._nodes))
+        nodes = self._nodes
+        self.roots: Indices = np.array(roots)
+        self.first: Indices = np.array([node.first for node in nodes])
+        self.last: Indices = np.array([node.last for node in nodes])
+        self.piece: Indices = np.array([node.piece for node in nodes])
+        self.leaf: Mask = self.piece >= 0
+        self.count: Indices = np.array([len(node.vertices) for node in nodes])
+        self.tree: Indices = np.searchsorted(sizes, np.arange(len(nodes)), side="right")
+        self._points = np.concatenate([node.vertices for node in nodes])
+        self._start = np.cumsum(self.count) - self.count
+        low = np.minimum.reduceat(self._points, self._start)
+        high = np.maximum.reduceat(self._points, self._start)
+        self.centre: Array = (low + high) / 2.0
+        away = self._points - np.repeat(self.centre, self.count, axis=0)
+        self.radius: Array = np.sqrt(np.maximum.reduceat(np.sum(away * away, axis=1), self._start))
+        self.half: Array = (high - low) / 2.0
+        self._child = np.full((len(nodes), _FAN), -1)
+        for number, node in enumerate(nodes):
+            self._child[number, : max(len(node.children), 1)] = node.children or number
+        self._main: dict[int, Array] = {}
+        self._hulls: dict[int, Manifold] = {}
+        self._shapes: dict[int, Any] = {}
+        self._placed: dict[int, Any] = {}
+        self._moving: dict[int, Any] = {}
+
+    def _grow(
+        self, pieces: Sequence[Array], chosen: Indices, low: Array, high: Array, order: list[int]
+    ) -> int:
+        """Add the tree of some pieces of a link and return the number of its root."""
+        first = len(order)
+        if len(chosen) == 1:
+            piece = int(chosen[0])
+            order.append(piece)
+            self._nodes.append(_Node(first, first + 1, pieces[piece], (), piece))
+            return len(self._nodes) - 1
+        groups = [part for half in _halves(chosen, low, high) for part in _halves(half, low, high)]
+        children = tuple(self._grow(pieces, group, low, high, order) for group in groups)
+        lowest, highest = low[chosen].min(axis=0), high[chosen].max(axis=0)
+        corners = lowest + _CORNERS * (highest - lowest)
+        self._nodes.append(_Node(first, len(order), corners, children, -1))
+        return len(self._nodes) - 1
+
+    def points(self, nodes: Indices) -> Array:
+        """Return the vertices of nodes, the last one repeated to equal numbers, shape (N, V, 3) [m]."""
+        count = self.count[nodes]
+        offset = np.minimum(np.arange(count.max()), count[:, None] - 1)
+        found: Array = self._points[self._start[nodes][:, None] + offset]
+        return found
+
+    def expanded(self, nodes: Indices) -> tuple[Indices, Indices]:
+        """Return the nodes within each node (a piece: itself) with the rows that they belong to."""
+        table = self._child[nodes]
+        rows, columns = np.nonzero(table >= 0)
+        return rows, table[rows, columns]
+
+    def main_axes(self, nodes: Indices) -> Array:
+        """Return three directions across faces of each node, shape (N, 3, 3)."""
+        result = np.empty((len(nodes), 3, 3))
+        result[:] = _SQUARE
+        for row in np.flatnonzero(self.leaf[nodes]):
+            node = int(nodes[row])
+            if node not in self._main:
+                self._main[node] = _main_axes(*self._mesh(node))
+            result[row] = self._main[node]
+        return result
+
+    def hull(self, node: int) -> Manifold:
+        """Return the piece of a leaf."""
+        if node not in self._hulls:
+            self._hulls[node] = Manifold.hull_points(self._nodes[node].vertices)
+        return self._hulls[node]
+
+    def _mesh(self, node: int) -> tuple[Array, Indices]:
+        mesh = self.hull(node).to_mesh64()
+        corners = np.ascontiguousarray(np.asarray(mesh.vert_properties)[:, :3])
+        return corners, np.asarray(mesh.tri_verts).astype(np.int64)
+
+    def fixed_object(self, node: int) -> Any:
+        """Return the node as an FCL object at rest."""
+        if node not in self._placed:
+            import fcl
+
+            at = np.zeros(3) if self.leaf[node] else self.centre[node]
+            self._placed[node] = fcl.CollisionObject(self._shape(node), fcl.Transform(at))
+        return self._placed[node]
+
+    def moved_object(self, node: int, rotation: Array, offset: Array) -> Any:
+        """Return the node as an FCL object moved from rest by a rotation and an offset."""
+        import fcl
+
+        if node not in self._moving:
+            self._moving[node] = fcl.CollisionObject(self._shape(node))
+        if not self.leaf[node]:
+            offset = offset + rotation @ self.centre[node]
+        self._moving[node].setTransform(fcl.Transform(rotation, offset))
+        return self._moving[node]
+
+    def _shape(self, node: int) -> Any:
+        if node not in self._shapes:
+            import fcl
+
+            if self.leaf[node]:
+                corners, triangles = self._mesh(node)
+                faces = np.column_stack((np.full(len(triangles), 3), triangles)).astype(np.int32).ravel()
+                self._shapes[node] = fcl.Convex(corners, len(triangles), faces)
+            else:
+                self._shapes[node] = fcl.Box(*(2.0 * self.half[node]))
+        return self._shapes[node]
+
+
+def _halves(chosen: Indices, low: Array, high: Array) -> list[Indices]:
+    """Split pieces in the middle of the direction in which they spread most."""
+    if len(chosen) == 1:
+        return [chosen]
+    middle = low[chosen] + high[chosen]
+    direction = int(np.argmax(np.round(np.ptp(middle, axis=0), _NORMAL_DECIMALS)))
+    sequence = np.argsort(np.round(middle[:, direction], _NORMAL_DECIMALS), kind="stable")
+    half = len(chosen) // 2
+    return [chosen[sequence[:half]], chosen[sequence[half:]]]
+
+
+def _main_axes(corners: Array, triangles: Indices) -> Array:
+    """Return the normals of the three largest faces that are not parallel, shape (3, 3)."""
+    a, b, c = corners[triangles.T]
+    areas = cross(b - a, c - a)
+    size = np.sqrt(np.sum(areas * areas, axis=1))
+    normals = np.round(areas / np.where(size > 0.0, size, 1.0)[:, None], _NORMAL_DECIMALS)
+    chosen: list[int] = []
+    left = np.where(size > 0.0, np.round(size, _NORMAL_DECIMALS), -1.0)
+    while len(chosen) < 3 and left.max() >= 0.0:
+        largest = int(np.argmax(left))
+        chosen.append(largest)
+        left[np.abs(normals @ normals[largest]) > _PARALLEL] = -1.0
+    return normals[(chosen * 3)[:3]]

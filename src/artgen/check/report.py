@@ -1,0 +1,131 @@
+"""What checks find, and the report of all checks of one asset."""
+
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any, Literal
+
+Severity = Literal["fault", "note"]
+_DIGITS = 9  # significant digits of numbers in a report
+
+
+@dataclass(frozen=True)
+class Finding:
+    """One thing that a check found.
+
+    Attributes:
+        check: Name of the check, such as `solids`.
+        message: What is wrong, in one sentence with the number.
+        link: The link at fault, or two of them as `door, frame`.
+        joint: The joint at fault.
+        value: The number at fault, in `unit`.
+        unit: Its SI unit, such as `m`.
+        pose: Joint positions at which it shows [rad or m].
+        hint: What to do about it.
+        severity: A `fault` fails the check; a `note` tells what it could not judge.
+    """
+
+    check: str
+    message: str
+    link: str = ""
+    joint: str = ""
+    value: float | None = None
+    unit: str = ""
+    pose: Mapping[str, float] = field(default_factory=dict)
+    hint: str = ""
+    severity: Severity = "fault"
+
+    def __str__(self) -> str:
+        """Tell where, what, and what to do."""
+        place = ", ".join(
+            f"{kind} {name}" for kind, name in (("link", self.link), ("joint", self.joint)) if name
+        )
+        pose = ", ".join(f"{name}={position:.4g}" for name, position in self.pose.items())
+        text = f"{place}: {self.message}" if place else self.message
+        text += f" (at {pose})" if pose else ""
+        return f"{text}; {self.hint}" if self.hint else text
+
+    def to_data(self) -> dict[str, Any]:
+        """Return the finding as JSON data."""
+        return {
+            "check": self.check,
+            "severity": self.severity,
+            "message": self.message,
+            "link": self.link,
+            "joint": self.joint,
+            "value": None if self.value is None else _rounded(self.value),
+            "unit": self.unit,
+            "pose": {name: _rounded(position) for name, position in self.pose.items()},
+            "hint": self.hint,
+        }
+
+
+@dataclass(frozen=True)
+class CheckResult:
+    """What one check said of an asset.
+
+    Attributes:
+        check: Name of the check.
+        findings: What it found; none if all is well.
+        detail: What was looked at, in a few words, such as `5 links, 31 solids`.
+        skipped: Why the check could not run; empty if it ran.
+    """
+
+    check: str
+    findings: tuple[Finding, ...] = ()
+    detail: str = ""
+    skipped: str = ""
+
+    @property
+    def faults(self) -> tuple[Finding, ...]:
+        """The findings that fail the check."""
+        return tuple(finding for finding in self.findings if finding.severity == "fault")
+
+    def to_data(self) -> dict[str, Any]:
+        """Return the result as JSON data."""
+        state = "skipped" if self.skipped else "failed" if self.faults else "passed"
+        return {
+            "check": self.check,
+            "state": state,
+            "detail": self.skipped or self.detail,
+            "findings": [finding.to_data() for finding in self.findings],
+        }
+
+
+@dataclass(frozen=True)
+class Report:
+    """What all checks said of one asset.
+
+    Attributes:
+        asset: Name of the asset.
+        results: One for each check, in the order in which they ran.
+    """
+
+    asset: str
+    results: tuple[CheckResult, ...]
+
+    @property
+    def faults(self) -> tuple[Finding, ...]:
+        """The faults of all checks."""
+        return tuple(fault for result in self.results for fault in result.faults)
+
+    @property
+    def passed(self) -> bool:
+        """Whether no check found a fault."""
+        return not self.faults
+
+    def to_data(self) -> dict[str, Any]:
+        """Return the report as JSON data."""
+        return {
+            "asset": self.asset,
+            "passed": self.passed,
+            "results": [result.to_data() for result in self.results],
+        }
+
+    def to_json(self) -> str:
+        """Return the report as JSON text."""
+        return json.dumps(self.to_data(), indent=1, ensure_ascii=False, allow_nan=False) + "\n"
+
+
+def _rounded(number: float) -> float:
+    return float(f"{number:.{_DIGITS}g}") + 0.0

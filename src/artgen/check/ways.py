@@ -1,0 +1,293 @@
+"""How pairs of links move against each other: the joints between them and the space of their positions.
+
+Coupled joints are replaced by their leaders, locked ones stand still. Dependencies cut the joint space of a
+pair into boxes. Where they would cut it into very many, some are left out, which can only make it larger.
+"""
+
+import itertools
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from artgen.asset import Asset, Joint
+from artgen.asset.contact import AllowedContact
+from artgen.asset.joint import Condition
+from artgen.errors import AssetError
+
+Array = NDArray[np.float64]
+Interval = tuple[float, float]
+Box = Mapping[str, Interval]
+
+FULL_TURN = (-math.pi, math.pi)
+"""Range over which an unlimited rotation is proven [rad]."""
+
+FULL_SLIDE = (-1000.0, 1000.0)
+"""Range over which an unlimited slide is proven; what the URDF says of it [m]."""
+
+_CLOSED = 1e-9  # a joint stands closed within this [rad or m]
+_MOST_BOXES = 128  # dependencies that would cut a space into more are left out
+_ROUNDING = 1e-12  # a box that was cut at a threshold may miss it by this much [rad or m]
+
+
+@dataclass(frozen=True)
+class Follower:
+    """A joint's position as a function of a free one: ratio * position(variable) + offset.
+
+    Attributes:
+        variable: Name of the free joint; empty for a joint that stands still.
+        ratio: [rad/rad, m/rad, rad/m or m/m].
+        offset: [rad or m].
+    """
+
+    variable: str
+    ratio: float
+    offset: float
+
+
+@dataclass(frozen=True, eq=False)
+class Way:
+    """The joints between two links.
+
+    Attributes:
+        links: Names of the links, A and B.
+        steps: The joints on the path from A to B.
+        signs: 1 for a joint that leads away from the root, -1 for one that leads towards it.
+        followers: The position of each joint as a function of a variable.
+        variables: Names of the free joints on which they depend.
+        boxes: The joint space: lowest and highest position of each variable, each shape (v, 2) [rad or m].
+        allowed: For each box the contacts that are allowed everywhere in it.
+    """
+
+    links: tuple[str, str]
+    steps: tuple[Joint, ...]
+    signs: tuple[int, ...]
+    followers: tuple[Follower, ...]
+    variables: tuple[str, ...]
+    boxes: tuple[Array, ...]
+    allowed: tuple[tuple[AllowedContact, ...], ...] = field(default=())
+
+
+class Space:
+    """The joint space of an asset, for all its pairs of links."""
+
+    def __init__(self, asset: Asset) -> None:
+        self.asset = asset
+        self._joints = {joint.name: joint for joint in asset.joints}
+        self._chains: dict[str, tuple[Joint, ...]] = {asset.links[0].name: ()}
+        for parent, child, joints in asset.pairs():
+            self._chains[child] = (*self._chains[parent], *joints)
+        self.followers: dict[str, Follower] = {}
+        self.ranges: dict[str, Interval] = {}
+        for joint in asset.joints:
+            self._resolve(joint)
+        for joint in asset.joints:
+            self._check(joint)
+
+    def ways(self) -> list[Way]:
+        """Return the way between each pair of links that can move against each other."""
+        names = [link.name for link in self.asset.links]
+        found = (self.way(a, b) for a, b in itertools.combinations(names, 2))
+        return [way for way in found if way.variables]
+
+    def way(self, a: str, b: str) -> Way:
+        """Return the way from one link to another."""
+        up, down = self._chains[a], self._chains[b]
+        shared = sum(
+            1 for _ in itertools.takewhile(lambda two: two[0] is two[1], zip(up, down, strict=False))
+        )
+        steps = (*reversed(up[shared:]), *down[shared:])
+        signs = (-1,) * (len(up) - shared) + (1,) * (len(down) - shared)
+        followers = tuple(self.followers[joint.name] for joint in steps)
+        variables = tuple(dict.fromkeys(each.variable for each in followers if each.variable))
+        boxes = self.boxes(variables)
+        contacts = [each for each in self.asset.contacts if set(each.links) == {a, b}]
+        boxes = [part for box in boxes for part in self._split(box, contacts)]
+        allowed = tuple(
+            tuple(each for each in contacts if each.when is None or self._holds(each.when, box))
+            for box in boxes
+        )
+        arrays = tuple(np.array([box[name] for name in variables]).reshape(-1, 2) for box in boxes)
+        return Way((a, b), steps, signs, followers, variables, arrays, allowed)
+
+    def boxes(self, variables: Sequence[str]) -> list[Box]:
+        """Return boxes that together hold every position of some variables that dependencies allow.
+
+        They are cut out of the space of these variables and of all others that they need, however far down
+        the chain, and then seen from the front.
+        """
+        needed = self._needed(variables)
+        boxes: list[Box] = [{name: self.ranges[name] for name in needed}]
+        for joint in self.asset.joints:
+            clauses = self._clauses(joint, needed)
+            if clauses is None or len(boxes) * len(clauses) > _MOST_BOXES:
+                continue
+            cut = [_common(box, clause) for box in boxes for clause in clauses]
+            boxes = _largest([box for box in cut if box is not None])
+        return _largest([{name: box[name] for name in variables} for box in boxes])
+
+    def _needed(self, variables: Sequence[str]) -> list[str]:
+        """Return variables with those that the joints they move need, and so on."""
+        result = list(variables)
+        for variable in result:  # it grows while it is looked through
+            for joint in self.asset.joints:
+                if joint.needs is None or self.followers[joint.name].variable != variable:
+                    continue
+                needs = (self.followers[name].variable for name in joint.needs.condition.joints())
+                result += [name for name in dict.fromkeys(needs) if name and name not in result]
+        return result
+
+    def _resolve(self, joint: Joint) -> None:
+        """Find the variable that a joint's position depends on."""
+        ratio, offset, leader = 1.0, 0.0, joint
+        while leader.follows is not None:
+            offset += ratio * leader.follows.offset
+            ratio *= leader.follows.ratio
+            leader = self._joints[leader.follows.leader]
+        if leader.locked:
+            assert leader.limits is not None
+            self.followers[joint.name] = Follower("", 0.0, ratio * leader.limits[0] + offset)
+            return
+        turns = leader.kind == joint.kind == "revolute" and ratio == round(ratio)
+        if leader.limits is None and joint is not leader and not turns:
+            # after some turns of the leader the follower may be anywhere
+            leader, ratio, offset = joint, 1.0, 0.0
+        full = FULL_TURN if leader.kind == "revolute" else FULL_SLIDE
+        self.followers[joint.name] = Follower(leader.name, ratio, offset)
+        self.ranges[leader.name] = full if leader.limits is None else leader.limits
+
+    def _check(self, joint: Joint) -> None:
+        """Refuse a dependency that no position of the other joints meets."""
+        if joint.needs is None or any(each is not None for each in self._terms(joint.needs.condition)):
+            return
+        ranges = ", ".join(
+            f"{name} stands within {low:.6g} to {high:.6g}"
+            for name in joint.needs.condition.joints()
+            for low, high in [self._span(name)]
+        )
+        raise AssetError(
+            f"joint {joint.name!r} needs {joint.needs.condition}, but {ranges}: it could never move; turn "
+            "the comparison round or correct its value",
+            joint=joint.name,
+        )
+
+    def _span(self, joint: str) -> Interval:
+        """Return the lowest and the highest position of a joint."""
+        follower = self.followers[joint]
+        ends = self.ranges.get(follower.variable, (0.0, 0.0))
+        low, high = sorted(follower.ratio * end + follower.offset for end in ends)
+        return low, high
+
+    def _clauses(self, joint: Joint, variables: Sequence[str]) -> list[Box] | None:
+        """Return the boxes, one of which a joint's dependency asks for; None if it says nothing here."""
+        if joint.needs is None:
+            return None
+        alternatives = [self._where(joint.name, -_CLOSED, _CLOSED)]
+        if joint.needs.until is not None:
+            alternatives.append(self._where(joint.name, joint.needs.until, math.inf))
+            alternatives.append(self._where(joint.name, -math.inf, -joint.needs.until))
+        alternatives.extend(self._terms(joint.needs.condition))
+        clauses: list[Box] = []
+        for clause in alternatives:
+            if clause is None:
+                continue
+            seen = {name: interval for name, interval in clause.items() if name in variables}
+            if not seen:
+                return None
+            clauses.append(seen)
+        return clauses
+
+    def _where(self, joint: str, low: float, high: float) -> Box | None:
+        """Return where a joint stands within an interval; None if it never does."""
+        follower = self.followers[joint]
+        if not follower.variable:
+            return {} if low <= follower.offset <= high else None
+        name, limits = follower.variable, self.ranges[follower.variable]
+        if self._joints[name].limits is None:
+            return {}  # positions of unlimited joints are known up to full turns only
+        ends = sorted((end - follower.offset) / follower.ratio for end in (low, high))
+        low, high = max(ends[0], limits[0]), min(ends[1], limits[1])
+        return {name: (low, high)} if low <= high else None
+
+    def _terms(self, condition: Condition) -> Iterator[Box | None]:
+        """Yield boxes, the union of which a condition describes."""
+        if condition.kind == "above":
+            yield self._where(condition.joint, condition.value, math.inf)
+        elif condition.kind == "below":
+            yield self._where(condition.joint, -math.inf, condition.value)
+        elif condition.kind == "any":
+            for term in condition.terms:
+                yield from self._terms(term)
+        else:
+            for terms in itertools.product(*(list(self._terms(term)) for term in condition.terms)):
+                clause: Box | None = {}
+                for box in terms:
+                    clause = None if clause is None or box is None else _common(clause, box)
+                yield clause
+
+    def _split(self, box: Box, contacts: Sequence[AllowedContact]) -> list[Box]:
+        """Cut a box where the conditions of contacts begin and end."""
+        boxes = [box]
+        for contact in contacts:
+            for term in _comparisons(contact.when):
+                where = self.followers[term.joint]
+                name = where.variable
+                if name not in box or self._joints[name].limits is None:
+                    continue
+                value = (term.value - where.offset) / where.ratio
+                boxes = [part for each in boxes for part in _halves(each, name, value)]
+        return boxes
+
+    def _holds(self, condition: Condition, box: Box) -> bool:
+        """Tell whether a condition holds everywhere in a box."""
+        if condition.kind in ("all", "any"):
+            results = [self._holds(term, box) for term in condition.terms]
+            return all(results) if condition.kind == "all" else any(results)
+        where = self.followers[condition.joint]
+        low, high = box.get(where.variable, (0.0, 0.0))
+        if where.variable not in box and where.variable:
+            low, high = self.ranges[where.variable]
+        ends = (where.ratio * low + where.offset, where.ratio * high + where.offset)
+        if condition.kind == "above":
+            return min(ends) >= condition.value - _ROUNDING
+        return max(ends) <= condition.value + _ROUNDING
+
+
+def _common(first: Box, second: Box) -> Box | None:
+    """Return what two boxes share; None if nothing. A joint that one of them does not name is free in it."""
+    result = dict(first)
+    for name, (low, high) in second.items():
+        lowest, highest = result.get(name, (-math.inf, math.inf))
+        result[name] = (max(low, lowest), min(high, highest))
+        if result[name][0] > result[name][1]:
+            return None
+    return result
+
+
+def _largest(boxes: Sequence[Box]) -> list[Box]:
+    """Return the boxes that lie in no other one."""
+    result: list[Box] = []
+    for index, box in enumerate(boxes):
+        others = [*result, *boxes[index + 1 :]]
+        if not any(all(o[n][0] <= low and high <= o[n][1] for n, (low, high) in box.items()) for o in others):
+            result.append(box)
+    return result
+
+
+def _comparisons(condition: Condition | None) -> Iterator[Condition]:
+    if condition is None:
+        return
+    if condition.terms:
+        for term in condition.terms:
+            yield from _comparisons(term)
+    else:
+        yield condition
+
+
+def _halves(box: Box, name: str, value: float) -> list[Box]:
+    low, high = box[name]
+    if not low < value < high:
+        return [box]
+    return [{**box, name: (low, value)}, {**box, name: (value, high)}]

@@ -1,0 +1,91 @@
+"""Pieces that took long to find, kept on disk by a digest of what they were found of.
+
+They lie below `$ARTGEN_CACHE`, or `$XDG_CACHE_HOME/artgen`, or `~/.cache/artgen`. The files hold numbers
+only. Where one cannot be read or written, nothing is said: the pieces are found again.
+"""
+
+import hashlib
+import io
+import json
+import os
+import tempfile
+import zlib
+from collections.abc import Mapping, Sequence
+from contextlib import suppress
+from pathlib import Path
+from zipfile import BadZipFile
+
+import numpy as np
+from numpy.typing import NDArray
+
+from artgen.colliders.convex import Array
+
+_FORMAT = "artgen-pieces-1"
+_DAMAGED = (OSError, ValueError, KeyError, EOFError, BadZipFile, zlib.error)  # what a damaged file raises
+
+
+def cache_directory() -> Path | None:
+    """Return where pieces are kept, or None where the user has no home."""
+    if chosen := os.environ.get("ARTGEN_CACHE"):
+        return Path(chosen)
+    shared = os.environ.get("XDG_CACHE_HOME", "")
+    if Path(shared).is_absolute():  # others are to be ignored, its specification says
+        return Path(shared) / "artgen"
+    try:
+        return Path.home() / ".cache" / "artgen"
+    except RuntimeError:
+        return None
+
+
+def digest(vertices: Array, triangles: NDArray[np.int64], settings: Mapping[str, float | str]) -> str:
+    """Return a digest of a mesh, as its numbers are, and of how its pieces are found."""
+    head = {"format": _FORMAT, "vertices": len(vertices), "triangles": len(triangles), **settings}
+    found = hashlib.sha256(json.dumps(head, sort_keys=True).encode())
+    found.update(np.ascontiguousarray(vertices, "<f8").tobytes())
+    found.update(np.ascontiguousarray(triangles, "<i8").tobytes())
+    return found.hexdigest()
+
+
+def read_points(kind: str, key: str) -> list[Array] | None:
+    """Return the points of the pieces that are kept under a key, each shape (n, 3) [m], or None."""
+    path = _path(kind, key)
+    if path is None:
+        return None
+    try:
+        with np.load(io.BytesIO(path.read_bytes()), allow_pickle=False) as stored:
+            points, counts = stored["points"], stored["counts"]
+    except _DAMAGED:
+        return None
+    sound = (
+        points.dtype == np.float64
+        and counts.dtype == np.int64
+        and points.shape == (counts.sum(), 3)
+        and counts.ndim == 1
+        and bool((counts > 0).all())
+        and bool(np.isfinite(points).all())
+    )
+    return np.split(points, np.cumsum(counts)[:-1]) if sound else None
+
+
+def write_points(kind: str, key: str, pieces: Sequence[Array]) -> None:
+    """Keep the points of pieces, each shape (n, 3) [m], under a key; other processes see all or nothing."""
+    path = _path(kind, key)
+    if path is None or not pieces:
+        return
+    counts = np.array([len(points) for points in pieces], np.int64)
+    with suppress(OSError):
+        path.parent.mkdir(parents=True, exist_ok=True)
+        handle, name = tempfile.mkstemp(prefix=f".{key[:16]}.", suffix=".npz", dir=path.parent)
+        try:
+            with os.fdopen(handle, "wb") as file:
+                np.savez(file, points=np.concatenate(pieces).astype(np.float64), counts=counts)
+            Path(name).replace(path)
+        except BaseException:
+            with suppress(OSError):
+                Path(name).unlink()
+            raise
+
+
+def _path(kind: str, key: str) -> Path | None:
+    directory = cache_directory()
+    return None if directory is None else directory / kind / f"{key}.npz"

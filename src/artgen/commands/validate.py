@@ -1,0 +1,132 @@
+"""`artgen validate`: all checks of exported assets."""
+
+import json
+import os
+import sys
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import Annotated
+
+import typer
+from rich.console import Console
+from rich.table import Table
+from rich.text import Text
+
+from artgen.asset.files import ASSET_FILE
+from artgen.check.report import CheckResult, Finding, Report
+from artgen.check.report_file import write_report
+from artgen.check.validate import validate as run_checks
+from artgen.errors import ExportError
+
+_FAULT = 1  # exit code
+_PLAIN_WIDTH = 1000  # columns where no terminal shows them: one line for each row
+_STYLES = {
+    "passed": "green",
+    "failed": "bold red",
+    "skipped": "yellow",
+    "fault": "bold red",
+    "note": "yellow",
+}
+
+
+def validate(
+    directories: Annotated[
+        list[Path],
+        typer.Argument(
+            metavar="DIRECTORY...", help="An exported asset each, or a directory that holds some."
+        ),
+    ],
+    *,
+    behaviour: Annotated[
+        bool, typer.Option(help="Simulate each asset in MuJoCo; takes seconds, needs artgen[sim].")
+    ] = True,
+    as_json: Annotated[
+        bool, typer.Option("--json", help="Print the reports as JSON, not as tables.")
+    ] = False,
+) -> None:
+    """Run all checks on exported assets, and write a report.json into each; exit code 1 on a fault."""
+    console = Console(width=None if sys.stdout.isatty() else _PLAIN_WIDTH, highlight=False, markup=False)
+    reports: list[tuple[Path, Report]] = []
+    for directory in exports_in(directories):
+        report = run_checks(directory, behaviour=behaviour)
+        reports.append((directory, report))
+        if not as_json:
+            _show(console, directory, report)
+        write_report(report, directory)
+    if as_json:
+        data = [{"directory": str(directory), **report.to_data()} for directory, report in reports]
+        typer.echo(json.dumps(data, indent=1, ensure_ascii=False, allow_nan=False))
+    failed = [report.asset for _, report in reports if not report.passed]
+    if len(reports) > 1 and not as_json:
+        names = f": {', '.join(failed)}" if failed else ""
+        console.print(f"{len(failed)} of {len(reports)} assets failed{names}", soft_wrap=True)
+    if failed:
+        raise typer.Exit(_FAULT)
+
+
+def exports_in(directories: Sequence[Path]) -> list[Path]:
+    """Return the directories of exported assets: those given, and those directly in one that is given.
+
+    Raises:
+        ExportError: There is no asset in a directory, or no such directory.
+    """
+    found: dict[str, Path] = {}
+    for directory in directories:
+        if not directory.is_dir():
+            raise ExportError(
+                f"there is no directory {str(directory)!r}; give one that holds an exported asset"
+            )
+        inside = [directory] if (directory / ASSET_FILE).is_file() else list(_children(directory))
+        if not inside:
+            raise ExportError(
+                f"{str(directory)!r} holds no exported asset: no asset.json in it or in a directory in it"
+            )
+        for each in inside:
+            found.setdefault(os.path.realpath(each), each)
+    return list(found.values())
+
+
+def _children(directory: Path) -> Iterator[Path]:
+    for child in sorted(directory.iterdir()):
+        # an export in progress, or one that it replaces, begins with a dot
+        if not child.name.startswith(".") and (child / ASSET_FILE).is_file():
+            yield child
+
+
+def _show(console: Console, directory: Path, report: Report) -> None:
+    """Print a table of the checks, and what they found below."""
+    title = Text.assemble((report.asset, "bold"), f" in {directory}")
+    console.print(title, soft_wrap=True)
+    table = Table(box=None, pad_edge=False, header_style="bold")
+    table.add_column("check")
+    table.add_column("result")
+    table.add_column("detail", overflow="fold")
+    for result in report.results:
+        state = result.to_data()["state"]
+        table.add_row(result.check, Text(state, _STYLES[state]), Text(_detail(result)))
+    console.print(table)
+    for finding in (finding for result in report.results for finding in result.findings):
+        console.print(_described(finding), soft_wrap=True)
+    console.print()
+
+
+def _detail(result: CheckResult) -> str:
+    parts = [result.skipped or result.detail]
+    notes = len(result.findings) - len(result.faults)
+    for count, word in ((len(result.faults), "fault"), (notes, "note")):
+        if count:
+            parts.append(f"{count} {word}{'' if count == 1 else 's'}")
+    return "; ".join(part for part in parts if part)
+
+
+def _described(finding: Finding) -> Text:
+    """Spell a finding over lines: what and where, the number and the pose, the hint."""
+    place = ", ".join(
+        f"{kind} {name}" for kind, name in (("link", finding.link), ("joint", finding.joint)) if name
+    )
+    lines = [f"{place}: {finding.message}" if place else finding.message]
+    number = "" if finding.value is None else f"{finding.value:.6g} {finding.unit}".strip()
+    pose = ", ".join(f"{name}={position:.4g}" for name, position in finding.pose.items())
+    lines += [" at ".join(part for part in (number, pose) if part), finding.hint and f"-> {finding.hint}"]
+    text = Text.assemble((finding.severity, _STYLES[finding.severity]), f" {finding.check}: ")
+    return text.append("\n    ".join(line for line in lines if line))

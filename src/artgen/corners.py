@@ -1,0 +1,122 @@
+"""Corners of the parameter ranges of a category: every number at the lowest or highest value it may take."""
+
+import itertools
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from artgen.generator import Generator, Parameter
+from artgen.generator.draw import Overrides
+from artgen.generator.parameter import Variant
+from artgen.sampling import stream
+from artgen.sampling.choices import By
+from artgen.sampling.distributions import shown
+
+MOST_CORNERS = 256
+_MOST_EXACT = 8  # numbers that vary; up to here every combination of their ends is a corner
+_DRAWS = 64  # seeds whose options are tried
+
+Pattern = Mapping[str, int]
+"""By the name of a parameter: 0 for the low end of its range, 1 for the high one."""
+
+
+@dataclass(frozen=True)
+class _Options:
+    """One draw of the options of a category.
+
+    Attributes:
+        values: All parameters as they were drawn.
+        ranges: Lowest and highest value of each number that varies with these options.
+    """
+
+    values: Mapping[str, Any]
+    ranges: Mapping[str, tuple[float, float]]
+
+
+def corners(category: Generator, seed: int, overrides: Mapping[str, Any]) -> list[dict[str, Any]]:
+    """Return the parameters of the corners of a category, at most about `MOST_CORNERS`.
+
+    With up to 8 numbers that vary these are all combinations of their ends. With more of them they are each
+    number alone at either end, the others as drawn, and combinations from a stream that is always the same.
+    Options, such as a layout or a sub-generator, are in turn those drawn from `seed` and the next seeds.
+
+    Args:
+        category: The generator.
+        seed: The first seed whose options are taken.
+        overrides: Values or other distributions by name.
+
+    Raises:
+        ParameterError: The seed is negative, or an override is unknown or not allowed.
+    """
+    options = _drawn_options(category, seed, overrides)
+    names = sorted({name for each in options for name in each.ranges})
+    patterns = _patterns(names, category.name) if names else []
+    rounds = min(len(options), max(1, MOST_CORNERS // max(1, len(patterns))))
+    found: dict[tuple[str, ...], dict[str, Any]] = {}
+    for turn in range(rounds):
+        for number, pattern in enumerate(patterns):
+            chosen = next(_with_one_of(pattern, options, turn + number))
+            ends = {name: chosen.ranges[name][end] for name, end in pattern.items() if name in chosen.ranges}
+            values = {**chosen.values, **ends}
+            found.setdefault(tuple(f"{name}={shown(value)}" for name, value in values.items()), values)
+    return list(found.values())
+
+
+def _drawn_options(category: Generator, seed: int, overrides: Mapping[str, Any]) -> list[_Options]:
+    """Return the different draws of options of some seeds, in their order."""
+    given = Overrides(category, overrides)
+    found: dict[tuple[str, ...], _Options] = {}
+    for number in range(seed, seed + _DRAWS):
+        values = category.sample(number, overrides=overrides)
+        ranges = dict(_ranges(category.own, values, given))
+        fixed = tuple(f"{name}={shown(value)}" for name, value in values.items() if name not in ranges)
+        found.setdefault(fixed, _Options(values, ranges))
+    return list(found.values())
+
+
+def _ranges(
+    own: Mapping[str, Parameter], values: Mapping[str, Any], given: Overrides, short: str = "", full: str = ""
+) -> Iterator[tuple[str, tuple[float, float]]]:
+    """Yield the range of each number that varies, with the options that were drawn.
+
+    Args:
+        own: The parameters of one generator.
+        values: The value of each parameter in use.
+        given: The overrides.
+        short: What stands before their names in `values`.
+        full: What stands before their names in full.
+    """
+    for name, parameter in own.items():
+        value = values[short + name]
+        distribution = given.distribution(Parameter(full + name, parameter.kind, parameter.distribution))
+        while isinstance(distribution, By):
+            case = distribution.case(values[short + distribution.parameter])
+            assert case is not None, "the draw would have failed"
+            distribution = case
+        if isinstance(value, Variant):
+            yield from _ranges(value.own, values, given, f"{short}{name}.", f"{full}{name}.{value.name}.")
+        elif not distribution.discrete:
+            low, high = distribution.support()
+            if low < high:
+                yield short + name, (low, high)
+
+
+def _patterns(names: Sequence[str], category: str) -> list[Pattern]:
+    """Return which end each number takes; those that a pattern leaves out are as drawn."""
+    if len(names) <= _MOST_EXACT:
+        ends = itertools.product((0, 1), repeat=len(names))
+        return [dict(zip(names, each, strict=True)) for each in ends]
+    patterns: list[Pattern] = [dict.fromkeys(names, end) for end in (0, 1)]
+    patterns += [{name: end} for name in names for end in (0, 1)]
+    random = stream(0, f"{category}/corners")
+    while len(patterns) < MOST_CORNERS:
+        patterns.append(dict(zip(names, random.integers(0, 2, len(names)).tolist(), strict=True)))
+    return patterns[:MOST_CORNERS]
+
+
+def _with_one_of(pattern: Pattern, options: Sequence[_Options], first: int) -> Iterator[_Options]:
+    """Yield the options, from one of them on, with which a number of the pattern varies."""
+    for index in range(len(options)):
+        each = options[(first + index) % len(options)]
+        if any(name in each.ranges for name in pattern):
+            yield each

@@ -1,0 +1,131 @@
+"""The check of a category: its assets over some seeds, and what every category promises."""
+
+from collections.abc import Collection, Iterable, Mapping
+from typing import Any, Literal
+
+from artgen.asset import Asset
+from artgen.catalog import find
+from artgen.check.validate import validate
+from artgen.errors import ArtgenError, InfeasibleError, ParameterError
+from artgen.generator import Generator
+from artgen.graph import Cache, Graph
+
+
+def check_category(
+    generator: Generator | str,
+    seeds: Iterable[int] = range(8),
+    *,
+    checks: Collection[str] | None = None,
+    behaviour: bool = False,
+    on_collision: Literal["keep", "redraw"] = "keep",
+    overrides: Mapping[str, Any] | None = None,
+) -> None:
+    """Check that a category gives sound assets.
+
+    For each seed the asset is generated and certified; it must be the same when generated again; its graph
+    must survive a round trip through JSON; and every check of `artgen validate` must pass on its files, which
+    are written to a temporary directory.
+
+    Args:
+        generator: A category or generator, or the name of a category.
+        seeds: The seeds.
+        checks: Names of the checks to run; all of them by default.
+        behaviour: Whether to simulate each asset in MuJoCo as well, which takes seconds.
+        on_collision: `keep` fails for a sample whose parts collide. `redraw` judges what is drawn in its
+            place, as users of the category get it.
+        overrides: Values or distributions by parameter name.
+
+    Raises:
+        AssertionError: An asset is at fault; the text has its seed, parameters and every finding.
+        ParameterError: A category, check or override is unknown, or there are no seeds.
+    """
+    __tracebackhide__ = True
+    chosen = find(generator) if isinstance(generator, str) else generator
+    if not isinstance(chosen, Generator):
+        raise ParameterError(f"check_category takes a generator or the name of a category, got {generator!r}")
+    numbers = list(seeds)
+    if not numbers:
+        raise ParameterError(f"check_category({chosen.name}): seeds is empty, so nothing would be checked")
+    options = dict(overrides or {})
+    failures = []
+    for seed in numbers:
+        try:
+            parameters, faults = _faults(chosen, seed, options, checks, behaviour, on_collision)
+        except Exception as error:
+            error.add_note(f"while checking {chosen.name}, seed {seed}")
+            raise
+        if faults:
+            failures.append(_described(chosen, seed, parameters, faults))
+    if failures:
+        summary = f"{chosen.name}: {len(failures)} of {len(numbers)} seeds fail"
+        raise AssertionError("\n".join([summary, *failures]))
+
+
+def _faults(
+    generator: Generator,
+    seed: int,
+    overrides: Mapping[str, Any],
+    checks: Collection[str] | None,
+    behaviour: bool,  # noqa: FBT001 - passed on
+    on_collision: Literal["keep", "redraw"],
+) -> tuple[Mapping[str, Any], list[str]]:
+    """Return the parameters of the asset of a seed, and what is wrong with it."""
+
+    def generated(cache: Cache | None = None) -> Asset:
+        return generator.generate(seed, cache=cache, on_collision=on_collision, **overrides)
+
+    try:
+        asset = generated()
+    except ParameterError:
+        raise
+    except ArtgenError as error:
+        return _drawn(generator, seed, overrides, error), [f"generate: {error}"]
+    faults = []
+    if generated(Cache()).to_json() != asset.to_json():
+        faults.append(
+            "same seed, same bytes: generated again, the asset is another; draw only from the signature, and "
+            "use no time, process or set order"
+        )
+    faults += _round_trip(generator, asset, overrides)
+    try:
+        report = validate(asset, behaviour=behaviour, checks=checks)
+    except ParameterError:
+        raise
+    except ArtgenError as error:
+        faults.append(f"export: {error}")
+    else:
+        faults += [f"{fault.check}: {fault}" for fault in report.faults]
+    return asset.parameters, faults
+
+
+def _drawn(
+    generator: Generator, seed: int, overrides: Mapping[str, Any], error: ArtgenError
+) -> Mapping[str, Any]:
+    """Return the parameters that were drawn first; nothing if none of many draws was feasible."""
+    if isinstance(error, InfeasibleError):
+        return {}
+    return _plain(generator.sample(seed, overrides=overrides))
+
+
+def _round_trip(generator: Generator, asset: Asset, overrides: Mapping[str, Any]) -> list[str]:
+    assert asset.seed is not None
+    values = generator.sample(asset.seed, attempt=asset.attempt, overrides=overrides)
+    graph = Graph(generator.build(values))
+    try:
+        same = Graph.from_json(graph.to_json()).key == graph.key
+    except ArtgenError as error:
+        return [f"graph round trip: {error}"]
+    return [] if same else ["graph round trip: the graph that was read back from JSON is another"]
+
+
+def _plain(values: Mapping[str, Any]) -> dict[str, Any]:
+    """Return generators and materials as their names."""
+    return {name: getattr(value, "name", value) for name, value in values.items()}
+
+
+def _described(generator: Generator, seed: int, parameters: Mapping[str, Any], faults: list[str]) -> str:
+    lines = [f"seed {seed}:", *(f"  {fault}" for fault in faults)]
+    if parameters:
+        spelled = ", ".join(f"{name}={value!r}" for name, value in _plain(parameters).items())
+        lines.append(f"  with {spelled}")
+    return "\n".join(lines)

@@ -1,0 +1,126 @@
+"""The pytest plugin: `pytest --artgen DIRECTORY` makes a test of each exported asset and check.
+
+A directory is one that an asset was exported to, or one that holds some; the option may be given several
+times. Alone it runs these tests only, as a path would; with paths it runs both. The tests are named
+`door_7::certificate`, so `-k certificate` or `-k "not behaviour"` choose among them.
+
+Every run of pytest loads `pytest_artgen`, which has the option and loads this module where it is given.
+"""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import pytest
+
+if TYPE_CHECKING:  # pytest loads plugins always: nothing else of artgen before `--artgen` is given
+    from collections.abc import Iterator
+
+    from artgen.check.report import CheckResult
+    from artgen.check.validate import Examination
+
+_ASSET_FILE = "asset.json"
+_DIRECTORIES = pytest.StashKey[list[Path]]()
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """Find the assets.
+
+    Raises:
+        UsageError: A directory holds none.
+    """
+    start = config.invocation_params.dir
+    given = [Path(os.path.normpath(start / each)) for each in config.getoption("artgen")]
+    config.stash[_DIRECTORIES] = _exports_in(given)
+    if given and config.args_source is not pytest.Config.ArgsSource.ARGS:
+        config.args = []
+
+
+def pytest_collection_modifyitems(
+    session: pytest.Session, config: pytest.Config, items: list[pytest.Item]
+) -> None:
+    """Add a test for each asset and check."""
+    for directory in config.stash[_DIRECTORIES]:
+        inside = directory.is_relative_to(config.rootpath) and directory != config.rootpath
+        name = (directory.relative_to(config.rootpath) if inside else directory).as_posix()
+        collector = AssetDirectory.from_parent(session, name=name, nodeid=name, path=directory)
+        items.extend(session.genitems(collector))
+
+
+def _exports_in(directories: list[Path]) -> list[Path]:
+    found: dict[str, Path] = {}
+    for directory in directories:
+        inside = [directory]
+        if not (directory / _ASSET_FILE).is_file():
+            children = sorted(directory.iterdir()) if directory.is_dir() else []
+            # an export in progress, or one that it replaces, begins with a dot
+            inside = [
+                child
+                for child in children
+                if not child.name.startswith(".") and (child / _ASSET_FILE).is_file()
+            ]
+        if not inside:
+            raise pytest.UsageError(
+                f"--artgen {str(directory)!r}: no exported asset is there; give a directory with an "
+                "asset.json, or one that holds such directories"
+            )
+        for each in inside:
+            found.setdefault(os.path.realpath(each), each)
+    return list(found.values())
+
+
+class AssetDirectory(pytest.Collector):
+    """An exported asset, whose checks are tests."""
+
+    def collect(self) -> Iterator[pytest.Item]:
+        """Make a test of each check that the export has something for."""
+        from artgen.check.validate import Examination
+
+        examination = Examination(self.path)
+        for check in examination.checks:
+            yield CheckItem.from_parent(self, name=check, examination=examination)
+
+
+class FaultsFoundError(Exception):
+    """A check found faults; the text has all of them."""
+
+
+class CheckItem(pytest.Item):
+    """One check of one exported asset."""
+
+    def __init__(self, *, examination: Examination, **fields: Any) -> None:
+        super().__init__(**fields)
+        self._examination = examination
+
+    def runtest(self) -> None:
+        """Run the check.
+
+        Raises:
+            FaultsFoundError: It found faults.
+        """
+        result = self._examination.result(self.name)
+        if result.skipped:
+            pytest.skip(result.skipped)
+        notes = [str(finding) for finding in result.findings if finding.severity == "note"]
+        if notes:
+            self.add_report_section("call", "notes", "\n".join(notes))
+        if result.faults:
+            raise FaultsFoundError(_described(self._examination.name, result))
+
+    def repr_failure(self, excinfo: pytest.ExceptionInfo[BaseException], style: Any = None) -> Any:
+        """Show the faults alone; of an unexpected exception also where it came from."""
+        if isinstance(excinfo.value, FaultsFoundError):
+            return str(excinfo.value)
+        return super().repr_failure(excinfo, style)
+
+    def reportinfo(self) -> tuple[os.PathLike[str], int | None, str]:
+        """Return the headline of a failure."""
+        return self.path, None, f"{self._examination.name}: {self.name}"
+
+
+def _described(asset: str, result: CheckResult) -> str:
+    count = len(result.faults)
+    lines = [f"{asset} fails the check {result.check!r}: {count} fault{'' if count == 1 else 's'}"]
+    return "\n".join([*lines, *(f"  {fault}" for fault in result.faults)])

@@ -1,0 +1,240 @@
+"""Hypothesis strategies for the parameters and assets of any generator.
+
+    from hypothesis import given
+    from artgen.testing.strategies import parameters
+
+    @given(overrides=parameters(nightstand))
+    def test_the_drawer_fits(overrides):
+        stand = nightstand.generate(**overrides)
+
+An example that fails shrinks towards the middle of each range and the first of each choice.
+"""
+
+import math
+from collections.abc import Mapping
+from typing import Any
+
+from hypothesis import reject
+from hypothesis import strategies as st
+
+from artgen.asset import Asset
+from artgen.catalog import find
+from artgen.errors import InfeasibleError, ParameterError
+from artgen.generator import Generator, Parameter
+from artgen.generator.draw import Overrides, drawing_order
+from artgen.generator.parameter import Variant, is_variant
+from artgen.materials import MATERIALS, Material
+from artgen.sampling import Distribution, Fixed
+from artgen.sampling.choices import By, Choice
+from artgen.sampling.distributions import LogUniform, Normal
+
+__all__ = ["assets", "parameters"]
+
+
+def parameters(
+    generator: Generator | str,
+    *,
+    structural: bool = True,
+    hard_limits: bool = False,
+    overrides: Mapping[str, Any] | None = None,
+) -> st.SearchStrategy[dict[str, Any]]:
+    """Return a strategy of overrides that are valid for a generator: `generator.generate(**overrides)`.
+
+    Numbers lie between the ends of their distribution, the ends included; choices are among the options that
+    may be drawn. What depends on another parameter is drawn to suit it. Fixed parameters keep their value.
+
+    Args:
+        generator: A generator, or the name of a category.
+        structural: Whether to choose the structural parameters as well: if not, they and what depends on
+            them are left to the seed.
+        hard_limits: Whether numbers may lie anywhere within their hard limits, if they have some, fixed
+            parameters included.
+        overrides: Values or other distributions by parameter name; part of each result.
+
+    Raises:
+        ParameterError: There is no category of that name, it is no generator, or an override is unknown or
+            not allowed.
+    """
+    chosen = _generator(generator)
+    given = {name.replace("__", "."): value for name, value in (overrides or {}).items()}
+    checked = Overrides(chosen, given)
+
+    @st.composite
+    def drawn(draw: st.DrawFn) -> dict[str, Any]:
+        drawing = _Drawing(draw, checked, structural=structural, hard_limits=hard_limits)
+        drawing.add(chosen)
+        return {**given, **drawing.result}
+
+    return drawn()
+
+
+def assets(
+    generator: Generator | str,
+    *,
+    structural: bool = True,
+    hard_limits: bool = False,
+    overrides: Mapping[str, Any] | None = None,
+    certify: bool = False,
+) -> st.SearchStrategy[Asset]:
+    """Return a strategy of the assets of a generator; infeasible samples are rejected.
+
+    Args:
+        generator: A generator, or the name of a category.
+        structural: As for `parameters`.
+        hard_limits: As for `parameters`.
+        overrides: As for `parameters`.
+        certify: Whether to certify each asset; one whose parts collide is kept, its certificate tells.
+
+    Raises:
+        ParameterError: As for `parameters`.
+    """
+    chosen = _generator(generator)
+    seeds = st.just(0) if structural else st.integers(0, 2**32 - 1)
+    wanted = parameters(chosen, structural=structural, hard_limits=hard_limits, overrides=overrides)
+
+    def made(seed: int, values: dict[str, Any]) -> Asset:
+        try:
+            return chosen.generate(seed, attempts=1, certify=certify, on_collision="keep", **values)
+        except InfeasibleError:
+            reject()
+
+    return st.builds(made, seeds, wanted)
+
+
+def _generator(generator: Generator | str) -> Generator:
+    chosen = find(generator) if isinstance(generator, str) else generator
+    if not isinstance(chosen, Generator):
+        raise ParameterError(f"strategies need a generator or the name of a category, got {generator!r}")
+    return chosen
+
+
+class _Drawing:
+    """One drawing of overrides.
+
+    The parameters of generators that are not chosen are drawn as well and left out. So each example takes
+    as many draws as another, and hypothesis shrinks to the first generator, not to the one that takes fewest.
+
+    Args:
+        draw: What draws from a strategy.
+        overrides: What is given instead of drawn.
+        structural: Whether to draw structural parameters.
+        hard_limits: Whether numbers may lie beyond their distribution.
+
+    Attributes:
+        result: What was drawn, by full name.
+    """
+
+    def __init__(self, draw: st.DrawFn, overrides: Overrides, *, structural: bool, hard_limits: bool) -> None:
+        self._draw = draw
+        self._overrides = overrides
+        self._structural = structural
+        self._hard_limits = hard_limits
+        self.result: dict[str, Any] = {}
+
+    def add(self, variant: Variant, prefix: str = "", *, used: bool = True) -> None:
+        """Draw the parameters of a generator and of those that it chooses, in the order of dependence."""
+        parameters = {
+            name: Parameter(prefix + name, own.kind, own.distribution) for name, own in variant.own.items()
+        }
+        distributions = {name: self._overrides.distribution(each) for name, each in parameters.items()}
+        known: dict[str, Any] = {}  # the values that this drawing decides
+        for name in drawing_order(distributions, variant.name):
+            parameter, distribution = parameters[name], distributions[name]
+            self._add_own(parameter, name, distribution, known, used=used)
+            if is_variant(parameter.kind):
+                possible = [option for leaf in distribution.leaves() for option in leaf.support()]
+                for option in dict.fromkeys(map(parameter.accept, possible)):
+                    # where the seed will choose, all may be used
+                    chosen = known.get(name, option) is option
+                    self.add(option, f"{parameter.name}.{option.name}.", used=used and chosen)
+
+    def _add_own(
+        self,
+        parameter: Parameter,
+        name: str,
+        distribution: Distribution,
+        known: dict[str, Any],
+        *,
+        used: bool,
+    ) -> None:
+        """Draw one parameter, unless it is fixed or left to the seed."""
+        if parameter.structural and not self._structural:
+            if isinstance(distribution, Fixed):
+                known[name] = parameter.accept(distribution.value)
+            return
+        own = distribution is parameter.distribution
+        within = distribution.within if own and self._hard_limits and not parameter.structural else None
+        share = self._draw(_shares(distribution, within))
+        while isinstance(distribution, By):
+            case = (
+                distribution.case(known[distribution.parameter]) if distribution.parameter in known else None
+            )
+            if case is None:
+                return  # the seed decides, or `generate` tells what is wrong with the override
+            distribution = case
+        if within is not None and distribution.numeric:
+            value = _number(share, *within, _middle(distribution, *within))
+        else:
+            value = _placed(distribution, share)
+        known[name] = parameter.accept(value)
+        if used and not (isinstance(distribution, Fixed) and within is None):
+            self.result[parameter.name] = _spelled(known[name])
+
+
+_INSIDE = st.floats(-1.0, 1.0, allow_subnormal=False)
+_SHARES = st.one_of(_INSIDE, _INSIDE, _INSIDE, st.sampled_from([-1.0, 1.0]))  # a quarter at the ends
+
+
+def _shares(distribution: Distribution, within: tuple[float, float] | None) -> st.SearchStrategy[float]:
+    """Return a strategy of what `_placed` turns into values: 0 is the plainest, -1 and 1 are the farthest."""
+    leaves = distribution.leaves()
+    if within is not None or not all(leaf.discrete for leaf in leaves):
+        return _SHARES
+    most = max(len(_options(leaf)) for leaf in leaves)
+    return st.integers(0, most - 1).map(lambda index: index / most)
+
+
+def _placed(distribution: Distribution, share: float) -> Any:
+    """Return the value of a distribution, which depends on nothing, at a share of its range."""
+    if distribution.discrete:
+        options = _options(distribution)
+        # the indices of `_shares` over as many options, or over more
+        return options[min(int(abs(share) * len(options) + 1e-9), len(options) - 1)]
+    low, high = distribution.support()
+    return _number(share, low, high, _middle(distribution, low, high))
+
+
+def _options(distribution: Distribution) -> list[Any]:
+    """Return the values that a discrete distribution may give."""
+    if isinstance(distribution, Choice) and distribution.weights is not None:
+        pairs = zip(distribution.options, distribution.weights, strict=True)
+        return [option for option, weight in pairs if weight > 0.0]
+    return list(distribution.support())
+
+
+def _middle(distribution: Distribution, low: float, high: float) -> float:
+    """Return the number between two ends that a distribution is centred on."""
+    if isinstance(distribution, Normal):
+        middle = distribution.mean
+    elif isinstance(distribution, Fixed):
+        middle = float(distribution.value)
+    elif isinstance(distribution, LogUniform) and low > 0.0:
+        middle = math.sqrt(low * high)
+    else:
+        middle = low + (high - low) / 2.0
+    return min(max(middle, low), high)
+
+
+def _number(share: float, low: float, high: float, middle: float) -> float:
+    """Return the number at a share of the way from the middle to an end: -1 is `low`, 1 is `high`."""
+    if abs(share) == 1.0:
+        return high if share > 0.0 else low  # without rounding
+    number = middle + share * ((high - middle) if share > 0.0 else (middle - low))
+    return min(max(number, low), high)
+
+
+def _spelled(value: Any) -> Any:
+    """Return what stands for a value in an override and can be read: a name, where a name is enough."""
+    if isinstance(value, Variant) or (isinstance(value, Material) and MATERIALS.get(value.name) == value):
+        return value.name
+    return value

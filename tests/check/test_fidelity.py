@@ -1,0 +1,115 @@
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from manifold3d import Manifold
+
+from artgen.check.distance import Faces
+from artgen.check.fidelity import fidelity
+from artgen.colliders import Convex
+
+
+def placed(*center):
+    pose = np.eye(4)
+    pose[:3, 3] = center
+    return pose
+
+
+def tray():
+    """An open box of 100 x 100 x 50 mm with walls of 5 mm, and the five boxes that it is made of."""
+    floor = [((0.1, 0.1, 0.005), (0, 0, 0.0025))]
+    sides = [((0.005, 0.1, 0.05), (x, 0, 0.025)) for x in (0.0475, -0.0475)]
+    ends = [((0.1, 0.005, 0.05), (0, y, 0.025)) for y in (0.0475, -0.0475)]
+    inside = Manifold.cube((0.09, 0.09, 0.05), center=True).translate((0, 0, 0.03))
+    solid = Manifold.cube((0.1, 0.1, 0.05), center=True).translate((0, 0, 0.025)) - inside
+    return solid, [Convex.box(size, placed(*center)) for size, center in (*floor, *sides, *ends)]
+
+
+def test_exact_pieces_are_faithful():
+    solid, pieces = tray()
+    found = fidelity(solid, pieces)
+    assert found.volume_error == pytest.approx(0.0, abs=1e-9)
+    assert found.surface_error == pytest.approx(0.0, abs=1e-8)
+    assert found.interior_kept == pytest.approx(1.0)
+    assert (found.pieces, found.vertices) == (5, 40)
+
+
+def test_a_lid_over_a_hollow_is_seen():
+    solid, _ = tray()
+    found = fidelity(solid, [Convex.box((0.1, 0.1, 0.05), placed(0, 0, 0.025))])
+    assert found.interior_kept == pytest.approx(0.0, abs=1e-9)
+    assert found.volume_error == pytest.approx(0.09 * 0.09 * 0.045 / solid.volume())
+    assert found.added == found.volume_error
+    assert found.sticks_out == 0.0
+    # the middle of the lid is 45 mm from the walls, as from the floor
+    assert 0.041 < found.surface_error <= 0.045
+
+
+def test_a_filled_hollow_without_an_opening_is_seen():
+    wall = Manifold.cube((0.1, 0.1, 0.1), center=True) - Manifold.cube((0.08, 0.08, 0.08), center=True)
+    found = fidelity(wall, [Convex.box((0.1, 0.1, 0.1))])
+    assert found.interior_kept == pytest.approx(0.0, abs=1e-9)
+
+
+def test_a_missing_piece_is_measured_where_it_is():
+    solid, pieces = tray()
+    found = fidelity(solid, pieces[:1] + pieces[2:])
+    # the middle of its upper edge is 45 mm from the floor and from the walls beside it
+    assert 0.041 < found.sticks_out <= 0.045
+    assert found.surface_error == found.sticks_out
+    assert found.interior_kept == pytest.approx(1.0)
+    assert found.place[0] >= 0.045
+    assert found.place == pytest.approx((0.0475, 0.0, 0.05), abs=0.004)
+    assert found.volume_error == pytest.approx(0.005 * 0.09 * 0.045 / solid.volume())
+    assert found.added == pytest.approx(0.0, abs=1e-9)
+
+
+def test_round_pieces_are_compared_as_round():
+    radius, length = 0.02, 0.1
+    solid = Manifold.cylinder(length, radius, circular_segments=256, center=True)
+    found = fidelity(solid, [Convex.cylinder(radius, length)])
+    assert found.vertices == 0
+    assert 0.0 < found.volume_error < 2e-3
+    assert found.surface_error < 3e-5
+    bumped = fidelity(solid, [Convex.cylinder(radius + 0.001, length)])
+    assert bumped.surface_error == pytest.approx(0.001, rel=0.05)
+
+
+def test_films_between_pieces_that_touch_are_nothing():
+    solid = Manifold.cube((0.1, 0.1, 0.1), center=True)
+    halves = [Convex.box((0.05 - 1e-10, 0.1, 0.1), placed(x, 0, 0)) for x in (-0.025, 0.025)]
+    found = fidelity(solid, halves)
+    assert found.sticks_out < 1e-9
+    assert found.surface_error < 1e-8
+
+
+def test_a_box_with_a_bevel_has_no_hollow():
+    corners = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)]) * 0.05
+    solid = Manifold.hull_points(np.concatenate([corners * s for s in ((1, 1, 0.99), (0.99, 1, 1))]))
+    assert fidelity(solid, [Convex.box((0.1, 0.1, 0.1))]).interior_kept == 1.0
+
+
+@settings(max_examples=25, deadline=None)
+@given(
+    st.lists(st.tuples(*[st.floats(-0.2, 0.2)] * 3), min_size=1, max_size=40),
+    st.tuples(*[st.floats(0.01, 0.2)] * 3),
+)
+def test_the_farthest_point_from_a_box_is_as_far_as_geometry_says(points, size):
+    solid = Manifold.cube(size, center=True)
+    points = np.array(points)
+    outside = np.maximum(np.abs(points) - np.array(size) / 2, 0.0)
+    inside = np.maximum((np.abs(points) - np.array(size) / 2).max(axis=1), -1.0)
+    expected = np.where(inside > 0.0, np.linalg.norm(outside, axis=1), -inside)
+    distance, place = Faces.of(solid).farthest(points)
+    assert distance == pytest.approx(expected.max(), abs=2e-8)
+    assert np.abs(points - place).sum(axis=1).min() < 1e-7
+
+
+def test_spread_points_lie_on_the_surface_and_cover_it():
+    faces = Faces.of(Manifold.cube((0.2, 0.1, 0.05), center=True))
+    points = faces.spread(400)
+    assert faces.farthest(points)[0] < 1e-9
+    # as many on a side as its area says: each of 0.2 x 0.1 has 2/7 of the whole
+    top = np.isclose(points[36:, 2], 0.025).mean()
+    assert top == pytest.approx(2 / 7, abs=0.02)
+    assert np.array_equal(points, faces.spread(400))

@@ -1,0 +1,160 @@
+"""`artgen validate`: tables and reports of exported assets, and its exit code."""
+
+import json
+import shutil
+from pathlib import Path
+
+import pytest
+import typer
+from typer.testing import CliRunner
+
+from artgen.check.report import CheckResult, Finding
+from artgen.check.validate import Examination
+from artgen.commands.validate import validate
+from artgen.errors import ExportError
+from support.exports import stand
+
+
+@pytest.fixture(scope="session")
+def exported(tmp_path_factory):
+    directory = tmp_path_factory.mktemp("exported") / "stand_0"
+    return stand.generate(0, certify=False).export(directory, formats=("urdf", "mjcf"))
+
+
+@pytest.fixture
+def assets(exported, tmp_path):
+    """Return a directory with two assets and other things."""
+    for name in ("a", "b", ".a.partial"):
+        shutil.copytree(exported, tmp_path / "assets" / name)
+    (tmp_path / "assets" / "notes").mkdir()
+    (tmp_path / "assets" / "readme.txt").write_text("assets")
+    return tmp_path / "assets"
+
+
+@pytest.fixture
+def run():
+    app = typer.Typer()
+    app.command()(validate)
+
+    def run(*arguments):
+        done = CliRunner().invoke(app, [str(argument) for argument in arguments], terminal_width=300)
+        if isinstance(done.exception, Exception):
+            raise done.exception
+        return done
+
+    return run
+
+
+@pytest.fixture
+def judged(monkeypatch):
+    """Let some checks find something, and all others nothing."""
+    results = {}
+
+    def result(self, check):
+        skipped = "not asked for" if check == "behaviour" and not self._behaviour else ""
+        return results.get(check, CheckResult(check, detail=f"all of {check}", skipped=skipped))
+
+    monkeypatch.setattr(Examination, "result", result)
+    return results
+
+
+TOUCHES = Finding(
+    "certificate",
+    "they [collide]",
+    link="drawer, body",
+    joint="slide",
+    value=0.00123456,
+    unit="m",
+    pose={"slide": 0.1},
+    hint="move the pivot",
+)
+
+
+def test_a_sound_asset_has_a_table_and_a_report(run, assets, judged):
+    done = run(assets / "a")
+    assert done.exit_code == 0
+    lines = [" ".join(line.split()) for line in done.output.splitlines()]
+    assert lines[0] == f"stand_0 in {assets / 'a'}"
+    assert lines[1] == "check result detail"
+    assert "solids passed all of solids" in lines
+    assert "mjcf passed all of mjcf" in lines
+    assert not any(line.startswith("usd") for line in lines)
+    report = json.loads((assets / "a/report.json").read_text())
+    assert (report["asset"], report["passed"]) == ("stand_0", True)
+    assert [result["check"] for result in report["results"]][:2] == ["files", "solids"]
+    assert not (assets / "b/report.json").exists()
+
+
+def test_findings_have_their_link_number_pose_and_hint(run, assets, judged):
+    judged["certificate"] = CheckResult("certificate", (TOUCHES,), "1 pair")
+    judged["tree"] = CheckResult("tree", (Finding("tree", "is under tension", severity="note"),))
+    done = run(assets / "a")
+    assert done.exit_code == 1
+    lines = [" ".join(line.split()) for line in done.output.splitlines()]
+    assert "certificate failed 1 pair; 1 fault" in lines
+    assert "tree passed 1 note" in lines
+    start = lines.index("fault certificate: link drawer, body, joint slide: they [collide]")
+    assert lines[start + 1 : start + 3] == ["0.00123456 m at slide=0.1", "-> move the pivot"]
+    assert "note tree: is under tension" in lines
+    assert json.loads((assets / "a/report.json").read_text())["passed"] is False
+
+
+def test_a_directory_of_assets_is_checked_one_by_one(run, assets, judged):
+    done = run(assets)
+    assert done.exit_code == 0
+    assert f"stand_0 in {assets / 'a'}" in done.output
+    assert f"stand_0 in {assets / 'b'}" in done.output
+    assert "partial" not in done.output
+    assert done.output.rstrip().endswith("0 of 2 assets failed")
+    assert all((assets / name / "report.json").exists() for name in ("a", "b"))
+    judged["tree"] = CheckResult("tree", (TOUCHES,))
+    done = run(assets)
+    assert done.exit_code == 1
+    assert done.output.rstrip().endswith("2 of 2 assets failed: stand_0, stand_0")
+
+
+def test_each_asset_is_checked_once(run, assets, judged):
+    done = run(assets / "b", assets, assets / "b/../a", "--json")
+    assert [Path(report["directory"]).name for report in json.loads(done.output)] == ["b", "a"]
+
+
+def test_reports_as_json(run, assets, judged):
+    judged["certificate"] = CheckResult("certificate", (TOUCHES,))
+    done = run(assets / "a", "--json")
+    assert done.exit_code == 1
+    (report,) = json.loads(done.output)
+    assert report.pop("directory") == str(assets / "a")
+    assert report == json.loads((assets / "a/report.json").read_text())
+    found = next(each for each in report["results"] if each["check"] == "certificate")["findings"]
+    assert found == [TOUCHES.to_data()]
+
+
+@pytest.mark.parametrize(("option", "state"), [("--behaviour", "passed"), ("--no-behaviour", "skipped")])
+def test_the_simulation_can_be_left_out(run, assets, judged, option, state):
+    (report,) = json.loads(run(assets / "a", "--json", option).output)
+    assert report["results"][-1]["state"] == state
+
+
+def test_the_real_checks_run_and_a_report_replaces_the_last(run, assets):
+    done = run(assets / "a", "--no-behaviour")
+    assert done.exit_code == 1
+    assert "fault certificate: there is no certificate" in done.output
+    first = (assets / "a/report.json").read_bytes()
+    assert run(assets / "a", "--no-behaviour").exit_code == 1
+    assert (assets / "a/report.json").read_bytes() == first
+    assert [path.name for path in (assets / "a").glob("*report*")] == ["report.json"]
+
+
+@pytest.mark.parametrize(
+    ("name", "message"),
+    [
+        ("nowhere", "there is no directory '.*nowhere'; give one that holds an exported asset"),
+        ("notes", "'.*notes' holds no exported asset: no asset.json in it or in a directory in it"),
+        ("readme.txt", "there is no directory '.*readme.txt'"),
+    ],
+)
+def test_wrong_use_is_one_line_and_nothing_is_checked(run, assets, name, message):
+    with pytest.raises(ExportError, match=message) as raised:
+        run(assets / "a", assets / name)
+    assert "\n" not in str(raised.value)
+    assert not (assets / "a/report.json").exists()
