@@ -62,11 +62,18 @@ class Shape:
         manifold: The watertight surface, with the channels of `PROPERTIES`.
         pieces: Convex pieces that cover the solid, found from how it was made.
         paints: The materials of painted faces by paint number; faces numbered 0 take the part's material.
+        united: The shapes whose union it is, where it was made as one.
     """
 
     manifold: Manifold
     pieces: Pieces
     paints: Mapping[int, Material] = field(default_factory=dict)
+    united: tuple["Shape", ...] = ()
+
+    @property
+    def members(self) -> tuple["Shape", ...]:
+        """The shapes whose union it is; itself alone if it was made otherwise."""
+        return self.united or (self,)
 
     @staticmethod
     def from_mesh(
@@ -175,7 +182,11 @@ class MovedShape(Shape):
         if not np.isfinite(matrix).all():
             raise ValueError("the motion has numbers that are not finite")
         vars(self).update(
-            source=source, matrix=matrix, pieces=source.pieces.transformed(matrix), paints=source.paints
+            source=source,
+            matrix=matrix,
+            pieces=source.pieces.transformed(matrix),
+            paints=source.paints,
+            united=(),
         )
 
     @cached_property
@@ -195,6 +206,11 @@ class MovedShape(Shape):
         else:
             corners = self.mesh.vertices
         return np.array([corners.min(axis=0), corners.max(axis=0)])
+
+    @property
+    def members(self) -> tuple[Shape, ...]:
+        """The shapes whose union it is, those of the source moved."""
+        return tuple(MovedShape(member, self.matrix) for member in self.source.members)
 
     @cached_property
     def mesh(self) -> Mesh:

@@ -24,7 +24,9 @@ def _array(solid: Shape, at: ArrayN3) -> Shape:
     if not _are_apart(places, high - low):
         return united(copies)
     manifold = Manifold.compose([copy.manifold for copy in copies])
-    return Shape(manifold, colliders.union(*(copy.pieces for copy in copies)), solid.paints).checked()
+    pieces = colliders.union(*(copy.pieces for copy in copies))
+    members = tuple(member for copy in copies for member in copy.members)
+    return Shape(manifold, pieces, solid.paints, members).checked()
 
 
 def _are_apart(places: Array, size: Array) -> bool:

@@ -5,6 +5,7 @@ solid that cut it.
 """
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 import numpy as np
 from manifold3d import Manifold, OpType
@@ -63,7 +64,8 @@ def united(shapes: Sequence[Shape]) -> Shape:
     else:
         manifold = Manifold.batch_boolean([shape.manifold for shape in shapes], OpType.Add)
     pieces = colliders.union(*(shape.pieces for shape in shapes))
-    return _combined(manifold, pieces, shapes, "the union is empty")
+    whole = _combined(manifold, pieces, shapes, "the union is empty")
+    return replace(whole, united=tuple(member for shape in shapes for member in shape.members))
 
 
 @kernel
