@@ -196,7 +196,7 @@ def test_not_proven_is_counted_apart_and_is_no_success(monkeypatch):
     assert proof.counts["not proven"] == 6
     assert not proof.sound
     assert proof.fraction == 0.0
-    assert "not proven in 1e+02 % of their joint space" in proof.failures[0].message
+    assert "not proven in 100 % of their joint space" in proof.failures[0].message
     assert "6 neither collide nor are proven" in str(proof)
 
 

@@ -5,6 +5,7 @@
 
 import os
 from functools import lru_cache
+from itertools import combinations
 from pathlib import Path
 
 import numpy as np
@@ -88,6 +89,23 @@ def test_every_declared_label_is_the_same_for_every_seed(category: str, seed: in
     asset = asset_of(category, seed)
     assert asset.labels == find(category).labels
     assert {label for link in asset.links for label in link.labels} <= set(asset.labels)
+
+
+@cases
+def test_every_check_passes_on_the_files(category: str, seed: int) -> None:
+    report = asset_of(category, seed).validate()
+    assert [result.check for result in report.results if result.skipped] == []
+    assert report.passed, "\n".join(map(str, report.faults))
+
+
+@cases
+def test_the_proof_leaves_no_pair_out(category: str, seed: int) -> None:
+    asset = asset_of(category, seed)
+    certificate = asset.certificate
+    assert certificate is not None
+    assert certificate.proven, str(certificate)
+    moving = {frozenset((a.name, b.name)) for a, b in combinations(asset.links, 2)}
+    assert {frozenset(pair.links) for pair in certificate.pairs} == moving  # no link is locked to another
 
 
 @pytest.mark.parametrize("category", categories())

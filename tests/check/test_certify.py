@@ -202,6 +202,19 @@ def test_a_contact_by_design_holds_for_its_pieces_its_depth_and_its_range() -> N
     assert only(sealed(0.0012, 0.05, swollen=0.001)).verdict == "collision"
 
 
+def test_two_pieces_that_may_touch_everywhere_have_no_clearance() -> None:
+    rail = part(box(0.02, 0.5, 0.02), "rail", STEEL)
+    runner = part(box(0.02, 0.1, 0.02).at(0, -0.2, 0.02), "runner", STEEL)
+    slide = Prismatic("slide", axis=Y, limits=(0, 0.4))
+    body = rail.attach(runner, slide).allow_contact("runner", "rail", depth=0.0, reason="it slides on it")
+    certificate = certify(evaluated(body, "rail"))
+    pair = only(certificate)
+    assert pair.clear
+    assert pair.guaranteed is None
+    assert certificate.clearance is None
+    assert str(pair) == "rail and runner: proven to touch as their contacts by design allow only"
+
+
 @pytest.mark.parametrize("tolerance", [-0.001, math.nan, math.inf, True])
 def test_a_tolerance_that_is_no_length_is_refused(tolerance: float) -> None:
     with pytest.raises(artgen.AssetError, match="tolerance must be a length of at least 0 m, got "):

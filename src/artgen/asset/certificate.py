@@ -90,7 +90,8 @@ class PairResult:
         verdict: `proven`: the solids stay apart at every position. `collision`: they overlap at the
             witness. `not proven`: neither; counts as a failure.
         colliders: The same of the colliders, which contain the solids.
-        guaranteed: The solids are never closer than this; negative for a contact by design [m].
+        guaranteed: The solids are never closer than this, pieces apart that may touch by design; None if
+            all may, or not all is proven [m].
         found: The convex pieces around them are that close at `found_at`; None if not measured [m].
         found_at: Positions of the free joints there [rad or m].
         witness: Where they overlap, if they do (the colliders, where only those do).
@@ -118,7 +119,8 @@ class PairResult:
         """Tell the verdict in one line."""
         names = f"{self.links[0]} and {self.links[1]}"
         if self.clear:
-            assert self.guaranteed is not None
+            if self.guaranteed is None:
+                return f"{names}: proven to touch as their contacts by design allow only"
             return f"{names}: proven apart, at least {_mm(self.guaranteed)}"
         if self.witness is not None:
             what = "collide" if self.verdict == "collision" else "collide in their colliders only"
@@ -129,9 +131,12 @@ class PairResult:
                 f"{names} {what} at {_pose(witness.pose)}: {first} presses {_mm(witness.depth)} into "
                 f"{second} at ({x:.3f}, {y:.3f}, {z:.3f}) m; first contact at {_pose(witness.first_contact)}"
             )
-        place = f", such as {_region(self.open_cells[0].region)}" if self.open_cells else ""
+        place = ""
+        for cell in self.open_cells[:1]:
+            first, second = cell.labels
+            place = f", such as {_region(cell.region)}, where {first} is {_mm(cell.distance)} from {second}"
         which = "not proven" if self.verdict != "proven" else "not proven for the colliders"
-        return f"{names}: {which} in {100 * self.open_fraction:.2g} % of their joint space{place}"
+        return f"{names}: {which} in {100 * self.open_fraction:.3g} % of their joint space{place}"
 
     def to_data(self) -> dict[str, Any]:
         """Return the result as JSON data."""
@@ -197,10 +202,9 @@ class Certificate:
 
     @property
     def clearance(self) -> PairResult | None:
-        """The pair with the smallest guaranteed clearance; None if nothing moves, or not all is proven."""
-        if not self.proven or not self.pairs:
-            return None
-        return min(self.pairs, key=lambda pair: (pair.guaranteed or 0.0, pair.links))
+        """The pair with the smallest guaranteed clearance; None if there is none, or not all is proven."""
+        known = [(pair.guaranteed, pair.links, pair) for pair in self.pairs if pair.guaranteed is not None]
+        return min(known)[2] if self.proven and known else None
 
     def __str__(self) -> str:
         """Tell the verdict in one line, and each failure in one more."""

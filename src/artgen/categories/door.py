@@ -98,7 +98,7 @@ _METALS = tuple(
     material(name) for name in ("satin_nickel", "stainless", "chrome", "brass", "aged_bronze", "black_steel")
 )
 
-_HALF_OPEN = 0.35
+_HALF_OPEN = 0.42
 """Two leaves are out of each other's way when either stands further open than this [rad]."""
 
 

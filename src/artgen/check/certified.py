@@ -94,7 +94,7 @@ def _collision(asset: Asset, pair: PairResult) -> Finding:
 
 def _open(pair: PairResult) -> Finding:
     which = "not proven" if pair.verdict != "proven" else "not proven for their colliders"
-    message = f"{which} in {100 * pair.open_fraction:.2g} % of their joint space"
+    message = f"{which} in {100 * pair.open_fraction:.3g} % of their joint space"
     pose: dict[str, float] = {}
     if pair.open_cells:
         cell = pair.open_cells[0]

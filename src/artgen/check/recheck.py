@@ -26,6 +26,7 @@ _CHECK = "certificate"
 _FORMAT = "artgen-certificate-1"
 _AXIS = -2  # the frame of leaves about a common axis
 _BEYOND = 2e-9  # by which cells may reach over the ends of a range [rad or m]
+_TOUCHING = 2e-8  # by which pieces that are to touch may miss the depth that is allowed [m]
 _ROUNDING = 1e-9  # what numbers lose in files [m]
 _HINT = "certify the asset again and export it"
 
@@ -165,7 +166,7 @@ def _limit(way: Way, covers: list[tuple[Cover, list[int]]], row: Array, wanted: 
         for contact in allowed
         if within and allows(contact, way.links, (a, b))
     ]
-    return -max(depths) - _ROUNDING if depths else wanted
+    return -max(depths) - _TOUCHING if depths else wanted
 
 
 def uncovered(cells: Array, region: Array) -> Array | None:

@@ -174,7 +174,7 @@ class Search:
         for row in np.flatnonzero(self._contacts[items.way]):
             depth = self._depth(items, int(row))
             if not np.isnan(depth):
-                threshold[row] = -depth
+                threshold[row] = -depth - 2.0 * MARGIN  # pieces that are to touch do so to rounding
         return threshold + MARGIN
 
     def _depth(self, items: Items, row: int) -> float:

@@ -3,14 +3,16 @@
 import json
 import sys
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 from rich.console import Console
 from rich.table import Table
 
 from artgen.asset import Asset
-from artgen.check.collider_table import ColliderRow, compare_colliders
+
+if TYPE_CHECKING:
+    from artgen.check.collider_table import ColliderRow
 
 _PLAIN_WIDTH = 1000  # columns where no terminal shows them: one line for each row
 _COLUMNS = (
@@ -36,6 +38,8 @@ def colliders(
     ] = False,
 ) -> None:
     """Compare the colliders of an exported asset with CoACD's and with convex hulls."""
+    from artgen.check.collider_table import compare_colliders  # scipy and trimesh take half a second
+
     asset = Asset.load(directory)
     rows = compare_colliders(asset, speed=speed)
     if as_json:
@@ -51,7 +55,7 @@ def colliders(
     Console(width=width, highlight=False, markup=False).print(table)
 
 
-def _cells(row: ColliderRow) -> list[str]:
+def _cells(row: "ColliderRow") -> list[str]:
     return [
         f"{row.kind} (stored)" if row.stored else row.kind,
         str(row.pieces),

@@ -103,10 +103,10 @@ def _bar_on_posts(foot: Scalar, out: Scalar, length: Scalar, girth: Scalar) -> l
 
 def _offset_bar(foot: Scalar, out: Scalar, length: Scalar, girth: Scalar) -> list[Solid]:
     half = 0.32 * length
-    aside = 0.03
+    aside = -0.03  # away from the lock edge, which a second leaf may overlap
     section = rectangle(1.2 * girth, 1.2 * girth, radius=0.002)
     corners = [(aside, foot, 0.0), (aside, out, 0.0), (0.0, out, 0.0)]
-    arm = bent_bar(section, corners, [(0, 1, 0), (-1, 0, 0)], bend=0.01, halves=False)
+    arm = bent_bar(section, corners, [(0, 1, 0), (1, 0, 0)], bend=0.01, halves=False)
     arms = [solid.at(0.0, 0.0, end * half) for solid in arm for end in (-1, 1)]
     bar = capsule(girth, length).at(0.0, out, 0.0)
     return [bar, *arms, *_feet(foot, aside, half, girth)]
