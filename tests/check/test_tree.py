@@ -4,11 +4,12 @@ import numpy as np
 import pytest
 
 import artgen
-from artgen import Prismatic, Revolute, X, Y, Z, box, part
+from artgen import Prismatic, Revolute, X, Y, Z, box, part, weld
 from artgen.asset import Asset, Condition, Dependency, Grasp
 from artgen.asset.mass import MassProperties
 from artgen.check.tree import check_tree
 from support.blocks import STEEL, block, with_shapes
+from support.proof_fridges import evaluated
 
 NEVER = "which its joints never reach"
 NO_BODY = "kg m^2 are not those of a body"
@@ -244,6 +245,19 @@ def test_parts_hang_together_over_others_and_groups_are_named_once(asset):
     assert "with 2 more solids floats 100 mm away from 'body'" in finding.message
     bridge = block((0.12, 0.05, 0.05), (0.3, 0.0, 0.0))
     assert not check_tree(with_shapes(asset, *far, bridge)).faults
+
+
+def test_parts_that_are_declared_as_separate_are_noted_with_the_reason(tmp_path):
+    ends = part(box(0.1, 0.1, 0.1), "end", STEEL, separate="a hidden cable joins them")
+    both = weld(ends, part(box(0.1, 0.1, 0.1).at(0.3), "end", STEEL, name="other"))
+    lid = part(box(0.1, 0.1, 0.1).at(z=0.2), "lid", STEEL)
+    made = evaluated(both.attach(lid, Prismatic("lift", axis=Z, limits=(0, 0.1))), "pair")
+    for asset in (made, Asset.load(made.export(tmp_path / "pair", formats=("urdf",)))):
+        result = check_tree(asset)
+        assert not result.faults
+        (note,) = (finding for finding in result.findings if finding.link == "end")
+        assert "floats 200 mm away from 'end'" in note.message
+        assert note.hint == "a hidden cable joins them"
 
 
 @pytest.mark.parametrize(("side", "floats"), [(0.0488, True), (0.0492, False)])

@@ -8,8 +8,10 @@ import mujoco
 import numpy as np
 import pytest
 
+from artgen import Prismatic, Z, box, cylinder, material, part
 from artgen.asset import Asset
 from artgen.export import Written, export, write_mjcf
+from support.proof_fridges import evaluated
 
 
 @pytest.fixture(scope="module")
@@ -162,3 +164,15 @@ def test_same_asset_gives_same_bytes(
     fixture: str, request: pytest.FixtureRequest, make_asset: Callable[[str], Asset]
 ) -> None:
     assert write_mjcf(request.getfixturevalue(fixture)).files == write_mjcf(make_asset(fixture)).files
+
+
+def test_dry_friction_holds_a_rod_that_hangs(tmp_path: Path) -> None:
+    body = part(box(0.1, 0.1, 0.1).at(z=0.5), "body", material("steel"))
+    rod = part(cylinder(0.01, 0.4).at(0.2, 0, 0.3), "rod", material("steel"))
+    slide = Prismatic("slide", axis=-Z, limits=(0, 0.2), friction=30.0)  # the rod weighs 10 N
+    asset = evaluated(body.attach(rod, slide), "hanger")
+    directory = asset.export(tmp_path / "hanger", formats=("mjcf",))
+    model = mujoco.MjModel.from_xml_path(str(directory / "hanger.xml"))
+    data = mujoco.MjData(model)
+    mujoco.mj_step(model, data, nstep=round(5.0 / model.opt.timestep))
+    assert abs(data.joint("slide").qpos[0]) < 1e-4
