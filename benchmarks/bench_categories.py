@@ -35,6 +35,7 @@ STAGES = (
     "surfaces",
     "colliders",
     "mass",
+    "certificate",
     "mesh files",
     *FORMATS,
     "all, to disk",
@@ -80,6 +81,8 @@ def stages(category: Generator, seed: int) -> dict[str, float]:
         _ = [link.colliders for link in asset.links]
     with timed(times, "mass"):
         _ = asset.mass
+    with timed(times, "certificate"):
+        asset.certify()
     with timed(times, "mesh files"):
         mesh_files(asset)  # URDF and MJCF share them
     for name, write in FORMATS.items():

@@ -166,6 +166,29 @@ def test_an_unlimited_joint_is_proven_over_a_full_turn() -> None:
     assert abs(pair.witness.pose["turn"]) > 2.9
 
 
+@pytest.mark.parametrize("order", ["knob first", "post first"])
+def test_a_slide_along_the_axis_of_a_turn_is_seen_from_both_sides(order: str) -> None:
+    def column(travel: float) -> Asset:
+        base = part(box(0.2, 0.2, 0.01).at(z=-0.2), "base", STEEL)
+        knob = part(cylinder(0.02, 0.02), "knob", STEEL)
+        post = part(cylinder(0.02, 0.02).at(z=0.05), "post", STEEL)
+        turn, slide = Revolute("turn", axis=Z), Prismatic("slide", axis=-Z, limits=(0, travel))
+        spin = Revolute("spin", axis=Z)
+        if order == "knob first":
+            return evaluated(base.attach(knob, turn).attach(post, slide, spin), "column")
+        return evaluated(base.attach(post, slide, spin).attach(knob, turn), "column")
+
+    def pair_of(asset: Asset) -> PairResult:
+        (pair,) = (each for each in certify(asset, measure=True).pairs if set(each.links) == {"knob", "post"})
+        return pair
+
+    pair = pair_of(column(0.028))  # 30 mm apart at rest
+    assert pair.clear
+    assert pair.guaranteed is not None
+    assert 0.0015 <= pair.guaranteed <= 0.002
+    assert pair_of(column(0.031)).verdict == "collision"
+
+
 def test_a_shaft_in_its_bore_is_proven_with_all_of_its_play() -> None:
     block = part(box(0.04, 0.04, 0.04) - cylinder(0.0052, 0.1), "block", STEEL)
     shaft = part(union(cylinder(0.005, 0.06), box(0.03, 0.004, 0.004).at(0, 0, 0.028)), "shaft", STEEL)
@@ -200,6 +223,14 @@ def test_a_contact_by_design_holds_for_its_pieces_its_depth_and_its_range() -> N
     assert only(sealed(0.0012, 0.0005)).verdict == "collision"  # longer than declared
     assert only(sealed(0.0012, 0.05, declared=False)).verdict == "collision"
     assert only(sealed(0.0012, 0.05, swollen=0.001)).verdict == "collision"
+
+
+def test_an_allowed_contact_of_pieces_with_one_middle_is_no_more_than_that() -> None:
+    block = part(box(0.1, 0.1, 0.1), "block", STEEL)
+    core = part(box(0.02, 0.02, 0.02), "core", STEEL)  # all of it in the middle of the block
+    body = block.attach(core, Revolute("turn", axis=Z, limits=(-1, 1)))
+    body = body.allow_contact("core", "block", depth=0.001, reason="it is pressed in")
+    assert only(certify(evaluated(body, "block"))).verdict == "collision"
 
 
 def test_two_pieces_that_may_touch_everywhere_have_no_clearance() -> None:

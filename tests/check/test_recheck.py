@@ -90,6 +90,18 @@ def test_a_longer_normal_gains_nothing(door: Asset) -> None:
     assert tampered(door, stretch) == []  # the gap is measured along a unit normal
 
 
+def test_a_plane_without_a_direction_is_refused() -> None:
+    asset = PROOF_ASSETS["gasket_fridge"]()
+    asset.certify()
+
+    def flatten(leaves: Leaves) -> None:
+        for row in leaves["pairs"][0]["leaves"]:
+            row[5:8] = [0.0, 0.0, 0.0]
+
+    (found,) = tampered(asset, flatten)
+    assert "a plane of the proof leaves a gap of -inf mm" in found
+
+
 def test_a_wider_cell_or_more_pieces_must_be_proven_too(door: Asset) -> None:
     def widen(leaves: Leaves) -> None:
         for row in leaves["pairs"][0]["leaves"]:

@@ -12,6 +12,7 @@ from artgen.check.layout import Layout
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
+_UNIT = 0.99  # least square of the length of a normal
 _GRAIN = 1e9  # gaps are compared to a nanometre, so that ties fall alike on every machine
 _HARDLY = 0.02  # variables that move the pieces by less than this share of the largest motion stay whole
 
@@ -50,6 +51,7 @@ class Planes:
         path = self.path if whole else [taken(motion, rows) for motion in self.path]
         first, second = (self.first, self.second) if whole else (self.first[rows], self.second[rows])
         gaps = gap(first, second, path, frame, normals)
+        gaps[np.sum(normals * normals, axis=2) < _UNIT] = -np.inf  # no direction: that keeps nothing apart
         choice = np.round(gaps * _GRAIN).argmax(axis=1)
         line = np.arange(len(rows))
         reached: Array = gaps[line, choice]

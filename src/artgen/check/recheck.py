@@ -132,8 +132,10 @@ def _gap(way: Way, covers: list[tuple[Cover, list[int]]], row: Array) -> float:
     if frame == _AXIS:
         return _axis_gap(way, first, second, path)
     length = float(np.sqrt(normal @ normal))
+    if not length > _ROUNDING:
+        return -np.inf
     a, b = (np.concatenate(points)[None] for points in (first, second))
-    return float(gap(a, b, path, frame, normal[None, None] / max(length, _ROUNDING))[0, 0])
+    return float(gap(a, b, path, frame, normal[None, None] / length)[0, 0])
 
 
 def _axis_gap(way: Way, first: list[Array], second: list[Array], path: list[Motion]) -> float:

@@ -95,6 +95,7 @@ class Search:
             self._layouts.append(Layout.of(of_kind, [ways[member] for member in members]))
             self._layout[members] = number
             self._row[members] = np.arange(len(members))
+        self._axes = np.array([way.steps[0].axis for way in ways]).reshape(-1, 3)
         self._coaxial = np.array([is_coaxial(way) for way in ways], bool)
 
     def run(self) -> list[Outcome]:
@@ -241,7 +242,7 @@ class Search:
         shift, half = np.zeros(len(chosen)), np.zeros(len(chosen))
         for motion in path:
             if motion.kind == "prismatic":
-                along = np.sum(motion.axis[chosen] * path[0].axis[chosen], axis=1)
+                along = np.sum(motion.axis[chosen] * self._axes[items.way[chosen]], axis=1)
                 shift += along * motion.centre[chosen]
                 half += np.abs(along) * motion.half[chosen]
         first, second = (
