@@ -9,6 +9,7 @@ signature says what varies. Importing the package loads no simulator, no USD and
 
 from artgen import catalog
 from artgen.asset import Asset
+from artgen.asset.certificate import Certificate
 from artgen.catalog import generate
 from artgen.errors import (
     ArtgenError,
@@ -68,6 +69,7 @@ from artgen.nodes.scalar import (
 from artgen.nodes.sweep import sweep
 from artgen.nodes.text import text, text_width
 from artgen.nodes.vector import X, Y, Z, cross, dot, norm, normalize, vector
+from artgen.range_proof import prove_range
 from artgen.sampling import Distribution, by, choice, count, fixed, given, loguniform, normal, uniform
 from artgen.version import __version__
 
@@ -80,6 +82,7 @@ __all__ = [
     "Bool",
     "BuildError",
     "Cache",
+    "Certificate",
     "CheckError",
     "Condition",
     "Coupling",
@@ -163,6 +166,7 @@ __all__ = [
     "points",
     "polygon",
     "polyline",
+    "prove_range",
     "rectangle",
     "regular_polygon",
     "require",

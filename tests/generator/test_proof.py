@@ -4,15 +4,15 @@ import pytest
 
 from artgen.asset import Asset
 from artgen.asset.certificate import Certificate, PairResult, Witness
-from artgen.errors import BuildError, CheckError, InfeasibleError, ParameterError
+from artgen.errors import AssetError, BuildError, CheckError, InfeasibleError, ParameterError
 from artgen.generator import generator
 from artgen.materials import material
 from artgen.nodes.body import part
 from artgen.nodes.choose import require
 from artgen.nodes.handles import Body, Float
-from artgen.nodes.joint import Prismatic
+from artgen.nodes.joint import Prismatic, Revolute
 from artgen.nodes.primitive import box
-from artgen.nodes.vector import Y
+from artgen.nodes.vector import X, Y
 from artgen.sampling import choice, uniform
 
 OAK = material("oak")
@@ -192,3 +192,20 @@ def test_what_does_not_move_is_proven():
         return part(box(width, 0.1, 0.1), "brick", OAK)
 
     assert brick.generate(0, on_collision="fail").certificate.proven
+
+
+def test_a_joint_that_could_never_move_is_refused_with_the_authors_line():
+    @generator
+    def oven() -> Body:
+        door = part(box(0.5, 0.02, 0.4).at(0, -0.3), "door", OAK)
+        rack = part(box(0.1, 0.1, 0.1).at(0, 0.5), "rack", OAK)
+        hinge = Revolute("hinge", axis=X, pivot=(0, -0.3, -0.2), limits=(0, 1.5))
+        slide = Prismatic("slide", axis=Y, limits=(0, 0.2), needs=hinge > 2.0)
+        return part(box(0.5, 0.4, 0.4), "body", OAK).attach(door, hinge).attach(rack, slide)
+
+    line = oven.function.__code__.co_firstlineno + 5
+    with pytest.raises(AssetError) as caught:
+        oven.generate(0)
+    text = str(caught.value)
+    assert text.startswith("joint 'slide' needs hinge > 2, but hinge stands within 0 to 1.5: it could never")
+    assert text.endswith(f"test_proof.py:{line}")

@@ -141,7 +141,7 @@ class _Push:
             UnstableError: The simulation exploded.
         """
         simulation, motions = self.simulation, self.simulation.motions
-        simulation.begin(self.state, f"{self.joint.name} is pushed")
+        simulation.begin(self.state, f"{self.joint.name} is pushed", jammed=True)
         kept = {name: at for name, at in self.state.items() if not self._breaks(motions[name])}
         held = Held(simulation, {**kept, **loose})
         at = simulation.model.joint(self.joint.name).qposadr[0]

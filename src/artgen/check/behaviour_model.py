@@ -19,6 +19,8 @@ Pieces = tuple[tuple[str, str], tuple[str, str]]
 """Link and label of the two pieces of a contact."""
 
 _COUPLING_SHARE = 0.01  # how far a follower may be off, as a share of its range
+_BRIEF = 0.05  # a blow may push it off farther for less than this [s]
+_BLOW = 5.0  # and by so many times as much at most
 _FLOOR = "the floor"
 
 
@@ -48,6 +50,7 @@ class Simulation:
         self._step = mujoco.mj_step
         self._mujoco = mujoco
         self._followers = _Followers.of(self.motions)
+        self._watching = True
         self._noticed = 0
         self._findings: dict[tuple[str, str], Finding] = {}
         self._start: dict[str, float] = {}
@@ -57,13 +60,18 @@ class Simulation:
         """Length of a time step [s]."""
         return float(self.model.opt.timestep)
 
-    def begin(self, q: Mapping[str, float], doing: str) -> None:
-        """Put all at rest at positions of free joints; those not given are closed."""
+    def begin(self, q: Mapping[str, float], doing: str, *, jammed: bool = False) -> None:
+        """Put all at rest at positions of free joints; those not given are closed.
+
+        Where parts are jammed on purpose, couplings are not watched: one of them may be what gives way.
+        """
+        self._watching = not jammed
         self._mujoco.mj_resetData(self.model, self.data)
         for name, position in self.asset.positions(q).items():
             if not self.asset.joint(name).locked:
                 self.data.qpos[self.model.joint(name).qposadr[0]] = position
         self.doing = doing
+        self._followers.lasting[:] = 0.0
         self._start = self.pose()
         self._mujoco.mj_forward(self.model, self.data)
 
@@ -77,14 +85,16 @@ class Simulation:
         if len(self.warnings) > self._noticed or self.data.warning.number.any():
             self._notice_warnings()
         followers = self._followers
-        if followers.names:
+        if followers.names and self._watching:
             qpos = self.data.qpos
             off = np.abs(qpos[followers.at] - followers.ratios * qpos[followers.leaders] - followers.offsets)
-            worse = off > followers.worst
+            beyond = off > followers.allowed
+            followers.lasting = np.where(beyond, followers.lasting + self.step_time, 0.0)
+            loose = beyond & ((followers.lasting >= _BRIEF) | (off > _BLOW * followers.allowed))
+            worse = loose & (off > followers.worst)
             if worse.any():
                 followers.worst[worse] = off[worse]
-                if (off[worse] > followers.allowed[worse]).any():
-                    self._notice_couplings(off)
+                self._notice_couplings(off, worse)
 
     def position(self, motion: Motion) -> float:
         """Return where a free joint stands [rad or m]."""
@@ -213,9 +223,9 @@ class Simulation:
         if any(number[int(kind)] for kind in bad):
             raise UnstableError
 
-    def _notice_couplings(self, off: Array) -> None:
+    def _notice_couplings(self, off: Array, loose: NDArray[np.bool_]) -> None:
         followers = self._followers
-        for number in np.flatnonzero(off > followers.allowed):
+        for number in np.flatnonzero(loose):
             name = followers.names[number]
             joint = self.asset.joint(name)
             assert joint.follows is not None
@@ -246,6 +256,7 @@ class _Followers:
     offsets: Array = field(default_factory=lambda: np.zeros(0))
     allowed: Array = field(default_factory=lambda: np.zeros(0))
     worst: Array = field(default_factory=lambda: np.zeros(0))
+    lasting: Array = field(default_factory=lambda: np.zeros(0))
 
     @staticmethod
     def of(motions: Mapping[str, Motion]) -> "_Followers":
@@ -261,6 +272,7 @@ class _Followers:
             ratios,
             np.array([motion.offsets[number] for motion, number in rows]),
             _COUPLING_SHARE * np.abs(ratios) * ranges,
+            np.zeros(len(rows)),
             np.zeros(len(rows)),
         )
 

@@ -236,9 +236,14 @@ class Generator(Variant):
             try:
                 body = self.build(values)
                 evaluation = Graph(body).evaluate(values, _SHARED_CACHE if cache is None else cache)
-                asset = self._asset(body, evaluation, values, name, base, seed=seed, attempt=attempt)
-                if certify:
-                    certify_sample(asset, tolerance, on_collision)
+                try:
+                    asset = self._asset(body, evaluation, values, name, base, seed=seed, attempt=attempt)
+                    if certify:
+                        certify_sample(asset, tolerance, on_collision)
+                except AssetError as error:
+                    place = _place(body, error) or self.where
+                    message = f"{error}\n  at {place}"
+                    raise AssetError(message, joint=error.joint, link=error.link) from None
             except InfeasibleError as error:
                 reason = str(error)
                 refused.append(values)
@@ -265,21 +270,17 @@ class Generator(Variant):
                 f"{self.name} returns a {type(body).__name__}; an asset needs a Body\n  at {self.where}"
             )
         parameters = {key: getattr(value, "name", value) for key, value in values.items()}
-        try:
-            asset = Asset.from_tree(
-                evaluation.value,
-                name,
-                self.name,
-                base=base,
-                version=__version__,
-                parameters={key: list(v) if isinstance(v, tuple) else v for key, v in parameters.items()},
-                labels=self.labels,
-                **origin,
-            )
-            self._check_labels(asset)
-        except AssetError as error:
-            place = _place(body, error) or self.where
-            raise AssetError(f"{error}\n  at {place}", joint=error.joint, link=error.link) from None
+        asset = Asset.from_tree(
+            evaluation.value,
+            name,
+            self.name,
+            base=base,
+            version=__version__,
+            parameters={key: list(v) if isinstance(v, tuple) else v for key, v in parameters.items()},
+            labels=self.labels,
+            **origin,
+        )
+        self._check_labels(asset)
         return asset
 
     def _check_labels(self, asset: Asset) -> None:
