@@ -1,8 +1,8 @@
 """Behaviour in MuJoCo: toys that behave give no finding, and each fault gives its own."""
 
 import math
-import sys
 import re
+import sys
 import xml.etree.ElementTree as ET
 from collections.abc import Callable
 from dataclasses import replace
