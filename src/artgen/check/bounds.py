@@ -88,16 +88,23 @@ def enclosing_points(motion: Motion, points: Array) -> Array:
         step = half * motion.axis[:, None, :]
         return np.concatenate((middle - step, middle + step), axis=1)
     feet, arm, across = _about(motion, points)
-    if motion.half.max(initial=0.0) > WIDEST:
-        radius = 1.0 / np.cos(np.pi / _OCTAGON)
-        turns = np.arange(_OCTAGON) * (2.0 * np.pi / _OCTAGON)
-        return np.concatenate(
-            [feet + (radius * np.cos(turn)) * arm + (radius * np.sin(turn)) * across for turn in turns],
-            axis=1,
-        )
-    cosine, sine = np.cos(half), np.sin(half)
+    wide = half > WIDEST
+    cosine, sine = np.where(wide, 1.0, np.cos(half)), np.sin(half)
     near, far = feet + cosine * arm, sine * across
-    return np.concatenate((near - far, near + far, feet + arm / cosine), axis=1)
+    crossing = feet + arm / cosine
+    if not wide.any():
+        return np.concatenate((near - far, near + far, crossing), axis=1)
+    radius = 1.0 / np.cos(np.pi / _OCTAGON)
+    turns = np.arange(_OCTAGON) * (2.0 * np.pi / _OCTAGON)
+    corners = [feet + (radius * np.cos(turn)) * arm + (radius * np.sin(turn)) * across for turn in turns]
+    ends = [
+        near - far,
+        near + far,
+        *[crossing] * (_OCTAGON - 2),
+    ]  # of each item by itself, whatever the others
+    return np.concatenate(
+        [np.where(wide, corner, end) for corner, end in zip(corners, ends, strict=True)], axis=1
+    )
 
 
 def support(motion: Motion, points: Array, normals: Array) -> Array:

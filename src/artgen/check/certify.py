@@ -49,7 +49,10 @@ def certify(
     if not asset.links:
         raise AssetError(f"asset {asset.name!r} has no links; there is nothing to certify")
     _check_ranges(asset)
-    ways = [way for way in Space(asset).ways() if only is None or only(way)]
+    space = Space(asset)
+    if only is None:  # in a part of its range a joint may have no leave to move
+        space.check()
+    ways = [way for way in space.ways() if only is None or only(way)]
     if not ways:
         return Certificate(float(tolerance), (), asset.contacts, leaves_data([]))
     proof = _Proof(asset, float(tolerance), Settings(measure=measure))

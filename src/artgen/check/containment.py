@@ -77,13 +77,12 @@ class _Grown:
     def contain(self, label: str, solid: Manifold) -> bool:
         """Tell whether the pieces contain a solid."""
         least, most = np.array(solid.bounding_box()).reshape(2, 3)
-        whole = (self.low <= least).all(axis=1) & (self.high >= most).all(axis=1)
+        own = self.labels == label  # a piece of another label may be allowed to touch what this must not
+        whole = own & (self.low <= least).all(axis=1) & (self.high >= most).all(axis=1)
         if any(self._cover(solid, [int(index)]) for index in np.flatnonzero(whole)[:_MOST_WHOLE]):
             return True
-        near = (self.low < most).all(axis=1) & (self.high > least).all(axis=1)
-        own = near & (self.labels == label)  # mostly these will do
-        choices = (own, near) if own.any() and (own != near).any() else (near,)
-        return any(self._cover(solid, np.flatnonzero(chosen).tolist()) for chosen in choices)
+        near = own & (self.low < most).all(axis=1) & (self.high > least).all(axis=1)
+        return self._cover(solid, np.flatnonzero(near).tolist())
 
     def _cover(self, solid: Manifold, chosen: Sequence[int]) -> bool:
         """Tell whether nothing is left of a solid without some of the pieces."""

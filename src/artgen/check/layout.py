@@ -21,7 +21,6 @@ BEYOND = 1e-9
 
 _WIDEST_START = 1.6  # cells start no wider where arcs have to be enclosed [rad]
 _ROUNDING = 1e-9  # of points on an axis [m]
-_PARALLEL = 1e-12  # what the cosine between parallel axes may miss 1 by
 
 
 @dataclass(eq=False)
@@ -160,7 +159,7 @@ def is_coaxial(way: Way) -> bool:
     if first.kind != "revolute" or not turning:
         return False
     for joint in way.steps:
-        if abs(abs(float(joint.axis @ first.axis)) - 1.0) > _PARALLEL:
+        if np.abs(np.cross(joint.axis, first.axis)).max() > _ROUNDING:
             return False
         away = joint.pivot - first.pivot
         if joint.kind == "revolute" and np.abs(np.cross(away, first.axis)).max() > _ROUNDING:

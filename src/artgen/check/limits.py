@@ -1,12 +1,12 @@
 """Numbers that help to mend a design: safe joint limits, and clearances at one pose."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
-from artgen.asset import Asset
+from artgen.asset import Asset, Joint
 from artgen.check.certify import certify
 from artgen.check.overlap import Links, allowed_at
 from artgen.check.ways import Space
@@ -63,11 +63,18 @@ def _end(asset: Asset, joint: str, rest: float, end: float) -> float:
 
 def _is_safe(asset: Asset, joint: str, limits: tuple[float, float]) -> bool:
     """Tell whether the pairs that a joint moves are proven apart while it stays within limits."""
-    moved = {way.links for way in Space(asset).ways() if joint in way.variables}
+    led = {other.name for other in asset.joints if joint in (other.name, *_leaders(asset, other))}
+    moved = {way.links for way in Space(asset).ways() if not led.isdisjoint(step.name for step in way.steps)}
     low, high = limits
     if low == high:
         low, high = low - _BREATH, high + _BREATH  # a locked joint would move no pair
     return certify(_narrowed(asset, {joint: (low, high)}), only=lambda way: way.links in moved).proven
+
+
+def _leaders(asset: Asset, joint: Joint) -> Iterator[str]:
+    while joint.follows is not None:
+        yield joint.follows.leader
+        joint = asset.joint(joint.follows.leader)
 
 
 def _at_rest(asset: Asset, joint: str) -> Asset:

@@ -78,8 +78,12 @@ class Links:
                 if size <= LEAST_VOLUME:
                     continue
                 depths = [contact.depth for contact in allowed if allows(contact, way.links, labels)]
-                if depths and _width(common) <= max(depths) + PRESSED:
-                    continue
+                if depths:
+                    thick = [each for each in common.decompose() if _width(each) > max(depths) + PRESSED]
+                    size = sum(each.volume() for each in thick)
+                    if size <= LEAST_VOLUME:
+                        continue
+                    common = Manifold.compose(thick)
                 volume += size
                 if size > largest:
                     largest = size

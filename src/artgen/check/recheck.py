@@ -37,7 +37,9 @@ def recheck(asset: Asset, certificate: Certificate) -> list[Finding]:
     Raises:
         AssetError: A dependency of the asset can never be met, or its meshes are missing.
     """
-    ways = {way.links: way for way in Space(asset).ways()}
+    space = Space(asset)
+    space.check()
+    ways = {way.links: way for way in space.ways()}
     findings = [
         Finding(
             _CHECK,
@@ -54,10 +56,12 @@ def recheck(asset: Asset, certificate: Certificate) -> list[Finding]:
             "is missing" if proof is None else f"has format {proof.get('format')!r} instead of {_FORMAT!r}"
         )
         return [*findings, Finding(_CHECK, f"the proof in certificate.json {found}", hint=_HINT)]
+    if not certificate.tolerance >= 0.0:
+        return [*findings, Finding(_CHECK, f"its tolerance is {certificate.tolerance!r} m", hint=_HINT)]
     try:
         for pair in certificate.pairs:
-            if pair.verdict == "proven":
-                findings += _recheck_pair(asset, certificate.tolerance, pair, ways[pair.links], proof)
+            for stored in _stored(pair, proof):
+                findings += _recheck_pair(asset, certificate.tolerance, pair, ways[pair.links], stored, proof)
     except AssetError:
         raise
     except (KeyError, ValueError, TypeError, IndexError) as error:
@@ -65,19 +69,42 @@ def recheck(asset: Asset, certificate: Certificate) -> list[Finding]:
     return findings
 
 
+def _stored(pair: PairResult, proof: Mapping[str, Any]) -> Iterator[Mapping[str, Any] | None]:
+    """Yield the proofs that a pair needs: of its solids, and of its colliders where those are others."""
+    found = [item for item in proof["pairs"] if tuple(item["links"]) == pair.links]
+    of_colliders = [item for item in found if _on_colliders(item, pair, proof)]
+    solids = found[0] if found else None
+    if pair.verdict == "proven":
+        yield solids
+    if pair.colliders == "proven" and (pair.verdict != "proven" or (found and solids not in of_colliders)):
+        yield of_colliders[0] if of_colliders else None
+
+
+def _on_colliders(item: Mapping[str, Any], pair: PairResult, proof: Mapping[str, Any]) -> bool:
+    return all(proof["pieces"][item["pieces"]][name]["points"] is None for name in pair.links)
+
+
 def _recheck_pair(
-    asset: Asset, tolerance: float, pair: PairResult, way: Way, proof: Mapping[str, Any]
+    asset: Asset,
+    tolerance: float,
+    pair: PairResult,
+    way: Way,
+    stored: Mapping[str, Any] | None,
+    proof: Mapping[str, Any],
 ) -> Iterator[Finding]:
     links = ", ".join(pair.links)
-    stored = next((item for item in proof["pairs"] if tuple(item["links"]) == pair.links), None)
     if stored is None:
         yield Finding(_CHECK, "there is no proof of this pair", link=links, hint=_HINT)
         return
     covers = [_cover(asset, name, proof["pieces"][stored["pieces"]][name]) for name in pair.links]
+    solids = pair.verdict == "proven" and (
+        pair.colliders != "proven" or not _on_colliders(stored, pair, proof) or _only(pair, proof)
+    )
     for name, (cover, _) in zip(pair.links, covers, strict=True):
-        if cover.excess is None:
+        if cover.excess is None and solids:
             yield Finding(_CHECK, "its solids stick out of the pieces of the proof", link=name, hint=_HINT)
-    wanted = tolerance + sum(cover.excess or 0.0 for cover, _ in covers) - _ROUNDING
+    least = max(tolerance, pair.guaranteed or 0.0) if solids else tolerance
+    wanted = least + sum(cover.excess or 0.0 for cover, _ in covers) - _ROUNDING
     table = np.array(stored["leaves"], float).reshape(-1, 8 + 2 * len(way.variables))
     for row in table:
         apart = _gap(way, covers, row)
@@ -103,6 +130,10 @@ def _recheck_pair(
             )
 
 
+def _only(pair: PairResult, proof: Mapping[str, Any]) -> bool:
+    return sum(tuple(item["links"]) == pair.links for item in proof["pairs"]) == 1
+
+
 def _cover(asset: Asset, link: str, stored: Mapping[str, Any]) -> tuple[Cover, list[int]]:
     """Return the pieces of a link and the order in which leaves count them."""
     body, order = asset.link(link), [int(index) for index in stored["order"]]
@@ -122,6 +153,8 @@ def _gap(way: Way, covers: list[tuple[Cover, list[int]]], row: Array) -> float:
         [cover.points[index] for index in order[start:stop]]
         for (cover, order), start, stop in zip(covers, ranges[::2], ranges[1::2], strict=True)
     )
+    if min(ranges) < 0 or (frame != _AXIS and not 0 <= frame <= len(way.steps)):
+        raise ValueError(f"the leaf {row.tolist()} counts from below 0 or beyond the joints")
     path = []
     for joint, sign, follower in zip(way.steps, way.signs, way.followers, strict=True):
         number = way.variables.index(follower.variable) if follower.variable else 0

@@ -83,14 +83,26 @@ class Space:
         self.ranges: dict[str, Interval] = {}
         for joint in asset.joints:
             self._resolve(joint)
-        for joint in asset.joints:
-            self._check(joint)
 
     def ways(self) -> list[Way]:
         """Return the way between each pair of links that can move against each other."""
         names = [link.name for link in self.asset.links]
         found = (self.way(a, b) for a, b in itertools.combinations(names, 2))
-        return [way for way in found if way.variables]
+        return [way for way in found if way.variables and way.boxes]
+
+    def check(self) -> None:
+        """Refuse dependencies that nothing meets.
+
+        Raises:
+            AssetError: A joint could never move, or no position of all joints is allowed.
+        """
+        for joint in self.asset.joints:
+            self._check(joint)
+        if not self.boxes(list(self.ranges)):
+            raise AssetError(
+                f"the dependencies of asset {self.asset.name!r} contradict each other: they forbid every "
+                "position of its joints; let the joints that need others reach 0, or drop a condition"
+            )
 
     def way(self, a: str, b: str) -> Way:
         """Return the way from one link to another."""
@@ -246,6 +258,8 @@ class Space:
             results = [self._holds(term, box) for term in condition.terms]
             return all(results) if condition.kind == "all" else any(results)
         where = self.followers[condition.joint]
+        if where.variable and self._joints[where.variable].limits is None:
+            return False  # it holds within a turn, perhaps not in the next one
         low, high = box.get(where.variable, (0.0, 0.0))
         if where.variable not in box and where.variable:
             low, high = self.ranges[where.variable]
