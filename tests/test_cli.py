@@ -140,10 +140,10 @@ def chests(monkeypatch):
         (
             (),
             2,
-            "error: chest: none of 100 draws for seed 0 is feasible; the last: not proven: 1 of 1 pairs fail",
+            "error: chest: none of 100 draws for seed 0 is feasible; the last: not proven: 1 of 1 pair fails",
         ),
-        (("--on-collision", "fail"), 1, "error: chest_0: not proven: 1 of 1 pairs fail"),
-        (("--on-collision", "keep"), 0, "warning: not proven: 1 of 1 pairs fail"),
+        (("--on-collision", "fail"), 1, "error: chest_0: not proven: 1 of 1 pair fails"),
+        (("--on-collision", "keep"), 0, "warning: not proven: 1 of 1 pair fails"),
         (("--no-certify",), 0, ""),
         (("--no-certify", "--on-collision", "fail"), 0, ""),
     ],

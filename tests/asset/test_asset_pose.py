@@ -3,6 +3,7 @@
 import json
 from collections.abc import Callable
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -10,6 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from artgen.asset import Asset, Branch, Condition, Coupling, Dependency, Joint, Link, Tree
+from artgen.catalog import find
 from artgen.errors import AssetError
 from artgen.materials import Material
 
@@ -182,3 +184,10 @@ def test_names_are_unique_in_a_tree(box_link: BoxLink) -> None:
             box_link("base"),
             tuple(Branch((revolute("a"),), Tree(box_link(name))) for name in ("left", "right")),
         ).checked()
+
+
+@pytest.mark.parametrize("position", ["0.3", None, True])
+def test_a_position_that_is_no_number_is_refused(position: Any) -> None:
+    asset = find("handle").generate(0, certify=False)
+    with pytest.raises(AssetError, match=r"joint 'handle_turn' cannot stand at .*; give a number"):
+        asset.pose({"handle_turn": position})

@@ -10,6 +10,7 @@ import artgen
 from artgen import Body, Prismatic, Revolute, X, Y, Z, box, cylinder, material, part, union, weld
 from artgen.asset import Asset
 from artgen.asset.certificate import Certificate, PairResult
+from artgen.catalog import find
 from artgen.check.certify import certify
 from artgen.export.collision import with_colliders
 from support.proof_fridges import evaluated
@@ -99,6 +100,35 @@ def test_colliders_that_collide_where_solids_do_not_are_called_so() -> None:
     assert not certificate.proven
     assert pair.witness is not None
     assert "body and drawer collide in their colliders only at slide=" in str(certificate)
+
+
+def test_colliders_that_hit_each_other_on_the_way_have_a_first_contact() -> None:
+    body = part(box(0.1, 0.5, 0.02).at(0, 0, -0.05), "body", STEEL)
+    arch = box(0.1, 0.02, 0.12).at(0, -0.2, 0.02) - box(0.06, 0.1, 0.2).at(0, -0.2, -0.04)
+    rod = part(box(0.02, 0.1, 0.02).at(0, 0.1, 0.02), "rod", STEEL)
+    slide = Prismatic("slide", axis=-Y, limits=(0, 0.4))
+    asset = evaluated(weld(body, part(arch, "arch", STEEL)).attach(rod, slide), "gate")
+    pair = only(certify(with_colliders(asset, "hull")))
+    assert (pair.verdict, pair.colliders) == ("proven", "collision")
+    assert pair.witness is not None
+    # the rod begins 50 mm from the middle, the hull of the arch ends 190 mm beyond it
+    assert pair.witness.first_contact["slide"] == pytest.approx(0.24, abs=1e-4)
+
+
+def test_a_tolerance_that_cannot_be_met_is_refuted_soon() -> None:
+    asset = find("door").generate(7, certify=False)
+    certificate = asset.certify(0.05)
+    assert not certificate.proven
+    assert all(pair.witness is None for pair in certificate.pairs)
+    assert str(certificate).startswith("not proven with 50.000 mm to spare: ")
+    cells = [cell for pair in certificate.failures for cell in pair.open_cells]
+    assert cells
+    for cell in cells:
+        assert 0.0 <= cell.distance < 0.0501
+        for name, (low, high) in cell.region.items():
+            limits = asset.joint(name).limits
+            assert limits is not None
+            assert limits[0] <= low <= high <= limits[1]
 
 
 def test_colliders_that_do_not_contain_the_solids_prove_nothing_of_them() -> None:
@@ -246,9 +276,11 @@ def test_two_pieces_that_may_touch_everywhere_have_no_clearance() -> None:
     assert str(pair) == "rail and runner: proven to touch as their contacts by design allow only"
 
 
-@pytest.mark.parametrize("tolerance", [-0.001, math.nan, math.inf, True])
+@pytest.mark.parametrize("tolerance", [-0.001, 0.2, math.nan, math.inf, True, "0.001", None])
 def test_a_tolerance_that_is_no_length_is_refused(tolerance: float) -> None:
-    with pytest.raises(artgen.AssetError, match="tolerance must be a length of at least 0 m, got "):
+    with pytest.raises(
+        artgen.AssetError, match=r"tolerance must be a length of 0 to 0\.1 m \(metres, not mm\), got "
+    ):
         chest().certify(tolerance)
 
 

@@ -76,7 +76,8 @@ def test_an_asset_in_memory_is_judged_by_its_files(made, monkeypatch):
     (found,) = judge(wanted)["certificate"]
     assert found == (
         "there is no certificate: nothing is proven about collisions between its links; generate with "
-        "certification or asset.certify() before export"
+        "certification or asset.certify() before export; colliders of other kinds than 'exact' are proven by "
+        "artgen.Asset.load(directory).certify()"
     )
 
 

@@ -88,6 +88,12 @@ class Asset:
             check_contact(contact, [link.name for link in tree.links()], joints)
         return Asset(name, category, tuple(tree.links()), tuple(ranged.values()), contacts=contacts, **fields)
 
+    def __repr__(self) -> str:
+        """Tell its size and what is proven of it."""
+        certificate = self.certificate
+        state = "not certified" if certificate is None else "proven" if certificate.proven else "not proven"
+        return f"<Asset {self.name}: {len(self.links)} links, {len(self.joints)} joints, {state}>"
+
     @cached_property
     def _links(self) -> dict[str, Link]:
         return {link.name: link for link in self.links}
@@ -156,6 +162,8 @@ class Asset:
                 raise AssetError(
                     f"joint {name!r} follows {joint.follows.leader!r}; set {joint.follows.leader!r} instead"
                 )
+            if isinstance(position, bool) or not isinstance(position, int | float | np.number):
+                raise AssetError(f"joint {name!r} cannot stand at {position!r}; give a number [rad or m]")
             if joint.limits is not None:
                 low, high = joint.limits
                 if not low - _LIMIT_SLACK <= position <= high + _LIMIT_SLACK:

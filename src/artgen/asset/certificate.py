@@ -210,11 +210,16 @@ class Certificate:
         """Tell the verdict in one line, and each failure in one more."""
         if not self.pairs:
             return "nothing moves: there is nothing to prove"
+        count, failed = len(self.pairs), len(self.failures)
+        pairs = f"{count} pair{'' if count == 1 else 's'}"
+        apart = f" with {_mm(self.tolerance)} to spare" if self.tolerance else ""
         if self.proven:
-            text = f"proven: {len(self.pairs)} pairs of links never collide"
+            verb = "collide as contacts by design allow only" if self.contacts else "never collide"
+            text = f"proven: {pairs} of links {verb}{apart}"
         else:
-            text = f"not proven: {len(self.failures)} of {len(self.pairs)} pairs fail"
-        return "\n".join([text, *(f"  {pair}" for pair in self.failures)])
+            text = f"not proven{apart}: {failed} of {pairs} fail{'s' if failed == 1 else ''}"
+        contacts = (f"  allowed: {contact}" for contact in self.contacts)
+        return "\n".join([text, *(f"  {pair}" for pair in self.failures), *contacts])
 
     def to_data(self) -> dict[str, Any]:
         """Return everything but the leaves as JSON data."""

@@ -7,7 +7,10 @@ from artgen.asset.certificate import Certificate, PairResult, Region
 from artgen.check.report import CheckResult, Finding
 
 _CHECK = "certificate"
-_CERTIFY = "generate with certification or asset.certify() before export"
+_CERTIFY = (
+    "generate with certification or asset.certify() before export; colliders of other kinds than 'exact' are "
+    "proven by artgen.Asset.load(directory).certify()"
+)
 _MEND = "shorten the limits to asset.safe_limits(), or move the pivot"
 _MEND_AT_REST = (
     "they overlap at rest: move one of the parts, or allow the contact with body.allow_contact(...)"

@@ -20,6 +20,9 @@ from artgen.errors import AssetError
 
 Array = NDArray[np.float64]
 
+MOST_TOLERANCE = 0.1
+"""Clearance that can be asked for, at most [m]."""
+
 _SMALLEST_RANGE = 1e-6  # [rad or m]
 
 
@@ -44,8 +47,10 @@ def certify(
     Raises:
         AssetError: The asset has no links, or a joint has no range to speak of or can never move.
     """
-    if isinstance(tolerance, bool) or not 0.0 <= tolerance < math.inf:
-        raise AssetError(f"tolerance must be a length of at least 0 m, got {tolerance!r}")
+    if not is_length(tolerance) or not 0.0 <= tolerance <= MOST_TOLERANCE:
+        raise AssetError(
+            f"tolerance must be a length of 0 to {MOST_TOLERANCE:g} m (metres, not mm), got {tolerance!r}"
+        )
     if not asset.links:
         raise AssetError(f"asset {asset.name!r} has no links; there is nothing to certify")
     _check_ranges(asset)
@@ -68,6 +73,11 @@ def certify(
     proven = [on_solids[pair.links] for pair in pairs if pair.verdict == "proven"]
     also = [judged for judged in on_colliders if judged.proven and judged not in proven]
     return Certificate(float(tolerance), tuple(pairs), asset.contacts, leaves_data([*proven, *also]))
+
+
+def is_length(value: object) -> bool:
+    """Tell whether a value is a number, as lengths are."""
+    return isinstance(value, int | float | np.integer | np.floating) and not isinstance(value, bool)
 
 
 def _check_ranges(asset: Asset) -> None:
@@ -107,14 +117,14 @@ class _Proof:
             overlap = self.solids.overlap(way, positions, allowed_at(way, positions))
             return "pieces" if overlap is None else "solids"
 
+        least = np.array([sum(covers[name].excess or 0.0 for name in way.links) for way in ways])
         search = Search(
             nodes,
             ways,
             [(number[way.links[0]], number[way.links[1]]) for way in ways],
             confirm,
-            tolerances=np.array(
-                [self.tolerance + sum(covers[name].excess or 0.0 for name in way.links) for way in ways]
-            ),
+            tolerances=least + self.tolerance,
+            least=least,
             depths=_depths(ways, covers, nodes),
             settings=self.settings,
         )

@@ -1,6 +1,6 @@
 """A close look at one pose: what two links have in common, exactly, and where they first touch."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -130,21 +130,23 @@ def penetration(first: Manifold, second: Manifold) -> float:
     return float(-gaps.max())
 
 
-def first_contact(links: Links, way: Way, start: Array, end: Array) -> float:
-    """Return the share of the straight way from start to end at which the links first overlap."""
+def first_contact(touch: Callable[[Array], bool], start: Array, end: Array) -> float:
+    """Return the share of the straight way from start to end at which links first touch.
 
-    def touch(share: float) -> bool:
-        at = start + share * (end - start)
-        return links.overlap(way, at, allowed_at(way, at)) is not None
-
+    Args:
+        touch: Tells of positions, shape (v,), whether they do.
+        start: Positions at rest, shape (v,) [rad or m].
+        end: Positions at which they do, shape (v,) [rad or m].
+    """
     shares = np.linspace(0.0, 1.0, _MARCH + 1)
-    high = next((index for index, share in enumerate(shares) if touch(float(share))), _MARCH)
+    way = end - start
+    high = next((index for index, share in enumerate(shares) if touch(start + share * way)), _MARCH)
     if high == 0:
         return 0.0
     low, up = float(shares[high - 1]), float(shares[high])
     for _ in range(_BISECTIONS):
         middle = (low + up) / 2.0
-        low, up = (low, middle) if touch(middle) else (middle, up)
+        low, up = (low, middle) if touch(start + middle * way) else (middle, up)
     return up
 
 

@@ -114,6 +114,17 @@ class Report:
         """Whether no check found a fault."""
         return not self.faults
 
+    def __str__(self) -> str:
+        """Tell the result of each check in one line, and each finding in one more."""
+        lines = []
+        for result in self.results:
+            data = result.to_data()
+            lines.append(
+                f"{result.check}: {data['state']}" + (f" ({data['detail']})" if data["detail"] else "")
+            )
+            lines += [f"  {finding.severity}: {finding}" for finding in result.findings]
+        return "\n".join(lines)
+
     def to_data(self) -> dict[str, Any]:
         """Return the report as JSON data."""
         return {

@@ -25,7 +25,8 @@ from artgen.check.ways import Way
 Array = NDArray[np.float64]
 
 _MOST_CELLS = 5  # open cells that are listed for a pair
-_DECIMALS = 9  # of lengths and positions in a certificate
+_DECIMALS = 9  # of lengths in a certificate
+_POSE_DECIMALS = 8  # of positions: cells reach over the ends of ranges by less
 
 
 @dataclass(frozen=True, eq=False)
@@ -135,7 +136,14 @@ def _witness(asset: Asset, solids: Links, judged: Judged) -> Witness | None:
         place = np.array(common.bounding_box()).reshape(2, 3).mean(axis=0)
         overlap = Overlap(common.volume(), place, judged.labels(first, second))
     start = np.array([asset.joint(name).closed for name in way.variables])
-    share = first_contact(solids, way, start, positions)
+
+    def touch(at: Array) -> bool:
+        if judged.outcome.hit is not None:
+            return solids.overlap(way, at, allowed_at(way, at)) is not None
+        moved = judged.nodes.hull(second).transform(displacement(way, at)[:3])
+        return bool((a ^ moved).volume() > 0.0)
+
+    share = first_contact(touch, start, positions)
     pose = _named(way, positions)
     free = {joint.name for joint in asset.free_joints}
     placed = asset.pose({name: value for name, value in pose.items() if name in free})[way.links[0]]
@@ -152,7 +160,10 @@ def _witness(asset: Asset, solids: Links, judged: Judged) -> Witness | None:
 
 def _open_cells(judged: Judged) -> tuple[OpenCell, ...]:
     cells = []
-    for low, high, first, second, distance in judged.outcome.open[:_MOST_CELLS]:
+    boxes = np.array(judged.way.boxes)  # cells reach over the ends of ranges by a breath
+    least, most = boxes[:, :, 0].min(axis=0), boxes[:, :, 1].max(axis=0)
+    for lowest, highest, first, second, distance in judged.outcome.open[:_MOST_CELLS]:
+        low, high = (np.clip(end, least, most) for end in (lowest, highest))
         ends = zip(low.tolist(), high.tolist(), strict=True)
         region = {
             name: (lower, upper) for name, (lower, upper) in zip(judged.way.variables, ends, strict=True)
@@ -177,7 +188,8 @@ def _extent(low: Array, high: Array, box: Array) -> float:
 
 
 def _named(way: Way, positions: Array) -> dict[str, float]:
-    return {name: _rounded(value) for name, value in zip(way.variables, positions.tolist(), strict=True)}
+    values = np.round(positions, _POSE_DECIMALS) + 0.0
+    return dict(zip(way.variables, values.tolist(), strict=True))
 
 
 def _rounded(number: float) -> float:

@@ -55,6 +55,8 @@ class Search:
             not touch; None where no contact is allowed at all.
         confirm: Looks closely at a pose in which pieces seem to overlap.
         tolerances: Clearance to prove of the pieces of each way, shape (ways,) [m].
+        least: Clearance without which the solids may overlap; what is left to prove of a way whose
+            tolerance is refuted, shape (ways,) [m].
         settings: What to measure, and when to give up.
     """
 
@@ -66,6 +68,7 @@ class Search:
         confirm: Confirm,
         *,
         tolerances: Array,
+        least: Array,
         depths: Callable[[int, int, int, int], float] | None = None,
         settings: Settings,
     ) -> None:
@@ -74,7 +77,8 @@ class Search:
         self.trees = trees
         self.depths = depths
         self.confirm = confirm
-        self.tolerances = tolerances
+        self.tolerances = tolerances.copy()
+        self.least = least
         self.settings = settings
         self.outcomes = [Outcome() for _ in ways]
         self.leaves: list[Items] = []
@@ -202,6 +206,8 @@ class Search:
         still = planes.best[rows] <= threshold[rows]
         rows, distance = rows[still], distance[still]
         opened = replace(items[rows], normal=planes.normal[rows], frame=planes.frame[rows])
+        self._refute(opened, distance, threshold[rows])
+        threshold = self._threshold(items)
         kept = self._judge(opened, distance)
         if not kept.any():
             return []
@@ -357,6 +363,17 @@ class Search:
             outcome = self.outcomes[way]
             self._done[way] = outcome.hit is not None or outcome.collider_hit is not None
         return ~self._done[items.way]
+
+    def _refute(self, items: Items, distance: Array, threshold: Array) -> None:
+        """Note which ways keep less than their tolerance, and go on in search of collisions only."""
+        leaf = self.nodes.leaf[items.first] & self.nodes.leaf[items.second]
+        ways = items.way
+        close = leaf & (threshold > 0.0) & (distance > 0.0) & (distance < self.tolerances[ways])
+        for row in np.flatnonzero(close & (self.tolerances[ways] > self.least[ways])):
+            way = int(ways[row])
+            if self.tolerances[way] > self.least[way]:
+                self._give_up(items[np.array([row])], distance[[row]])
+                self.tolerances[way] = self.least[way]
 
     def _hopeless(self, items: Items, distance: Array, threshold: Array, motion: Array) -> Mask:
         """Tell which items to give up: pieces that hardly move, or that are too close in a small cell.

@@ -59,6 +59,11 @@ def _closed(link: Link, label: str, surfaces: list[Surface]) -> list[Manifold]:
             f"({whole.status().name}); export the asset again",
             link=link.name,
         )
+    if whole.is_empty():
+        raise AssetError(
+            f"the meshes of link {link.name!r} with label {label!r} are empty; export the asset again",
+            link=link.name,
+        )
     return connected_parts(whole)
 
 

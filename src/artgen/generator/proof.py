@@ -10,6 +10,13 @@ OnCollision = Literal["redraw", "fail", "keep"]
 """What becomes of a sample whose links are not proven apart."""
 
 
+_MOST_TOLERANCE = 0.1  # what a certificate takes [m]
+_REMEDY = (
+    "give the parts more clearance, or declare a contact by design with body.allow_contact(...); "
+    'on_collision="keep" returns the asset all the same, and its safe_limits() tell how far its joints may go'
+)
+
+
 def check_proof(certify: Any, tolerance: Any, on_collision: Any) -> None:
     """Check what a caller asks of the proof.
 
@@ -18,10 +25,10 @@ def check_proof(certify: Any, tolerance: Any, on_collision: Any) -> None:
     """
     if not isinstance(certify, bool):
         raise ParameterError(f"certify = {certify!r} is not allowed: it must be True or False")
-    if not is_number(tolerance) or tolerance < 0.0:
+    if not is_number(tolerance) or not 0.0 <= tolerance <= _MOST_TOLERANCE:
         raise ParameterError(
             f"tolerance = {tolerance!r} is not allowed: it is the clearance to prove, a number of metres "
-            "that is not negative"
+            f"(not mm) that is not negative and at most {_MOST_TOLERANCE:g}"
         )
     if on_collision not in get_args(OnCollision):
         allowed = ", ".join(map(repr, get_args(OnCollision)))
@@ -39,10 +46,5 @@ def certify_sample(asset: Asset, tolerance: float, on_collision: OnCollision) ->
     if certificate.proven or on_collision == "keep":
         return
     if on_collision == "redraw":
-        raise InfeasibleError(str(certificate))
-    error = CheckError(f"{asset.name}: {certificate}")
-    error.add_note(
-        'on_collision="keep" returns the asset all the same, to look at; asset.safe_limits() tells how far '
-        "its joints may go"
-    )
-    raise error
+        raise InfeasibleError(f"{certificate}\n  {_REMEDY}")
+    raise CheckError(f"{asset.name}: {certificate}\n  {_REMEDY}")
