@@ -1,6 +1,5 @@
 """The range proof of a category: certificates of samples and of the corners of its parameter ranges."""
 
-import operator
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any, Literal
@@ -11,6 +10,7 @@ from artgen.catalog import find
 from artgen.corners import corners as corners_of
 from artgen.errors import AssetError, BuildError, EvaluationError, InfeasibleError, ParameterError
 from artgen.generator import Generator
+from artgen.generator.generator import checked_count
 from artgen.generator.proof import check_proof
 from artgen.sampling.distributions import shown
 
@@ -221,7 +221,7 @@ def prove_range(
     if not isinstance(generator, Generator):
         raise ParameterError(f"prove_range takes the name of a category or a generator, got {category!r}")
     check_proof(certify=True, tolerance=tolerance, on_collision="keep")
-    wanted = _count(samples)
+    wanted = checked_count("samples", samples)
     given = dict(overrides or {})
     generator.sample(seed, overrides=given)
     points = corners_of(generator, seed, given) if corners else []
@@ -371,16 +371,6 @@ class _Run:
 
 def _reached(clearance: SmallestClearance) -> float:
     return clearance.guaranteed if clearance.found is None else clearance.found
-
-
-def _count(samples: Any) -> int:
-    try:
-        number = operator.index(samples)
-    except TypeError:
-        number = -1
-    if isinstance(samples, bool) or number < 0:
-        raise ParameterError(f"samples must be a whole number that is not negative, got {samples!r}")
-    return number
 
 
 def _listed(values: Mapping[str, Any]) -> str:

@@ -28,12 +28,7 @@ def crate() -> artgen.Body:
     return part(box(0.1, 0.1, 0.1) - box(0.08, 0.08, 0.08), "crate", STEEL)
 
 
-@pytest.fixture(autouse=True, scope="module")
-def cache(tmp_path_factory):
-    """Keep what CoACD finds away from the user's own cache, but through all tests."""
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setenv("ARTGEN_CACHE", str(tmp_path_factory.mktemp("cache")))
-        yield
+pytestmark = pytest.mark.usefixtures("coacd_cache")
 
 
 @pytest.fixture(scope="module")

@@ -13,13 +13,7 @@ from artgen.export.collision import Part, made_colliders, with_colliders
 from artgen.export.files import encode
 from support.trays import RUBBER, STEEL, comb, tray
 
-
-@pytest.fixture(autouse=True, scope="module")
-def cache(tmp_path_factory):
-    """Keep what CoACD finds away from the user's own cache, but through all tests."""
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setenv("ARTGEN_CACHE", str(tmp_path_factory.mktemp("cache")))
-        yield
+pytestmark = pytest.mark.usefixtures("coacd_cache")
 
 
 @pytest.fixture(scope="module")

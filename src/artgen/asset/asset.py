@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from artgen.asset.certificate import Certificate
 from artgen.asset.contact import AllowedContact
-from artgen.asset.joint import Joint, positions_of_followers
+from artgen.asset.joint import Joint, is_number, positions_of_followers
 from artgen.asset.link import Link
 from artgen.asset.mass import MassProperties, total
 from artgen.asset.record import json_text, rounded, rounded_link
@@ -162,7 +162,7 @@ class Asset:
                 raise AssetError(
                     f"joint {name!r} follows {joint.follows.leader!r}; set {joint.follows.leader!r} instead"
                 )
-            if isinstance(position, bool) or not isinstance(position, int | float | np.number):
+            if not is_number(position):
                 raise AssetError(f"joint {name!r} cannot stand at {position!r}; give a number [rad or m]")
             if joint.limits is not None:
                 low, high = joint.limits

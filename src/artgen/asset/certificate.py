@@ -6,6 +6,15 @@ from typing import Any, Literal
 
 from artgen.asset.contact import AllowedContact
 
+PROOF_FORMAT = "artgen-certificate-1"
+"""Marks the proofs that this version can verify."""
+
+AXIS_FRAME = -2
+"""Frame of a leaf that is proven by heights and distances about the common axis, not by a plane."""
+
+MOST_TOLERANCE = 0.1
+"""Clearance that can be asked for, at most [m]."""
+
 Verdict = Literal["proven", "collision", "not proven"]
 Region = Mapping[str, tuple[float, float]]
 """An interval for each free joint [rad or m]."""

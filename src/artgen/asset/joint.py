@@ -240,6 +240,11 @@ DYNAMICS = ("stiffness", "damping", "friction", "rest", "armature", "effort", "v
 """The fields of a joint that are one number each, in SI units."""
 
 
+def is_number(value: object) -> bool:
+    """Tell whether a value is a real number, as positions and lengths are; True and False are none."""
+    return isinstance(value, int | float | np.integer | np.floating) and not isinstance(value, bool)
+
+
 def rotation(axis: Array, angle: float) -> Array:
     """Return the rotation about a unit axis, shape (3, 3) (Rodrigues' formula)."""
     x, y, z = axis

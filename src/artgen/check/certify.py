@@ -7,7 +7,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from artgen.asset import Asset
-from artgen.asset.certificate import Certificate
+from artgen.asset.certificate import MOST_TOLERANCE, Certificate
+from artgen.asset.joint import is_number
 from artgen.check.cover import Cover, collider_cover, fine_cover
 from artgen.check.hierarchy import Hierarchy
 from artgen.check.items import Settings
@@ -19,9 +20,6 @@ from artgen.check.ways import Space, Way
 from artgen.errors import AssetError
 
 Array = NDArray[np.float64]
-
-MOST_TOLERANCE = 0.1
-"""Clearance that can be asked for, at most [m]."""
 
 _SMALLEST_RANGE = 1e-6  # [rad or m]
 
@@ -47,7 +45,7 @@ def certify(
     Raises:
         AssetError: The asset has no links, or a joint has no range to speak of or can never move.
     """
-    if not is_length(tolerance) or not 0.0 <= tolerance <= MOST_TOLERANCE:
+    if not is_number(tolerance) or not 0.0 <= tolerance <= MOST_TOLERANCE:
         raise AssetError(
             f"tolerance must be a length of 0 to {MOST_TOLERANCE:g} m (metres, not mm), got {tolerance!r}"
         )
@@ -73,11 +71,6 @@ def certify(
     proven = [on_solids[pair.links] for pair in pairs if pair.verdict == "proven"]
     also = [judged for judged in on_colliders if judged.proven and judged not in proven]
     return Certificate(float(tolerance), tuple(pairs), asset.contacts, leaves_data([*proven, *also]))
-
-
-def is_length(value: object) -> bool:
-    """Tell whether a value is a number, as lengths are."""
-    return isinstance(value, int | float | np.integer | np.floating) and not isinstance(value, bool)
 
 
 def _check_ranges(asset: Asset) -> None:

@@ -1,7 +1,6 @@
 """Whether colliders are what simulators take, contain the solids, and stand for them faithfully."""
 
 from collections.abc import Iterator, Sequence
-from typing import Any
 
 import numpy as np
 from manifold3d import Manifold, OpType
@@ -12,7 +11,8 @@ from artgen.asset import Asset, Link
 from artgen.asset.link import MOST_COLLIDERS
 from artgen.check.fidelity import Fidelity, fidelity
 from artgen.check.report import CheckResult, Finding, Severity
-from artgen.check.skin import Shell, point_text, skins
+from artgen.check.skin import point_text, skins
+from artgen.check.stored_solids import is_detail
 from artgen.errors import ArtgenError, AssetError
 
 Array = NDArray[np.float64]
@@ -39,7 +39,6 @@ KEPT = 0.8
 
 _RIGID = 1e-9  # error of a pose's axes
 _INSIDE = 1e-7  # [m] by which a vertex may lie inside the hull of the others
-_DETAIL = 1e-6  # [m] by which the box of a detail that was read may differ from the recorded one
 
 
 def check_colliders(asset: Asset) -> CheckResult:
@@ -98,15 +97,9 @@ def solid_of(link: Link) -> Manifold:
             shell.manifold
             for skin in skins(link)
             for shell in skin.solids
-            if shell.label in covered and not any(_is_detail(shell, each) for each in details)
+            if shell.label in covered and not is_detail(details, shell.label, shell.bounds)
         ]
     return Manifold.batch_boolean(parts, OpType.Add)
-
-
-def _is_detail(shell: Shell, record: dict[str, Any]) -> bool:
-    """Tell whether a part of the meshes is the detail whose bounding box is recorded."""
-    error = np.abs(shell.bounds - np.array(record["bounds"], float)).max()
-    return bool(shell.label == record["label"] and error <= _DETAIL)
 
 
 def _budget_findings(link: Link) -> Iterator[Finding]:

@@ -12,9 +12,6 @@ Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 Mask = NDArray[np.bool_]
 
-AXIS = -2
-"""Frame of an item that was closed by heights and distances about the common axis."""
-
 NONE = -1
 """Frame of an item that has no plane."""
 

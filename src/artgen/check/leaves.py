@@ -5,10 +5,8 @@ from typing import Any
 
 import numpy as np
 
+from artgen.asset.certificate import PROOF_FORMAT
 from artgen.check.results import Judged
-
-LEAVES_FORMAT = "artgen-certificate-1"
-"""Marks the files that this version can verify."""
 
 
 def leaves_data(proven: Sequence[Judged]) -> dict[str, Any]:
@@ -33,7 +31,7 @@ def leaves_data(proven: Sequence[Judged]) -> dict[str, Any]:
             if len(chosen):
                 rows += _rows(judged, chosen)
         pairs.append({"links": list(judged.way.links), "pieces": known[key], "leaves": rows})
-    return {"format": LEAVES_FORMAT, "pieces": sets, "pairs": pairs}
+    return {"format": PROOF_FORMAT, "pieces": sets, "pairs": pairs}
 
 
 def _pieces(judged: Judged) -> dict[str, Any]:

@@ -12,8 +12,10 @@ from artgen.check.layout import Layout
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
+GRAIN = 1e9
+"""Steps per metre in which gaps are compared, so that ties fall alike on every machine."""
+
 _UNIT = 0.99  # least square of the length of a normal
-_GRAIN = 1e9  # gaps are compared to a nanometre, so that ties fall alike on every machine
 _HARDLY = 0.02  # variables that move the pieces by less than this share of the largest motion stay whole
 
 
@@ -52,7 +54,7 @@ class Planes:
         first, second = (self.first, self.second) if whole else (self.first[rows], self.second[rows])
         gaps = gap(first, second, path, frame, normals)
         gaps[np.sum(normals * normals, axis=2) < _UNIT] = -np.inf  # no direction: that keeps nothing apart
-        choice = np.round(gaps * _GRAIN).argmax(axis=1)
+        choice = np.round(gaps * GRAIN).argmax(axis=1)
         line = np.arange(len(rows))
         reached: Array = gaps[line, choice]
         better = reached > self.best[rows]
@@ -98,7 +100,7 @@ class Ahead:
                 gain[lines, variable] = gap(*pieces, held, int(frame), normals)[:, 0] - before
         score = np.where(self.frame[rows, None] < 0, motion, gain + 1e-3 * motion)
         score[motion < _HARDLY * motion.max(axis=1, keepdims=True)] = -np.inf
-        choice: Indices = np.round(score * _GRAIN).argmax(axis=1)
+        choice: Indices = np.round(score * GRAIN).argmax(axis=1)
         return choice
 
 

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from artgen.asset import Asset
-from artgen.asset.certificate import Certificate, PairResult
+from artgen.asset.certificate import AXIS_FRAME, PROOF_FORMAT, Certificate, PairResult
 from artgen.check.bounds import Motion, around_axis, axis_gap, gap
 from artgen.check.cover import Cover, stored_cover
 from artgen.check.overlap import allows
@@ -23,8 +23,6 @@ from artgen.errors import AssetError
 Array = NDArray[np.float64]
 
 _CHECK = "certificate"
-_FORMAT = "artgen-certificate-1"
-_AXIS = -2  # the frame of leaves about a common axis
 _BEYOND = 2e-9  # by which cells may reach over the ends of a range [rad or m]
 _TOUCHING = 2e-8  # by which pieces that are to touch may miss the depth that is allowed [m]
 _ROUNDING = 1e-9  # what numbers lose in files [m]
@@ -51,10 +49,9 @@ def recheck(asset: Asset, certificate: Certificate) -> list[Finding]:
         if links not in {pair.links for pair in certificate.pairs}
     ]
     proof = certificate.leaves
-    if proof is None or proof.get("format") != _FORMAT:
-        found = (
-            "is missing" if proof is None else f"has format {proof.get('format')!r} instead of {_FORMAT!r}"
-        )
+    if proof is None or proof.get("format") != PROOF_FORMAT:
+        marked = None if proof is None else proof.get("format")
+        found = "is missing" if proof is None else f"has format {marked!r} instead of {PROOF_FORMAT!r}"
         return [*findings, Finding(_CHECK, f"the proof in certificate.json {found}", hint=_HINT)]
     if not certificate.tolerance >= 0.0:
         return [*findings, Finding(_CHECK, f"its tolerance is {certificate.tolerance!r} m", hint=_HINT)]
@@ -153,7 +150,7 @@ def _gap(way: Way, covers: list[tuple[Cover, list[int]]], row: Array) -> float:
         [cover.points[index] for index in order[start:stop]]
         for (cover, order), start, stop in zip(covers, ranges[::2], ranges[1::2], strict=True)
     )
-    if min(ranges) < 0 or (frame != _AXIS and not 0 <= frame <= len(way.steps)):
+    if min(ranges) < 0 or (frame != AXIS_FRAME and not 0 <= frame <= len(way.steps)):
         raise ValueError(f"the leaf {row.tolist()} counts from below 0 or beyond the joints")
     path = []
     for joint, sign, follower in zip(way.steps, way.signs, way.followers, strict=True):
@@ -162,7 +159,7 @@ def _gap(way: Way, covers: list[tuple[Cover, list[int]]], row: Array) -> float:
         half = abs(follower.ratio) * (high[number] - low[number]) / 2.0
         axis = (sign * joint.axis)[None]
         path.append(Motion(joint.kind, joint.pivot[None], axis, np.array([centre]), np.array([half])))
-    if frame == _AXIS:
+    if frame == AXIS_FRAME:
         return _axis_gap(way, first, second, path)
     length = float(np.sqrt(normal @ normal))
     if not length > _ROUNDING:

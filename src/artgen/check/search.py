@@ -13,12 +13,13 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
+from artgen.asset.certificate import AXIS_FRAME
 from artgen.asset.joint import JointKind
 from artgen.check.bounds import Motion, around_axis, axis_gap
 from artgen.check.hierarchy import Hierarchy
-from artgen.check.items import AXIS, NONE, Items, Outcome, Settings
+from artgen.check.items import NONE, Items, Outcome, Settings
 from artgen.check.layout import Frames, Layout, frames, is_coaxial, nearest_zero, starting_cells
-from artgen.check.planes import Ahead, Planes, taken
+from artgen.check.planes import GRAIN, Ahead, Planes, taken
 from artgen.check.ways import Way
 
 Array = NDArray[np.float64]
@@ -29,7 +30,6 @@ MARGIN = 1e-8
 """By how much a bound must exceed its threshold; float64 errs by 1e-14 at a metre [m]."""
 
 _DECIMALS = 9  # of normals
-_GRAIN = 1e9  # gaps are compared to a nanometre, so that ties fall alike on every machine
 _MANY = 24  # vertices from which a node is searched apart from smaller ones
 _FARTHEST = 3  # joints between the frame of a plane and either link, at most
 _TOUCHING = 1e-9  # nodes nearer than this have no direction between them [m]
@@ -206,8 +206,8 @@ class Search:
         still = planes.best[rows] <= threshold[rows]
         rows, distance = rows[still], distance[still]
         opened = replace(items[rows], normal=planes.normal[rows], frame=planes.frame[rows])
-        self._refute(opened, distance, threshold[rows])
-        threshold = self._threshold(items)
+        if self._refute(opened, distance, threshold[rows]):
+            threshold = self._threshold(items)
         kept = self._judge(opened, distance)
         if not kept.any():
             return []
@@ -258,7 +258,7 @@ class Search:
         closed = apart > threshold[chosen]
         if closed.any():
             done = items[chosen[closed]]
-            done.frame[:] = AXIS
+            done.frame[:] = AXIS_FRAME
             self._close(done, apart[closed])
         fit[fit] = closed
         return rows[~fit]
@@ -297,7 +297,7 @@ class Search:
                 break
             normal = np.round(place.seen(direction[chosen], frame, rows[chosen]), _DECIMALS)
             reached = planes.attempt(rows[chosen], normal[:, None, :], frame)
-            better = np.round(reached * _GRAIN) > np.round(best[chosen] * _GRAIN)
+            better = np.round(reached * GRAIN) > np.round(best[chosen] * GRAIN)
             chosen, normal = chosen[better], normal[better]
             best[chosen], towards[chosen], of_frame[chosen] = reached[better], normal, frame
         return distance, towards, of_frame
@@ -364,16 +364,22 @@ class Search:
             self._done[way] = outcome.hit is not None or outcome.collider_hit is not None
         return ~self._done[items.way]
 
-    def _refute(self, items: Items, distance: Array, threshold: Array) -> None:
-        """Note which ways keep less than their tolerance, and go on in search of collisions only."""
+    def _refute(self, items: Items, distance: Array, threshold: Array) -> bool:
+        """Note which ways keep less than their tolerance, and go on in search of collisions only.
+
+        Returns:
+            Whether there are any.
+        """
         leaf = self.nodes.leaf[items.first] & self.nodes.leaf[items.second]
         ways = items.way
         close = leaf & (threshold > 0.0) & (distance > 0.0) & (distance < self.tolerances[ways])
-        for row in np.flatnonzero(close & (self.tolerances[ways] > self.least[ways])):
+        refuted = np.flatnonzero(close & (self.tolerances[ways] > self.least[ways]))
+        for row in refuted:
             way = int(ways[row])
             if self.tolerances[way] > self.least[way]:
                 self._give_up(items[np.array([row])], distance[[row]])
                 self.tolerances[way] = self.least[way]
+        return bool(len(refuted))
 
     def _hopeless(self, items: Items, distance: Array, threshold: Array, motion: Array) -> Mask:
         """Tell which items to give up: pieces that hardly move, or that are too close in a small cell.

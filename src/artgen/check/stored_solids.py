@@ -1,5 +1,8 @@
 """The solids of a link that was read from files, made of the meshes that are seen."""
 
+from collections.abc import Iterable, Mapping
+from typing import Any
+
 import numpy as np
 from manifold3d import Error, Manifold, Mesh64
 from numpy.typing import NDArray
@@ -30,15 +33,27 @@ def link_parts(link: Link) -> list[Part]:
         groups.setdefault(surface.label, []).append(surface)
     known = {collider.label: collider.material for collider in link.colliders}
     closed = {label: _closed(link, label, surfaces) for label, surfaces in groups.items()}
-    details: dict[str, list[Array]] = {}
-    for detail in link.to_data().get("details", ()):
-        details.setdefault(detail["label"], []).append(np.array(detail["bounds"], np.float64))
+    details = link.to_data().get("details", ())
     return [
         Part(label, known.get(label, groups[label][0].material), part)
         for label, parts in closed.items()
         for part in parts
-        if not any(_is_box_of(part, box) for box in details.get(label, ()))
+        if not is_detail(details, label, np.reshape(part.bounding_box(), (2, 3)))
     ]
+
+
+def is_detail(details: Iterable[Mapping[str, Any]], label: str, bounds: Array) -> bool:
+    """Tell whether a closed part of the meshes is only seen, by its label and bounding box.
+
+    Args:
+        details: What the link's data records of its details.
+        label: Label of the part.
+        bounds: Corners of its bounding box, shape (2, 3) [m].
+    """
+    return any(
+        each["label"] == label and bool(np.abs(bounds - np.array(each["bounds"])).max() <= _ONE_BOX)
+        for each in details
+    )
 
 
 def _closed(link: Link, label: str, surfaces: list[Surface]) -> list[Manifold]:
@@ -65,8 +80,3 @@ def _closed(link: Link, label: str, surfaces: list[Surface]) -> list[Manifold]:
             link=link.name,
         )
     return connected_parts(whole)
-
-
-def _is_box_of(part: Manifold, box: Array) -> bool:
-    found = np.array(part.bounding_box(), np.float64).reshape(2, 3)
-    return bool(np.abs(found - box).max() <= _ONE_BOX)

@@ -79,7 +79,7 @@ class Generator(Variant):
         Raises:
             ParameterError: The seed is negative, or an override is unknown or not allowed.
         """
-        draw = Draw(self.name, _checked_seed(seed), attempt, Overrides(self, overrides or {}))
+        draw = Draw(self.name, checked_count("seed", seed), attempt, Overrides(self, overrides or {}))
         draw.sample(self.own)
         return draw.values
 
@@ -223,7 +223,7 @@ class Generator(Variant):
         overrides: Mapping[str, Any] | None = None,
     ) -> tuple[Asset, Evaluation]:
         """Generate like `generate`, and return with the asset what its evaluation cost."""
-        seed = _checked_seed(seed)
+        seed = checked_count("seed", seed)
         name = name or f"{self.name}_{seed}"
         _check_options(name, base, attempts)
         check_proof(certify, tolerance, on_collision)
@@ -329,13 +329,18 @@ class Chosen:
         return hash(self.generator)
 
 
-def _checked_seed(seed: Any) -> int:
+def checked_count(name: str, value: Any) -> int:
+    """Return a whole number that is not negative.
+
+    Raises:
+        ParameterError: The value is none; the message has its name.
+    """
     try:
-        number = operator.index(seed)
+        number = operator.index(value)
     except TypeError:
         number = -1
-    if isinstance(seed, bool) or number < 0:
-        raise ParameterError(f"seed must be a whole number that is not negative, got {seed!r}")
+    if isinstance(value, bool) or number < 0:
+        raise ParameterError(f"{name} must be a whole number that is not negative, got {value!r}")
     return number
 
 

@@ -3,6 +3,7 @@
 from typing import Any, Literal, get_args
 
 from artgen.asset import Asset
+from artgen.asset.certificate import MOST_TOLERANCE
 from artgen.errors import CheckError, InfeasibleError, ParameterError
 from artgen.sampling.distributions import is_number
 
@@ -10,7 +11,6 @@ OnCollision = Literal["redraw", "fail", "keep"]
 """What becomes of a sample whose links are not proven apart."""
 
 
-_MOST_TOLERANCE = 0.1  # what a certificate takes [m]
 _REMEDY = (
     "give the parts more clearance, or declare a contact by design with body.allow_contact(...); "
     'on_collision="keep" returns the asset all the same, and its safe_limits() tell how far its joints may go'
@@ -25,10 +25,10 @@ def check_proof(certify: Any, tolerance: Any, on_collision: Any) -> None:
     """
     if not isinstance(certify, bool):
         raise ParameterError(f"certify = {certify!r} is not allowed: it must be True or False")
-    if not is_number(tolerance) or not 0.0 <= tolerance <= _MOST_TOLERANCE:
+    if not is_number(tolerance) or not 0.0 <= tolerance <= MOST_TOLERANCE:
         raise ParameterError(
             f"tolerance = {tolerance!r} is not allowed: it is the clearance to prove, a number of metres "
-            f"(not mm) that is not negative and at most {_MOST_TOLERANCE:g}"
+            f"(not mm) that is not negative and at most {MOST_TOLERANCE:g}"
         )
     if on_collision not in get_args(OnCollision):
         allowed = ", ".join(map(repr, get_args(OnCollision)))
