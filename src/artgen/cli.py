@@ -16,7 +16,7 @@ from artgen.commands.certify import certify as certify_category
 from artgen.commands.colliders import colliders
 from artgen.commands.validate import validate
 from artgen.errors import ArtgenError, CheckError
-from artgen.export import FORMATS
+from artgen.export import DEFAULT_FORMATS, FORMATS
 from artgen.export.collision import Collision
 from artgen.generator import Fixed, OnCollision, Parameter
 from artgen.overrides import parse_overrides
@@ -119,7 +119,7 @@ def generate(
     ] = None,
     formats: Annotated[
         str, typer.Option("--format", metavar="NAMES", help=f"What to write, of {', '.join(FORMATS)}.")
-    ] = ",".join(FORMATS),
+    ] = ",".join(DEFAULT_FORMATS),
     out: Annotated[
         Path | None, typer.Option(metavar="DIRECTORY", help="Where to; ./<name of the asset> by default.")
     ] = None,

@@ -305,11 +305,12 @@ class Asset:
         *,
         formats: Sequence[str] = ("urdf", "mjcf", "usd"),
         collision: Literal["exact", "coacd", "hull"] = "exact",
+        textures: int = 512,
     ) -> Path:
         """Write the asset to a directory, with its own colliders or others; see `artgen.export.export`."""
         from artgen.export import export
 
-        return export(self, directory, formats=formats, collision=collision)
+        return export(self, directory, formats=formats, collision=collision, textures=textures)
 
     @staticmethod
     def load(directory: str | Path) -> "Asset":

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from artgen.asset.mass import MassProperties, Moments, polyhedron_moments, total
 from artgen.asset.shape import Mesh, Shape
-from artgen.asset.surface import by_paint, joined
+from artgen.asset.surface import by_paint, joined, shifted
 from artgen.colliders import Convex, budgeted_together
 from artgen.errors import AssetError
 from artgen.materials import Material
@@ -160,10 +160,11 @@ class Link:
     def surfaces(self) -> tuple[Surface, ...]:
         """The visible faces, one surface for each label and material."""
         groups: dict[tuple[str, Material], list[Mesh]] = {}
-        for piece in self.pieces:
+        for index, piece in enumerate(self.pieces):
             for number, mesh in by_paint(piece.shape.mesh):
                 material = piece.shape.paints[number] if number else piece.material
-                groups.setdefault((piece.label, material), []).append(mesh)
+                laid = shifted(mesh, material, f"{self.name}/{index}")
+                groups.setdefault((piece.label, material), []).append(laid)
         return tuple(
             Surface(f"{label}_{material.name}", label, material, joined(meshes))
             for (label, material), meshes in groups.items()
@@ -297,7 +298,13 @@ class MovedLink(Link):
 
     @cached_property
     def surfaces(self) -> tuple[Surface, ...]:
-        """The visible faces of the source, moved."""
+        """The visible faces of the source, moved; a copy under another name shows another part of the maps."""
+        key = "" if self.name == self.source.name else self.name
         return tuple(
-            replace(surface, mesh=surface.mesh.moved(self.matrix)) for surface in self.source.surfaces
+            replace(surface, mesh=_relaid(surface.mesh.moved(self.matrix), surface.material, key))
+            for surface in self.source.surfaces
         )
+
+
+def _relaid(mesh: Mesh, material: Material, key: str) -> Mesh:
+    return shifted(mesh, material, key) if key else mesh

@@ -1,11 +1,39 @@
-"""Meshes of visible surfaces: split by paint, joined, and moved."""
+"""Meshes of visible surfaces: split by paint, joined, moved, and laid on the maps of their materials."""
+
+import zlib
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from artgen.asset.shape import Mesh
+from artgen.materials import Material
+from artgen.materials.textures import tile_of
 
 Array = NDArray[np.float64]
+
+_SHIFTS = 64  # places in a tile, in each direction, at which the pattern of a part may begin
+
+
+def shifted(mesh: Mesh, material: Material, key: str) -> Mesh:
+    """Return a mesh whose texture begins at a place that a key decides, so that no two boards match."""
+    if not material.texture:
+        return mesh
+    number = zlib.crc32(key.encode())
+    steps = np.array([number % _SHIFTS, number // _SHIFTS % _SHIFTS]) / _SHIFTS
+    tile = np.array(tile_of(material))
+    return replace(mesh, uvs=mesh.uvs + steps * (tile[::-1] if material.turned else tile))
+
+
+def texture_coordinates(mesh: Mesh, material: Material) -> Array:
+    """Return the texture coordinates of a mesh in repeats of its material's maps, shape (n, 2).
+
+    u grows to the right of the map and v upwards; both are in metres where there are no maps.
+    """
+    if not material.texture:
+        return mesh.uvs
+    uvs = np.column_stack([mesh.uvs[:, 1], -mesh.uvs[:, 0]]) if material.turned else mesh.uvs
+    return np.asarray(uvs / np.array(tile_of(material)))
 
 
 def by_paint(mesh: Mesh) -> list[tuple[int, Mesh]]:

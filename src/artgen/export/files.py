@@ -14,11 +14,13 @@ from artgen.asset.files import ASSET_FILE, CERTIFICATE_FILE, previous_directory
 from artgen.asset.record import json_text
 from artgen.errors import ExportError, nearest
 from artgen.export.collision import Collision, collision_of, with_colliders
+from artgen.export.glb import write_glb
 from artgen.export.losses import Written
 from artgen.export.mjcf import write_mjcf
 from artgen.export.urdf import write_urdf
+from artgen.materials.textures import check_size
 
-Writer = Callable[[Asset], Written]
+Writer = Callable[[Asset, int], Written]
 
 REPORT_FILE = "report.json"
 """What `artgen validate` says of an export, beside it; a new export makes it obsolete."""
@@ -26,23 +28,35 @@ REPORT_FILE = "report.json"
 _OWN_FILES = (ASSET_FILE, CERTIFICATE_FILE, REPORT_FILE)
 
 
-def write_usd(asset: Asset) -> Written:
+def write_usd(asset: Asset, textures: int) -> Written:
     """Write an asset as USD; see `artgen.export.usd.write_usd`."""
     from artgen.export.usd import write_usd as write
 
-    return write(asset)
+    return write(asset, textures)
 
 
-FORMATS: Mapping[str, Writer] = {"urdf": write_urdf, "mjcf": write_mjcf, "usd": write_usd}
-"""The writers by the names of their formats."""
+FORMATS: Mapping[str, Writer] = {
+    "urdf": write_urdf,
+    "mjcf": write_mjcf,
+    "usd": write_usd,
+    "glb": write_glb,
+}
+"""The writers by the names of their formats; each takes an asset and the texels on a side of its maps."""
+
+DEFAULT_FORMATS = ("urdf", "mjcf", "usd")
+"""What simulators read; GLB is for pictures."""
+
+TEXTURES = 512
+"""Texels on a side of the maps unless more or fewer are asked for."""
 
 
 def export(
     asset: Asset,
     directory: str | Path,
     *,
-    formats: Sequence[str] = ("urdf", "mjcf", "usd"),
+    formats: Sequence[str] = DEFAULT_FORMATS,
     collision: Collision = "exact",
+    textures: int = TEXTURES,
 ) -> Path:
     """Write an asset to a directory: `asset.json` and the files of each format.
 
@@ -53,10 +67,11 @@ def export(
     Args:
         asset: The asset.
         directory: Where to; it is made, or it is empty, or it holds an earlier export.
-        formats: What to write, of `urdf`, `mjcf` and `usd`.
+        formats: What to write, of `urdf`, `mjcf`, `usd` and `glb`.
         collision: Which colliders it carries: `exact` are those that it has; `coacd` and `hull` are made of
             its solids, see `artgen.export.collision.with_colliders`, and the certificate is not of them, so
             none is written. `asset.json` records it.
+        textures: Texels on a side of the materials' maps: 256, 512, 1024 or 2048; 0 for colours alone.
 
     Returns:
         The directory.
@@ -64,8 +79,9 @@ def export(
     Raises:
         ExportError: A format or collision is unknown, the directory holds other files, or the disk refuses.
         AssetError: The asset was read from files, which keep no solids, and other colliders are asked for.
+        ParameterError: Maps cannot have that many texels.
     """
-    files = encode(asset, formats, collision)
+    files = encode(asset, formats, collision, textures)
     target = Path(os.path.realpath(directory))
     kept = _foreign_files(target, files)
     try:
@@ -80,13 +96,18 @@ def export(
     return Path(directory)
 
 
-def encode(asset: Asset, formats: Sequence[str], collision: Collision = "exact") -> dict[str, bytes]:
+def encode(
+    asset: Asset, formats: Sequence[str], collision: Collision = "exact", textures: int = TEXTURES
+) -> dict[str, bytes]:
     """Return the content of every file of an export by its path relative to the directory.
 
     Raises:
         ExportError: A format or collision is unknown.
         AssetError: The asset was read from files, which keep no solids, and other colliders are asked for.
+        ParameterError: Maps cannot have that many texels.
     """
+    if textures:
+        check_size(textures)
     chosen = dict.fromkeys([formats] if isinstance(formats, str) else formats)
     for name in chosen:
         if name not in FORMATS:
@@ -95,7 +116,7 @@ def encode(asset: Asset, formats: Sequence[str], collision: Collision = "exact")
     files: dict[str, bytes] = {}
     record: dict[str, Any] = {}
     for name in chosen:
-        written = FORMATS[name](asset)
+        written = FORMATS[name](asset, textures)
         files |= written.files
         record[name] = {
             "files": sorted(written.files),

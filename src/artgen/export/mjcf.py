@@ -28,7 +28,7 @@ _CONTACT_IMPEDANCE = "0.95 0.99 0.0005"
 _FRICTION_IMPEDANCE = "0.9999 0.9999 0.001"  # by default a rod that friction holds creeps 16 mm in 5 s
 
 
-def write_mjcf(asset: Asset) -> Written:
+def write_mjcf(asset: Asset, textures: int = 0) -> Written:
     """Write an asset as MJCF, with its meshes.
 
     The model's initial state is `asset.positions()`: every joint as near to 0 as its limits let it.

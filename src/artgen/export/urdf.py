@@ -37,7 +37,7 @@ _NUMERIC = (
 )  # fmt: skip
 
 
-def write_urdf(asset: Asset) -> Written:
+def write_urdf(asset: Asset, textures: int = 0) -> Written:
     """Write an asset as URDF, with its meshes.
 
     Args:

@@ -43,7 +43,7 @@ from artgen.export.usd_layer import (
 Array = NDArray[np.float64]
 
 
-def write_usd(asset: Asset) -> Written:
+def write_usd(asset: Asset, textures: int = 0) -> Written:
     """Write an asset to USD.
 
     `<name>.usda` has the bodies, joints, primitive colliders, materials and labels; as sublayer it has

@@ -9,6 +9,9 @@ from typing import Any
 from artgen.errors import ParameterError, nearest
 
 _NAME = re.compile(r"[a-z][a-z0-9_]*\Z")
+_COLORS = ("base_color", "emission")
+_SHARES = ("base_metalness", "specular_roughness", "coat_weight", "coat_roughness", "transmission_weight")
+_MORE = ("opacity", "density", "friction")
 
 
 @dataclass(frozen=True)
@@ -17,11 +20,19 @@ class Material:
 
     Attributes:
         name: Identifier, unique among the materials of one asset.
-        base_color: Linear RGB albedo, each in 0..1, shape (3,).
+        base_color: Linear RGB albedo, each in 0..1, shape (3,); the mean of the albedo where it has a texture.
         base_metalness: 0 for dielectrics, 1 for bare metal.
-        specular_roughness: GGX roughness in 0..1.
-        opacity: 1 is opaque; glass lets light through below 1.
+        specular_roughness: GGX roughness in 0..1; the mean where it has a texture.
+        coat_weight: Clear lacquer over it, 0..1.
+        coat_roughness: GGX roughness of that lacquer in 0..1.
+        transmission_weight: Share of light that is refracted instead of scattered, 1 for clear glass.
+        opacity: 1 is opaque; what real-time renderers, which do not refract, show of glass lies below.
         emission: Linear RGB radiance factor, shape (3,).
+        texture: Name of the recipe of its maps, see `artgen.materials.textures`; empty for an even surface.
+        variant: Which of the recipe's patterns; boards of one species differ.
+        tile: Size of one repeat of the maps, across and along the grain, shape (2,) [m]; None is what the
+            recipe's features are made for.
+        turned: Whether the grain runs across the long side of a part instead of along it.
         density: Density of the solid [kg/m^3].
         friction: Coefficient of dry friction [-].
     """
@@ -30,8 +41,15 @@ class Material:
     base_color: tuple[float, float, float] = (0.5, 0.5, 0.5)
     base_metalness: float = 0.0
     specular_roughness: float = 0.5
+    coat_weight: float = 0.0
+    coat_roughness: float = 0.1
+    transmission_weight: float = 0.0
     opacity: float = 1.0
     emission: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    texture: str = ""
+    variant: int = 0
+    tile: tuple[float, float] | None = None
+    turned: bool = False
     density: float = 1000.0
     friction: float = 0.5
 
@@ -41,14 +59,14 @@ class Material:
             raise ParameterError(
                 f"material name {self.name!r} is not a lower-case identifier; use letters, digits and _"
             )
-        for field in ("base_color", "emission"):
+        for field in _COLORS:
             value = tuple(self._number(field, channel) for channel in getattr(self, field))
             if len(value) != 3 or not all(0.0 <= channel <= 1.0 for channel in value):
                 raise ParameterError(f"material {self.name!r}: {field} {value} must be 3 numbers in 0..1")
             object.__setattr__(self, field, value)
-        for field in ("base_metalness", "specular_roughness", "opacity", "density", "friction"):
+        for field in (*_SHARES, *_MORE):
             object.__setattr__(self, field, self._number(field, getattr(self, field)))
-        for field in ("base_metalness", "specular_roughness", "opacity"):
+        for field in (*_SHARES, "opacity"):
             if not 0.0 <= getattr(self, field) <= 1.0:
                 raise ParameterError(
                     f"material {self.name!r}: {field} {getattr(self, field)} must be in 0..1"
@@ -57,6 +75,24 @@ class Material:
             raise ParameterError(f"material {self.name!r}: density {self.density} must be positive [kg/m^3]")
         if self.friction < 0.0:
             raise ParameterError(f"material {self.name!r}: friction {self.friction} must not be negative")
+        self._check_texture()
+
+    def _check_texture(self) -> None:
+        if self.tile is not None:
+            tile = tuple(self._number("tile", length) for length in self.tile)
+            if len(tile) != 2 or min(tile) <= 0.0:
+                raise ParameterError(f"material {self.name!r}: tile {tile} must be 2 positive lengths [m]")
+            object.__setattr__(self, "tile", tile)
+        if isinstance(self.variant, bool) or not isinstance(self.variant, int) or self.variant < 0:
+            raise ParameterError(
+                f"material {self.name!r}: variant {self.variant!r} must be a whole number from 0 on"
+            )
+        if not isinstance(self.turned, bool):
+            raise ParameterError(f"material {self.name!r}: turned {self.turned!r} must be True or False")
+        if self.texture and not _NAME.match(str(self.texture)):
+            raise ParameterError(
+                f"material {self.name!r}: texture {self.texture!r} is not the name of a recipe"
+            )
 
     def _number(self, field: str, value: Any) -> float:
         """Return a finite number as a Python float, so that equal materials have equal data."""
@@ -87,7 +123,9 @@ class Material:
 
     def to_data(self) -> dict[str, Any]:
         """Return the fields as JSON data."""
-        return {**asdict(self), "base_color": list(self.base_color), "emission": list(self.emission)}
+        return {
+            name: list(value) if isinstance(value, tuple) else value for name, value in asdict(self).items()
+        }
 
     @staticmethod
     def from_data(data: dict[str, Any]) -> "Material":

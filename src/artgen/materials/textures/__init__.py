@@ -1,0 +1,33 @@
+"""Procedural textures: tileable maps in metric scale, baked once per recipe and kept on disk."""
+
+from artgen.materials.textures.maps import (
+    KINDS,
+    SIZES,
+    Form,
+    Kind,
+    Maps,
+    check_size,
+    encoded,
+    kinds,
+    map_name,
+    maps,
+    tile_of,
+)
+from artgen.materials.textures.recipe import RECIPES, Pattern, Recipe
+
+__all__ = [
+    "KINDS",
+    "RECIPES",
+    "SIZES",
+    "Form",
+    "Kind",
+    "Maps",
+    "Pattern",
+    "Recipe",
+    "check_size",
+    "encoded",
+    "kinds",
+    "map_name",
+    "maps",
+    "tile_of",
+]

@@ -1,0 +1,56 @@
+"""Recipes: what a texture is made of, as fields of numbers that repeat in both directions."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class Pattern:
+    """One tile of a surface; row 0 is its top (greatest v), column 0 its left (least u).
+
+    Attributes:
+        albedo: Linear RGB albedo whose mean is the recipe's `base_color`, shape (n, n, 3); None where it does
+            not vary enough to be seen.
+        roughness: Deviation of the GGX roughness from the material's, mean 0, shape (n, n).
+        metalness: Share of bare metal, shape (n, n); None where it is the material's everywhere.
+        height: Relief [m], shape (n, n); None where there is none to be seen.
+    """
+
+    albedo: Array | None
+    roughness: Array
+    metalness: Array | None = None
+    height: Array | None = None
+
+
+@dataclass(frozen=True)
+class Recipe:
+    """How a texture is made.
+
+    Attributes:
+        name: Identifier.
+        base_color: Linear RGB mean of the albedo as baked; materials of other colours are tinted.
+        make: Makes a pattern: `make(stream, size)` with a random stream of the recipe and variant, and how many
+            texels the tile has on a side.
+        tile: The size of one repeat, across and along the grain (u and v) [m].
+        variants: How many different patterns there are.
+    """
+
+    name: str
+    base_color: tuple[float, float, float]
+    make: Callable[[np.random.Generator, int], Pattern]
+    tile: tuple[float, float] = (0.5, 0.5)
+    variants: int = 1
+
+
+def _flat(stream: np.random.Generator, size: int) -> Pattern:
+    noise = stream.standard_normal((size, size)) * 0.02
+    return Pattern(None, noise - noise.mean())
+
+
+RECIPES: dict[str, Recipe] = {"flat": Recipe("flat", (0.5, 0.5, 0.5), _flat)}
+"""The recipes by name."""
