@@ -3,9 +3,21 @@
 Every writer returns the bytes of its files and a list of what its format cannot say.
 """
 
-from artgen.export.files import FORMATS, export, write_usd
+from artgen.export.files import DEFAULT_FORMATS, FORMATS, TEXTURES, export, write_usd
+from artgen.export.glb import write_glb
 from artgen.export.losses import Loss, Written
 from artgen.export.mjcf import write_mjcf
 from artgen.export.urdf import write_urdf
 
-__all__ = ["FORMATS", "Loss", "Written", "export", "write_mjcf", "write_urdf", "write_usd"]
+__all__ = [
+    "DEFAULT_FORMATS",
+    "FORMATS",
+    "TEXTURES",
+    "Loss",
+    "Written",
+    "export",
+    "write_glb",
+    "write_mjcf",
+    "write_urdf",
+    "write_usd",
+]
