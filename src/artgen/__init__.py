@@ -22,7 +22,7 @@ from artgen.errors import (
     InfeasibleError,
     ParameterError,
 )
-from artgen.generator import Generator, category, generator, one_of
+from artgen.generator import Generator, category, generator, one_of, shades
 from artgen.graph import Cache, Evaluation, Graph
 from artgen.materials import MATERIALS, Material, material
 from artgen.nodes.arrays import array
@@ -175,6 +175,7 @@ __all__ = [
     "ring_points",
     "round_",
     "row",
+    "shades",
     "shell",
     "sin",
     "slot",

@@ -298,7 +298,7 @@ class MovedLink(Link):
 
     @cached_property
     def surfaces(self) -> tuple[Surface, ...]:
-        """The visible faces of the source, moved; a copy under another name shows another part of the maps."""
+        """The visible faces of the source, moved; under another name they show another part of the maps."""
         key = "" if self.name == self.source.name else self.name
         return tuple(
             replace(surface, mesh=_relaid(surface.mesh.moved(self.matrix), surface.material, key))

@@ -4,6 +4,7 @@ from artgen.generator.declare import CATEGORIES, category, generator, one_of
 from artgen.generator.generator import Generator
 from artgen.generator.parameter import Parameter, accept
 from artgen.generator.proof import OnCollision
+from artgen.generator.shades import shades
 from artgen.sampling import Fixed
 
 __all__ = [
@@ -16,4 +17,5 @@ __all__ = [
     "category",
     "generator",
     "one_of",
+    "shades",
 ]

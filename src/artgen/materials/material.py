@@ -80,7 +80,7 @@ class Material:
     def _check_texture(self) -> None:
         if self.tile is not None:
             tile = tuple(self._number("tile", length) for length in self.tile)
-            if len(tile) != 2 or min(tile) <= 0.0:
+            if len(self.tile) != 2 or min(tile) <= 0.0:
                 raise ParameterError(f"material {self.name!r}: tile {tile} must be 2 positive lengths [m]")
             object.__setattr__(self, "tile", tile)
         if isinstance(self.variant, bool) or not isinstance(self.variant, int) or self.variant < 0:

@@ -1,0 +1,83 @@
+"""Materials that vary from one asset to the next, as batches of paint and boards of one species do."""
+
+import zlib
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from artgen.errors import ParameterError
+from artgen.materials import Material, material
+from artgen.materials.textures import RECIPES
+from artgen.sampling import choice
+from artgen.sampling.choices import Choice
+from artgen.sampling.distributions import as_number, shown
+
+_DIGITS = 4  # of a colour or roughness
+_WARMTH = 0.25  # how much of the spread of the lightness the hue has
+_BRIGHTEST = 0.9  # no paint reflects more
+
+
+@dataclass(frozen=True)
+class Shades(Choice):
+    """One of some materials, in a shade of its own; `support` lists the materials themselves."""
+
+    color: float = 0.0
+    roughness: float = 0.0
+
+    def draw(self, generator: np.random.Generator, given: Mapping[str, Any]) -> Any:
+        """Draw a material and its shade."""
+        chosen: Material = super().draw(generator, given)
+        light, warm, rough = generator.uniform(-1.0, 1.0, 3)
+        pattern = int(generator.integers(0, 2**16))
+        hue = 1.0 + self.color * _WARMTH * warm * np.array([1.0, 0.2, -1.0])
+        shade = np.array(chosen.base_color) * (1.0 + self.color * light) * hue
+        base_color = np.minimum(shade, max(_BRIGHTEST, *chosen.base_color)).round(_DIGITS)
+        specular_roughness = round(
+            min(max(chosen.specular_roughness + self.roughness * rough, 0.02), 1.0), _DIGITS
+        )
+        variant = pattern % RECIPES[chosen.texture].variants if chosen.texture in RECIPES else 0
+        if self.color == 0.0:
+            base_color = np.array(chosen.base_color)
+        tag = zlib.crc32(repr((base_color.tolist(), specular_roughness, variant)).encode()) & 0xFFFFFF
+        return chosen.with_(
+            name=f"{chosen.name}_{tag:06x}",
+            base_color=tuple(base_color.tolist()),
+            specular_roughness=specular_roughness,
+            variant=variant,
+        )
+
+    def __repr__(self) -> str:
+        names = ", ".join(map(shown, self.options))
+        return f"shades({names}, color={self.color:g}, roughness={self.roughness:g})"
+
+
+def shades(
+    *materials: Material | str,
+    weights: Sequence[float] | None = None,
+    color: float = 0.08,
+    roughness: float = 0.03,
+    doc: str = "",
+) -> Any:
+    """Draw one of some materials in a shade of its own: lighter or darker, warmer or cooler, more or less rough.
+
+    The pattern of its texture is drawn as well. The name of what is drawn ends in a tag, `oak_3fa2c1`, so that
+    an asset may have several shades of one material.
+
+    Args:
+        *materials: Materials, or names of the table's.
+        weights: Their chances; equal ones by default.
+        color: Largest relative change of the base colour.
+        roughness: Largest change of the roughness.
+        doc: What the parameter is.
+
+    Raises:
+        ParameterError: There are no materials, one is unknown, or a spread is not in 0..1.
+    """
+    options = tuple(each if isinstance(each, Material) else material(each) for each in materials)
+    plain = choice(*options, weights=weights, doc=doc)
+    for name, spread in (("color", color), ("roughness", roughness)):
+        if not 0.0 <= as_number(spread, f"shades: {name}") <= 1.0:
+            raise ParameterError(f"shades: {name} = {spread!r} must be in 0..1")
+    return Shades("", doc, None, plain.options, plain.weights, float(color), float(roughness))
