@@ -60,10 +60,10 @@ def shades(
     roughness: float = 0.03,
     doc: str = "",
 ) -> Any:
-    """Draw one of some materials in a shade of its own: lighter or darker, warmer or cooler, more or less rough.
+    """Draw one of some materials in a shade of its own: lighter or darker, warmer or cooler, rougher or not.
 
-    The pattern of its texture is drawn as well. The name of what is drawn ends in a tag, `oak_3fa2c1`, so that
-    an asset may have several shades of one material.
+    The pattern of its texture is drawn as well. The name of what is drawn ends in a tag, `oak_3fa2c1`, so
+    that an asset may have several shades of one material.
 
     Args:
         *materials: Materials, or names of the table's.

@@ -80,14 +80,15 @@ class Material:
     def _check_texture(self) -> None:
         if self.tile is not None:
             tile = tuple(self._number("tile", length) for length in self.tile)
-            if len(self.tile) != 2 or min(tile) <= 0.0:
+            if len(tile) != 2 or min(tile) <= 0.0:
                 raise ParameterError(f"material {self.name!r}: tile {tile} must be 2 positive lengths [m]")
             object.__setattr__(self, "tile", tile)
-        if isinstance(self.variant, bool) or not isinstance(self.variant, int) or self.variant < 0:
+        variant: Any = self.variant
+        if isinstance(variant, bool) or not isinstance(variant, int) or variant < 0:
             raise ParameterError(
-                f"material {self.name!r}: variant {self.variant!r} must be a whole number from 0 on"
+                f"material {self.name!r}: variant {variant!r} must be a whole number from 0 on"
             )
-        if not isinstance(self.turned, bool):
+        if self.turned not in (False, True):
             raise ParameterError(f"material {self.name!r}: turned {self.turned!r} must be True or False")
         if self.texture and not _NAME.match(str(self.texture)):
             raise ParameterError(
