@@ -1,5 +1,6 @@
 """Settings of all tests: the same examples every time, no deadline on a busy machine; shared fixtures."""
 
+import os
 from collections.abc import Iterator
 
 import pytest
@@ -7,6 +8,16 @@ from hypothesis import settings
 
 settings.register_profile("artgen", deadline=None, derandomize=True, print_blob=True)
 settings.load_profile("artgen")
+
+
+@pytest.fixture(scope="session", autouse=True)
+def _own_cache(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
+    """Keep textures away from the user's own cache, but together for all processes of a run."""
+    base = tmp_path_factory.getbasetemp()
+    shared = base.parent if "PYTEST_XDIST_WORKER" in os.environ else base
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("ARTGEN_CACHE", str(shared / "artgen_cache"))
+        yield
 
 
 @pytest.fixture(scope="module")

@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from artgen.errors import ParameterError
-from artgen.materials import MATERIALS, Material, material
+from artgen.materials import COLORS, MATERIALS, Material, coloured, material
 
 SHARE = st.floats(0, 1)
 MADE = st.builds(
@@ -89,3 +89,63 @@ def test_with_changes_a_copy():
 def test_impossible_materials_are_refused(fields, message):
     with pytest.raises(ParameterError, match=message):
         Material(**{"name": "a"} | fields)
+
+
+def test_the_table_has_every_family_of_household_things():
+    families = [
+        ("oak", "oak_flat_sawn", "walnut", "beech", "pine", "mahogany", "maple", "ash"),
+        ("plywood", "plywood_edge", "mdf", "painted_wood", "hollow_core", "cardboard", "cardboard_edge"),
+        (
+            "stainless",
+            "stainless_across",
+            "chrome",
+            "brass",
+            "satin_nickel",
+            "black_steel",
+            "cast_iron",
+            "zinc",
+        ),
+        ("aluminium", "black_anodised", "aged_bronze", "powder_coat", "enamel_white", "enamel_black"),
+        ("abs", "black_abs", "glossy_plastic_white", "polypropylene", "polycarbonate", "rubber", "silicone"),
+        ("glass", "frosted_glass", "tinted_glass", "black_glass", "ceramic", "granite", "marble"),
+        ("fabric", "linen", "wicker", "plastic_wicker", "foam", "led_white", "led_red", "display"),
+    ]
+    assert {name for family in families for name in family} <= set(MATERIALS)
+    assert len(MATERIALS) >= 40
+    assert material("stainless_across").turned
+    assert not material("stainless").turned
+
+
+@pytest.mark.parametrize("name", MATERIALS)
+def test_surfaces_are_no_brighter_and_no_darker_than_real_ones(name):
+    made = MATERIALS[name]
+    assert min(made.base_color) >= 0.02
+    assert max(made.base_color) <= 0.9
+    if made.base_metalness == 1.0:
+        assert max(made.base_color) >= 0.5  # bare metal reflects at least half of the light
+    assert (made.opacity < 1.0) == (made.transmission_weight > 0.0)
+    if any(made.emission):
+        assert not made.texture
+    else:
+        assert made.texture
+
+
+@pytest.mark.parametrize("name", COLORS)
+def test_colours_are_those_of_paints_and_give_materials_their_names(name):
+    assert min(COLORS[name]) >= 0.02
+    assert max(COLORS[name]) <= 0.82
+    made = coloured("powder_coat", name)
+    assert made.name == f"powder_coat_{name}"
+    assert made.base_color == COLORS[name]
+    assert made.texture == material("powder_coat").texture
+    if made.name in MATERIALS:
+        assert made == MATERIALS[made.name]
+
+
+def test_an_unknown_colour_gives_the_nearest():
+    with pytest.raises(ParameterError, match=r"there is no colour 'sagge'\. Did you mean 'sage'\?"):
+        coloured("powder_coat", "sagge")
+    with pytest.raises(
+        ParameterError, match=r"there is no material 'powdercoat'\. Did you mean 'powder_coat'\?"
+    ):
+        coloured("powdercoat", "sage")

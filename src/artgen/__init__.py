@@ -24,7 +24,8 @@ from artgen.errors import (
 )
 from artgen.generator import Generator, category, generator, one_of, shades
 from artgen.graph import Cache, Evaluation, Graph
-from artgen.materials import MATERIALS, Material, material
+from artgen.materials import COLORS, MATERIALS, Material, coloured, material
+from artgen.nodes import details
 from artgen.nodes.arrays import array
 from artgen.nodes.body import Frame, detail, frame, part, weld
 from artgen.nodes.choose import require, switch
@@ -74,6 +75,7 @@ from artgen.sampling import Distribution, by, choice, count, fixed, given, logun
 from artgen.version import __version__
 
 __all__ = [
+    "COLORS",
     "MATERIALS",
     "ArtgenError",
     "Asset",
@@ -127,11 +129,13 @@ __all__ = [
     "choice",
     "circle",
     "clamp",
+    "coloured",
     "cos",
     "count",
     "cross",
     "cylinder",
     "detail",
+    "details",
     "dome",
     "dot",
     "ellipse",

@@ -14,6 +14,8 @@ from artgen.asset.files import ASSET_FILE
 from artgen.catalog import categories, find
 from artgen.commands.certify import certify as certify_category
 from artgen.commands.colliders import colliders
+from artgen.commands.render import render
+from artgen.commands.sheet import sheet
 from artgen.commands.validate import validate
 from artgen.errors import ArtgenError, CheckError
 from artgen.export import DEFAULT_FORMATS, FORMATS
@@ -171,6 +173,8 @@ def generate(
 app.command(name="certify")(certify_category)
 app.command()(validate)
 app.command()(colliders)
+app.command()(render)
+app.command()(sheet)
 
 
 def _main_files(directory: Path, name: str) -> list[Path]:

@@ -10,11 +10,12 @@ import mujoco
 import numpy as np
 import pytest
 
-from artgen import InfeasibleError, ParameterError
-from artgen.asset import Asset, Link
+from artgen import InfeasibleError, ParameterError, material
+from artgen.asset import Asset, Link, Piece
+from artgen.asset.surface import shifted
 from artgen.categories.door import door
 
-LEAVES = ("flush_leaf", "panel_leaf", "glazed_leaf", "half_lite_leaf", "louver_leaf")
+LEAVES = ("flush_leaf", "plank_leaf", "panel_leaf", "glazed_leaf", "half_lite_leaf", "louver_leaf")
 PLAIN: dict[str, Any] = {  # a small door that is quick to make
     "layout": "single",
     "frame": "full",
@@ -144,14 +145,93 @@ def test_a_panel_leaf_has_as_many_panels_as_asked(panels: int) -> None:
 
 def test_louvres_hide_what_is_behind_them() -> None:
     link = made(leaf="louver_leaf", leaf__slats=24, leaf__below="louver", certify=False).link("door")
-    slats = [piece.shape for piece in link.pieces if len(piece.shape.manifold.decompose()) == 24]
-    assert len(slats) == 2
-    for section in slats:
-        boxes = [np.reshape(slat.bounding_box(), (2, 3)) for slat in section.manifold.decompose()]
-        bounds = np.array(boxes)[:, :, 2]
-        bounds = bounds[np.argsort(bounds[:, 0])]
-        assert (bounds[1:, 0] - bounds[:-1, 1]).max() < 0.002
-        assert (bounds[1:, 0] - bounds[:-1, 1]).min() > 0.0
+    slats = [
+        np.reshape(slat.bounding_box(), (2, 3))[:, 2]
+        for piece in link.pieces
+        if not piece.visual and len(piece.shape.manifold.decompose()) == 8  # every third of a section
+        for slat in piece.shape.manifold.decompose()
+    ]
+    bounds = np.array(sorted(slats, key=lambda each: each[0]))
+    assert len(bounds) == 48
+    for section in (bounds[:24], bounds[24:]):
+        assert (section[1:, 0] - section[:-1, 1]).max() < 0.002
+        assert (section[1:, 0] - section[:-1, 1]).min() > 0.0
+
+
+@pytest.mark.parametrize("leaf", ["panel_leaf", "plank_leaf", "louver_leaf"])
+def test_no_two_boards_have_the_same_grain(leaf: str) -> None:
+    link = made(leaf=leaf, finish=material("oak")).link("door")
+    boards = [piece for piece in link.pieces if piece.label == "door" and not piece.visual]
+    starts = {
+        tuple(np.round(mesh.uvs[0] - piece.shape.mesh.uvs[0], 6))
+        for index, piece in enumerate(link.pieces)
+        if piece in boards
+        for mesh in [shifted(piece.shape.mesh, piece.material, f"door/{index}")]
+    }
+    assert len(starts) >= 0.9 * len(boards) > 4
+
+
+def details(link: Link, label: str) -> list[Piece]:
+    return [piece for piece in link.pieces if piece.visual and piece.label == label]
+
+
+ENTRANCE: dict[str, Any] = {
+    "use": "exterior",
+    "leaf": "half_lite_leaf",
+    "letter_plate": False,
+    "number": "",
+    "viewer": False,
+    "kick_plate": False,
+    "sweep": False,
+}
+
+
+def test_the_number_of_a_house_can_be_read_from_outside_whatever_the_hand() -> None:
+    seen = []
+    for hand, opens in product(("left", "right"), ("towards", "away")):
+        link = made(**ENTRANCE | {"number": "27"}, hand=hand, opens=opens).link("door")
+        (figures,) = details(link, "plate")
+        outward = 1.0 if opens == "towards" else -1.0  # it opens inwards
+        points = figures.shape.mesh.vertices
+        assert (points[:, 1] * outward).max() == pytest.approx(0.02 + 0.004)
+        reading = points[:, [0, 2]] * [-outward, 1.0]
+        seen.append(reading[np.lexsort(reading.T)])
+    for other in seen[1:]:
+        np.testing.assert_allclose(other, seen[0], atol=1e-9)
+
+
+@pytest.mark.parametrize("fitting", ["letter_plate", "viewer", "kick_plate", "sweep"])
+def test_an_entrance_has_what_was_asked_for(fitting: str) -> None:
+    options = ENTRANCE | {"leaf": "plank_leaf"}
+    bare, fitted = (made(**each).link("door") for each in (options, options | {fitting: True}))
+    more = [piece.label for piece in fitted.pieces][len(bare.pieces) :]
+    assert len(more) == len(fitted.pieces) - len(bare.pieces) >= 3
+    assert fitted.mass_properties.mass - bare.mass_properties.mass == pytest.approx(
+        0.6 if fitting == "letter_plate" else 0.0, abs=0.4 if fitting == "letter_plate" else 1e-9
+    )
+
+
+def test_only_the_leaf_that_is_entered_by_has_a_letter_plate() -> None:
+    asset = made(**ENTRANCE | {"letter_plate": True, "number": "8", "layout": "double", "frame": "jambs"})
+    assert len(details(asset.link("door_left"), "plate")) >= 5
+    assert details(asset.link("door_right"), "plate") == []
+
+
+@pytest.mark.parametrize("fixing", ["hidden", "slot", "phillips"])
+def test_roses_show_screws_or_hide_them(fixing: str) -> None:
+    asset = made(rose="round", fixing=fixing, rose_depth=0.009)
+    faces = [
+        piece
+        for piece in details(asset.link("door"), "screw")
+        if np.abs(piece.shape.bounds()[:, 1]).max() > 0.02 + 0.009
+    ]
+    assert bool(faces) == (fixing != "hidden")
+
+
+def test_shades_of_one_seed_are_one_material_each() -> None:
+    asset = door.generate(4)
+    materials = {piece.material for link in asset.links for piece in link.pieces}
+    assert len({each.name for each in materials}) == len(materials)
 
 
 @pytest.mark.parametrize(

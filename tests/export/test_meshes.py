@@ -1,5 +1,8 @@
 """Mesh files: readable, exact enough, convex and closed where they must be."""
 
+from collections.abc import Iterator
+from pathlib import Path
+
 import numpy as np
 import pytest
 import trimesh
@@ -9,11 +12,23 @@ from numpy.typing import NDArray
 
 from artgen.asset import Asset, Mesh
 from artgen.asset.files import mesh_names, read_obj
+from artgen.asset.surface import texture_coordinates
 from artgen.colliders import Convex
 from artgen.export.hulls import Hull
+from artgen.export.maps import MapFiles
 from artgen.export.meshes import display_color, hull_texts, mesh_files, mtl_text, surface_text
-from artgen.materials import Material
+from artgen.export.phong import highlight, phong_exponent, specular_color
+from artgen.materials import MATERIALS, Material
+from support.textured import PLATE, picture, recipes, textured
 
+
+@pytest.fixture(scope="module", autouse=True)
+def registered_recipes() -> Iterator[None]:
+    with recipes():
+        yield
+
+
+PLAIN = Material("oak")
 coordinates = st.floats(-50.0, 50.0, allow_nan=False)
 
 
@@ -33,7 +48,7 @@ def test_positions_are_written_to_a_tenth_of_a_micrometre(points: list[tuple[flo
     vertices = np.array(points)
     count = len(vertices)
     mesh = Mesh(vertices, np.zeros((count, 3)), vertices[:, :2], np.zeros(count, int), np.array([[0, 1, 2]]))
-    text = surface_text(mesh, np.array([1.0, 2.0, 3.0]), "x.mtl", "oak")
+    text = surface_text(mesh, np.array([1.0, 2.0, 3.0]), "x.mtl", PLAIN)
     np.testing.assert_allclose(words(text, "v"), vertices - [1.0, 2.0, 3.0], atol=0.51e-7)
     found = np.array(words(text, "vt"))[[int(corner[1]) - 1 for corner in corners(text)]]
     np.testing.assert_allclose(found, vertices[:3, :2], atol=0.51e-6)
@@ -46,7 +61,7 @@ def test_surface_text_is_plain_obj() -> None:
     vertices = np.array([[0.0, -0.5, 12.25], [-1e-9, 100.0, -0.001], [1.0, 0.0, 0.0], [1, 2, 3]])
     normals = np.tile([0.0, 0.0, -1.0], (4, 1))
     mesh = Mesh(vertices, normals, vertices[:, :2], np.zeros(4, int), np.array([[0, 2, 1]]))
-    assert surface_text(mesh, np.zeros(3), "door.mtl", "oak").decode().splitlines() == [
+    assert surface_text(mesh, np.zeros(3), "door.mtl", PLAIN).decode().splitlines() == [
         "mtllib door.mtl",
         "usemtl oak",
         "v 0 -0.5 12.25",
@@ -81,7 +96,7 @@ def test_surface_read_back_has_its_vertices_normals_and_triangles(
         np.array([np.arange(count), np.roll(np.arange(count), 1), np.roll(np.arange(count), 2)]).T,
     )
     path = tmp_path_factory.mktemp("obj") / "it.obj"
-    path.write_bytes(surface_text(mesh, np.zeros(3), "x.mtl", "oak"))
+    path.write_bytes(surface_text(mesh, np.zeros(3), "x.mtl", PLAIN))
     found = read_obj(path, np.zeros(3))
     np.testing.assert_allclose(found.vertices, mesh.vertices, atol=1e-12)
     np.testing.assert_allclose(found.normals, mesh.normals, atol=1e-12)
@@ -100,7 +115,7 @@ def test_kilometres_of_texture_are_written_as_well() -> None:
     vertices = np.array([[0.0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]])
     uvs = np.array([[-4e6, 5e6], [0.5, 5e6], [0.5, -5e6], [-4e6, 0.125]])
     mesh = Mesh(vertices, vertices, uvs, np.zeros(4, int), np.array([[0, 1, 2], [0, 2, 3]]))
-    text = surface_text(mesh, np.zeros(3), "x.mtl", "oak")
+    text = surface_text(mesh, np.zeros(3), "x.mtl", PLAIN)
     assert words(text, "vt") == uvs.tolist()
 
 
@@ -110,7 +125,7 @@ def test_lone_triangle_is_halved_facing_the_same_way(triangle: list[int]) -> Non
     mesh = Mesh(
         vertices, np.tile([0, 0, 1.0], (3, 1)), vertices[:, :2], np.zeros(3, int), np.array([triangle])
     )
-    text = surface_text(mesh, np.zeros(3), "x.mtl", "oak")
+    text = surface_text(mesh, np.zeros(3), "x.mtl", PLAIN)
     points = np.array(words(text, "v"))
     faces = [[int(word.split("/")[0]) - 1 for word in line.split()[1:]]
              for line in text.decode().splitlines() if line.startswith("f")]  # fmt: skip
@@ -171,11 +186,82 @@ def test_every_material_is_in_the_library_beside_the_meshes(cabinet: Asset) -> N
                 assert line == "mtllib cabinet_7.mtl"
 
 
-def test_library_says_opacity_and_glow() -> None:
-    text = mtl_text([Material("lamp", (1.0, 0.0, 0.5), opacity=0.25, emission=(1.0, 1.0, 0.0))]).decode()
-    assert text.splitlines() == [
-        "newmtl lamp", "Kd 1 0 0.735357", "Ke 1 1 0", "d 0.25", "Pr 0.5", "Pm 0",
+def blocks(text: bytes) -> dict[str, dict[str, str]]:
+    """Return the words of each material of an MTL text."""
+    result: dict[str, dict[str, str]] = {}
+    for line in text.decode().splitlines():
+        word, _, value = line.partition(" ")
+        if word == "newmtl":
+            result[value] = {}
+        elif word:
+            result[list(result)[-1]][word] = value
+    return result
+
+
+def test_library_says_opacity_glow_and_coat() -> None:
+    lamp = Material("lamp", (1.0, 0.0, 0.5), opacity=0.25, emission=(1.0, 1.0, 0.0), coat_weight=0.5)
+    assert mtl_text([lamp, lamp], MapFiles()).decode().splitlines() == [
+        "newmtl lamp", "Kd 1 0 0.735357", "Ks 0.220916 0.220916 0.220916", "Ke 1 1 0", "Ns 30", "d 0.25",
+        "illum 2", "Pr 0.5", "Pm 0", "Pc 0.5", "Pcr 0.1",
     ]  # fmt: skip
+
+
+def test_library_names_the_maps_below_the_meshes_and_leaves_the_numbers_at_one() -> None:
+    asset = textured()
+    written = mesh_files(asset, 256)
+    library = blocks(written.files["meshes/textured.mtl"])
+    board, plate = library["board"], library["plate"]
+    assert {"map_Kd", "map_Pr", "norm"} <= set(board)
+    assert (board["Kd"], board["Pr"], board["Pm"]) == ("1 1 1", "1", "0")
+    assert {"map_Pr", "map_Pm"} <= set(plate)
+    assert not {"map_Kd", "norm"} & set(plate)
+    assert (plate["Pr"], plate["Pm"]) == ("1", "1")
+    assert plate["Kd"] == " ".join(f"{x:.6g}" for x in display_color(PLATE.base_color))
+    for words_of in library.values():
+        for word, value in words_of.items():
+            if word.startswith(("map_", "norm")):
+                assert f"meshes/{value}" in written.files
+                assert ".." not in value
+
+
+def test_trimesh_shows_the_picture_upright_and_in_scale(tmp_path: Path) -> None:
+    """What the library's reader finds at the texture coordinates of a face is what the recipe drew there."""
+    asset = textured()
+    for path, content in mesh_files(asset, 256).files.items():
+        (tmp_path / path).parent.mkdir(exist_ok=True, parents=True)
+        (tmp_path / path).write_bytes(content)
+    surface = asset.link("board").surfaces[0]
+    mesh = trimesh.load_mesh(tmp_path / "meshes/board_board_board.obj", process=False)
+    image = mesh.visual.material.image
+    assert image.size == (256, 256)
+    assert list(mesh.visual.material.diffuse[:3]) == [255, 255, 255]
+    np.testing.assert_allclose(mesh.visual.uv, texture_coordinates(surface.mesh, surface.material), atol=1e-6)
+    for u, v in ((0.25, 0.25), (0.75, 0.25), (0.25, 0.75), (0.75, 0.75)):
+        found = np.array(image)[int((1.0 - v) * 256), int(u * 256)]
+        wanted = 255.0 * np.array(display_color(picture(u, v, surface.material)))
+        np.testing.assert_allclose(found, wanted, atol=1.01)  # the tint is one of 8 bits
+    roughness = mesh.visual.material.to_pbr().roughnessFactor
+    assert roughness == pytest.approx(surface.material.specular_roughness, rel=1e-4)
+
+
+@pytest.mark.parametrize("name", MATERIALS)
+def test_highlights_of_phong_are_those_of_the_material(name: str) -> None:
+    found = MATERIALS[name]
+    exponent = phong_exponent(found.specular_roughness)
+    if 1.0 < exponent < 1000.0:
+        assert (2.0 / (exponent + 2.0)) ** 0.25 == pytest.approx(found.specular_roughness)
+    strength, width = highlight(found, 128.0)
+    assert 0.0 < strength <= 1.0
+    assert 1.0 <= width <= 128.0
+    if found.base_metalness == 1.0:
+        assert specular_color(found) == pytest.approx(found.base_color)
+
+
+def test_lacquer_shines_over_a_dull_material() -> None:
+    dull = Material("dull", specular_roughness=0.8)
+    lacquered = dull.with_(coat_weight=1.0, coat_roughness=0.1)
+    assert highlight(lacquered, 128.0)[0] > 10.0 * highlight(dull, 128.0)[0]
+    assert highlight(lacquered, 128.0)[1] == 128.0
 
 
 def test_colours_are_encoded_for_display() -> None:

@@ -1,17 +1,28 @@
 """What the MJCF says, and how the asset moves in MuJoCo."""
 
 import xml.etree.ElementTree as ET
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import mujoco
 import numpy as np
 import pytest
+from PIL import Image
 
 from artgen import Prismatic, Z, box, cylinder, material, part
 from artgen.asset import Asset
+from artgen.asset.surface import texture_coordinates
 from artgen.export import Written, export, write_mjcf
+from artgen.export.meshes import display_color
 from support.proof_fridges import evaluated
+from support.readers import silence
+from support.textured import BOARD, LAMP, PANE, PLATE, TURNED, recipes, textured
+
+
+@pytest.fixture(scope="module", autouse=True)
+def registered_recipes() -> Iterator[None]:
+    with recipes():
+        yield
 
 
 @pytest.fixture(scope="module")
@@ -176,3 +187,84 @@ def test_dry_friction_holds_a_rod_that_hangs(tmp_path: Path) -> None:
     data = mujoco.MjData(model)
     mujoco.mj_step(model, data, nstep=round(5.0 / model.opt.timestep))
     assert abs(data.joint("slide").qpos[0]) < 1e-4
+
+
+ROLES = mujoco.mjtTextureRole
+LAYERS = ("rgb", "normal", "roughness", "metallic", "emissive")
+
+
+def layers(model: mujoco.MjModel, name: str) -> dict[str, str]:
+    """Return the file of each map of a material by role; the name where it has none."""
+    textures = model.mat_texid[model.material(name).id]
+    roles = {role: getattr(ROLES, f"mjTEXROLE_{role.upper()}") for role in LAYERS}
+    found = {role: int(textures[number.value]) for role, number in roles.items()}
+    assert sum(number >= 0 for number in textures) == sum(number >= 0 for number in found.values())
+    return {role: model.texture(number).name for role, number in found.items() if number >= 0}
+
+
+@pytest.mark.parametrize("size", [0, 256])
+def test_materials_have_their_maps_by_role_and_load_in_silence(size: int, tmp_path: Path) -> None:
+    directory = export(textured(), tmp_path / "it", formats=("mjcf",), textures=size)
+    with silence():
+        model = mujoco.MjModel.from_xml_path(str(directory / "textured.xml"))
+    maps = {"board": {"rgb", "normal", "roughness"}, "turned": {"rgb", "normal", "roughness"},
+            "plate": {"roughness", "metallic"}, "pane": {"roughness"}}  # fmt: skip
+    for name, roles in maps.items():
+        assert set(layers(model, name)) == (roles if size else set()), name
+    assert layers(model, "lamp") == {"emissive": "lamp_emission"}
+    assert len({model.texture(number).name for number in range(model.ntex)}) == model.ntex
+    files = sorted((directory / "meshes/textures").glob("*.png")) if size else []
+    assert {path.stem for path in files} == {model.texture(n).name for n in range(model.ntex)} - {
+        "lamp_emission"
+    }
+    assert layers(model, "board").get("normal") == layers(model, "turned").get("normal"), "one file for both"
+    for geom in range(model.ngeom):
+        if model.geom_group[geom] == 2:
+            link = model.body(model.geom_bodyid[geom]).name
+            wanted = {"plank": "turned"}.get(link, link)
+            assert model.material(model.geom_matid[geom]).name == wanted
+
+
+def test_maps_are_absolute_so_that_numbers_beside_them_are_one(tmp_path: Path) -> None:
+    directory = export(textured(), tmp_path / "it", formats=("mjcf",), textures=256)
+    model = mujoco.MjModel.from_xml_path(str(directory / "textured.xml"))
+    expected = {BOARD: (1.0, 0.0), TURNED: (1.0, 0.0), PLATE: (1.0, 1.0), PANE: (1.0, 0.0), LAMP: (0.5, 0.0)}
+    for stuff, (roughness, metallic) in expected.items():
+        found = model.material(stuff.name)
+        color = (1.0, 1.0, 1.0) if stuff in (BOARD, TURNED) else display_color(stuff.base_color)
+        np.testing.assert_allclose(found.rgba, [*color, stuff.opacity], atol=1e-6)
+        assert model.mat_roughness[found.id] == roughness, stuff.name
+        assert model.mat_metallic[found.id] == metallic, stuff.name
+        assert 0.0 < found.specular[0] <= 1.0
+        assert 0.0 < found.shininess[0] <= 1.0
+
+
+def test_light_of_a_lamp_has_its_colour(tmp_path: Path) -> None:
+    model = mujoco.MjModel.from_xml_path(
+        str(export(textured(), tmp_path / "it", formats=("mjcf",), textures=0) / "textured.xml")
+    )
+    texture = model.texture("lamp_emission")
+    texel = model.tex_data[int(texture.adr[0]) :][:3] / 255.0
+    np.testing.assert_allclose(texel * model.material("lamp").emission[0], LAMP.emission, atol=0.02)
+
+
+def test_picture_is_upright_in_mujoco(tmp_path: Path) -> None:
+    """MuJoCo counts rows and v from the top, OBJ counts v from below: MuJoCo turns v as it loads a mesh."""
+    asset = textured()
+    directory = export(asset, tmp_path / "it", formats=("mjcf",), textures=256)
+    model = mujoco.MjModel.from_xml_path(str(directory / "textured.xml"))
+    mesh, texture = model.mesh("board_board_board"), model.texture(layers(model, "board")["rgb"])
+    start, count = model.mesh_texcoordadr[mesh.id], model.mesh_texcoordnum[mesh.id]
+    found = model.mesh_texcoord[start : start + count]
+    surface = asset.link("board").surfaces[0]
+    wanted = texture_coordinates(surface.mesh, surface.material) * [1.0, -1.0] + [0.0, 1.0]
+    assert np.abs(found[:, None] - wanted[None]).max(axis=2).min(axis=1).max() < 1e-5
+    pixels = model.tex_data[int(texture.adr[0]) :][: 256 * 256 * 3].reshape(256, 256, 3)
+    with Image.open(directory / "meshes/textures" / f"{texture.name}.png") as image:
+        np.testing.assert_array_equal(pixels, np.asarray(image))
+
+
+def test_losses_name_coat_and_transmission() -> None:
+    losses = {loss.feature: loss.where for loss in write_mjcf(textured(), 256).losses}
+    assert (losses["coat"], losses["transmission"]) == ("plate", "pane")
+    assert "texture" not in losses

@@ -1,14 +1,26 @@
 """What the URDF says, and what it admits not to say."""
 
 import xml.etree.ElementTree as ET
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
+import trimesh
+import yourdfpy
 
 from artgen.asset import Asset, Branch, Coupling, Joint, Link, Piece, Tree
-from artgen.export import Written, write_urdf
+from artgen.export import Written, export, write_urdf
+from artgen.export.meshes import display_color
+from support.readers import silence
+from support.textured import BOARD, LAMP, PLATE, TURNED, recipes, textured
+
+
+@pytest.fixture(scope="module", autouse=True)
+def registered_recipes() -> Iterator[None]:
+    with recipes():
+        yield
 
 
 @pytest.fixture(scope="module")
@@ -159,3 +171,54 @@ def test_surfaces_of_one_link_and_material_of_another_are_told_apart(nested: Ass
     asset = Asset.from_tree(Tree(first, (Branch((slide,), Tree(second)),)), "twins", "twins")
     files = [path for path in write_urdf(asset).files if path.endswith(".obj")]
     assert files == ["meshes/a_b_oak_oak.obj", "meshes/a_b_oak_oak_.obj"]
+
+
+def materials_of_visuals(root: ET.Element) -> dict[str, str | None]:
+    """Return the name of the material of each link's visual; None where it has none."""
+    found = {}
+    for element in root.iterfind("link/visual/.."):
+        reference = element.find("visual/material")
+        found[element.get("name", "")] = None if reference is None else reference.get("name")
+    return found
+
+
+def test_no_colour_stands_beside_a_colour_map() -> None:
+    """PyBullet multiplies the map with it, SAPIEN shows it alone."""
+    asset = textured()
+    plain = ET.fromstring(write_urdf(asset).files["textured.urdf"])
+    assert materials_of_visuals(plain)["board"] == "board"
+    written = write_urdf(asset, 256)
+    root = ET.fromstring(written.files["textured.urdf"])
+    assert materials_of_visuals(root) == {
+        "board": None, "plank": None, "plate": "plate", "pane": "pane", "lamp": "lamp",
+    }  # fmt: skip
+    assert {element.get("name") for element in root.iterfind("material")} == {"plate", "pane", "lamp"}
+    losses = {loss.feature: loss.where for loss in written.losses}
+    assert set(losses["colour beside a colour map"].split(", ")) == {"board", "turned"}
+    assert losses["transmission"] == "pane"
+    assert "texture" not in losses
+
+
+def test_without_maps_the_texture_is_lost() -> None:
+    losses = {loss.feature: loss for loss in write_urdf(textured()).losses}
+    assert set(losses["texture"].where.split(", ")) == {"board", "plate", "turned", "pane"}
+    assert "maps were not asked for" in losses["texture"].instead
+    assert "colour beside a colour map" not in losses
+
+
+@pytest.mark.parametrize("size", [0, 256])
+def test_yourdfpy_shows_each_link_in_its_colour_or_map(size: int, tmp_path: Path) -> None:
+    directory = export(textured(), tmp_path / "it", formats=("urdf",), textures=size)
+    with silence():
+        robot = yourdfpy.URDF.load(str(directory / "textured.urdf"))
+    shown = {name.removesuffix(".obj"): mesh.visual for name, mesh in robot.scene.geometry.items()}
+    assert len(shown) == 5
+    for name, stuff in (("board", BOARD), ("plank", TURNED), ("plate", PLATE), ("lamp", LAMP)):
+        visual = shown[f"{name}_{name}_{stuff.name}"]
+        mapped = bool(size) and stuff in (BOARD, TURNED)
+        assert (visual.material.image is not None) == mapped, name
+        if mapped:
+            assert visual.material.image.size == (size, size)
+        wanted = (1.0, 1.0, 1.0) if mapped else display_color(stuff.base_color)
+        np.testing.assert_allclose(visual.material.diffuse[:3] / 255.0, wanted, atol=0.003)
+        assert isinstance(visual, trimesh.visual.TextureVisuals)

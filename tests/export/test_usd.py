@@ -11,33 +11,45 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from numpy.typing import NDArray
+from PIL import Image
 from pxr import Gf, Usd, UsdGeom, UsdPhysics, UsdSemantics, UsdShade, UsdValidation
 
 from artgen.asset import Asset, Joint
+from artgen.asset.surface import texture_coordinates
 from artgen.colliders import Convex
 from artgen.export.frames import chain
+from artgen.export.meshes import display_color
 from artgen.export.usd import write_usd
 from artgen.export.usd_joints import _turn_from_x
 from artgen.export.usd_layer import quatf
+from artgen.materials import Material
+from support.textured import BOARD, LAMP, PANE, PLATE, TURNED, picture, recipes, textured
 
 Array = NDArray[np.float64]
 
-ASSETS = ("cabinet", "free_cabinet", "nested")
+ASSETS = ("cabinet", "free_cabinet", "nested", "textured")
 
 anew = settings(max_examples=15, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+
+
+@pytest.fixture(scope="module", autouse=True)
+def registered_recipes():
+    with recipes():
+        yield
 
 
 @pytest.fixture(scope="module")
 def stages(tmp_path_factory, cabinet, free_cabinet, nested) -> dict[str, tuple[Asset, Usd.Stage]]:
     """Every asset with its stage, opened from files."""
     result = {}
-    for name, asset in zip(ASSETS, (cabinet, free_cabinet, nested), strict=True):
-        result[name] = (asset, _opened(asset, tmp_path_factory.mktemp(name)))
+    for name, asset in zip(ASSETS, (cabinet, free_cabinet, nested, textured()), strict=True):
+        result[name] = (asset, _opened(asset, tmp_path_factory.mktemp(name), 256 * (name == "textured")))
     return result
 
 
-def _opened(asset: Asset, directory: Path) -> Usd.Stage:
-    for name, content in write_usd(asset).files.items():
+def _opened(asset: Asset, directory: Path, textures: int = 0) -> Usd.Stage:
+    for name, content in write_usd(asset, textures).files.items():
+        (directory / name).parent.mkdir(parents=True, exist_ok=True)
         (directory / name).write_bytes(content)
     return Usd.Stage.Open(str(directory / f"{asset.name}.usda"))
 
@@ -353,7 +365,9 @@ def test_visuals_are_the_surfaces(stages, name):
             assert (corners == surface.mesh.triangles.ravel()).all()
             st_primvar = UsdGeom.PrimvarsAPI(prim).GetPrimvar("st")
             assert st_primvar.IsIndexed()
-            assert np.array(st_primvar.ComputeFlattened()) == pytest.approx(surface.mesh.uvs, abs=1e-6)
+            assert np.array(st_primvar.ComputeFlattened()) == pytest.approx(
+                texture_coordinates(surface.mesh, surface.material), rel=1e-6, abs=1e-6
+            )
             assert mesh.GetSubdivisionSchemeAttr().Get() == "none"
             assert UsdSemantics.LabelsAPI(prim, "part").GetLabelsAttr().Get() == [surface.label]
             material, _ = UsdShade.MaterialBindingAPI(prim).ComputeBoundMaterial()
@@ -371,6 +385,93 @@ def test_materials_look_as_the_assets(stages):
         assert inputs["roughness"] == pytest.approx(material.specular_roughness)
         assert inputs["metallic"] == pytest.approx(material.base_metalness)
         assert inputs["opacity"] == pytest.approx(material.opacity)
+
+
+def _inputs(stage: Usd.Stage, stuff: Material) -> dict[str, UsdShade.Shader | object]:
+    """Return each input of a material's surface: its value, or the shader that it is connected to."""
+    surface = UsdShade.Material(_prim(stage, f"looks/{stuff.name}")).ComputeSurfaceSource()[0]
+    found = {}
+    for item in surface.GetInputs():
+        source = item.GetConnectedSources()[0]
+        found[item.GetBaseName()] = UsdShade.Shader(source[0].source) if source else item.Get()
+    return found
+
+
+def _read(shader: UsdShade.Shader) -> dict[str, object]:
+    return {item.GetBaseName(): item.Get() for item in shader.GetInputs()}
+
+
+def test_maps_are_read_at_the_texture_coordinates_in_their_colour_space(stages):
+    _, stage = stages["textured"]
+    expected = {
+        BOARD: {"diffuseColor", "normal", "roughness"},
+        TURNED: {"diffuseColor", "normal", "roughness"},
+        PLATE: {"roughness", "metallic"},
+        PANE: {"roughness"},
+        LAMP: set(),
+    }
+    for stuff, mapped in expected.items():
+        inputs = _inputs(stage, stuff)
+        shaders = {name: each for name, each in inputs.items() if isinstance(each, UsdShade.Shader)}
+        assert set(shaders) == mapped, stuff.name
+        for name, shader in shaders.items():
+            found = _read(shader)
+            assert shader.GetIdAttr().Get() == "UsdUVTexture"
+            assert Path(found["file"].resolvedPath).is_file()
+            assert found["file"].path.startswith("./meshes/textures/")
+            assert (found["wrapS"], found["wrapT"]) == ("repeat", "repeat")
+            assert found["sourceColorSpace"] == ("sRGB" if name == "diffuseColor" else "raw")
+            assert (found.get("scale"), found.get("bias")) == (
+                ((2, 2, 2, 1), (-1, -1, -1, 0)) if name == "normal" else (None, None)
+            )
+            (reader,), _ = shader.GetInput("st").GetConnectedSources()
+            assert _read(UsdShade.Shader(reader.source))["varname"] == "st"
+            with Image.open(found["file"].resolvedPath) as image:
+                assert image.size == (256, 256)
+
+
+def test_numbers_stand_where_there_is_no_map(stages):
+    _, stage = stages["textured"]
+    for stuff in (PLATE, PANE, LAMP):
+        inputs = _inputs(stage, stuff)
+        assert inputs["diffuseColor"] == pytest.approx(stuff.base_color)
+        assert inputs["emissiveColor"] == pytest.approx(stuff.emission)
+        assert inputs["clearcoat"] == pytest.approx(stuff.coat_weight)
+        assert inputs["clearcoatRoughness"] == pytest.approx(stuff.coat_roughness)
+        assert inputs["opacity"] == pytest.approx(stuff.opacity)
+        assert inputs["ior"] == pytest.approx(1.5)
+    assert _inputs(stage, LAMP)["roughness"] == pytest.approx(LAMP.specular_roughness)
+    assert _inputs(stage, PANE)["metallic"] == 0.0
+
+
+@pytest.mark.parametrize(("link", "stuff"), [("board", BOARD), ("plank", TURNED)])
+def test_picture_is_upright_and_in_scale(stages, link, stuff):
+    """A metre along the grain of a face is one repeat of v for each length of the tile, whatever the face."""
+    asset, stage = stages["textured"]
+    mesh = UsdGeom.Mesh(_prim(stage, f"{link}/visuals/{link}_{stuff.name}"))
+    st_primvar = UsdGeom.PrimvarsAPI(mesh.GetPrim()).GetPrimvar("st").ComputeFlattened()
+    corners = np.array(mesh.GetFaceVertexIndicesAttr().Get()).reshape(-1, 3)
+    points, found = np.array(mesh.GetPointsAttr().Get(), float), np.array(st_primvar, float)
+    # the tile's area and each triangle's own say how many repeats it has
+    edges = points[corners[:, 1:]] - points[corners[:, :1]]
+    areas = np.linalg.norm(np.cross(edges[:, 0], edges[:, 1]), axis=1)
+    across, along = (found[corners[:, 1:]] - found[corners[:, :1]]).transpose(1, 0, 2)
+    repeats = np.abs(across[:, 0] * along[:, 1] - across[:, 1] * along[:, 0])
+    tile = stuff.tile or (0.25, 0.5)
+    broad = areas > 0.1 * areas.max()
+    assert repeats[broad] * tile[0] * tile[1] == pytest.approx(areas[broad], rel=0.02)
+    assert asset.link(link).surfaces[0].material == stuff
+    with Image.open(_read(_inputs(stage, stuff)["diffuseColor"])["file"].resolvedPath) as image:
+        pixels = np.asarray(image)
+    for u, v in ((0.2, 0.3), (0.7, 0.3), (0.2, 0.8), (0.7, 0.8)):  # v is 0 at the lowest row
+        wanted = np.array(display_color(picture(u, v, stuff))) * 255.0
+        assert pixels[int((1.0 - v) * 256), int(u * 256)] == pytest.approx(wanted, abs=1.01)
+
+
+def test_losses_name_transmission_but_no_coat():
+    lost = {loss.feature: loss.where for loss in write_usd(textured(), 256).losses}
+    assert lost["transmission"] == "pane"
+    assert not {"coat", "texture"} & set(lost)
 
 
 def test_root_has_units_labels_and_origin(stages):

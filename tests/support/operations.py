@@ -21,8 +21,8 @@ from artgen.nodes.primitive import box
 from artgen.nodes.profile import circle, rectangle
 from artgen.nodes.vector import Z
 
-for _module in pkgutil.iter_modules(artgen.nodes.__path__):
-    importlib.import_module(f"artgen.nodes.{_module.name}")
+for _module in pkgutil.walk_packages(artgen.nodes.__path__, "artgen.nodes."):
+    importlib.import_module(_module.name)
 
 SIZE = Float.parameter("size")
 PARAMETERS = {"size": 0.3}
@@ -67,10 +67,24 @@ OVERRIDES: dict[str, dict[str, Any]] = {
     "clamp": {"high": 0.75},
     "component": {"index": 2},
     "difference": {"b": BLOCK.at(0.1, 0.1, 0.1)},
+    "dial_band": {"width": 0.01, "end_width": 0.02, "start": None},
+    "dial_icons": {"names": ("fan", "", "light"), "height": 0.03},
+    "dial_scale": {"ticks": 3, "width": 0.01, "major_every": 2, "numbers": ("0", "1")},
+    "dot_matrix": {"string": "OK"},
     "extrude": {"bevel": 0.01, "taper": 0.9, "twist": 0.0},
     "frame": {"closing": (1.0, 0.0, 0.0)},
     "frustum": {"bottom_radius": 0.4, "bevel": 0.0},
+    "gasket_section": {"size": 0.012},
     "helix": {"turns": 2.0},
+    "icon": {"name": "power"},
+    "lettering": {"leading": 1.7},
+    "louvre_section": {"count": 2, "depth": 0.012, "thickness": 0.0015},
+    "perforation": {"pitch": 0.05, "radius": 0.01, "margin": 0.01},
+    "relief": {"up": (0.0, 1.0, 0.0)},
+    "seven_segment": {"string": "12:30"},
+    "tine_row": {"wire": 0.002, "rail": 0.003},
+    "vent_slots": {"slot": 0.002, "slant": 0.1},
+    "wire_rack": {"depth": 0.4, "pitch": 0.03, "wire": 0.0015, "frame": 0.003, "corner": 0.02},
     "box": {"bevel": 0.01},
     "cylinder": {"bevel": 0.01},
     "joint": {"rest": -0.25, "limits": None},

@@ -3,7 +3,7 @@
 from artgen.asset.asset import Asset, Base
 from artgen.asset.contact import AllowedContact
 from artgen.asset.joint import DYNAMICS, Condition, Coupling, Dependency, Joint, JointKind, rotation
-from artgen.asset.link import MOST_COLLIDERS, Collider, Grasp, Link, Piece, Surface
+from artgen.asset.link import MOST_COLLIDERS, Collider, Grasp, Link, Piece, Reading, Surface
 from artgen.asset.mass import MassProperties, Moments, polyhedron_moments
 from artgen.asset.outline import Contour, Curve, Outline
 from artgen.asset.shape import PROPERTIES, Mesh, Shape
@@ -32,6 +32,7 @@ __all__ = [
     "Moments",
     "Outline",
     "Piece",
+    "Reading",
     "Shape",
     "Surface",
     "Tree",

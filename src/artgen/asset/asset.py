@@ -21,6 +21,7 @@ from artgen.materials import Material
 
 if TYPE_CHECKING:
     from artgen.check.report import Report
+    from artgen.view import Camera, Picture, View
 
 Array = NDArray[np.float64]
 Base = Literal["fixed", "free"]
@@ -311,6 +312,31 @@ class Asset:
         from artgen.export import export
 
         return export(self, directory, formats=formats, collision=collision, textures=textures)
+
+    def render(
+        self,
+        q: Mapping[str, float] | None = None,
+        *,
+        camera: "Camera | View | str | None" = None,
+        size: int | tuple[int, int] = 768,
+        studio: Literal["studio", "room", "none"] = "studio",
+        backend: Literal["auto", "classic", "filament"] = "auto",
+        textures: int = 512,
+        samples: int = 32,
+    ) -> "Picture":
+        """Take a picture of the asset, with masks, depth and normals; see `artgen.view.render`."""
+        from artgen.view import render
+
+        return render(
+            self,
+            q,
+            camera=camera,
+            size=size,
+            studio=studio,
+            backend=backend,
+            textures=textures,
+            samples=samples,
+        )
 
     @staticmethod
     def load(directory: str | Path) -> "Asset":

@@ -3,7 +3,7 @@
 import json
 import os
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 from typing import Any, NoReturn
@@ -18,6 +18,7 @@ from artgen.asset.joint import Joint
 from artgen.asset.link import Collider, Grasp, Link, Surface
 from artgen.asset.mass import MassProperties
 from artgen.asset.shape import Mesh
+from artgen.asset.surface import metric_coordinates
 from artgen.colliders import Convex
 from artgen.errors import AssetError, ExportError
 from artgen.materials import Material
@@ -180,11 +181,15 @@ class _StoredLink(Link):
     @cached_property
     def surfaces(self) -> tuple[Surface, ...]:
         return tuple(
-            Surface(
-                item["name"], item["label"], self.materials[item["material"]], read_obj(path, self.origin)
-            )
-            for item, path in zip(self.data["surfaces"], self.meshes, strict=True)
+            self._surface(item, path) for item, path in zip(self.data["surfaces"], self.meshes, strict=True)
         )
+
+    def _surface(self, item: Mapping[str, Any], path: Path) -> Surface:
+        """Read a surface; files have texture coordinates in repeats of its material's maps."""
+        material = self.materials[item["material"]]
+        mesh = read_obj(path, self.origin)
+        metric = replace(mesh, uvs=metric_coordinates(mesh.uvs, material))
+        return Surface(item["name"], item["label"], material, metric)
 
     def to_data(self) -> dict[str, Any]:
         return dict(self.data)

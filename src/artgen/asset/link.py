@@ -46,6 +46,36 @@ class Grasp:
 
 
 @dataclass(frozen=True, eq=False)
+class Reading:
+    """How print is read, so that the mirror image of a product does not have mirrored print.
+
+    Attributes:
+        about: The middle of the print, shape (3,) [m].
+        direction: Unit vector along the lines, shape (3,).
+    """
+
+    about: Array
+    direction: Array
+
+    def motion(self, matrix: Array) -> Array:
+        """Return how print moves when its part is moved by a rigid motion or a reflection, shape (4, 4).
+
+        A reflection turns the print over about its middle as well, which leaves it readable in the place
+        where its mirror image would be.
+        """
+        if np.linalg.det(matrix[:3, :3]) > 0.0:
+            return matrix
+        turned = np.eye(4)
+        turned[:3, :3] -= 2.0 * np.outer(self.direction, self.direction)
+        turned[:3, 3] = self.about - turned[:3, :3] @ self.about
+        return np.asarray(matrix @ turned)
+
+    def moved(self, motion: Array) -> "Reading":
+        """Return how the print is read after that motion of its own, shape (4, 4)."""
+        return Reading(motion[:3, :3] @ self.about + motion[:3, 3], motion[:3, :3] @ self.direction)
+
+
+@dataclass(frozen=True, eq=False)
 class Piece:
     """A solid of one material with a name of its own.
 
@@ -54,12 +84,21 @@ class Piece:
         material: Material of the solid.
         shape: The solid, in asset coordinates at rest.
         visual: Whether the piece is only seen: it has neither mass nor collider.
+        reading: How it is read, if it is print.
     """
 
     label: str
     material: Material
     shape: Shape
     visual: bool = False
+    reading: Reading | None = None
+
+    def moved(self, matrix: Array) -> "Piece":
+        """Return the piece carried along by a rigid motion or a reflection, shape (4, 4)."""
+        if self.reading is None:
+            return replace(self, shape=self.shape.transformed(matrix))
+        motion = self.reading.motion(matrix)
+        return replace(self, shape=self.shape.transformed(motion), reading=self.reading.moved(motion))
 
 
 @dataclass(frozen=True, eq=False)
@@ -253,7 +292,7 @@ class MovedPieces(Sequence[Piece]):
 
     @cached_property
     def _moved(self) -> tuple[Piece, ...]:
-        return tuple(replace(piece, shape=piece.shape.transformed(self._matrix)) for piece in self._source)
+        return tuple(piece.moved(self._matrix) for piece in self._source)
 
     def __len__(self) -> int:
         return len(self._source)
@@ -299,6 +338,9 @@ class MovedLink(Link):
     @cached_property
     def surfaces(self) -> tuple[Surface, ...]:
         """The visible faces of the source, moved; under another name they show another part of the maps."""
+        reflected = np.linalg.det(self.matrix[:3, :3]) < 0.0
+        if reflected and any(piece.reading is not None for piece in self.pieces):
+            return super().surfaces
         key = "" if self.name == self.source.name else self.name
         return tuple(
             replace(surface, mesh=_relaid(surface.mesh.moved(self.matrix), surface.material, key))

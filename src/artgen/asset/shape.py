@@ -20,6 +20,9 @@ PROPERTIES = 6
 _COINCIDENT = 1e-9  # [m]: vertices closer than this are one point of the surface
 _GRAIN = 1e12  # steps per metre: hides the last digit, in which the sines of different machines differ
 _RIGID = 1e-12  # what a rotation may miss orthogonality by
+_TURNED_OVER = np.array(
+    [-1.0, 1.0]
+)  # what a reflection does to texture coordinates, so that maps are not mirrored
 _HAS_NORMALS = 2  # bit of a mesh run: the first three channels are normals, to be turned with the solid
 
 
@@ -42,13 +45,13 @@ class Mesh:
     triangles: Indices
 
     def moved(self, matrix: Array) -> "Mesh":
-        """Return the mesh after a rigid motion or a reflection, shape (4, 4)."""
+        """Return the mesh after a rigid motion or a reflection, shape (4, 4); print stays readable."""
         rotation = matrix[:3, :3]
         reflected = np.linalg.det(rotation) < 0.0
         return Mesh(
             self.vertices @ rotation.T + matrix[:3, 3],
             self.normals @ rotation.T,
-            self.uvs,
+            self.uvs * _TURNED_OVER if reflected else self.uvs,
             self.paints,
             self.triangles[:, ::-1] if reflected else self.triangles,
         )
@@ -234,6 +237,7 @@ def _reflected(manifold: Manifold, matrix: Array) -> Manifold:
     properties[:, :3] = properties[:, :3] @ matrix[:3, :3].T + matrix[:3, 3]
     normals = properties[:, 3:6] @ np.linalg.inv(matrix[:3, :3])
     properties[:, 3:6] = normals / np.linalg.norm(normals, axis=1, keepdims=True)
+    properties[:, 6:8] *= _TURNED_OVER
     return manifold_of(properties, raw.tri_verts[:, ::-1], raw.merge_from_vert, raw.merge_to_vert)
 
 

@@ -36,6 +36,14 @@ def texture_coordinates(mesh: Mesh, material: Material) -> Array:
     return np.asarray(uvs / np.array(tile_of(material)))
 
 
+def metric_coordinates(coordinates: Array, material: Material) -> Array:
+    """Return in metres, shape (n, 2), what `texture_coordinates` gave in repeats of a material's maps."""
+    if not material.texture:
+        return coordinates
+    uvs = coordinates * np.array(tile_of(material))
+    return np.column_stack([-uvs[:, 1], uvs[:, 0]]) if material.turned else uvs
+
+
 def by_paint(mesh: Mesh) -> list[tuple[int, Mesh]]:
     """Split a mesh by the paint of its faces; return each paint's number with its faces."""
     paint = mesh.paints[mesh.triangles[:, 0]]

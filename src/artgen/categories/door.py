@@ -13,8 +13,6 @@ high, 1 3/8 to 1 3/4 in thick (ANSI/SDI A250.8, WDMA I.S. 1A); clearances 3 mm a
 floor.
 """
 
-import math
-from collections.abc import Callable
 from dataclasses import replace
 from functools import partial, reduce
 from operator import and_
@@ -22,84 +20,77 @@ from typing import Literal
 
 from artgen import (
     Body,
-    Dependency,
     Float,
     Generator,
     Material,
-    X,
-    Y,
-    Z,
     by,
     category,
     choice,
-    material,
     one_of,
+    shades,
     uniform,
-    union,
     vector,
-    weld,
 )
 from artgen.categories.parts import HARDWARE_LABELS
-from artgen.categories.parts import flush_bolt as bolts
-from artgen.categories.parts.frame import Doorway, FrameKind, door_frame
+from artgen.categories.parts.blank import Blank
+from artgen.categories.parts.doorset import DoorSet, Hand, Opens, handed, is_mirrored
+from artgen.categories.parts.entrance import Fittings
+from artgen.categories.parts.finish import (
+    FINISH_WEIGHTS,
+    FINISHES,
+    INDOORS,
+    OUTDOORS,
+    known,
+    paints,
+    weighing,
+)
+from artgen.categories.parts.frame import Doorway, FrameKind, Trim, door_frame
 from artgen.categories.parts.hanging import Hanging
 from artgen.categories.parts.knobs import knob_handle
 from artgen.categories.parts.latch import DEADBOLT
 from artgen.categories.parts.leaf import (
-    Blank,
-    astragal,
-    finger_plate,
     flush_leaf,
     glazed_leaf,
     half_lite_leaf,
     louver_leaf,
     panel_leaf,
+    plank_leaf,
 )
 from artgen.categories.parts.levers import lever_handle
 from artgen.categories.parts.lockset import (
-    Lockset,
+    Roses,
     Site,
     dead_lock,
     pushed_handle,
     rigid_handle,
     turning_handle,
 )
+from artgen.categories.parts.plates import finger_plate
 from artgen.categories.parts.pulls import pull_handle
 from artgen.categories.parts.push_bar import push_bar
+from artgen.categories.parts.roses import Fixing
+from artgen.nodes.details.lettering import BRANDS
 
-_COLORS = {
-    "white": (0.80, 0.79, 0.76),
-    "ivory": (0.74, 0.69, 0.58),
-    "grey": (0.30, 0.31, 0.31),
-    "graphite": (0.055, 0.058, 0.062),
-    "sage": (0.30, 0.36, 0.27),
-    "navy": (0.035, 0.060, 0.12),
-    "red": (0.30, 0.035, 0.030),
-}
-
-
-def _painted(density: float, name: str) -> tuple[Material, ...]:
-    """Return the paints over a wood of some density [kg/m3]."""
-    return tuple(
-        material("painted_wood").with_(name=f"{name}_{color}", base_color=rgb, density=density)
-        for color, rgb in _COLORS.items()
-    )
-
-
-_PAINTS = _painted(480.0, "paint")  # over light softwood
-_SOLID_PAINTS = _painted(660.0, "exterior_paint")  # over hardwood
-_WOODS = tuple(material(name) for name in ("oak", "walnut", "mahogany"))
-_LIGHT_WOODS = (  # veneer on light softwood
-    *(material(name).with_(name=f"{name}_veneer", density=480.0) for name in ("oak", "walnut")),
-    material("pine").with_(density=480.0),
+_PAINTS = paints(480.0, "paint")  # over light softwood
+_SOLID_PAINTS = paints(660.0, "exterior_paint")  # over hardwood
+_WOODS = known("oak", "oak_flat_sawn", "walnut", "mahogany", "ash", "mahogany_flat_sawn")
+_VENEERS = weighing(  # on light softwood
+    known(
+        "oak",
+        "oak_flat_sawn",
+        "walnut",
+        "walnut_flat_sawn",
+        "beech",
+        "maple",
+        "ash",
+        "pine_flat_sawn",
+        "pine",
+    ),
+    480.0,
+    "veneered",
 )
-
-_METALS = tuple(
-    material(name) for name in ("satin_nickel", "stainless", "chrome", "brass", "aged_bronze", "black_steel")
-)
-
-_HALF_OPEN = 0.42
-"""Two leaves are out of each other's way when either stands further open than this [rad]."""
+_INTERIOR = (*(5.0 / len(_VENEERS),) * len(_VENEERS), *(0.55 * each for each in INDOORS))
+_EXTERIOR = (*(4.5 / len(_WOODS),) * len(_WOODS), *(0.55 * each for each in OUTDOORS))
 
 
 @category(labels=("frame", "seal", "threshold", "door", "glass", "plate", "flush_bolt", *HARDWARE_LABELS))
@@ -112,10 +103,8 @@ def door(
         doc="rooms have hollow or light leaves, entrances solid ones",
     ),
     layout: Literal["single", "double"] = choice("single", "double", weights=(0.82, 0.18)),
-    hand: Literal["left", "right"] = choice("left", "right", doc="side of the hinges of the (active) leaf"),
-    opens: Literal["towards", "away"] = choice(
-        "towards", "away", doc="seen by the viewer, who pulls or pushes"
-    ),
+    hand: Hand = choice("left", "right", doc="side of the hinges of the (active) leaf"),
+    opens: Opens = choice("towards", "away", doc="seen by the viewer, who pulls or pushes"),
     stock: Literal["standard", "made_to_measure"] = choice("standard", "made_to_measure"),
     width: Float = by(
         "stock",
@@ -153,21 +142,48 @@ def door(
         double=choice("jambs", "full", weights=(0.3, 0.7)),
     ),
     casing: Float = uniform(0.055, 0.090, "m"),
+    trim: Trim = choice("ogee", "flat", "stepped", "bevelled", weights=(0.4, 0.25, 0.2, 0.15)),
     rise: Float = uniform(0.10, 0.20, doc="of an arch, as a share of the leaf's width"),
     leaf: Generator = by(
         "use",
-        interior=one_of(flush_leaf, panel_leaf, louver_leaf, weights=(0.4, 0.4, 0.2)),
-        exterior=one_of(panel_leaf, glazed_leaf, half_lite_leaf, weights=(0.3, 0.35, 0.35)),
+        interior=one_of(flush_leaf, panel_leaf, louver_leaf, plank_leaf, weights=(0.3, 0.42, 0.16, 0.12)),
+        exterior=one_of(
+            panel_leaf, glazed_leaf, half_lite_leaf, plank_leaf, weights=(0.32, 0.25, 0.28, 0.15)
+        ),
     ),
     finish: Material = by(
         "use",
-        interior=choice(*_LIGHT_WOODS, *_PAINTS, weights=(1.0, 1.0, 1.0, 4.0, 1.5, 1.5, 0.7, 1.0, 0.7, 0.4)),
-        exterior=choice(*_WOODS, *_SOLID_PAINTS, weights=(2.0, 1.5, 1.0, 2.0, 0.7, 0.7, 1.0, 1.0, 1.0, 1.0)),
+        interior=shades(*_VENEERS, *_PAINTS, weights=_INTERIOR, color=0.07, roughness=0.04),
+        exterior=shades(*_WOODS, *_SOLID_PAINTS, weights=_EXTERIOR, color=0.07, roughness=0.04),
     ),
     frame_finish: Literal["same", "white"] = choice("same", "white", weights=(0.7, 0.3)),
-    metal: Material = choice(*_METALS, doc="of all hardware"),
-    opener: Literal["lever", "knob", "push_bar", "pull", "none"] = choice(
-        "lever", "knob", "push_bar", "pull", "none", weights=(0.50, 0.20, 0.12, 0.12, 0.06)
+    frame_paint: Material = shades(_PAINTS[0], color=0.03, roughness=0.05, doc="of a white frame"),
+    sill: Material = by(
+        "use",
+        interior=shades("aluminium", *_VENEERS[:1], "brass", weights=(0.6, 0.25, 0.15)),
+        exterior=shades("aluminium", "aged_bronze", weights=(0.8, 0.2)),
+        doc="of the threshold",
+    ),
+    metal: Material = shades(
+        *FINISHES, weights=FINISH_WEIGHTS, color=0.03, roughness=0.03, doc="of all hardware"
+    ),
+    maker: str = choice(*BRANDS, doc="whose name is on the lock"),
+    letter_plate: bool = by("use", interior=False, exterior=choice(False, True)),
+    number: str = by(
+        "use",
+        interior="",
+        exterior=choice("", "3", "8", "12", "27", "46", "51", "109", weights=(5, 1, 1, 1, 1, 1, 1, 1)),
+        doc="of the house",
+    ),
+    viewer: bool = by("use", interior=False, exterior=choice(False, True, weights=(0.4, 0.6))),
+    kick_plate: bool = by("use", interior=False, exterior=choice(False, True, weights=(0.75, 0.25))),
+    sweep: bool = by(
+        "use", interior=False, exterior=choice(False, True), doc="whether a brush seals the gap to the floor"
+    ),
+    opener: Literal["lever", "knob", "push_bar", "pull", "none"] = by(
+        "use",
+        interior=choice("lever", "knob", "push_bar", "pull", "none", weights=(0.55, 0.24, 0.05, 0.09, 0.07)),
+        exterior=choice("lever", "knob", "push_bar", "pull", "none", weights=(0.46, 0.16, 0.16, 0.18, 0.04)),
     ),
     handle: Generator = by(
         "opener", lever=lever_handle, knob=knob_handle, push_bar=push_bar, pull=pull_handle, none=finger_plate
@@ -193,6 +209,13 @@ def door(
         unit="m",
     ),
     rose_depth: Float = uniform(0.007, 0.011, "m"),
+    fixing: Fixing = by(
+        "rose",
+        plate=choice("slot", "phillips"),
+        otherwise=choice("hidden", "slot", "phillips", weights=(0.4, 0.3, 0.3)),
+        doc="how roses are held: out of sight, or by two screws",
+    ),
+    keyed: bool = by("rose", plate=choice(False, True), otherwise=False, doc="a key cylinder in the plate"),
     bolted: bool = by(
         "opener",
         lever=choice(False, True, weights=(0.7, 0.3)),
@@ -211,9 +234,13 @@ def door(
     """Make a door with its frame, hinges, handle, latch and locks."""
     meeting = 1.25 * side_gap if layout == "double" else side_gap  # between the leaf and what its bolts enter
     arched = width * rise if frame == "arched" else None
-    blank = Blank(width, floor_gap, floor_gap + height, thickness, arched, None, finish)
+    mirrored = is_mirrored(hand, opens)
+    fittings = Fittings(metal, kick=kick_plate, sweep=sweep, mirrored=mirrored)
+    if opener != "push_bar":  # which is on the outer face
+        fittings = replace(fittings, letters=letter_plate, number=number, viewer=viewer)
+    blank = Blank(width, floor_gap, floor_gap + height, thickness, arched, None, finish, fittings)
     spindle = vector(width / 2.0 - backset, 0.0, handle_height)
-    site = Site(spindle, backset, thickness, meeting, metal)
+    site = Site(spindle, backset, thickness, meeting, metal, maker, mirrored)
     match opener:
         case "lever" | "knob":
             lockset = turning_handle(
@@ -222,14 +249,14 @@ def door(
                 limit=handle_range,
                 torque=spring,
                 throw=throw,
-                rose_style=rose,
-                rose_across=rose_across,
-                rose_depth=rose_depth,
+                roses=Roses(rose, rose_across, rose_depth, fixing, keyed and not bolted),
             )
         case "push_bar":
             lockset = pushed_handle(site, handle, width=width, travel=handle_range, throw=throw)
-        case "pull" | "none":
+        case "pull":
             lockset = rigid_handle(site, handle)
+        case "none":
+            lockset = rigid_handle(site, partial(handle, mirrored=mirrored))
     if bolted:
         above = 0.30 if opener in ("pull", "none") else 0.15  # past the end of a pull, or of a long plate
         lockset = lockset + dead_lock(replace(site, spindle=spindle + (0.0, 0.0, above)))
@@ -243,94 +270,15 @@ def door(
         door_frame,
         Doorway(total, blank.top + side_gap, thickness, jamb_depth, arch, floor_gap),
         frame,
-        finish=_PAINTS[0] if frame_finish == "white" else finish,
-        sill=material("aluminium"),
+        finish=frame_paint if frame_finish == "white" else finish,
+        sill=sill,
         casing=casing,
+        trim=trim,
     )
     # a bolt is out of the way when it has passed the casing in front of the jamb, 2 mm to spare
     clear = 1.03 * (thickness / 2.0 + 0.015 + DEADBOLT.width / 2.0 + 0.002) / (width + side_gap / 2.0)
     needs = reduce(and_, lockset.free).until(clear) if lockset.free else None
-    if layout == "single":
-        body = _single(surround, leaf, blank, hanging, lockset, needs)
-    else:
-        body = _double(surround, leaf, blank, hanging, lockset, needs, site, hand)
+    parts = DoorSet(surround, leaf, blank, hanging, lockset, needs)
+    body = parts.single() if layout == "single" else parts.double(site, hand)
     body = body.require(hanging.turns_within_gap(), "the far corner of the leaf would strike the jamb")
-    return _handed(body, hand, opens)
-
-
-def _handed(body: Body, hand: str, opens: str) -> Body:
-    """Turn or mirror the door with hinges at the left that opens towards the viewer into another one."""
-    if opens == "towards":
-        return body.mirror(X) if hand == "right" else body
-    return body.rotate(Z, math.pi) if hand == "right" else body.mirror(Y)
-
-
-def _single(
-    surround: Callable[..., Body],
-    leaf: Callable[..., Body],
-    blank: Blank,
-    hanging: Hanging,
-    lockset: Lockset,
-    needs: Dependency | None,
-) -> Body:
-    """Hang one leaf in its frame."""
-    cut = union(*lockset.strike_cuts) if lockset.strike_cuts else None
-    frame = weld(surround(jamb_cut=cut), hanging.on_frame(), *lockset.strikes)
-    panel = _moving(_leaf(leaf, blank, hanging, lockset), lockset)
-    return frame.attach(panel, hanging.joint("door_hinge", needs=needs))
-
-
-def _double(
-    surround: Callable[..., Body],
-    leaf: Callable[..., Body],
-    blank: Blank,
-    hanging: Hanging,
-    lockset: Lockset,
-    needs: Dependency | None,
-    site: Site,
-    hand: str,
-) -> Body:
-    """Hang the active leaf at the left and the inactive one, which a flush bolt holds, at the right."""
-    other = "right" if hand == "left" else "left"
-    thickness, gap = blank.thickness, hanging.gap  # the flush bolt's gap to the head is that to the jambs
-    middle = (blank.width + site.gap) / 2.0
-    active = _moving(_leaf(leaf, blank, hanging, lockset).suffixed(f"_{hand}"), lockset)
-
-    # seen from the inactive leaf, which is drawn like the active one and mirrored into place
-    opposite = [body.mirror(X).at(blank.width + site.gap, 0.0, 0.0) for body in lockset.strikes]
-    pockets = [solid.mirror(X).at(blank.width + site.gap, 0.0, 0.0) for solid in lockset.strike_cuts]
-    rod = (blank.width / 2.0 - 0.05, 0.0, blank.top)  # in the middle of a stile, behind the strikes
-    slide = bolts.flush_bolt_slide(gap)
-    held = Lockset(
-        cuts=(bolts.flush_bolt_channel(thickness, gap).at(rod), *pockets),
-        fixed=(
-            bolts.flush_bolt_plate(thickness=thickness, gap=gap, finish=site.finish).at(rod),
-            astragal(blank, site.gap),
-            *opposite,
-        ),
-        moving=((bolts.flush_bolt(thickness=thickness, gap=gap, finish=site.finish).at(rod), slide),),
-    )
-    inactive = _moving(_leaf(leaf, blank, hanging, held).suffixed(f"_{other}"), held).mirror(X)
-
-    in_head = (middle - rod[0], 0.0, blank.top)
-    hung = hanging.on_frame().at(-middle)
-    frame = weld(surround(head_cut=bolts.flush_bolt_pocket(gap).at(in_head)), hung, hung.mirror(X))
-    first = hanging.joint(f"door_hinge_{hand}", middle=-middle, needs=needs)
-    # the inactive leaf follows once the active one is out of its way
-    free = ((slide > bolts.throw(gap)) & (first > _HALF_OPEN)).until(_HALF_OPEN)
-    second = hanging.joint(f"door_hinge_{other}", middle=middle, side=-1, needs=free)
-    frame = frame.attach(active.at(-middle), first)
-    return frame.attach(inactive.at(middle), second)
-
-
-def _leaf(leaf: Callable[..., Body], blank: Blank, hanging: Hanging, lockset: Lockset) -> Body:
-    """Make a leaf with everything that is fixed on it."""
-    cut = union(*lockset.cuts) if lockset.cuts else None
-    return weld(leaf(blank=replace(blank, cut=cut)), hanging.on_leaf(), *lockset.fixed)
-
-
-def _moving(panel: Body, lockset: Lockset) -> Body:
-    """Attach what moves on a leaf."""
-    for body, joint in lockset.moving:
-        panel = panel.attach(body, joint)
-    return panel
+    return handed(body, hand, opens)

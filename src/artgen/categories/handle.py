@@ -8,29 +8,60 @@ from artgen import (
     Generator,
     Material,
     X,
+    Y,
+    array,
     box,
     by,
     category,
     choice,
+    count,
+    cylinder,
     detail,
+    extrude,
     material,
     max_,
     part,
+    rectangle,
+    shades,
     uniform,
     weld,
 )
 from artgen.categories.parts import HARDWARE_LABELS
-from artgen.categories.parts.finish import FINISHES
+from artgen.categories.parts.finish import FINISH_WEIGHTS, FINISHES, known, paints, recess
 from artgen.categories.parts.grip_set import grip, thumb_piece, thumb_press
 from artgen.categories.parts.knobs import knob_handle
 from artgen.categories.parts.latch import faceplate, latch_bolt, latch_pocket, latch_slide
 from artgen.categories.parts.levers import lever_handle, spring_turn
 from artgen.categories.parts.locks import with_button
-from artgen.categories.parts.roses import PIN_BELOW, Faces, rose, spindle_hole
+from artgen.categories.parts.roses import PIN_BELOW, Faces, Fixing, rose, spindle_hole
+from artgen.nodes.details.lettering import BRANDS, lettering
+from artgen.nodes.details.relief import engraved
 
 _FOOT = 0.020  # thickness of the stand's foot [m]
+_DEEP = 0.15  # of the foot, front to back [m]
 _WIDTH = 0.20  # of the piece of door leaf [m]
-_WOODS = tuple(material(name) for name in ("oak", "walnut", "beech", "mahogany", "painted_wood"))
+_LEAVES = (
+    *known(
+        "oak",
+        "oak_flat_sawn",
+        "walnut",
+        "walnut_flat_sawn",
+        "beech",
+        "maple",
+        "ash",
+        "mahogany",
+        "pine_flat_sawn",
+    ),
+    *paints(700.0, "paint"),
+)
+_LEAF_WEIGHTS = tuple(
+    3.0 if leaf.name == "paint_white" else 0.6 if leaf.name.startswith("paint_") else 1.2 for leaf in _LEAVES
+)
+_FEET = (
+    material("black_abs").with_(name="stand", density=1800.0),  # weighted with stone powder
+    *known("walnut", "oak", "granite", "black_granite", "aluminium"),
+)
+_FOOT_WEIGHTS = (4.0, *(1.0,) * (len(_FEET) - 1))
 
 
 @category(labels=("stand", "door", *HARDWARE_LABELS, "grip", "thumb_latch"))
@@ -69,8 +100,22 @@ def handle(
     ),
     damping: Float = uniform(0.05, 0.08, "N m s/rad", doc="of the handle"),
     hand: Literal["left", "right"] = choice("left", "right"),
-    finish: Material = choice(*FINISHES),
-    leaf: Material = choice(*_WOODS),
+    finish: Material = shades(*FINISHES, weights=FINISH_WEIGHTS, color=0.03, roughness=0.03),
+    fixing: Fixing = by(
+        "rose_style",
+        plate=choice("slot", "phillips"),
+        otherwise=choice("hidden", "slot", "phillips", weights=(0.4, 0.3, 0.3)),
+        doc="how roses are held: out of sight, or by two screws",
+    ),
+    leaf: Material = shades(*_LEAVES, weights=_LEAF_WEIGHTS),
+    foot: Material = shades(
+        *_FEET,
+        weights=_FOOT_WEIGHTS,
+        color=0.05,
+        doc="of the display stand",
+    ),
+    maker: str = choice(*BRANDS, doc="whose name is on the stand and on the latch"),
+    model: int = count(101, 989, doc="number on the stand"),
 ) -> Body:
     """Build a handle with both its sides, spindle and latch on a display stand.
 
@@ -84,6 +129,7 @@ def handle(
     is_set = kind == "grip_set"
     faces: Faces = "back" if is_set else "both"
     side = 1 if is_set else -1  # the face with the lock
+    mirrored = hand == "right"
     common = {"thickness": thickness, "rose_depth": rose_depth, "finish": finish, "faces": faces}
     pinned = lock if inside == "lever" else "none"  # a knob has the lock in itself
     # the pin of a lock needs a rose that reaches 3 mm past it
@@ -92,7 +138,8 @@ def handle(
     # all is built about the spindle, and moved onto its stand at the end
     height = 0.35 if is_set else 0.145
     base = weld(
-        _stand(thickness, backset, throw, low=-height, high=0.125, wood=leaf),
+        _stand(thickness, backset, throw, low=-height, high=0.125, wood=leaf, foot=foot, metal=finish),
+        _plaque(backset, low=-height, lines=(maker.upper(), f"No. {model}"), mirrored=mirrored),
         rose(
             thickness=thickness,
             depth=rose_depth,
@@ -103,8 +150,9 @@ def handle(
             faces=faces,
             pin=pinned != "none",
             pin_side=side,
+            fixing=fixing,
         ),
-        faceplate(backset=backset, finish=finish),
+        faceplate(backset=backset, finish=finish, mark=maker, mirrored=mirrored),
     )
     if is_set:
         outside = grip(thickness=thickness, depth=rose_depth, finish=finish, length=0.23, projection=0.055)
@@ -132,20 +180,50 @@ def handle(
         press = thumb_press(lean, limit=turn, thickness=thickness, depth=rose_depth)
         base = base.attach(piece, press)
     shown = base.at(_WIDTH / 2 - backset, 0.0, height + _FOOT)
-    return shown.mirror(X) if hand == "right" else shown
+    return shown.mirror(X) if mirrored else shown
 
 
 def _stand(
-    thickness: Float, backset: Float, throw: Float, *, low: float, high: float, wood: Material
+    thickness: Float,
+    backset: Float,
+    throw: Float,
+    *,
+    low: float,
+    high: float,
+    wood: Material,
+    foot: Material,
+    metal: Material,
 ) -> Body:
     """Make a bored piece of door leaf from `low` to `high` about the spindle, on a foot."""
     middle = backset - _WIDTH / 2
     board = box(_WIDTH, thickness, high - low + 0.002, bevel=0.0015).at(middle, 0.0, (high + low) / 2 - 0.001)
-    board = board - spindle_hole(thickness) - latch_pocket(backset=backset, throw=throw)
-    foot = box(_WIDTH + 0.05, 0.15, _FOOT, bevel=0.004).at(middle, 0.0, low - _FOOT / 2)
-    plate = box(0.052, 0.0006, 0.0095, bevel=0.0002).at(middle, -0.075, low - _FOOT / 2)
+    dark = recess(metal)
+    pocket = latch_pocket(backset=backset, throw=throw)
+    board = board - spindle_hole(thickness).paint(dark) - pocket.paint(dark)
+    block = box(_WIDTH + 0.05, _DEEP, _FOOT, bevel=0.003).at(middle, 0.0, low - _FOOT / 2)
+    pad = cylinder(0.008, 0.0016, bevel=0.0004)
+    corners = [
+        (middle + x * _WIDTH / 2, y * (_DEEP / 2 - 0.018), low - _FOOT + 0.0008)
+        for x in (-1, 1)
+        for y in (-1, 1)
+    ]
     return weld(
-        part(foot, "stand", material("black_abs").with_(name="stand", density=1800.0), name="base"),
+        part(block, "stand", foot, name="base"),
         part(board, "door", wood),
-        detail(plate, "stand", material("stainless")),
+        detail(array(pad, at=corners), "stand", material("rubber")),
+    )
+
+
+def _plaque(backset: Float, *, low: float, lines: tuple[str, str], mirrored: bool) -> Body:
+    """Make the small plate on the front of the foot, with the maker's name and the model engraved."""
+    middle = backset - _WIDTH / 2
+    metal, face = material("stainless"), -_DEEP / 2 - 0.0004
+    plate = extrude(rectangle(0.060, 0.0125, radius=0.0012), 0.0010, axis=Y, bevel=0.0002)
+    name = lettering(lines[:1], 0.0036, tracking=0.15, fineness="coarse").at(0.0, 0.0019)
+    print_ = name | lettering(lines[1:], 0.0021, tracking=0.05, fineness="coarse").at(0.0, -0.0033)
+    print_ = print_.mirror() if mirrored else print_
+    at = (middle, face, low - _FOOT / 2)
+    return weld(
+        detail(plate.at(middle, face + 0.0005, low - _FOOT / 2), "stand", metal),
+        engraved(print_, at, label="stand", material=metal),
     )

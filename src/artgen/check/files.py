@@ -34,7 +34,7 @@ class Exported:
     def meshes(self) -> bool:
         """Whether the visible faces were exported."""
         paths = (path for files in self.formats.values() for path in files)
-        return any(path.startswith(f"{MESH_DIRECTORY}/") for path in paths)
+        return any(path.startswith(f"{MESH_DIRECTORY}/") and path.endswith(".obj") for path in paths)
 
 
 def read_export(directory: str | Path) -> Exported:
@@ -63,6 +63,7 @@ def read_export(directory: str | Path) -> Exported:
     findings = (
         *_wrong_certificate(directory, certified=certified),
         *_missing(directory, formats),
+        *_unlisted_maps(directory, formats),
         *_stray(directory, formats),
     )
     listed = {path for files in formats.values() for path in files}
@@ -118,11 +119,41 @@ def _fault_of(path: Path) -> str:
     """Say what is wrong with a file; nothing if it can be read."""
     try:
         with path.open("rb") as file:
-            return "" if file.read(1) else "is empty"
+            if not file.read(1):
+                return "is empty"
+            return _fault_of_image(path) if path.suffix == ".png" else ""
     except FileNotFoundError:
         return "is missing"
     except OSError as error:
         return f"cannot be read ({error.strerror})"
+
+
+def _fault_of_image(path: Path) -> str:
+    from PIL import Image
+
+    try:
+        with Image.open(path) as image:
+            image.load()
+    except (OSError, SyntaxError, ValueError):  # what Pillow raises at damaged PNG
+        return "is no image that can be decoded"
+    return ""
+
+
+def _unlisted_maps(directory: Path, formats: Mapping[str, tuple[str, ...]]) -> Iterator[Finding]:
+    """Find maps that a library of materials names and no format has: readers leave them out silently."""
+    listed = {path for files in formats.values() for path in files}
+    for library in sorted(path for path in listed if path.endswith(".mtl")):
+        try:
+            lines = (directory / library).read_text(encoding="utf-8").splitlines()
+        except (OSError, ValueError):
+            continue  # its absence is another finding, and so is what clients cannot read
+        words = [line.split(maxsplit=1) for line in lines]
+        maps = [word[1] for word in words if len(word) == 2 and word[0].startswith(("map_", "norm"))]
+        for name in dict.fromkeys(maps):
+            if (PurePosixPath(library).parent / name).as_posix() not in listed:
+                yield Finding(
+                    "files", f"{library} names the map {name}, which is listed by no format", hint=_AGAIN
+                )
 
 
 def _stray(directory: Path, formats: Mapping[str, tuple[str, ...]]) -> Iterator[Finding]:

@@ -1,40 +1,28 @@
 """Pieces that took long to find, kept on disk by a digest of what they were found of.
 
-They lie below `$ARTGEN_CACHE`, or `$XDG_CACHE_HOME/artgen`, or `~/.cache/artgen`. The files hold numbers
-only. Where one cannot be read or written, nothing is said: the pieces are found again.
+They lie where `artgen.disk_cache` says. The files hold numbers only. Where one cannot be read or written,
+nothing is said: the pieces are found again.
 """
 
 import hashlib
 import io
 import json
-import os
-import tempfile
 import zlib
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
-from pathlib import Path
 from zipfile import BadZipFile
 
 import numpy as np
 from numpy.typing import NDArray
 
+from artgen import disk_cache
 from artgen.colliders.convex import Array
+from artgen.disk_cache import cache_directory
+
+__all__ = ["cache_directory", "digest", "read_points", "write_points"]
 
 _FORMAT = "artgen-pieces-1"
 _DAMAGED = (OSError, ValueError, KeyError, EOFError, BadZipFile, zlib.error)  # what a damaged file raises
-
-
-def cache_directory() -> Path | None:
-    """Return where pieces are kept, or None where the user has no home."""
-    if chosen := os.environ.get("ARTGEN_CACHE"):
-        return Path(chosen)
-    shared = os.environ.get("XDG_CACHE_HOME", "")
-    if Path(shared).is_absolute():  # others are to be ignored, its specification says
-        return Path(shared) / "artgen"
-    try:
-        return Path.home() / ".cache" / "artgen"
-    except RuntimeError:
-        return None
 
 
 def digest(vertices: Array, triangles: NDArray[np.int64], settings: Mapping[str, float | str]) -> str:
@@ -48,11 +36,11 @@ def digest(vertices: Array, triangles: NDArray[np.int64], settings: Mapping[str,
 
 def read_points(kind: str, key: str) -> list[Array] | None:
     """Return the points of the pieces that are kept under a key, each shape (n, 3) [m], or None."""
-    path = _path(kind, key)
-    if path is None:
+    content = disk_cache.read(kind, f"{key}.npz")
+    if content is None:
         return None
     try:
-        with np.load(io.BytesIO(path.read_bytes()), allow_pickle=False) as stored:
+        with np.load(io.BytesIO(content), allow_pickle=False) as stored:
             points, counts = stored["points"], stored["counts"]
     except _DAMAGED:
         return None
@@ -69,23 +57,10 @@ def read_points(kind: str, key: str) -> list[Array] | None:
 
 def write_points(kind: str, key: str, pieces: Sequence[Array]) -> None:
     """Keep the points of pieces, each shape (n, 3) [m], under a key; other processes see all or nothing."""
-    path = _path(kind, key)
-    if path is None or not pieces:
+    if not pieces:
         return
     counts = np.array([len(points) for points in pieces], np.int64)
     with suppress(OSError):
-        path.parent.mkdir(parents=True, exist_ok=True)
-        handle, name = tempfile.mkstemp(prefix=f".{key[:16]}.", suffix=".npz", dir=path.parent)
-        try:
-            with os.fdopen(handle, "wb") as file:
-                np.savez(file, points=np.concatenate(pieces).astype(np.float64), counts=counts)
-            Path(name).replace(path)
-        except BaseException:
-            with suppress(OSError):
-                Path(name).unlink()
-            raise
-
-
-def _path(kind: str, key: str) -> Path | None:
-    directory = cache_directory()
-    return None if directory is None else directory / kind / f"{key}.npz"
+        file = io.BytesIO()
+        np.savez(file, points=np.concatenate(pieces).astype(np.float64), counts=counts)
+        disk_cache.write(kind, f"{key}.npz", file.getvalue())

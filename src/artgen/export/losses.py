@@ -65,3 +65,27 @@ def dependency_losses(asset: Asset) -> tuple[Loss, ...]:
 def label_losses(asset: Asset) -> tuple[Loss, ...]:
     """List the links with semantic labels, for formats that have no word for them."""
     return loss("semantic labels", [link.name for link in asset.links], "nothing; they are in asset.json")
+
+
+def look_losses(asset: Asset, textures: int, *, coat: str = "") -> tuple[Loss, ...]:
+    """List what is lost of the looks of materials.
+
+    Args:
+        asset: The asset.
+        textures: Texels on a side of the maps that are written; 0 for none.
+        coat: What is written instead of a coat; empty where the format has a word for it.
+    """
+    seen = list(dict.fromkeys(surface.material for link in asset.links for surface in link.surfaces))
+    return (
+        *loss(
+            "texture",
+            [material.name for material in seen if material.texture and not textures],
+            "the mean colour and roughness: maps were not asked for",
+        ),
+        *loss(
+            "transmission",
+            [material.name for material in seen if material.transmission_weight],
+            "an opacity, which does not refract",
+        ),
+        *loss("coat", [material.name for material in seen if material.coat_weight and coat], coat),
+    )

@@ -1,4 +1,4 @@
-"""Mesh files that URDF and MJCF share: OBJ surfaces and colliders in their link's frame, with one MTL."""
+"""Mesh files that URDF and MJCF share: OBJ surfaces and colliders in their link's frame, one MTL, maps."""
 
 import math
 from collections.abc import Mapping, Sequence
@@ -10,9 +10,13 @@ from numpy.typing import NDArray
 
 from artgen.asset import Asset, Mesh
 from artgen.asset.files import MESH_DIRECTORY, mesh_names
+from artgen.asset.surface import texture_coordinates
 from artgen.export.hulls import HULL_DECIMALS, Hull, hulls
 from artgen.export.lines import face_lines, lines, rounded, text
+from artgen.export.maps import TEXTURE_DIRECTORY, MapFiles, map_files
+from artgen.export.phong import phong_exponent, specular_color
 from artgen.materials import Material
+from artgen.materials.textures import Kind
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
@@ -27,14 +31,16 @@ class MeshFiles:
     """The mesh files of an asset.
 
     Attributes:
-        files: Content by path relative to the asset's directory.
+        files: Content by path relative to the asset's directory, maps included.
         surfaces: File name of each surface, by link, in the link's order.
         colliders: File name of each collider, by link and number of the collider; hulls only.
+        maps: The maps of the materials, which lie in `textures/` beside the meshes.
     """
 
     files: Mapping[str, bytes]
     surfaces: Mapping[str, tuple[str, ...]]
     colliders: Mapping[str, Mapping[int, str]]
+    maps: MapFiles
 
     @staticmethod
     def path(name: str) -> str:
@@ -43,8 +49,14 @@ class MeshFiles:
 
 
 @lru_cache(maxsize=1)  # two formats are written of one asset after another
-def mesh_files(asset: Asset) -> MeshFiles:
-    """Write the surfaces and hull colliders of all links."""
+def mesh_files(asset: Asset, textures: int = 0) -> MeshFiles:
+    """Write the surfaces and hull colliders of all links.
+
+    Args:
+        asset: The asset.
+        textures: Texels on a side of the materials' maps; 0 for no maps.
+    """
+    maps = map_files(asset, textures)
     surfaces = mesh_names({link.name: [surface.name for surface in link.surfaces] for link in asset.links})
     of_links = hulls(asset)
     names = mesh_names(
@@ -52,26 +64,28 @@ def mesh_files(asset: Asset) -> MeshFiles:
         taken=[name for of_link in surfaces.values() for name in of_link],
     )
     library = f"{asset.name}.mtl"
-    files = {library: mtl_text([surface.material for link in asset.links for surface in link.surfaces])}
+    files = {library: mtl_text([surface.material for link in asset.links for surface in link.surfaces], maps)}
     for link in asset.links:
         origin = asset.origin(link.name)
         for surface, name in zip(link.surfaces, surfaces[link.name], strict=True):
-            files[name] = surface_text(surface.mesh, origin, library, surface.material.name)
+            files[name] = surface_text(surface.mesh, origin, library, surface.material)
     texts = hull_texts([hull for found in of_links.values() for hull in found.values()])
     files |= zip((name for of_link in names.values() for name in of_link), texts, strict=True)
     return MeshFiles(
-        {MeshFiles.path(name): content for name, content in files.items()},
+        {MeshFiles.path(name): content for name, content in files.items()} | dict(maps.files),
         surfaces,
         {link: dict(zip(found, names[link], strict=True)) for link, found in of_links.items()},
+        maps,
     )
 
 
-def surface_text(mesh: Mesh, origin: Array, library: str, material: str) -> bytes:
+def surface_text(mesh: Mesh, origin: Array, library: str, material: Material) -> bytes:
     """Return a surface as OBJ text, with its vertices taken from asset coordinates to a frame at `origin`.
 
     Vertices keep their numbers; each normal and texture coordinate is written once.
     """
-    rows = np.concatenate([mesh.vertices - origin, mesh.uvs, mesh.normals], axis=1)
+    coordinates = texture_coordinates(mesh, material)
+    rows = np.concatenate([mesh.vertices - origin, coordinates, mesh.normals], axis=1)
     corners = mesh.triangles
     if len(rows) == 3:  # MuJoCo wants four vertices: halve a lone triangle at its first side
         a, b, c = corners[0]
@@ -82,7 +96,7 @@ def surface_text(mesh: Mesh, origin: Array, library: str, material: str) -> byte
     numbers = np.column_stack([np.arange(len(rows)), uv_numbers, normal_numbers]) + 1
     return b"".join(
         (
-            f"mtllib {library}\nusemtl {material}\n".encode(),
+            f"mtllib {library}\nusemtl {material.name}\n".encode(),
             text(lines(("v ", " ", " "), rounded(rows[:, :3], _POSITION_DECIMALS), _POSITION_DECIMALS)),
             text(lines(("vt ", " "), uvs, _UV_DECIMALS)),
             text(lines(("vn ", " ", " "), normals, _NORMAL_DECIMALS)),
@@ -122,20 +136,42 @@ def _distinct(values: Indices) -> tuple[Indices, Indices]:
     return np.column_stack(columns) + lowest, numbers
 
 
-def mtl_text(materials: list[Material]) -> bytes:
-    """Return the materials as MTL text with the usual extension for roughness and metalness."""
-    blocks = []
-    for material in dict.fromkeys(materials):
-        red, green, blue = display_color(material.base_color)
-        lines = [f"newmtl {material.name}", f"Kd {red:.6g} {green:.6g} {blue:.6g}"]
-        if any(material.emission):
-            red, green, blue = display_color(material.emission)
-            lines.append(f"Ke {red:.6g} {green:.6g} {blue:.6g}")
-        lines.append(f"d {material.opacity:.6g}")
-        lines.append(f"Pr {material.specular_roughness:.6g}")
-        lines.append(f"Pm {material.base_metalness:.6g}")
-        blocks.append("\n".join(lines) + "\n")
-    return "\n".join(blocks).encode()
+def mtl_text(materials: Sequence[Material], maps: MapFiles) -> bytes:
+    """Return the materials as MTL text with the usual extensions for physically based shading.
+
+    Readers multiply a number with its map, or take the map alone: where there is a map the number is 1.
+    """
+    return "\n".join(
+        _mtl_block(material, maps.of(material)) for material in dict.fromkeys(materials)
+    ).encode()
+
+
+_MAPS: dict[Kind, str] = {
+    "albedo": "map_Kd", "roughness": "map_Pr", "metalness": "map_Pm", "normal": "norm",
+}  # fmt: skip
+
+
+def _mtl_block(material: Material, maps: Mapping[Kind, str]) -> str:
+    color = (1.0, 1.0, 1.0) if "albedo" in maps else material.base_color
+    words = {"Kd": _color(color), "Ks": _color(specular_color(material))}
+    if any(material.emission):
+        words["Ke"] = _color(material.emission)
+    words |= {
+        "Ns": f"{phong_exponent(material.specular_roughness):.6g}",
+        "d": f"{material.opacity:.6g}",
+        "illum": "2",
+        "Pr": "1" if "roughness" in maps else f"{material.specular_roughness:.6g}",
+        "Pm": "1" if "metalness" in maps else f"{material.base_metalness:.6g}",
+    }
+    if material.coat_weight:
+        words |= {"Pc": f"{material.coat_weight:.6g}", "Pcr": f"{material.coat_roughness:.6g}"}
+    folder = TEXTURE_DIRECTORY.removeprefix(f"{MESH_DIRECTORY}/")
+    words |= {_MAPS[kind]: f"{folder}/{name}" for kind, name in maps.items()}
+    return "".join(f"{word} {value}\n" for word, value in ({"newmtl": material.name} | words).items())
+
+
+def _color(linear: tuple[float, float, float]) -> str:
+    return " ".join(f"{channel:.6g}" for channel in display_color(linear))
 
 
 def display_color(linear: tuple[float, float, float]) -> tuple[float, float, float]:

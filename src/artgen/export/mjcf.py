@@ -5,17 +5,26 @@ So there is no floor, light, camera or solver option, and the names of its defau
 """
 
 import xml.etree.ElementTree as ET
-from collections.abc import Iterable
 
 import numpy as np
 from numpy.typing import NDArray
 
 from artgen.asset import Asset, Joint, Link
+from artgen.asset.files import MESH_DIRECTORY
 from artgen.colliders import Convex
 from artgen.export.frames import BodyFrame, BodyJoint, bodies, coupling, local, mass_in_frame, quaternion
-from artgen.export.losses import Loss, Written, dependency_losses, joints_where, label_losses, loss
-from artgen.export.meshes import MeshFiles, display_color, mesh_files
-from artgen.materials import Material
+from artgen.export.losses import (
+    Loss,
+    Written,
+    dependency_losses,
+    joints_where,
+    label_losses,
+    look_losses,
+    loss,
+)
+from artgen.export.maps import TEXTURE_DIRECTORY
+from artgen.export.meshes import MeshFiles, mesh_files
+from artgen.export.mjcf_materials import add_materials, numbers
 
 Array = NDArray[np.float64]
 
@@ -35,13 +44,16 @@ def write_mjcf(asset: Asset, textures: int = 0) -> Written:
 
     Args:
         asset: The asset.
+        textures: Texels on a side of the materials' maps; 0 for colours alone.
 
     Returns:
-        The MJCF and mesh files, and what MJCF cannot say.
+        The MJCF, mesh and map files, and what MJCF cannot say.
     """
-    meshes = mesh_files(asset)
+    meshes = mesh_files(asset, textures)
     root = ET.Element("mujoco", model=asset.name)
-    ET.SubElement(root, "compiler", angle="radian", autolimits="true", meshdir="meshes")
+    compiler = ET.SubElement(root, "compiler", angle="radian", autolimits="true", meshdir=MESH_DIRECTORY)
+    if meshes.maps.files:
+        compiler.set("texturedir", TEXTURE_DIRECTORY)
     _add_defaults(root, asset)
     _add_assets(root, asset, meshes)
     world = ET.SubElement(root, "worldbody")
@@ -52,7 +64,7 @@ def write_mjcf(asset: Asset, textures: int = 0) -> Written:
     _add_couplings(root, asset)
     ET.indent(root, " ")
     content = ET.tostring(root, encoding="utf-8", xml_declaration=True) + b"\n"
-    return Written({f"{asset.name}.xml": content, **meshes.files}, _losses(asset))
+    return Written({f"{asset.name}.xml": content, **meshes.files}, _losses(asset, textures))
 
 
 def _class(asset: Asset, what: str = "") -> str:
@@ -73,29 +85,13 @@ def _add_defaults(root: ET.Element, asset: Asset) -> None:
 
 def _add_assets(root: ET.Element, asset: Asset, meshes: MeshFiles) -> None:
     parent = ET.SubElement(root, "asset")
-    for material in asset.materials:
-        ET.SubElement(parent, "material", _material(material))
+    add_materials(parent, asset, meshes.maps)
     for link in asset.links:
         for file in meshes.surfaces[link.name]:
             # its faces are seen, not weighed: a surface need not be closed
             ET.SubElement(parent, "mesh", name=_stem(file), file=file, inertia="shell")
         for file in meshes.colliders[link.name].values():
             ET.SubElement(parent, "mesh", name=_stem(file), file=file, inertia="convex")
-
-
-def _material(material: Material) -> dict[str, str]:
-    attributes = {
-        "name": material.name,
-        "rgba": _text([*display_color(material.base_color), material.opacity]),
-        "specular": "0.5",
-        "shininess": _text([1.0 - material.specular_roughness]),
-        "roughness": _text([material.specular_roughness]),
-        "metallic": _text([material.base_metalness]),
-    }
-    if any(material.emission):
-        # MuJoCo's emission is a factor of the colour
-        attributes["emission"] = _text([max(material.emission) / max(*material.base_color, 1e-3)])
-    return attributes
 
 
 def _add_body(parent: ET.Element, asset: Asset, frame: BodyFrame, meshes: MeshFiles) -> ET.Element:
@@ -107,7 +103,7 @@ def _add_body(parent: ET.Element, asset: Asset, frame: BodyFrame, meshes: MeshFi
             ET.SubElement(body, "freejoint", name=f"{asset.name}_free")
     mass, center, inertia = mass_in_frame(asset, link)
     six = [inertia[row, column] for row, column in ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))]
-    ET.SubElement(body, "inertial", pos=_text(center), mass=_text([mass]), fullinertia=_text(six))
+    ET.SubElement(body, "inertial", pos=numbers(center), mass=numbers([mass]), fullinertia=numbers(six))
     for joint in frame.joints:
         ET.SubElement(body, "joint", _joint(joint))
     for surface, file in zip(link.surfaces, meshes.surfaces[link.name], strict=True):
@@ -127,13 +123,13 @@ def _add_colliders(body: ET.Element, asset: Asset, link: Link, meshes: MeshFiles
         geom = {
             "name": name,
             "class": _class(asset, "collision"),
-            "friction": _text([collider.material.friction]),
+            "friction": numbers([collider.material.friction]),
         }
         convex = collider.convex
         if convex.kind == "hull":
             geom |= {"type": "mesh", "mesh": _stem(meshes.colliders[link.name][number])}
         else:
-            geom |= {"type": convex.kind, "size": _text(_half_sizes(convex))}
+            geom |= {"type": convex.kind, "size": numbers(_half_sizes(convex))}
             geom |= _placed(local(asset, link.name, convex.pose))
         ET.SubElement(body, "geom", geom)
 
@@ -150,26 +146,26 @@ def _joint(placed: BodyJoint) -> dict[str, str]:
     attributes = {
         "name": joint.name,
         "type": "hinge" if joint.kind == "revolute" else "slide",
-        "axis": _text(np.round(placed.axis, 12)),
+        "axis": numbers(np.round(placed.axis, 12)),
     }
     if joint.kind == "revolute" and np.abs(placed.pivot).max() > 1e-12:
-        attributes["pos"] = _text(np.round(placed.pivot, 12))
+        attributes["pos"] = numbers(np.round(placed.pivot, 12))
     if joint.limits is None:
         attributes["limited"] = "false"
     else:
-        attributes["range"] = _text(joint.limits)
+        attributes["range"] = numbers(joint.limits)
     if placed.position:
-        attributes["ref"] = _text([placed.position])
+        attributes["ref"] = numbers([placed.position])
     if joint.stiffness:
-        attributes |= {"stiffness": _text([joint.stiffness]), "springref": _text([joint.rest])}
+        attributes |= {"stiffness": numbers([joint.stiffness]), "springref": numbers([joint.rest])}
     for name, value in (
         ("damping", joint.damping),
         ("frictionloss", joint.friction),
         ("armature", joint.armature),
     ):
         if value:
-            attributes[name] = _text([value])
-    attributes["actuatorfrcrange"] = _text([-joint.effort, joint.effort])
+            attributes[name] = numbers([value])
+    attributes["actuatorfrcrange"] = numbers([-joint.effort, joint.effort])
     return attributes
 
 
@@ -186,7 +182,7 @@ def _add_couplings(root: ET.Element, asset: Asset) -> None:
             "joint",
             joint1=name,
             joint2=found.leader,
-            polycoef=f"0 {_text([found.ratio])} 0 0 0",
+            polycoef=f"0 {numbers([found.ratio])} 0 0 0",
             solref=_STIFF,
             solimp=_COUPLING_IMPEDANCE,
         )
@@ -197,9 +193,9 @@ def _placed(matrix: Array) -> dict[str, str]:
     attributes = {}
     position, turn = np.round(matrix[:3, 3], 12), np.round(quaternion(matrix), 12)
     if position.any():
-        attributes["pos"] = _text(position)
+        attributes["pos"] = numbers(position)
     if turn[1:].any():
-        attributes["quat"] = _text(turn)
+        attributes["quat"] = numbers(turn)
     return attributes
 
 
@@ -207,12 +203,7 @@ def _stem(file: str) -> str:
     return file.removesuffix(".obj")
 
 
-def _text(numbers: Iterable[float]) -> str:
-    """Spell numbers so far that no two machines differ in the last digit."""
-    return " ".join(f"{float(number) + 0.0:.12g}" for number in numbers)
-
-
-def _losses(asset: Asset) -> tuple[Loss, ...]:
+def _losses(asset: Asset, textures: int) -> tuple[Loss, ...]:
     def moving(joint: Joint) -> bool:
         return not joint.locked
 
@@ -229,5 +220,6 @@ def _losses(asset: Asset) -> tuple[Loss, ...]:
             [grasp.name for link in asset.links for grasp in link.grasps],
             "a site at the frame; the width is in asset.json",
         ),
+        *look_losses(asset, textures, coat="the highlight of the coat, in the classic renderer"),
         *label_losses(asset),
     )

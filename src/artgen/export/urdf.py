@@ -23,7 +23,15 @@ from artgen.export.frames import (
     mass_in_frame,
     translation,
 )
-from artgen.export.losses import Loss, Written, dependency_losses, joints_where, label_losses, loss
+from artgen.export.losses import (
+    Loss,
+    Written,
+    dependency_losses,
+    joints_where,
+    label_losses,
+    look_losses,
+    loss,
+)
 from artgen.export.meshes import MeshFiles, display_color, mesh_files
 from artgen.materials import Material
 
@@ -42,16 +50,17 @@ def write_urdf(asset: Asset, textures: int = 0) -> Written:
 
     Args:
         asset: The asset.
+        textures: Texels on a side of the materials' maps; 0 for colours alone.
 
     Returns:
-        The URDF and mesh files, and what URDF cannot say.
+        The URDF, mesh and map files, and what URDF cannot say.
     """
     from yourdfpy import urdf as model
 
-    meshes = mesh_files(asset)
+    meshes = mesh_files(asset, textures)
     segments = chain(asset)
     robot = model.Robot(name=asset.name)
-    robot.materials = [_material(material) for material in asset.materials]
+    robot.materials = [_material(material) for material in asset.materials if _is_plain(material, meshes)]
     robot.links = [_link(asset, link, meshes) for link in asset.links]
     for segment in segments:
         if segment.child.link is None:
@@ -61,7 +70,9 @@ def write_urdf(asset: Asset, textures: int = 0) -> Written:
     tree = _tree(robot)
     _add_couplings(tree, asset)
     _add_springs(tree, asset)
-    return Written({f"{asset.name}.urdf": _text(tree), **meshes.files}, _losses(asset, segments))
+    return Written(
+        {f"{asset.name}.urdf": _text(tree), **meshes.files}, _losses(asset, segments, meshes, textures)
+    )
 
 
 def _tree(robot: Any) -> Any:
@@ -83,6 +94,14 @@ def _material(material: Material) -> Any:
     return model.Material(material.name, model.Color(rgba))
 
 
+def _is_plain(material: Material, meshes: MeshFiles) -> bool:
+    """Return whether a material's colour may stand in the URDF.
+
+    Beside a colour map it may not: PyBullet multiplies the map with it, SAPIEN shows it in place of the map.
+    """
+    return "albedo" not in meshes.maps.of(material)
+
+
 def _link(asset: Asset, link: Link, meshes: MeshFiles) -> Any:
     from yourdfpy import urdf as model
 
@@ -90,7 +109,8 @@ def _link(asset: Asset, link: Link, meshes: MeshFiles) -> Any:
     result = model.Link(link.name, model.Inertial(translation(center), mass, inertia))
     for surface, file in zip(link.surfaces, meshes.surfaces[link.name], strict=True):
         geometry = model.Geometry(mesh=model.Mesh(meshes.path(file)))
-        material = model.Material(surface.material.name)
+        plain = _is_plain(surface.material, meshes)
+        material = model.Material(surface.material.name) if plain else None
         result.visuals.append(model.Visual(file.removesuffix(".obj"), np.eye(4), geometry, material))
     for number, collider in enumerate(link.colliders):
         name = f"{link.name}_collider_{number}"
@@ -209,7 +229,7 @@ def _text(tree: Any) -> bytes:
     return text.getvalue()
 
 
-def _losses(asset: Asset, segments: Sequence[Segment]) -> tuple[Loss, ...]:
+def _losses(asset: Asset, segments: Sequence[Segment], meshes: MeshFiles, textures: int) -> tuple[Loss, ...]:
     moving = {joint.name for joint in asset.joints if not joint.locked}
     return (
         *loss(
@@ -247,9 +267,15 @@ def _losses(asset: Asset, segments: Sequence[Segment]) -> tuple[Loss, ...]:
             "nothing: clients take their own default; the coefficients are in asset.json",
         ),
         *loss(
-            "surface roughness and metalness",
+            "surface roughness, metalness and coat",
             [material.name for material in asset.materials],
-            "Pr and Pm in the MTL file, which few clients read",
+            "Pr, Pm, Pc and norm in the MTL file, which few clients read",
         ),
+        *loss(
+            "colour beside a colour map",
+            [material.name for material in asset.materials if not _is_plain(material, meshes)],
+            "the map in the MTL file; many clients darken or hide it where the URDF has a colour",
+        ),
+        *look_losses(asset, textures),
         *label_losses(asset),
     )

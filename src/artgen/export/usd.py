@@ -18,12 +18,12 @@ from artgen.export.frames import (
     local,
 )
 from artgen.export.hulls import hulls
-from artgen.export.losses import Written
+from artgen.export.losses import Written, look_losses
+from artgen.export.maps import map_files
 from artgen.export.usd_geometry import (
     PART_LABEL,
     write_hull,
     write_label,
-    write_material,
     write_primitive,
     write_surface,
 )
@@ -39,6 +39,7 @@ from artgen.export.usd_layer import (
     vec3,
     write,
 )
+from artgen.export.usd_material import write_material
 
 Array = NDArray[np.float64]
 
@@ -49,14 +50,22 @@ def write_usd(asset: Asset, textures: int = 0) -> Written:
     `<name>.usda` has the bodies, joints, primitive colliders, materials and labels; as sublayer it has
     `<name>_geometry.usdc`, which has the meshes. Bodies are siblings below the default prim, unscaled; their
     frames are the link frames as the asset stands. Joints move along or about x of their frames, in degrees.
+
+    Args:
+        asset: The asset.
+        textures: Texels on a side of the materials' maps; 0 for colours alone.
+
+    Returns:
+        Both layers and the map files, and what USD cannot say.
     """
-    writer = _Writer(asset)
+    writer = _Writer(asset, textures)
     with Sdf.ChangeBlock():
         writer.write()
     geometry = f"{asset.name}_geometry.usdc"
     writer.physics.subLayerPaths = [f"./{geometry}"]
     files = {f"{asset.name}.usda": text(writer.physics), geometry: binary(writer.geometry)}
-    return Written(files, joint_losses(asset, writer.segments))
+    losses = (*joint_losses(asset, writer.segments), *look_losses(asset, textures))
+    return Written({**files, **writer.maps.files}, losses)
 
 
 class _Writer:
@@ -67,10 +76,12 @@ class _Writer:
         physics: The text layer.
         geometry: The layer of the meshes.
         segments: The joints with the frames that they join.
+        maps: The maps of the materials.
     """
 
-    def __init__(self, asset: Asset) -> None:
+    def __init__(self, asset: Asset, textures: int) -> None:
         self.asset = asset
+        self.maps = map_files(asset, textures)
         self.physics = new_layer(".usda", asset.name)
         self.geometry = new_layer(".usdc", asset.name)
         self.segments = chain(asset)
@@ -84,7 +95,7 @@ class _Writer:
         self._meshes = define(self.geometry, self.asset.name)
         looks = define(self._root, self._looks_name, "Scope")
         for material in self.asset.materials:
-            write_material(looks, material)
+            write_material(looks, material, self.maps.of(material))
         self._body(base_frame(self.asset))
         for segment in self.segments:
             self._body(segment.child)

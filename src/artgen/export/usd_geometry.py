@@ -5,59 +5,25 @@ from numpy.typing import NDArray
 from pxr import Sdf, Vt
 
 from artgen.asset import Surface
+from artgen.asset.surface import texture_coordinates
 from artgen.colliders import Convex
 from artgen.export.frames import translation
 from artgen.export.hulls import Hull
 from artgen.export.usd_layer import (
     TYPES,
-    connect,
     define,
     int_array,
     place,
     relate,
-    vec3,
     vec3_array,
     write,
 )
-from artgen.materials import Material
 
 Array = NDArray[np.float64]
 
 _COLLISION = ("PhysicsCollisionAPI", "MaterialBindingAPI")
 
 PART_LABEL = "SemanticsLabelsAPI:part"
-
-
-def write_material(scope: Sdf.PrimSpec, material: Material) -> None:
-    """Add a material: its preview surface for cameras and its friction for contacts."""
-    prim = define(scope, material.name, "Material", ["PhysicsMaterialAPI"])
-    write(
-        prim,
-        TYPES.Float,
-        {
-            "physics:dynamicFriction": material.friction,
-            "physics:restitution": 0.0,
-            "physics:staticFriction": material.friction,
-        },
-    )
-    shader = define(prim, "surface", "Shader")
-    write(shader, TYPES.Token, {"info:id": "UsdPreviewSurface"}, uniform=True)
-    write(
-        shader,
-        TYPES.Color3f,
-        {"inputs:diffuseColor": vec3(material.base_color), "inputs:emissiveColor": vec3(material.emission)},
-    )
-    write(
-        shader,
-        TYPES.Float,
-        {
-            "inputs:metallic": material.base_metalness,
-            "inputs:opacity": material.opacity,
-            "inputs:roughness": material.specular_roughness,
-        },
-    )
-    Sdf.AttributeSpec(shader, "outputs:surface", TYPES.Token)
-    connect(prim, "outputs:surface", shader.path.AppendProperty("outputs:surface"))
 
 
 def write_surface(scope: Sdf.PrimSpec, surface: Surface, origin: Array, material: Sdf.Path) -> None:
@@ -75,7 +41,7 @@ def write_surface(scope: Sdf.PrimSpec, surface: Surface, origin: Array, material
     mesh = surface.mesh
     _mesh(prim, mesh.vertices - origin, mesh.triangles)
     write(prim, TYPES.Normal3fArray, {"normals": vec3_array(mesh.normals)}, interpolation="vertex")
-    values, indices = _indexed(mesh.uvs)
+    values, indices = _indexed(texture_coordinates(mesh, surface.material))
     write(prim, TYPES.TexCoord2fArray, {"primvars:st": values}, interpolation="vertex")
     write(prim, TYPES.IntArray, {"primvars:st:indices": indices})
 

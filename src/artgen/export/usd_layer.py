@@ -84,9 +84,9 @@ def write(
             spec.SetInfo("interpolation", interpolation)
 
 
-def connect(prim: Sdf.PrimSpec, name: str, source: Sdf.Path) -> None:
-    """Add a token attribute that takes its value from another attribute."""
-    spec = Sdf.AttributeSpec(prim, name, TYPES.Token)
+def connect(prim: Sdf.PrimSpec, name: str, source: Sdf.Path, kind: Sdf.ValueTypeName = TYPES.Token) -> None:
+    """Add an attribute that takes its value from another attribute."""
+    spec = Sdf.AttributeSpec(prim, name, kind)
     spec.connectionPathList.explicitItems = [source]
 
 

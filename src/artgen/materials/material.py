@@ -20,7 +20,7 @@ class Material:
 
     Attributes:
         name: Identifier, unique among the materials of one asset.
-        base_color: Linear RGB albedo, each in 0..1, shape (3,); the mean of the albedo where it has a texture.
+        base_color: Linear RGB albedo, each in 0..1, shape (3,); where it has a texture, the mean.
         base_metalness: 0 for dielectrics, 1 for bare metal.
         specular_roughness: GGX roughness in 0..1; the mean where it has a texture.
         coat_weight: Clear lacquer over it, 0..1.

@@ -9,6 +9,7 @@ from artgen.nodes import (
     choose,
     contact,
     csg,
+    details,
     extrude,
     joint,
     loft,
@@ -45,6 +46,7 @@ MODULES = (
     joint,
     body,
     contact,
+    details,
 )
 """The modules that define operations."""
 

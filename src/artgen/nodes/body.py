@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from artgen import asset as values
-from artgen.asset import Branch, Grasp, Link, Piece, Shape, Tree, rotation
+from artgen.asset import Branch, Grasp, Link, Piece, Reading, Shape, Tree, rotation
 from artgen.graph import Handle, kernel
 from artgen.materials import Material
 from artgen.nodes.handles import Array3, ArrayN3, Body, PointsLike, Scalar, Solid, VectorLike
@@ -112,17 +112,39 @@ def part(
 
 
 @kernel
-def _detail(solid: Shape, label: str, material: Material) -> Tree:
+def _detail(
+    solid: Shape, label: str, material: Material, reads: Array3 | None, about: Array3 | None
+) -> Tree:
     _check_name(label, "label")
-    return Tree(Link(label, label, (Piece(label, material, solid, visual=True),)))
+    reading = None
+    if reads is not None:
+        middle = solid.bounds().mean(axis=0) if about is None else about
+        reading = Reading(middle, unit(reads))
+    return Tree(Link(label, label, (Piece(label, material, solid, visual=True, reading=reading),)))
 
 
-def detail(solid: Solid, label: str, material: Material) -> Body:
+def detail(
+    solid: Solid,
+    label: str,
+    material: Material,
+    *,
+    reads: VectorLike | None = None,
+    about: VectorLike | None = None,
+) -> Body:
     """Make something that is only seen, such as print or a screw's head: no mass, no collider.
 
     It has to be welded to a part.
+
+    Args:
+        solid: The solid in asset coordinates.
+        label: Semantic label.
+        material: What it is made of.
+        reads: For print, the direction of its lines: where the body is mirrored, the print stays readable.
+        about: The middle of the print [m]; by default that of its bounding box.
     """
-    return Body.record(_detail, solid=solid, label=label, material=material)
+    return Body.record(
+        _detail, solid=solid, label=label, material=material, reads=reads, about=about
+    )
 
 
 @kernel

@@ -37,7 +37,8 @@ def _extrude(
     warp = _warp(length, taper, twist) if taper != 0.0 or twist != 0.0 else None
     # long sides get more vertices, to bend; the pieces are bounded by the hulls of the few
     contours = refined(profile, 2.0 * length / stations).contours if twist != 0.0 else profile.contours
-    skin = extrusion(contours, length, bevel=bevel, stations=stations, warp=warp).turned(turn)
+    scales = (1.0, 1.0 - taper)
+    skin = extrusion(contours, length, bevel=bevel, stations=stations, warp=warp, scales=scales).turned(turn)
     pieces = around_extrusion(profile, length, bevel=bevel, taper=taper, twist=twist, stations=stations)
     return skin.shape(moved(pieces, inputs.pose(turn)))
 

@@ -13,7 +13,9 @@ from artgen.nodes import inputs
 from artgen.nodes.contours import CREASE, moved_outline
 from artgen.nodes.covers import around_chain
 from artgen.nodes.handles import Array3, Profile, Scalar, Solid, VectorLike
-from artgen.nodes.surfaces import Rail, Sheets, Skin, triangulated
+from artgen.nodes.rail import Rail
+from artgen.nodes.surfaces import Sheets, Skin, triangulated
+from artgen.nodes.unwrap import cap_uvs, lies_flat, runs_across, tapered_around, wall_uvs
 
 Array = NDArray[np.float64]
 
@@ -138,7 +140,8 @@ def _skin(contours: Sequence[Contour], rings: Array) -> Skin:
     slant = np.diff(places, axis=0)
     below = _tilted(plane[:-1], slant)
     above = _tilted(plane[1:], slant)
-    length = np.linalg.norm(slant, axis=2).mean(axis=1)
+    # how far up the sides, not along their slanted edges
+    length = np.hypot((slant[..., :2] * plane[:-1]).sum(axis=2), slant[..., 2]).mean(axis=1)
     travelled = np.concatenate([[0.0], np.cumsum(length)])
     level, normals, strips = [0], [below[0]], []
     for at in range(1, len(rings)):
@@ -155,9 +158,11 @@ def _skin(contours: Sequence[Contour], rings: Array) -> Skin:
             normals += [arriving, below[at]]
     levels = np.array(level)
     first = np.searchsorted(levels, levels)
-    uvs = np.empty((len(levels), places.shape[1], 2))
-    uvs[..., 0] = np.stack([rail.distance for rail in rails])[levels]
-    uvs[..., 1] = travelled[levels, None]
+    around = np.stack([rail.distance for rail in rails])[levels]
+    mean = _mean_around(around[:, -1], length, first)
+    around = tapered_around(rails[0], around, around * (mean / around[:, -1:]))
+    size = np.ptp(rings.reshape(-1, 3), axis=0)
+    uvs = wall_uvs(around, travelled[levels, None], lying=lies_flat(size[:2], float(size[2])))
     sheets = Sheets()
     place = sheets.grid(
         rails[0], places[levels], np.stack(normals), uvs, strips=np.array(strips), places=first
@@ -169,10 +174,26 @@ def _skin(contours: Sequence[Contour], rings: Array) -> Skin:
             place[row],
             rings[row],
             np.array([0.0, 0.0, sign]),
-            flat,
+            cap_uvs(flat, sign, across=runs_across(size[:2])),
             triangles if sign > 0 else triangles[:, ::-1],
         )
     return sheets.skin()
+
+
+def _mean_around(border: Array, length: Array, first: NDArray[np.int64]) -> Array:
+    """Return the mean length of the rings between the creases on both sides of each row, shape (r, 1) [m].
+
+    Args:
+        border: Length of the ring of each row, shape (r,) [m].
+        length: How far apart the rings are, shape (rings - 1,) [m].
+        first: The first row at the place of each row, shape (r,); a second one begins after a crease.
+    """
+    run = np.cumsum(first != np.arange(len(first)))
+    strip = np.flatnonzero(np.diff(run) == 0)
+    both = np.zeros((2, run[-1] + 1))
+    np.add.at(both[0], run[strip], length * 0.5 * (border[strip] + border[strip + 1]))
+    np.add.at(both[1], run[strip], length)
+    return np.asarray((both[0] / both[1])[run, None])
 
 
 def _tilted(normals: Array, slant: Array) -> Array:

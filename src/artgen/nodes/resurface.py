@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from artgen.asset.shape import Shape, manifold_of
 from artgen.colliders import Pieces
 from artgen.nodes.contours import CREASE
+from artgen.nodes.unwrap import boxed_uvs
 
 Array = NDArray[np.float64]
 
@@ -39,11 +40,8 @@ def faceted_shape(solid: Manifold, pieces: Pieces) -> Shape:
     flat = across / np.maximum(size, 1e-300)[:, None]
     normals = _corner_normals(triangles, flat, across, corners)
     vertices = corners.reshape(-1, 3)
-    side = np.repeat(np.argmax(np.abs(flat), axis=1), 3)
-    # v runs upward, or to the back on faces that look up or down
-    u = np.choose(side, [vertices[:, 1], vertices[:, 0], vertices[:, 0]])
-    v = np.choose(side, [vertices[:, 2], vertices[:, 2], vertices[:, 1]])
-    table = np.column_stack([vertices, normals, u, v])
+    uvs, side = boxed_uvs(vertices, np.repeat(flat, 3, axis=0), np.ptp(places, axis=0))
+    table = np.column_stack([vertices, normals, uvs])
     _, first, group = np.unique(
         np.column_stack([triangles.ravel(), side, np.rint(normals * 1e6).astype(np.int64)]),
         axis=0,

@@ -16,6 +16,17 @@ from numpy.typing import NDArray
 from artgen.asset.outline import Contour
 from artgen.asset.shape import Shape
 from artgen.colliders import Pieces
+from artgen.nodes import inputs
+from artgen.nodes.rail import Rail
+from artgen.nodes.unwrap import (
+    cap_uvs,
+    lies_flat,
+    ring_lengths,
+    runs_across,
+    tapered_around,
+    turned_uvs,
+    wall_uvs,
+)
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
@@ -64,12 +75,14 @@ class Skin:
     targets: Indices
 
     def turned(self, rotation: Array) -> "Skin":
-        """Return the surface turned by a rotation, shape (3, 3)."""
+        """Return the surface turned by a rotation, shape (3, 3), of `inputs.frame`.
+
+        Where that turns the profile's y downward, the texture is turned to stay upright.
+        """
         if np.array_equal(rotation, np.eye(3)):
             return self
-        return Skin(
-            self.vertices @ rotation.T, self.normals @ rotation.T, self.uvs, self.triangles, self.targets
-        )
+        uvs = 0.0 - self.uvs if inputs.frame_is_mirrored(rotation) else self.uvs
+        return Skin(self.vertices @ rotation.T, self.normals @ rotation.T, uvs, self.triangles, self.targets)
 
     def shape(self, pieces: Pieces) -> Shape:
         """Return the solid of this surface and of the convex pieces that cover it.
@@ -80,52 +93,6 @@ class Skin:
         return Shape.from_mesh(
             self.vertices, self.normals, self.uvs, self.triangles, pieces, targets=self.targets
         )
-
-
-@dataclass(frozen=True, eq=False)
-class Rail:
-    """The columns that a contour gives to a grid: two at each corner and at the seam (its first vertex).
-
-    Attributes:
-        vertex: Contour vertex of each column, shape (c,).
-        normals: Outward unit normal in the plane of the contour, shape (c, 2).
-        distance: Length along the contour, shape (c,) [m].
-        start: Column in which each side of the contour starts, shape (n,).
-        end: Column in which it ends, shape (n,).
-    """
-
-    vertex: Indices
-    normals: Array
-    distance: Array
-    start: Indices
-    end: Indices
-
-    @staticmethod
-    def along(contour: Contour, breaks: NDArray[np.bool_] | None = None) -> "Rail":
-        """Return the columns of a contour; `breaks` asks for two columns at more vertices, shape (n,)."""
-        count = len(contour.points)
-        corner = np.einsum("ij,ij->i", contour.normals_in, contour.normals_out) < 1.0 - 1e-9
-        if breaks is not None:
-            corner |= breaks
-        arrive = np.empty(count, np.int64)
-        leave = np.empty(count, np.int64)
-        width = 1 + corner[1:]
-        arrive[1:] = np.cumsum(width) - width + 1
-        leave[1:] = arrive[1:] + corner[1:]
-        leave[0], arrive[0] = 0, 1 + width.sum()
-        columns = int(arrive[0]) + 1
-        vertex = np.empty(columns, np.int64)
-        normals = np.empty((columns, 2))
-        distance = np.empty(columns)
-        sides = np.roll(contour.points, -1, axis=0) - contour.points
-        total = np.cumsum(np.hypot(sides[:, 0], sides[:, 1]))
-        travelled = np.concatenate([[0.0], total[:-1]])
-        for column, normal in ((arrive, contour.normals_in), (leave, contour.normals_out)):
-            vertex[column] = np.arange(count)
-            normals[column] = normal
-            distance[column] = travelled
-        distance[arrive[0]] = total[-1]
-        return Rail(vertex, normals, distance, leave, np.roll(arrive, -1))
 
 
 class Sheets:
@@ -238,6 +205,7 @@ def extrusion(
     bevel: float = 0.0,
     stations: int = 1,
     warp: Callable[[Array, Array], tuple[Array, Array]] | None = None,
+    scales: tuple[float, float] = (1.0, 1.0),
 ) -> Skin:
     """Extrude contours along z, centred on z = 0, with rounded edges at both ends.
 
@@ -247,6 +215,7 @@ def extrusion(
         bevel: Radius of the rounded edges of both ends [m]; the outline must allow it.
         stations: Number of strips between the ends, for a warp to bend.
         warp: Moves vertices (n, 3) and normals (n, 3) of the straight extrusion.
+        scales: How many times its size the warp makes each end.
     """
     inset, level, lean, rise = _end_rows(length, bevel, stations)
     rows = len(level)
@@ -254,6 +223,10 @@ def extrusion(
     places: list[Indices] = []
     rings: list[Array] = []
     along = np.concatenate([[0.0], np.cumsum(np.hypot(np.diff(inset), np.diff(level)))]) - length / 2.0
+    size = np.ptp(np.concatenate([contour.points for contour in contours]), axis=0)
+    lying, across = lies_flat(size, length), runs_across(size)
+    share = np.interp(level, (-length / 2.0, length / 2.0), scales)
+    uneven = bevel > 0.0 or scales[0] != scales[1]
     for contour in contours:
         rail = Rail.along(contour)
         tight = mitres(contour)
@@ -265,9 +238,10 @@ def extrusion(
         normals = np.empty((rows, columns, 3))
         normals[..., :2] = lean[:, None, None] * rail.normals
         normals[..., 2] = rise[:, None]
-        uvs = np.empty((rows, columns, 2))
-        uvs[..., 0] = rail.distance
-        uvs[..., 1] = along[:, None]
+        around = rail.distance * (0.5 * sum(scales))
+        if uneven and columns > len(contour.points) + 1:  # sides between corners may be flat
+            around = tapered_around(rail, ring_lengths(rail, plan) * share[:, None], around)
+        uvs = wall_uvs(around, along[:, None], lying=lying)
         places.append(sheets.grid(rail, vertices, normals, uvs))
         rings.append(plan[0])
     flat = np.concatenate(rings)
@@ -275,7 +249,8 @@ def extrusion(
     ends = np.concatenate([place[[0, -1]] for place in places], axis=1)
     for row, side, faces in ((0, -1.0, triangles[:, ::-1]), (1, 1.0, triangles)):
         lid = np.column_stack([flat, np.full(len(flat), side * length / 2.0)])
-        sheets.cap(ends[row], lid, np.array([0.0, 0.0, side]), flat, faces)
+        uvs = cap_uvs(flat * scales[row], side, across=across)
+        sheets.cap(ends[row], lid, np.array([0.0, 0.0, side]), uvs, faces)
     skin = sheets.skin()
     if warp is None:
         return skin
@@ -331,15 +306,9 @@ def lathe(contours: Sequence[Contour], *, angle: float = math.tau, sides: int | 
     for contour in contours:
         level = _level_sides(contour)
         rail = Rail.along(contour, level != np.roll(level, 1))
-        flat = np.zeros(len(rail.vertex), bool)
-        flat[rail.start[level]] = True
-        flat[rail.end[level]] = True
         vertices = _turned(contour.points[rail.vertex], cosine, sine)
         normals = _turned(rail.normals, cosine, sine)
-        uvs = np.empty((*vertices.shape[:2], 2))
-        uvs[..., 0] = turn[:, None] * float(contour.points[:, 0].max())
-        uvs[..., 1] = rail.distance
-        uvs[:, flat] = vertices[:, flat, :2]
+        uvs = turned_uvs(contour, rail, vertices, turn, level)
         poles = contour.points[:, 0] == 0.0
         places.append(sheets.grid(rail, vertices, normals, uvs, places=seam, poles=poles, flipped=True))
     if not full:
@@ -351,7 +320,7 @@ def lathe(contours: Sequence[Contour], *, angle: float = math.tau, sides: int | 
         for row, faces in ((0, triangles), (1, triangles[:, ::-1])):
             sign, at = (-1.0, 0) if row == 0 else (1.0, -1)
             normal = np.array([-sine[at] * sign, cosine[at] * sign, 0.0])
-            sheets.cap(ends[row], section[row], normal, flat_points, faces)
+            sheets.cap(ends[row], section[row], normal, cap_uvs(flat_points, -sign, across=False), faces)
     return sheets.skin()
 
 

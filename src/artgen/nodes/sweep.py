@@ -12,7 +12,9 @@ from artgen.graph import kernel
 from artgen.nodes.contours import CREASE
 from artgen.nodes.covers import around_sweep
 from artgen.nodes.handles import Path, Profile, Solid
-from artgen.nodes.surfaces import Rail, Sheets, Skin, triangulated
+from artgen.nodes.rail import Rail
+from artgen.nodes.surfaces import Sheets, Skin, triangulated
+from artgen.nodes.unwrap import cap_uvs, runs_across, wall_uvs
 
 Array = NDArray[np.float64]
 Row = tuple[float, float, float]
@@ -181,16 +183,17 @@ def _swept_skin(contours: Sequence[Contour], stations: _Stations, closed: bool) 
     turn[~stations.sharp[station]] = np.eye(3)
     if closed and stations.sharp[0]:
         turn[0], turn[-1] = stations.after[0], stations.before[0]
-    axes = turn @ stations.frames[station][:, :, :2]
+    turned = turn @ stations.frames[station]
+    axes, ahead = turned[:, :, :2], turned[:, :, 2]
     sheets = Sheets()
     places = []
     for contour in contours:
         rail = Rail.along(contour)
         vertices = _spread(stations, contour.points)[station][:, rail.vertex]
         normals = np.einsum("sij,cj->sci", axes, rail.normals)
-        uvs = np.empty((*vertices.shape[:2], 2))
-        uvs[..., 0] = rail.distance
-        uvs[..., 1] = stations.distance[station][:, None]
+        # at a mitre the outside goes farther along its segment than the path does, and the inside less far
+        beyond = np.einsum("sci,si->sc", vertices - stations.points[station][:, None], ahead)
+        uvs = wall_uvs(rail.distance, stations.distance[station][:, None] + beyond, lying=False)
         rows = np.column_stack([strips, strips + 1])
         places.append(sheets.grid(rail, vertices, normals, uvs, strips=rows, places=first_row))
     if not closed:
@@ -200,6 +203,8 @@ def _swept_skin(contours: Sequence[Contour], stations: _Stations, closed: bool) 
         ends = np.concatenate([place[[0, -1]] for place in places], axis=1)
         section = _spread(stations, flat)[[0, -1]]
         tangents = stations.frames[[0, -1], :, 2]
-        sheets.cap(ends[0], section[0], -tangents[0], flat, triangles[:, ::-1])
-        sheets.cap(ends[1], section[1], tangents[1], flat, triangles)
+        across = runs_across(np.ptp(flat, axis=0))
+        for row, side, faces in ((0, -1.0, triangles[:, ::-1]), (1, 1.0, triangles)):
+            uvs = cap_uvs(flat, side, across=across)
+            sheets.cap(ends[row], section[row], side * tangents[row], uvs, faces)
     return sheets.skin()

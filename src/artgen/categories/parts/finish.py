@@ -1,11 +1,31 @@
-"""Materials that derive from the finish of a set of hardware."""
+"""What leaves, frames and hardware are made of, and the materials that derive from a finish."""
 
-from artgen import Material, material
+from collections.abc import Sequence
 
-FINISHES = tuple(
-    material(name) for name in ("satin_nickel", "chrome", "stainless", "brass", "aged_bronze", "black_steel")
-)
+from artgen import MATERIALS, Material, material
+
+
+def known(*names: str) -> tuple[Material, ...]:
+    """Return the materials of those names that the table has."""
+    return tuple(MATERIALS[name] for name in names if name in MATERIALS)
+
+
+_HARDWARE = {
+    "satin_nickel": 2.0,
+    "stainless": 2.0,
+    "chrome": 1.2,
+    "brass": 1.0,
+    "satin_brass": 1.2,
+    "aged_bronze": 0.9,
+    "powder_coat_black": 0.8,
+    "black_steel": 0.8,
+}
+
+FINISHES = known(*_HARDWARE)
 """What door hardware is sold in."""
+
+FINISH_WEIGHTS = tuple(_HARDWARE[finish.name] for finish in FINISHES)
+"""How often."""
 
 
 def casting(finish: Material, share: float = 0.35) -> Material:
@@ -25,4 +45,71 @@ def recess(finish: Material) -> Material:
         base_color=(0.02, 0.02, 0.02),
         base_metalness=0.0,
         specular_roughness=0.7,
+        coat_weight=0.0,
+        texture="",
+        variant=0,
+        tile=None,
+        turned=False,
     )
+
+
+def weighing(materials: Sequence[Material], density: float, prefix: str) -> tuple[Material, ...]:
+    """Return materials of another density [kg/m3], such as veneers on a light core, under other names."""
+    return tuple(each.with_(name=f"{prefix}_{each.name}", density=density) for each in materials)
+
+
+def across(finish: Material) -> Material:
+    """Return a finish whose grain runs across the long side of a part."""
+    if not finish.texture:
+        return finish
+    return finish.with_(name=f"{finish.name}_across", turned=not finish.turned)
+
+
+# Linear colours of paints, and how often rooms and entrances have them.
+_PAINTS: dict[str, tuple[tuple[float, float, float], float, float]] = {
+    "white": ((0.80, 0.79, 0.76), 5.0, 1.5),
+    "ivory": ((0.74, 0.69, 0.58), 1.5, 0.5),
+    "linen": ((0.62, 0.57, 0.48), 1.0, 0.4),
+    "dove": ((0.48, 0.48, 0.46), 1.0, 0.5),
+    "grey": ((0.26, 0.27, 0.275), 1.0, 0.8),
+    "graphite": ((0.050, 0.054, 0.060), 0.6, 1.4),
+    "black": ((0.022, 0.022, 0.023), 0.3, 1.2),
+    "sage": ((0.30, 0.36, 0.27), 0.8, 1.0),
+    "olive": ((0.115, 0.125, 0.065), 0.3, 0.6),
+    "forest": ((0.022, 0.060, 0.040), 0.2, 1.0),
+    "powder_blue": ((0.36, 0.46, 0.52), 0.5, 0.6),
+    "teal": ((0.030, 0.130, 0.140), 0.2, 0.6),
+    "navy": ((0.024, 0.042, 0.090), 0.5, 1.2),
+    "terracotta": ((0.37, 0.12, 0.060), 0.1, 0.5),
+    "oxblood": ((0.130, 0.020, 0.022), 0.1, 0.8),
+    "red": ((0.33, 0.030, 0.026), 0.1, 0.8),
+    "mustard": ((0.52, 0.30, 0.055), 0.1, 0.4),
+}
+_SPRAYED = (
+    "black",
+    "graphite",
+    "grey",
+    "dove",
+    "teal",
+)  # factory finishes; a brush leaves marks in the others
+
+
+def paints(density: float, prefix: str) -> tuple[Material, ...]:
+    """Return the paints over a wood of some density [kg/m3], under names that begin with the prefix."""
+    base = material("painted_wood")
+    return tuple(
+        base.with_(
+            name=f"{prefix}_{color}",
+            base_color=rgb,
+            density=density,
+            texture="sprayed_paint" if color in _SPRAYED and base.texture else base.texture,
+        )
+        for color, (rgb, _, _) in _PAINTS.items()
+    )
+
+
+INDOORS = tuple(inside for _, inside, _ in _PAINTS.values())
+"""How often rooms have each of the paints."""
+
+OUTDOORS = tuple(outside for _, _, outside in _PAINTS.values())
+"""How often entrances have each of the paints."""

@@ -25,6 +25,7 @@ from artgen import (
     part,
     polygon,
     polyline,
+    rectangle,
     sweep,
     weld,
 )
@@ -44,6 +45,32 @@ _ARCH_STOPS = 12  # lengths of the stop under an arch
 _SILL_PLAY = 0.004  # between threshold and leaf [m]
 
 FrameKind = Literal["jambs", "full", "arched"]
+
+Trim = Literal["ogee", "flat", "stepped", "bevelled"]
+"""The section of a casing."""
+
+_TRIMS: dict[str, tuple[tuple[float, float], ...]] = {
+    # shares of the width, and heights [m], from the outer edge to the inner one; 15 mm is the most, so that
+    # bolts pass in front
+    "ogee": (
+        (1.0, 0.0132), (0.985, 0.0146), (0.965, 0.015), (0.86, 0.015), (0.84, 0.0147), (0.825, 0.0137),
+        (0.80, 0.0126), (0.76, 0.0118), (0.72, 0.0114), (0.62, 0.0107), (0.40, 0.0096), (0.33, 0.0093),
+        (0.28, 0.0088), (0.25, 0.0079), (0.22, 0.0073), (0.18, 0.0071), (0.05, 0.0070), (0.02, 0.0064),
+        (0.0, 0.0050),
+    ),
+    "flat": (
+        (1.0, 0.0130), (0.99, 0.0142), (0.975, 0.0145), (0.025, 0.0145), (0.01, 0.0142), (0.0, 0.0130),
+    ),
+    "stepped": (
+        (1.0, 0.0140), (0.99, 0.0148), (0.98, 0.015), (0.76, 0.015), (0.745, 0.0148), (0.74, 0.0140),
+        (0.74, 0.0112), (0.725, 0.0110), (0.36, 0.0110), (0.345, 0.0108), (0.34, 0.0100), (0.34, 0.0078),
+        (0.325, 0.0075), (0.02, 0.0075), (0.005, 0.0070), (0.0, 0.0062),
+    ),
+    "bevelled": (
+        (1.0, 0.0138), (0.99, 0.0148), (0.975, 0.015), (0.55, 0.015), (0.50, 0.0148), (0.04, 0.0072),
+        (0.015, 0.0066), (0.0, 0.0058),
+    ),
+}  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -84,6 +111,7 @@ def door_frame(
     finish: Material,
     sill: Material,
     casing: Scalar,
+    trim: Trim = "ogee",
     jamb_cut: Solid | None = None,
     head_cut: Solid | None = None,
 ) -> Body:
@@ -95,12 +123,14 @@ def door_frame(
         finish: Its wood.
         sill: Material of the threshold.
         casing: Width of the casing [m].
+        trim: Section of the casing.
         jamb_cut: What the locks need taken out of the jamb at the right.
         head_cut: What a flush bolt needs taken out of the head.
     """
     wide = _TIMBER if kind == "arched" else JAMB
     tall = doorway.straight if doorway.arch is None else doorway.arch.outset(wide).spring
-    jamb = box(wide, doorway.depth, tall, bevel=0.0015)
+    eased = 0.003 if kind == "arched" else 0.0015
+    jamb = box(wide, doorway.depth, tall, bevel=eased)
     beside, half_way = (doorway.width + wide) / 2.0, tall / 2.0
     right = jamb.at(beside, doorway.middle, half_way)
     head = _head(doorway, wide)
@@ -114,13 +144,11 @@ def door_frame(
     bodies.append(detail(_seals(doorway), "seal", material("rubber")))
     if kind == "full":
         front, back = -doorway.thickness / 2.0, doorway.depth - doorway.thickness / 2.0
-        trim = _casing(doorway, casing)
-        bodies.append(part(trim.at(0.0, front, 0.0), "frame", finish))
-        bodies.append(part(trim.rotate(Z, math.pi).at(0.0, back, 0.0), "frame", finish))
+        surround = _casing(doorway, casing, trim)
+        bodies.append(part(surround.at(0.0, front, 0.0), "frame", finish))
+        bodies.append(part(surround.rotate(Z, math.pi).at(0.0, back, 0.0), "frame", finish))
     if kind != "jambs":
-        thick = doorway.floor_gap - _SILL_PLAY
-        plate = box(doorway.width, doorway.depth, thick, bevel=0.0022)
-        bodies.append(part(plate.at(0.0, doorway.middle, thick / 2.0), "threshold", sill))
+        bodies += _threshold(doorway, sill)
     return weld(*bodies)
 
 
@@ -160,25 +188,24 @@ def _seals(doorway: Doorway) -> Solid:
     return array(side, at=[(-beside, middle, tall / 2.0), (beside, middle, tall / 2.0)])
 
 
-def _casing(doorway: Doorway, width: Scalar) -> Solid:
-    """Make the moulded trim of the front, mitred at its corners, its back at y = 0.
+def _threshold(doorway: Doorway, sill: Material) -> list[Body]:
+    """Make the plate on the floor; one of metal has ribs that feet do not slip on."""
+    thick = doorway.floor_gap - _SILL_PLAY
+    plate = box(doorway.width, doorway.depth, thick, bevel=0.0022)
+    bodies = [part(plate.at(0.0, doorway.middle, thick / 2.0), "threshold", sill)]
+    if sill.base_metalness > 0.5:
+        rib = box(doorway.width - 0.004, 0.0022, 0.0012, bevel=0.0005)
+        places = [(0.0, doorway.middle + (index - 3.0) * 0.007, thick) for index in range(7)]
+        bodies.append(detail(array(rib, at=places), "threshold", sill))
+    return bodies
 
-    Its inner edge is thin and its outer one 15 mm thick, so that the leaf swings clear of it.
-    """
-    section = polygon(
-        [
-            (0.0, 0.0),
-            (width, 0.0),
-            (width, 0.0135),
-            (width - 0.002, 0.015),
-            (0.80 * width, 0.015),
-            (0.72 * width, 0.0115),
-            (0.30 * width, 0.0095),
-            (0.22 * width, 0.0075),
-            (0.004, 0.0070),
-            (0.0, 0.0050),
-        ]
-    )
+
+def _casing(doorway: Doorway, width: Scalar, trim: Trim) -> Solid:
+    """Make the moulded trim of the front, mitred at its corners, its back at y = 0."""
+    corners = [(share * width, high) for share, high in _TRIMS[trim]]
+    # united with its back: a union is smooth where corners are blunt
+    back = rectangle(width, 0.004).at(width / 2.0, 0.002)
+    section = polygon([(0.0, 0.0), (width, 0.0), *corners]) | back
     x, z = doorway.width / 2.0 + _REVEAL, doorway.height + _REVEAL
     # swept on the floor, up the left leg and down the right one, then stood up: up becomes the front
     course = polyline([(-x, 0.0, 0.0), (-x, z, 0.0), (x, z, 0.0), (x, 0.0, 0.0)])

@@ -10,6 +10,7 @@ from artgen import (
     X,
     Y,
     Z,
+    array,
     box,
     cylinder,
     detail,
@@ -23,6 +24,7 @@ from artgen import (
     union,
     weld,
 )
+from artgen.categories.parts.cylinders import plug
 from artgen.categories.parts.finish import casting
 from artgen.nodes.handles import Scalar
 
@@ -34,6 +36,8 @@ _BARREL = 0.0045  # radius of the thumb piece about its pin [m]
 _WIDE = 0.022  # length of the barrel [m]
 _EAR = 0.003  # thickness of the ears that hold the pin [m]
 _PLAY = 0.0004  # between barrel and ears [m]
+_CYLINDER = 0.0085  # radius of the plug of its key cylinder [m]
+_KEY = 0.038  # height of that above the spindle [m]
 _GRIP_TOP = 0.048  # from the spindle down to the upper end of the grip: a thumb's reach [m]
 
 
@@ -65,13 +69,17 @@ def grip(
     bar = sweep(rectangle(0.021, 0.015, radius=0.006), course)
     flange = cylinder(0.0165, 0.006, axis=Y, bevel=0.0018).at(0.0, root + side * 0.003, bottom)
     hold = frame((0.0, out, (top + bottom) / 2), approach=(0.0, -side, 0.0), closing=(1.0, 0.0, 0.0))
-    pin = cylinder(0.0022, _WIDE + 2 * (_PLAY + _EAR) + 0.0012, axis=X, bevel=0.0005)
+    pin = cylinder(0.0022, _EAR + 0.0006, axis=X, bevel=0.0005)
+    ends = [(end * (_WIDE / 2 + _PLAY + _EAR / 2 + 0.0003), side * (face + _PIVOT), 0.0) for end in (-1, 1)]
     middle = side * (thickness / 2 + (depth - 0.0005) / 2)
+    collar = cylinder(_CYLINDER + 0.004, 0.0040, axis=Y, bevel=0.0014).at(0.0, side * (face + 0.0008), _KEY)
     return weld(
         part(bar | flange, "grip", casting(finish), grasp=hold, grasp_width=0.045),
         part(plate.at(0.0, middle, -0.012), "rose", casting(finish)),
         *(part(each, "rose", finish) for each in ears),
-        detail(pin.at(0.0, side * (face + _PIVOT), 0.0), "rose", finish),
+        detail(array(pin, at=ends), "rose", finish),
+        detail(collar, "cylinder", finish),
+        *plug(face=face + 0.0028, side=side, finish=finish, radius=_CYLINDER, below=-_KEY),
     )
 
 

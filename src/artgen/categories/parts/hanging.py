@@ -4,8 +4,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from artgen import Body, Bool, Condition, Dependency, Float, Joint, Material, Revolute
+from artgen.categories.parts.blank import Blank
 from artgen.categories.parts.hinge import hinge_frame, hinge_leaf, hinge_offset
-from artgen.categories.parts.leaf import Blank
 from artgen.nodes.handles import Scalar
 
 _TOP = 0.19  # from the top of the leaf to the middle of the upper hinge [m]

@@ -15,13 +15,17 @@ from artgen import (
     Z,
     array,
     box,
+    circle,
     cylinder,
     detail,
     dome,
+    enclosed,
+    extrude,
     part,
+    rectangle,
     weld,
 )
-from artgen.nodes.csg import enclosed
+from artgen.categories.parts.screws import screws
 from artgen.nodes.handles import Scalar
 
 KNUCKLE_CLEARANCE = 0.001
@@ -29,6 +33,8 @@ KNUCKLE_CLEARANCE = 0.001
 
 _AXIAL_GAP = 0.0004  # between knuckles [m]
 _PLATE = 0.0026  # thickness of plates: what shows in the gap, and what is let into the wood [m]
+_FACE = 0.0008  # of which this much is only seen: it has the holes of the screws [m]
+_SCREW = 0.0034  # radius of their heads [m]
 _CENTER = 0.00025  # plates stay away from the middle of the gap by this much [m]
 
 
@@ -52,17 +58,28 @@ def _half(
     knuckle = cylinder(radius, tall, axis=Z)  # sharp rims: with its tab one hull of less than 64 corners
     tab = box(sheet, radius + 0.0006, tall).align((inner, 0.0, 0.0), x=-side, y=-1.0)
     middles = [pitch * (index + 0.5) - height / 2 for index in range(0 if side < 0 else 1, count, 2)]
-    # the plate runs past the other half's knuckles, 0.5 mm behind them
-    plate = box(sheet, depth + KNUCKLE_CLEARANCE - 0.0005, height, bevel=0.0003)
-    plate = plate.align((inner, radius + 0.0005, 0.0), x=-side, y=-1.0)
-    head = cylinder(0.0036, 0.0004, axis=X, bevel=0.0001)
-    rows = ((-0.36, 0.65), (0.0, 0.45), (0.36, 0.65))
-    screws = [(inner, hinge_offset(radius) + row * depth, level * height) for level, row in rows]
+    # the plate runs past the other half's knuckles, 0.5 mm behind them; its face has holes for screws
+    deep = depth + KNUCKLE_CLEARANCE - 0.0005
+    plate = box(sheet - _FACE, deep, height)
+    plate = plate.align((inner + side * _FACE, radius + 0.0005, 0.0), x=-side, y=-1.0)
+    rows = ((-0.36, 0.65), (0.0, 0.40), (0.36, 0.65))
+    screws_at = [(hinge_offset(radius) + row * depth, level * height) for level, row in rows]
+    face = rectangle(deep, height, radius=0.004).at(radius + 0.0005 + deep / 2.0)
+    for at in screws_at:
+        face = face - circle(_SCREW + 0.0003).at(*at)
+    skin = extrude(face, _FACE + 0.0003, axis=X).at(inner + side * (_FACE + 0.0003) / 2.0, 0.0, 0.0)
     return [
         # a knuckle and its tab nearly are their own hull
         part(array(enclosed(knuckle | tab), at=[(0.0, 0.0, z) for z in middles]), "hinge", finish),
         part(plate, "hinge", finish),
-        detail(array(head, at=screws), "screw", finish),
+        detail(skin, "hinge", finish),
+        *screws(
+            [(inner, y, z) for y, z in screws_at],
+            facing="-x" if side > 0 else "+x",
+            radius=_SCREW,
+            finish=finish,
+            sunk=0.0005,
+        ),
     ]
 
 

@@ -12,24 +12,32 @@ from artgen import (
     Material,
     Solid,
     X,
-    Y,
     Z,
     array,
     atan2,
     box,
     detail,
-    extrude,
+    hull,
     min_,
     part,
     polygon,
     polyline,
+    rectangle,
     sqrt,
     sweep,
 )
 from artgen.nodes.handles import Scalar, VectorLike
 
 _PANE = 0.005  # toughened glass [m]
+_BOARDS = 3  # of which the slats of a section are cut
 _BEVEL = 0.055  # width of the bevels of a fielded panel, moulding included [m]
+
+
+Relief = Literal["raised", "recessed"]
+"""Whether the fields of panels stand out of their grooves or lie flat in them."""
+
+Sticking = Literal["ogee", "ovolo", "square"]
+"""The moulding around panels: an S, a quarter round, or none."""
 
 
 class Opening(NamedTuple):
@@ -58,61 +66,59 @@ Fill = Callable[[Opening, Scalar], list[Body]]
 """Makes what fills the openings of a row in a leaf of some thickness [m]."""
 
 
-def _sticking(opening: Opening, thickness: Scalar, depth: Scalar, reach: Scalar) -> Body:
-    """Make the moulding around the openings on both faces: a fillet, a cove and a bead down to the filling.
+_SECTIONS: dict[str, tuple[tuple[float, float], ...]] = {
+    # shares of its reach and of its depth, from the panel up to the face of the frame
+    "ogee": (
+        (1.0, 0.84), (0.93, 0.84), (0.90, 0.76), (0.80, 0.70), (0.69, 0.655), (0.58, 0.60), (0.48, 0.51),
+        (0.40, 0.40), (0.33, 0.28), (0.26, 0.19), (0.17, 0.13), (0.10, 0.11), (0.10, 0.05),
+    ),
+    "ovolo": (
+        (1.0, 0.80), (0.90, 0.80), (0.90, 0.72), (0.885, 0.58), (0.84, 0.45), (0.765, 0.33), (0.66, 0.23),
+        (0.54, 0.16), (0.40, 0.12), (0.26, 0.11), (0.26, 0.05),
+    ),
+    "bead": ((1.0, 0.55), (0.97, 0.47), (0.88, 0.40), (0.62, 0.30), (0.40, 0.17), (0.32, 0.09), (0.32, 0.05)),
+}  # fmt: skip
+
+
+def _sticking(opening: Opening, thickness: Scalar, depth: Scalar, reach: Scalar, style: str) -> list[Body]:
+    """Make the moulding around the openings on both faces, down to the filling.
 
     Args:
         opening: What it surrounds.
         thickness: Of the leaf [m].
         depth: How far below the face the filling lies [m].
         reach: How far the moulding covers the filling [m].
+        style: Which section it has.
     """
-    section = polygon(
-        [
-            (-0.0005, -depth),
-            (reach, -depth),
-            (reach, -0.80 * depth),
-            (0.80 * reach, -0.66 * depth),
-            (0.58 * reach, -0.58 * depth),
-            (0.40 * reach, -0.42 * depth),
-            (0.30 * reach, -0.16 * depth),
-            (0.24 * reach, -0.08 * depth),
-            (-0.0005, -0.08 * depth),
-        ]
-    )
+    corners = [(out * reach, -down * depth) for out, down in _SECTIONS[style]]
+    last = -_SECTIONS[style][-1][1] * depth
+    # united with its foot: a union is smooth where corners are blunt
+    foot = rectangle(reach + 0.0005, 0.2 * depth).at(reach / 2.0 - 0.00025, -0.9 * depth)
+    section = polygon([(-0.0005, last), (-0.0005, -depth), (reach, -depth), *corners]) | foot
     x, z = opening.width / 2.0, opening.height / 2.0
     ring = polyline([(-x, -z, 0.0), (x, -z, 0.0), (x, z, 0.0), (-x, z, 0.0)], closed=True)
     # swept on the floor, where the section's y is up, then stood up: up becomes the front
     front = sweep(section, ring).rotate(X, math.pi / 2.0).at(0.0, -thickness / 2.0, 0.0)
-    return detail(opening.everywhere(front | front.rotate(Z, math.pi)), "door", opening.finish)
+    faces = (front, front.rotate(Z, math.pi))
+    return [detail(opening.everywhere(face), "door", opening.finish) for face in faces]
 
 
 def panels_in(
-    opening: Opening, thickness: Scalar, relief: Literal["raised", "recessed"], moulding: Scalar
+    opening: Opening, thickness: Scalar, relief: Relief, moulding: Scalar, sticking: Sticking
 ) -> list[Body]:
-    """Make the panels of a row with their mouldings."""
-    width, height = opening.width - 0.001, opening.height - 0.001
+    """Make the panels of a row with their mouldings; each panel is a board of its own."""
+    width, height = opening.width - 0.0006, opening.height - 0.0006
     tongue = 0.25 * thickness  # 9-11 mm stand in the groove
+    panel = box(width, tongue, height)
     if relief == "raised":
         # fielded on both faces: bevels rise from the groove to a field 4 mm below the faces of the leaf
-        run = min_(_BEVEL, 0.3 * min_(width, height))
-        field = thickness - 0.008
-        panel = _fielded(width, height, tongue, field, run) & _fielded(
-            height, width, tongue, field, run
-        ).rotate(Y, math.pi / 2.0)
-    else:
-        panel = box(width, tongue, height)
-    return [
-        part(opening.everywhere(panel), "door", opening.finish),
-        _sticking(opening, thickness, (thickness - tongue) / 2.0, moulding),
-    ]
-
-
-def _fielded(width: Scalar, length: Scalar, edge: Scalar, field: Scalar, run: Scalar) -> Solid:
-    """Make a board along Z whose section, of a width along X, has bevels from its edges to its field."""
-    x, inner, y, out = width / 2.0, width / 2.0 - run, edge / 2.0, field / 2.0
-    corners = [(x, -y), (x, y), (inner, out), (-inner, out), (-x, y), (-x, -y), (-inner, -out), (inner, -out)]
-    return extrude(polygon(corners), length, axis=Z)
+        run = 2.0 * min_(_BEVEL, 0.3 * min_(width, height))
+        field = box(width - run, thickness - 0.008, height - run)
+        panel = hull(panel, field)
+    bodies = [part(panel.at(center), "door", opening.finish) for center in opening.centers]
+    if sticking == "square":
+        return bodies
+    return bodies + _sticking(opening, thickness, (thickness - tongue) / 2.0, moulding, sticking)
 
 
 def panes_in(opening: Opening, thickness: Scalar, columns: int, lights: int, glass: Material) -> list[Body]:
@@ -120,7 +126,7 @@ def panes_in(opening: Opening, thickness: Scalar, columns: int, lights: int, gla
     width, height = opening.width - 0.002, opening.height - 0.002
     bodies = [
         part(opening.everywhere(box(width, _PANE, height)), "glass", glass),
-        _sticking(opening, thickness, (thickness - _PANE) / 2.0, 0.013),
+        *_sticking(opening, thickness, (thickness - _PANE) / 2.0, 0.013, "bead"),
     ]
     center = opening.centers[0]
     for number, across in ((columns, True), (lights, False)):
@@ -152,5 +158,9 @@ def slats_in(opening: Opening, thickness: Scalar, slats: int) -> list[Body]:
         (0.0, 0.0, (at - (slats - 1) / 2.0) * (opening.height - rise) / (slats - 1)) for at in range(slats)
     ]
     # the outer edge hangs down, so that rain and eyes stay out
-    solid = array(slat.rotate(X, atan2(up, out)), at=places).at(opening.centers[0])
-    return [part(solid, "door", opening.finish)]
+    tilted = slat.rotate(X, atan2(up, out))
+    # neighbours are of different boards
+    return [
+        part(array(tilted, at=places[first::_BOARDS]).at(opening.centers[0]), "door", opening.finish)
+        for first in range(_BOARDS)
+    ]

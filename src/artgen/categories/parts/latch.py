@@ -13,19 +13,22 @@ from artgen import (
     Joint,
     Material,
     Prismatic,
+    Profile,
     Solid,
     X,
     Z,
-    array,
     box,
-    cylinder,
+    circle,
     detail,
     extrude,
     part,
     polygon,
+    rectangle,
     weld,
 )
-from artgen.categories.parts.finish import recess
+from artgen.categories.parts.screws import Way, screws
+from artgen.nodes.details.lettering import lettering
+from artgen.nodes.details.relief import engraved
 from artgen.nodes.handles import Scalar
 
 PLAY = 0.0004
@@ -58,6 +61,8 @@ _TAIL = 0.022  # what stays in the leaf behind the throw [m]
 _OVERTRAVEL = 1.6  # a handle turns further than the latch needs: the pocket is that many throws deep
 _OPENING_PLAY = 0.0007  # a closed door rattles by this much [m]
 _EASY = 0.002  # play of the strike where nothing has to hold [m]
+_SKIN = 0.0008  # thickness of what is seen of a strike [m]
+_SCREW = 0.0036  # radius of the heads of screws [m]
 _PROUD = 0.0003  # plates stand out of the wood by this much, so that they are seen [m]
 
 
@@ -111,32 +116,47 @@ def _slot(bolt: Bolt, length: Scalar, end: Scalar) -> Solid:
     return box(length, bolt.width + 2 * PLAY, bolt.height + 2 * PLAY).align((end, 0.0, 0.0), x=1.0)
 
 
-def faceplate(*, backset: Scalar, finish: Material, bolt: BoltName = "latch") -> Body:
-    """Make the plate on the lock edge through which a bolt comes out, 25 by 57 mm as is common, with screws.
+def faceplate(
+    *, backset: Scalar, finish: Material, bolt: BoltName = "latch", mark: str = "", mirrored: bool = False
+) -> Body:
+    """Make the plate on the lock edge through which a bolt comes out, 23 by 57 mm as is common, with screws.
 
     Args:
         backset: Distance from the axis of the lock to the lock edge [m].
         finish: Metal of the plate.
         bolt: `latch` or `deadbolt`.
+        mark: The maker's name, engraved below the bolt; empty for none.
+        mirrored: Whether the door is mirrored when it is done.
     """
     section = LATCH if bolt == "latch" else DEADBOLT
     width, height, thick = 0.0235, 0.057, 0.0024
-    plate = box(thick, width, height, bevel=0.0002).align((backset + _PROUD, 0.0, 0.0), x=1.0)
-    hole = _slot(section, 0.02, backset + 0.005)
-    return weld(
-        detail(plate - hole, "faceplate", finish),  # it stands out of the wood by 0.3 mm
-        *_plate_screws(backset + _PROUD, 1, section.height / 2 + 0.010, finish),
+    face, level = backset + _PROUD, section.height / 2 + 0.0095
+    outline = rectangle(width, height, radius=0.0045)
+    outline = outline - rectangle(section.width + 2 * PLAY, section.height + 2 * PLAY)
+    bodies = [
+        detail(_pierced(outline, level, thick).at(face - thick / 2, 0.0, 0.0), "faceplate", finish),
+        *_plate_screws(face, "+x", level, finish),
+    ]
+    if mark:
+        name = lettering([mark.upper()], 0.0016, tracking=0.12, fineness="coarse")
+        name = name.mirror() if mirrored else name
+        bodies.append(
+            engraved(name, (face, 0.0, -height / 2 + 0.0026), facing=X, label="faceplate", material=finish)
+        )
+    return weld(*bodies)
+
+
+def _pierced(outline: Profile, level: Scalar, thick: Scalar) -> Solid:
+    """Make a plate that looks along X, with holes for screws above and below its middle."""
+    hole = circle(_SCREW + 0.0003)
+    return extrude(outline - hole.at(0.0, level) - hole.at(0.0, -level), thick, axis=X)
+
+
+def _plate_screws(x: Scalar, facing: Way, height: Scalar, finish: Material) -> list[Body]:
+    """Make countersunk heads above and below a bolt on a plate at x."""
+    return screws(
+        [(x, 0.0, -height), (x, 0.0, height)], facing=facing, radius=_SCREW, finish=finish, sunk=0.0005
     )
-
-
-def _plate_screws(x: Scalar, side: int, height: Scalar, finish: Material) -> list[Body]:
-    """Make screw heads above and below a bolt on a plate at x that faces `side`."""
-    dark = recess(finish)
-    places = [(x, 0.0, -height), (x, 0.0, height)]
-    heads = array(cylinder(0.0036, 0.0008, axis=X, bevel=0.0003), at=places)
-    # a Phillips recess: two dark bars, 0.1 mm proud of the head
-    bars = [box(0.0002, *sizes).at(side * 0.0004, 0.0, 0.0) for sizes in ((0.0036, 0.0008), (0.0008, 0.0036))]
-    return [detail(heads, "screw", finish), *(detail(array(bar, at=places), "screw", dark) for bar in bars)]
 
 
 def strike_pocket(*, backset: Scalar, gap: Scalar, throw: Scalar, bolt: Bolt = LATCH) -> Solid:
@@ -175,13 +195,27 @@ def strike_plate(
         bolt: `latch` or `deadbolt`.
     """
     section = LATCH if bolt == "latch" else DEADBOLT
-    face = backset + gap
+    face = backset + gap - _PROUD
     low, high = -thickness / 2 + 0.0005, section.width / 2 + 0.008
-    plate = box(0.0018, high - low, 0.060, bevel=0.0002).align((face - _PROUD, low, 0.0), x=-1.0, y=-1.0)
     hole = strike_pocket(backset=backset, gap=gap, throw=throw, bolt=section)
+    # what collides lies behind what is seen, which has the holes of the screws
+    plate = box(0.0018 - _SKIN, high - low, 0.060).align((face + _SKIN, low, 0.0), x=-1.0, y=-1.0)
+    wide = section.width + _OPENING_PLAY + _EASY
+    opening = rectangle(wide, section.height + 2 * _EASY).at((_EASY - _OPENING_PLAY) / 2)
+    skin = rectangle(high - low, 0.060, radius=0.0045).at((low + high) / 2)
+    level = section.height / 2 + 0.0105
+    # the lip, which guides the latch in, curls around the front of the jamb
+    curl = polygon([(0.0, 0.0), (0.0, -0.0006), (0.0020, -0.0029), (0.0030, -0.0024), (0.0012, 0.0)])
+    lip = extrude(curl, section.height + 0.012, axis=Z, bevel=0.0003)
     return weld(
         part(plate - hole, "strike", finish),
-        *_plate_screws(face - _PROUD, -1, section.height / 2 + 0.011, finish),
+        detail(
+            _pierced(skin - opening, level, _SKIN + 0.0003).at(face + (_SKIN + 0.0003) / 2, 0.0, 0.0),
+            "strike",
+            finish,
+        ),
+        detail(lip.at(face, -thickness / 2 + 0.0006, 0.0), "strike", finish),
+        *_plate_screws(face, "-x", level, finish),
     )
 
 

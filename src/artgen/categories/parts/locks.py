@@ -18,13 +18,16 @@ from artgen import (
     cylinder,
     detail,
     enclosed,
+    extrude,
     frame,
     frustum,
     part,
+    ring,
     union,
     weld,
 )
-from artgen.categories.parts.finish import casting, recess
+from artgen.categories.parts.cylinders import plug
+from artgen.categories.parts.finish import casting
 from artgen.categories.parts.latch import DEADBOLT, PLAY
 from artgen.categories.parts.roses import PIN, SPINDLE, spindle_hole
 from artgen.nodes.handles import Scalar, VectorLike
@@ -108,20 +111,18 @@ def deadbolt_cover(*, thickness: Scalar, finish: Material, side: int = -1) -> Bo
         finish: Its metal.
         side: The face with the thumb turn, -1 for the front (-y).
     """
-    dark = recess(finish)
     deep = _ROSETTE_DEPTH + 0.0005
     middle = thickness / 2 - 0.0005 + deep / 2
     rosette = cylinder(_ROSETTE, deep, axis=Y, bevel=0.0022)
     rosette = rosette.at(0.0, side * middle, 0.0) - spindle_hole(thickness + 0.05)
-    guard = frustum(_ROSETTE, _ROSETTE - 0.007, 0.0155, axis=(0.0, -side, 0.0))
+    guard = frustum(_ROSETTE, _ROSETTE - 0.007, 0.0155, axis=(0.0, -side, 0.0), bevel=0.0012)
     face = thickness / 2 + 0.015
-    plug = cylinder(0.0065, 0.0012, axis=Y, bevel=0.0004).at(0.0, -side * face, 0.0)
-    keyway = box(0.0018, 0.0002, 0.0085).at(0.0, -side * (face + 0.0007), 0.0)
+    collar = extrude(ring(0.0155, 0.0105), 0.0014, axis=Y, bevel=0.0005)
     return weld(
         part(rosette, "rose", casting(finish)),
         part(guard.at(0.0, -side * (face - 0.00775), 0.0), "cylinder", finish),
-        detail(plug, "cylinder", finish),
-        detail(keyway, "screw", dark),
+        detail(collar.at(0.0, -side * (face + 0.0002), 0.0), "cylinder", finish),
+        *plug(face=face, side=-side, finish=finish, radius=0.0078),
     )
 
 

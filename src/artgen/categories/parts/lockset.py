@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from artgen import Body, Condition, Joint, Material, Solid, Vector, box, cylinder, detail, weld
+from artgen.categories.parts.finish import recess
 from artgen.categories.parts.latch import (
     DEADBOLT,
     LATCH_HOLE,
@@ -28,13 +29,16 @@ from artgen.categories.parts.locks import (
 )
 from artgen.categories.parts.pulls import pull_handle
 from artgen.categories.parts.push_bar import push_bar_case, push_slide
-from artgen.categories.parts.roses import rose, spindle_hole
+from artgen.categories.parts.roses import Fixing, rose, spindle_hole
 from artgen.nodes.handles import Scalar
 
 HandleKind = Literal["lever", "knob", "push_bar", "pull", "none"]
 
 _RELEASE = 0.85
 """The share of its range after which a handle has drawn its latch."""
+
+_PLATE = 0.22
+"""Height of long plates [m]."""
 
 _DRAWN = 0.02
 """A deadbolt is inside its leaf while its turn stands below this angle [rad]."""
@@ -50,6 +54,8 @@ class Site:
         thickness: Of the leaf [m].
         gap: Between the leaf and what its bolts enter [m].
         finish: Metal of all that is seen.
+        mark: The name of its maker.
+        mirrored: Whether the door is mirrored when it is done, so that print has to be drawn in reverse.
     """
 
     spindle: Vector
@@ -57,6 +63,27 @@ class Site:
     thickness: Scalar
     gap: Scalar
     finish: Material
+    mark: str = ""
+    mirrored: bool = False
+
+
+@dataclass(frozen=True)
+class Roses:
+    """The covers of the hole that the spindle of a handle passes.
+
+    Attributes:
+        style: Round or square roses, or long plates.
+        across: Width of a rose [m].
+        depth: How far it stands out of the leaf [m].
+        fixing: How a rose is held.
+        keyed: Whether a plate has a key cylinder.
+    """
+
+    style: Literal["round", "square", "plate"]
+    across: Scalar
+    depth: Scalar
+    fixing: Fixing = "hidden"
+    keyed: bool = False
 
 
 @dataclass(frozen=True)
@@ -104,8 +131,8 @@ def latch(site: Site, leader: Joint, *, throw: Scalar, release: Scalar, through:
     at, backset, finish = site.spindle, site.backset, site.finish
     strike = strike_plate(backset=backset, gap=site.gap, throw=throw, thickness=site.thickness, finish=finish)
     return Lockset(
-        cuts=(latch_pocket(backset=backset, throw=throw, through=through).at(at),),
-        fixed=(faceplate(backset=backset, finish=finish).at(at),),
+        cuts=(latch_pocket(backset=backset, throw=throw, through=through).paint(recess(finish)).at(at),),
+        fixed=(faceplate(backset=backset, finish=finish, mark=site.mark, mirrored=site.mirrored).at(at),),
         moving=(
             (
                 latch_bolt(backset=backset, throw=throw, finish=finish).at(at),
@@ -113,7 +140,7 @@ def latch(site: Site, leader: Joint, *, throw: Scalar, release: Scalar, through:
             ),
         ),
         strikes=(strike.at(at),),
-        strike_cuts=(strike_pocket(backset=backset, gap=site.gap, throw=throw).at(at),),
+        strike_cuts=(strike_pocket(backset=backset, gap=site.gap, throw=throw).paint(recess(finish)).at(at),),
         free=(leader > release,),
     )
 
@@ -125,9 +152,7 @@ def turning_handle(
     limit: Scalar,
     torque: Scalar,
     throw: Scalar,
-    rose_style: Literal["round", "square", "plate"],
-    rose_across: Scalar,
-    rose_depth: Scalar,
+    roses: Roses,
 ) -> Lockset:
     """Fit a lever or knob on its roses, with the latch that it draws.
 
@@ -137,17 +162,24 @@ def turning_handle(
         limit: How far it turns [rad].
         torque: Of its spring at the limit [N m].
         throw: Of the latch [m].
-        rose_style: Round or square roses, or long plates.
-        rose_across: Width of a rose [m].
-        rose_depth: How far it stands out of the leaf [m].
+        roses: Their covers.
     """
     at, thickness, finish = site.spindle, site.thickness, site.finish
     turn = spring_turn(limit=limit, pivot=at, preload=0.55 * torque, torque=torque)
-    roses = rose(thickness=thickness, depth=rose_depth, across=rose_across, finish=finish, style=rose_style)
-    moving = handle(thickness=thickness, rose_depth=rose_depth, finish=finish)
+    covers = rose(
+        thickness=thickness,
+        depth=roses.depth,
+        across=roses.across,
+        finish=finish,
+        style=roses.style,
+        height=_PLATE,
+        fixing=roses.fixing,
+        keyed=roses.keyed,
+    )
+    moving = handle(thickness=thickness, rose_depth=roses.depth, finish=finish)
     fitted = Lockset(
-        cuts=(spindle_hole(thickness, height=LATCH_HOLE).at(at),),
-        fixed=(roses.at(at),),
+        cuts=(spindle_hole(thickness, height=LATCH_HOLE).paint(recess(finish)).at(at),),
+        fixed=(covers.at(at),),
         moving=((moving.at(at), turn),),
     )
     return fitted + latch(site, turn, throw=throw, release=_RELEASE * limit, through=True)
@@ -206,7 +238,10 @@ def dead_lock(site: Site) -> Lockset:
         backset=backset, gap=site.gap, throw=THROW, thickness=thickness, finish=finish, bolt="deadbolt"
     )
     return Lockset(
-        cuts=(deadbolt_pocket(backset=backset).at(at), deadbolt_hole(thickness).at(at)),
+        cuts=(
+            deadbolt_pocket(backset=backset).paint(recess(finish)).at(at),
+            deadbolt_hole(thickness).paint(recess(finish)).at(at),
+        ),
         fixed=(
             faceplate(backset=backset, finish=finish, bolt="deadbolt").at(at),
             deadbolt_cover(thickness=thickness, finish=finish).at(at),
@@ -216,6 +251,10 @@ def dead_lock(site: Site) -> Lockset:
             (deadbolt(backset=backset, finish=finish).at(at), deadbolt_slide(turn)),
         ),
         strikes=(strike.at(at),),
-        strike_cuts=(strike_pocket(backset=backset, gap=site.gap, throw=THROW, bolt=DEADBOLT).at(at),),
+        strike_cuts=(
+            strike_pocket(backset=backset, gap=site.gap, throw=THROW, bolt=DEADBOLT)
+            .paint(recess(finish))
+            .at(at),
+        ),
         free=(turn < _DRAWN,),
     )

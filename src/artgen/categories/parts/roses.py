@@ -15,6 +15,7 @@ from artgen import (
     Z,
     bore,
     box,
+    circle,
     cylinder,
     detail,
     extrude,
@@ -22,11 +23,17 @@ from artgen import (
     rectangle,
     weld,
 )
+from artgen.categories.parts.cylinders import key_cylinder
 from artgen.categories.parts.finish import casting, recess
+from artgen.categories.parts.screws import Drive, Way, screws
+from artgen.nodes.details.screws import drive_recess
 from artgen.nodes.handles import Scalar
 
 Faces = Literal["both", "front", "back"]
 """The faces of a leaf on which something sits; the front faces -y."""
+
+Fixing = Literal["hidden", "slot", "phillips"]
+"""How a rose is held: by a set screw in its rim, or by two screws through its face."""
 
 SIDES: dict[str, tuple[int, ...]] = {"both": (-1, 1), "front": (-1,), "back": (1,)}
 """The signs of y that belong to `Faces`."""
@@ -43,6 +50,7 @@ PIN_BELOW = 0.0215
 PIN = 0.0034
 """Radius of a privacy pin [m]."""
 
+_KEY_BELOW = 0.060  # a key cylinder is this far below the spindle [m]
 _HOLE = 0.0105  # side of the hole [m]
 _SUNK = 0.0005  # how deep a rose is let into the leaf [m]
 
@@ -68,6 +76,8 @@ def rose(
     faces: Faces = "both",
     pin: bool = False,
     pin_side: int = -1,
+    fixing: Fixing = "hidden",
+    keyed: bool = False,
 ) -> Body:
     """Make the roses of a handle on the faces of a leaf, to be welded to it.
 
@@ -81,14 +91,27 @@ def rose(
         faces: Which faces have one.
         pin: Whether there is a hole for the pin of a privacy lock, `PIN_BELOW` the spindle.
         pin_side: The face with that hole, -1 for the front.
+        fixing: Whether screws hold a round or square rose through its face; they always hold a plate.
+        keyed: Whether a plate has a key cylinder.
     """
     if faces == "both" and not pin:
-        front = weld(*_one_rose(thickness, depth, across, finish, style, height, -1, pin=False))
+        front = weld(
+            *_one_rose(thickness, depth, across, finish, style, height, -1, fixing, pin=False, keyed=keyed)
+        )
         return weld(front, front.rotate(Z, math.pi))
     bodies: list[Body] = []
     for side in SIDES[faces]:
         bodies += _one_rose(
-            thickness, depth, across, finish, style, height, side, pin=pin and side == pin_side
+            thickness,
+            depth,
+            across,
+            finish,
+            style,
+            height,
+            side,
+            fixing,
+            pin=pin and side == pin_side,
+            keyed=keyed,
         )
     return weld(*bodies)
 
@@ -101,8 +124,10 @@ def _one_rose(
     style: str,
     height: Scalar,
     side: int,
+    fixing: Fixing,
     *,
     pin: bool,
+    keyed: bool,
 ) -> list[Body]:
     middle = side * (thickness / 2 + (depth - _SUNK) / 2)
     face = side * (thickness / 2 + depth)
@@ -117,18 +142,24 @@ def _one_rose(
     if pin:
         cover = cover - bore(PIN + 0.0004, deep + 0.004, axis=Y).at(0.0, middle, -PIN_BELOW)
     bodies = [part(cover, "rose", casting(finish))]
-    dark = recess(finish)
+    facing: Way = "-y" if side < 0 else "+y"
+    drive: Drive = "phillips" if fixing == "phillips" else "slot"
     if style == "plate":
-        for end in (-1, 1):
-            place = (0.0, face, end * (height / 2 - 0.012))
-            bodies.append(detail(cylinder(0.0042, 0.0012, axis=Y, bevel=0.0004).at(place), "screw", finish))
-            slot = box(0.0062, 0.0002, 0.0009).at(0.0, face + side * 0.0006, end * (height / 2 - 0.012))
-            bodies.append(detail(slot, "screw", dark))
-    else:
+        places = [(0.0, face, end * (height / 2 - 0.0125)) for end in (-1, 1)]
+        bodies += screws(places, facing=facing, radius=0.0042, finish=finish, drive=drive)
+        if keyed:
+            below = _KEY_BELOW
+            bodies += key_cylinder(face=thickness / 2 + depth, side=side, finish=finish, below=below)
+        return bodies
+    if fixing == "hidden":
         # the set screw sits in the rim, where it is not seen from the front
-        place = (0.0, middle, -across / 2)
-        bodies.append(detail(cylinder(0.0016, 0.0006, axis=(0.0, 0.0, 1.0)).at(place), "screw", dark))
-    return bodies
+        socket = extrude(circle(0.0021) - drive_recess(0.00125, "hex"), 0.0008).at(0.0, middle, -across / 2)
+        dark = cylinder(0.0019, 0.0008).at(0.0, middle, -across / 2 + 0.0003)
+        return [*bodies, detail(socket, "screw", finish), detail(dark, "screw", recess(finish))]
+    aside = across / 2 - 0.0080
+    # beside the hole of a pin, or above and below the spindle
+    spots = [(end * aside, face, 0.0) if pin else (0.0, face, end * aside) for end in (-1, 1)]
+    return bodies + screws(spots, facing=facing, radius=0.0037, finish=finish, drive=drive, head="pan")
 
 
 def spindle(thickness: Scalar, rose_depth: Scalar, faces: Faces = "both") -> Solid:

@@ -1,11 +1,12 @@
 """Procedural textures: tileable maps in metric scale, baked once per recipe and kept on disk."""
 
+from artgen.materials.textures.bake import Maps
+from artgen.materials.textures.library import RECIPES
 from artgen.materials.textures.maps import (
     KINDS,
     SIZES,
     Form,
     Kind,
-    Maps,
     check_size,
     encoded,
     kinds,
@@ -13,7 +14,7 @@ from artgen.materials.textures.maps import (
     maps,
     tile_of,
 )
-from artgen.materials.textures.recipe import RECIPES, Pattern, Recipe
+from artgen.materials.textures.recipe import Pattern, Recipe
 
 __all__ = [
     "KINDS",

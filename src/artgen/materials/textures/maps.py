@@ -2,18 +2,19 @@
 
 import io
 import zlib
-from dataclasses import dataclass
 from functools import lru_cache
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
 from artgen.errors import ParameterError, nearest
 from artgen.materials.material import Material
-from artgen.materials.textures.recipe import RECIPES, Recipe
-
-Pixels = NDArray[np.uint8]
+from artgen.materials.table import MATERIALS
+from artgen.materials.textures import keep
+from artgen.materials.textures.bake import MEMORY, Maps, Pixels, as_bytes, bake, baked, displayed
+from artgen.materials.textures.library import RECIPES
+from artgen.materials.textures.png import png
+from artgen.materials.textures.recipe import Recipe
 
 Kind = Literal["albedo", "orm", "roughness", "metalness", "normal"]
 """`orm` has occlusion, roughness and metalness in its channels, as glTF and MuJoCo read them."""
@@ -25,22 +26,7 @@ KINDS: tuple[Kind, ...] = ("albedo", "orm", "roughness", "metalness", "normal")
 SIZES = (256, 512, 1024, 2048)
 """Texels on a side that maps may have."""
 
-
-@dataclass(frozen=True, eq=False)
-class Maps:
-    """The maps of a material; row 0 is the top.
-
-    Attributes:
-        albedo: sRGB, shape (n, n, 3); None where it is the material's `base_color` everywhere.
-        roughness: 0..255 for 0..1, shape (n, n).
-        metalness: 0..255 for 0..1, shape (n, n); None where it is the material's everywhere.
-        normal: Tangent space, y towards greater v (OpenGL), shape (n, n, 3); None where the surface is even.
-    """
-
-    albedo: Pixels | None
-    roughness: Pixels
-    metalness: Pixels | None
-    normal: Pixels | None
+_QUALITY: dict[Kind, int] = {"normal": 92}
 
 
 def check_size(size: int) -> None:
@@ -55,6 +41,10 @@ def recipe_of(material: Material) -> Recipe:
     Raises:
         ParameterError: It has none, or there is no such recipe.
     """
+    if not material.texture:
+        raise ParameterError(
+            f"material {material.name!r} has no texture; give it one: with_(texture='fine_grain')"
+        )
     if material.texture not in RECIPES:
         raise ParameterError(
             f"material {material.name!r}: there is no texture {material.texture!r}."
@@ -67,17 +57,20 @@ def kinds(material: Material) -> tuple[Kind, ...]:
     """Return which maps a material has, of `KINDS`; none where it has no texture."""
     if not material.texture:
         return ()
-    found = maps(material, SIZES[0])
-    return tuple(
-        kind
-        for kind in KINDS
-        if kind in ("orm", "roughness") or getattr(found, kind) is not None
-    )
+    varying = _varying(recipe_of(material))
+    return tuple(kind for kind in KINDS if kind in ("orm", "roughness") or kind in varying)
 
 
 @lru_cache(maxsize=64)
+def _varying(recipe: Recipe) -> tuple[str, ...]:
+    if recipe.varying is not None:
+        return recipe.varying
+    found = bake(recipe, 0, SIZES[0])
+    return tuple(kind for kind in ("albedo", "metalness", "normal") if getattr(found, kind) is not None)
+
+
 def maps(material: Material, size: int) -> Maps:
-    """Return the maps of a material.
+    """Return the maps of a material; they are shared, so leave them as they are.
 
     Args:
         material: One with a texture.
@@ -85,10 +78,11 @@ def maps(material: Material, size: int) -> Maps:
 
     Raises:
         ParameterError: The material has no texture, or the size is not allowed.
+        ExportError: They cannot be kept on disk.
     """
     check_size(size)
     recipe = recipe_of(material)
-    found = baked(recipe.name, material.variant % recipe.variants, size)
+    found = baked(recipe, material.variant % recipe.variants, size)
     albedo = None if found.albedo is None else _tinted(found.albedo, _tint(material, recipe))
     mean = round(255 * material.specular_roughness)
     roughness = np.clip(found.roughness.astype(np.int16) - 128 + mean, 0, 255).astype(np.uint8)
@@ -98,39 +92,6 @@ def maps(material: Material, size: int) -> Maps:
 def tile_of(material: Material) -> tuple[float, float]:
     """Return the size of one repeat of a material's maps, across and along the grain [m]."""
     return material.tile or recipe_of(material).tile
-
-
-@lru_cache(maxsize=32)
-def baked(name: str, variant: int, size: int) -> Maps:
-    """Return a recipe's maps as baked: in its own colour, roughness as deviation about 128."""
-    recipe = RECIPES[name]
-    stream = np.random.default_rng(np.random.SeedSequence([zlib.crc32(name.encode()), variant]))
-    pattern = recipe.make(stream, size)
-    albedo = None if pattern.albedo is None else _bytes(_displayed(pattern.albedo))
-    roughness = _bytes(pattern.roughness + 128 / 255)
-    metalness = None if pattern.metalness is None else _bytes(pattern.metalness)
-    normal = None if pattern.height is None else _normals(pattern.height, recipe.tile)
-    return Maps(albedo, roughness, metalness, normal)
-
-
-def _bytes(values: NDArray[np.float64]) -> Pixels:
-    return np.rint(np.clip(values, 0.0, 1.0) * 255.0).astype(np.uint8)
-
-
-def _displayed(linear: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Encode linear values as sRGB."""
-    linear = np.clip(linear, 0.0, 1.0)
-    return np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055)
-
-
-def _normals(height: NDArray[np.float64], tile: tuple[float, float]) -> Pixels:
-    """Return the tangent-space normals of a relief [m] over a tile of that size [m]."""
-    size = len(height)
-    along_u = (np.roll(height, -1, axis=1) - np.roll(height, 1, axis=1)) * (size / (2.0 * tile[0]))
-    along_v = (np.roll(height, 1, axis=0) - np.roll(height, -1, axis=0)) * (size / (2.0 * tile[1]))
-    normals = np.stack([-along_u, -along_v, np.ones_like(height)], axis=-1)
-    normals /= np.sqrt((normals**2).sum(axis=-1, keepdims=True))
-    return _bytes((normals * 127.0 + 128.0) / 255.0)
 
 
 def _tint(material: Material, recipe: Recipe) -> tuple[float, float, float]:
@@ -148,13 +109,12 @@ def _tinted(albedo: Pixels, tint: tuple[float, float, float]) -> Pixels:
     linear = np.where(code <= 0.04045, code / 12.92, ((code + 0.055) / 1.055) ** 2.4)
     result = np.empty_like(albedo)
     for channel, factor in enumerate(tint):
-        result[..., channel] = _bytes(_displayed(linear * factor))[albedo[..., channel]]
+        result[..., channel] = as_bytes(displayed(linear * factor))[albedo[..., channel]]
     return result
 
 
-@lru_cache(maxsize=256)
 def encoded(material: Material, kind: Kind, size: int, form: Form) -> bytes:
-    """Return a map of a material as an image file.
+    """Return a map of a material as an image file; grey for roughness and metalness.
 
     Args:
         material: One with such a map, see `kinds`.
@@ -164,22 +124,62 @@ def encoded(material: Material, kind: Kind, size: int, form: Form) -> bytes:
 
     Raises:
         ParameterError: The material has no such map, or the size is not allowed.
+        ExportError: The file cannot be kept on disk.
     """
+    check_size(size)
+    recipe = recipe_of(material)
+    if kind not in kinds(material):
+        raise ParameterError(
+            f"material {material.name!r} has no map {kind!r}.{nearest(kind, kinds(material))}"
+        )
+    name = f"{map_name(material, kind)}_{size}"
+    return MEMORY.get((recipe, name, form), lambda: _kept_file(material, kind, size, form, name), len)
+
+
+def _kept_file(material: Material, kind: Kind, size: int, form: Form, name: str) -> bytes:
+    kept = _is_kept(material, kind)
+    content = keep.read(name, form) if kept else None
+    if content is None:
+        content = _file(_pixels(material, kind, size), kind, form)
+        if kept:
+            keep.write(name, form, content)
+    return content
+
+
+def _is_kept(material: Material, kind: Kind) -> bool:
+    """Say whether a file is kept on disk: not in a colour drawn for one asset, or the disk would fill."""
+    recipe = recipe_of(material)
+    if kind != "albedo" or not recipe.kept:
+        return recipe.kept
+    return material.base_color in _lasting_colors(recipe)
+
+
+@lru_cache(maxsize=64)
+def _lasting_colors(recipe: Recipe) -> frozenset[tuple[float, float, float]]:
+    listed = {made.base_color for made in MATERIALS.values() if made.texture == recipe.name}
+    return frozenset({recipe.base_color, *listed})
+
+
+def _pixels(material: Material, kind: Kind, size: int) -> Pixels:
+    found = maps(material, size)
+    if kind != "orm":
+        pixels: Pixels = getattr(found, kind)
+        return pixels
+    metalness = found.metalness
+    if metalness is None:
+        metalness = np.full_like(found.roughness, round(255 * material.base_metalness))
+    return np.stack([np.full_like(found.roughness, 255), found.roughness, metalness], axis=-1)
+
+
+def _file(pixels: Pixels, kind: Kind, form: Form) -> bytes:
+    if form == "png":
+        return png(pixels)
     from PIL import Image
 
-    found = maps(material, size)
-    if kind == "orm":
-        metalness = found.metalness
-        if metalness is None:
-            metalness = np.full_like(found.roughness, round(255 * material.base_metalness))
-        pixels = np.stack([np.full_like(found.roughness, 255), found.roughness, metalness], axis=-1)
-    else:
-        pixels = getattr(found, kind)
     file = io.BytesIO()
-    if form == "png":
-        Image.fromarray(pixels).save(file, "PNG", compress_level=1)
-    else:
-        Image.fromarray(pixels).save(file, "JPEG", quality=90)
+    # Only colours may lose some of their resolution: other channels are numbers of their own
+    subsampling = "4:2:0" if kind == "albedo" else "4:4:4"
+    Image.fromarray(pixels).save(file, "JPEG", quality=_QUALITY.get(kind, 90), subsampling=subsampling)
     return file.getvalue()
 
 
@@ -191,6 +191,6 @@ def map_name(material: Material, kind: Kind) -> str:
         name += f"_{zlib.crc32(repr(material.base_color).encode()):08x}"
     if kind in ("roughness", "orm"):
         name += f"_r{round(255 * material.specular_roughness):02x}"
-    if kind == "orm":
+    if kind == "orm" and "metalness" not in kinds(material):
         name += f"_m{round(255 * material.base_metalness):02x}"
     return name

@@ -2,11 +2,14 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
+
+Varying = Literal["albedo", "metalness", "normal"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -34,10 +37,14 @@ class Recipe:
     Attributes:
         name: Identifier.
         base_color: Linear RGB mean of the albedo as baked; materials of other colours are tinted.
-        make: Makes a pattern: `make(stream, size)` with a random stream of the recipe and variant, and how many
-            texels the tile has on a side.
+        make: Makes a pattern: `make(stream, size)` with a random stream of the recipe and variant, and how
+            many texels the tile has on a side.
         tile: The size of one repeat, across and along the grain (u and v) [m].
         variants: How many different patterns there are.
+        varying: Which maps it has besides roughness, of `albedo`, `metalness` and `normal`; None where that
+            is to be found out by baking it small.
+        kept: Whether its maps are kept on disk, by a digest of this package's code: not where other code
+            makes them.
     """
 
     name: str
@@ -45,12 +52,5 @@ class Recipe:
     make: Callable[[np.random.Generator, int], Pattern]
     tile: tuple[float, float] = (0.5, 0.5)
     variants: int = 1
-
-
-def _flat(stream: np.random.Generator, size: int) -> Pattern:
-    noise = stream.standard_normal((size, size)) * 0.02
-    return Pattern(None, noise - noise.mean())
-
-
-RECIPES: dict[str, Recipe] = {"flat": Recipe("flat", (0.5, 0.5, 0.5), _flat)}
-"""The recipes by name."""
+    varying: tuple[Varying, ...] | None = None
+    kept: bool = False

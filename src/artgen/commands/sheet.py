@@ -1,0 +1,79 @@
+"""`artgen sheet`: many samples of a category on one page."""
+
+from functools import partial
+from pathlib import Path
+from typing import Annotated, Any, Literal
+
+import typer
+from rich.console import Console
+from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
+
+from artgen.asset import Asset
+from artgen.catalog import find
+from artgen.errors import ExportError, ParameterError
+from artgen.overrides import parse_overrides
+
+
+def sheet(
+    category: Annotated[str, typer.Argument(help="Name of a category; `artgen list` shows them.")],
+    *,
+    seeds: Annotated[int, typer.Option(metavar="NUMBER", help="How many samples.")] = 12,
+    first_seed: Annotated[int, typer.Option(help="The first of their seeds.")] = 0,
+    overrides: Annotated[
+        list[str] | None,
+        typer.Option("--set", metavar="NAME=VALUE", help="A value or distribution for a parameter."),
+    ] = None,
+    views: Annotated[int, typer.Option(help="From how many sides, 1 or 2.")] = 2,
+    size: Annotated[int, typer.Option(metavar="PIXELS", help="Height of one picture.")] = 200,
+    columns: Annotated[int, typer.Option(help="Samples side by side.")] = 3,
+    backend: Annotated[
+        Literal["auto", "classic", "filament"], typer.Option(help="MuJoCo's renderer.")
+    ] = "auto",
+    out: Annotated[
+        Path | None, typer.Option(metavar="FILE", help="JPEG or PNG; ./<category>.jpg by default.")
+    ] = None,
+) -> None:
+    """Draw samples of a category, closed and open, on one page, and print its path; needs artgen[sim]."""
+    from artgen.view.picture import check_suffix
+    from artgen.view.sheet import save_sheet
+    from artgen.view.sheet import sheet as draw
+
+    if seeds < 1:
+        raise ParameterError(f"--seeds {seeds} must be at least 1")
+    path = Path(f"{category}.jpg") if out is None else out
+    check_suffix(path)
+    if not path.absolute().parent.is_dir():
+        raise ExportError(f"cannot write {path}: give a file in a directory that exists")
+    found, chosen = find(category), parse_overrides(overrides or [])
+    makers = [partial(_asset, found, seed, chosen) for seed in range(first_seed, first_seed + seeds)]
+    with _progress() as bar:
+        task = bar.add_task(category, total=seeds)
+        pixels = draw(
+            makers,
+            views=views,
+            size=size,
+            columns=columns,
+            backend=backend,
+            progress=lambda done, total: bar.update(task, completed=done, total=total),
+        )
+    typer.echo(save_sheet(pixels, path))
+
+
+def _asset(category: Any, seed: int, overrides: Any) -> Asset:
+    """Generate a sample, which needs no proof to be seen."""
+    asset: Asset = category.evaluate(seed, certify=False, overrides=overrides)[0]
+    return asset
+
+
+def _progress() -> Progress:
+    """Return a bar on stderr, which is shown on a terminal only and leaves nothing behind."""
+    console = Console(stderr=True)
+    return Progress(
+        TextColumn("{task.description}"),
+        BarColumn(),
+        MofNCompleteColumn(),
+        TimeRemainingColumn(),
+        console=console,
+        transient=True,
+        disable=not console.is_terminal,
+    )

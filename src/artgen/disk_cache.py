@@ -1,0 +1,69 @@
+"""Files that took long to make, kept on disk for all processes of a user.
+
+They lie below `$ARTGEN_CACHE`, or `$XDG_CACHE_HOME/artgen`, or `~/.cache/artgen`; `ARTGEN_CACHE=off` keeps
+nothing. A file is written beside its place first, so that other processes see all of it or nothing, and it
+begins with a checksum, so that a damaged one is as good as none.
+"""
+
+import os
+import tempfile
+import zlib
+from contextlib import suppress
+from pathlib import Path
+
+_HEAD = b"artgen-cache-1\n"
+_CHECK = 12  # bytes of checksum and length
+
+
+def cache_directory() -> Path | None:
+    """Return where files are kept, or None where nothing is: it is off, or the user has no home."""
+    if chosen := os.environ.get("ARTGEN_CACHE"):
+        return None if chosen == "off" else Path(chosen)
+    shared = os.environ.get("XDG_CACHE_HOME", "")
+    if Path(shared).is_absolute():  # others are to be ignored, its specification says
+        return Path(shared) / "artgen"
+    try:
+        return Path.home() / ".cache" / "artgen"
+    except RuntimeError:
+        return None
+
+
+def read(kind: str, key: str) -> bytes | None:
+    """Return what is kept of a kind under a key; None where there is nothing, or it is damaged."""
+    directory = cache_directory()
+    if directory is None:
+        return None
+    try:
+        stored = (directory / kind / key).read_bytes()
+    except OSError:
+        return None
+    start = len(_HEAD) + _CHECK
+    content = stored[start:]
+    return content if stored[:start] == _head(content) else None
+
+
+def write(kind: str, key: str, content: bytes) -> None:
+    """Keep content of a kind under a key; do nothing where nothing is kept.
+
+    Raises:
+        OSError: It cannot be written; nothing is left of it.
+    """
+    directory = cache_directory()
+    if directory is None:
+        return
+    path = directory / kind / key
+    path.parent.mkdir(parents=True, exist_ok=True)
+    handle, name = tempfile.mkstemp(prefix=f".{key[:16]}.", suffix=".part", dir=path.parent)
+    try:
+        with os.fdopen(handle, "wb") as file:
+            file.write(_head(content))
+            file.write(content)
+        Path(name).replace(path)
+    except BaseException:
+        with suppress(OSError):
+            Path(name).unlink()
+        raise
+
+
+def _head(content: bytes) -> bytes:
+    return _HEAD + zlib.crc32(content).to_bytes(4, "little") + len(content).to_bytes(8, "little")

@@ -1,0 +1,129 @@
+"""The binary half of a GLB file: accessors and images in one buffer, and the container around it."""
+
+import json
+import struct
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+Json = dict[str, Any]
+Content = Literal[
+    "indices", "long_indices", "positions", "normals", "tangents", "texcoords", "times", "rotations", "moves"
+]
+
+_FLOAT, _SHORT, _LONG = 5126, 5123, 5125  # component types
+_VERTICES, _INDICES = 34962, 34963  # targets of buffer views
+_MOST_SHORT = 65535  # the last number of a short index means that a strip begins anew
+
+_LAYOUT: dict[Content, tuple[str, int, str, int]] = {
+    "indices": ("SCALAR", _SHORT, "<u2", _INDICES),
+    "long_indices": ("SCALAR", _LONG, "<u4", _INDICES),
+    "positions": ("VEC3", _FLOAT, "<f4", _VERTICES),
+    "normals": ("VEC3", _FLOAT, "<f4", _VERTICES),
+    "tangents": ("VEC4", _FLOAT, "<f4", _VERTICES),
+    "texcoords": ("VEC2", _FLOAT, "<f4", _VERTICES),
+    "times": ("SCALAR", _FLOAT, "<f4", 0),
+    "rotations": ("VEC4", _FLOAT, "<f4", 0),
+    "moves": ("VEC3", _FLOAT, "<f4", 0),
+}
+"""Type, component type, number format and target of each content; each content has a buffer view."""
+
+_BOUNDED = ("positions", "times")  # of these a reader wants the least and the greatest value
+_DECIMALS = 7  # 0.1 micrometre: hides the last digits, in which machines differ
+
+
+class Buffer:
+    """The one buffer of a GLB file.
+
+    Attributes:
+        accessors: What the JSON half says of the arrays.
+    """
+
+    def __init__(self) -> None:
+        self.accessors: list[Json] = []
+        self._views: list[Json] = []
+        self._chunks: list[list[bytes]] = []
+        self._numbers: dict[Content, int] = {}
+
+    def array(self, content: Content, values: ArrayLike) -> int:
+        """Add an array, shape (n,) or (n, k); return the number of its accessor."""
+        type_, component, form, _ = _LAYOUT[content]
+        numbers = np.asarray(values)
+        if component == _FLOAT:
+            numbers = np.round(numbers, _DECIMALS) + 0.0
+        numbers = numbers.astype(form)
+        view = self._view(content)
+        accessor: Json = {
+            "bufferView": view,
+            "byteOffset": self._views[view]["byteLength"],
+            "componentType": component,
+            "count": len(numbers),
+            "type": type_,
+        }
+        if content in _BOUNDED:
+            accessor["min"] = _row(numbers.min(axis=0))
+            accessor["max"] = _row(numbers.max(axis=0))
+        self._append(view, numbers.tobytes())
+        self.accessors.append(accessor)
+        return len(self.accessors) - 1
+
+    def triangles(self, corners: NDArray[np.int64], vertices: int) -> int:
+        """Add the corners of triangles among that many vertices, shape (m, 3); return the accessor."""
+        return self.array("indices" if vertices <= _MOST_SHORT else "long_indices", corners.ravel())
+
+    def image(self, content: bytes) -> int:
+        """Add an image file; return the number of its buffer view."""
+        view = self._new_view()
+        self._append(view, content)
+        return view
+
+    def _view(self, content: Content) -> int:
+        if content not in self._numbers:
+            self._numbers[content] = view = self._new_view()
+            type_, _, _, target = _LAYOUT[content]
+            if target == _VERTICES:  # views that accessors share must say how long a row is
+                self._views[view]["byteStride"] = 4 * int(type_.removeprefix("VEC"))
+            if target:
+                self._views[view]["target"] = target
+        return self._numbers[content]
+
+    def _new_view(self) -> int:
+        self._views.append({"buffer": 0, "byteOffset": 0, "byteLength": 0})
+        self._chunks.append([])
+        return len(self._views) - 1
+
+    def _append(self, view: int, content: bytes) -> None:
+        self._chunks[view].append(content)
+        self._views[view]["byteLength"] += len(content)
+
+    def glb(self, scene: Json) -> bytes:
+        """Return the GLB file of this buffer and of a scene, which lacks what is said of the buffer."""
+        length, chunks = 0, []
+        for view, of_view in zip(self._views, self._chunks, strict=True):
+            view["byteOffset"] = length
+            padding = -view["byteLength"] % 4
+            chunks += [*of_view, b"\0" * padding]
+            length += view["byteLength"] + padding
+        scene = {
+            **scene,
+            "accessors": self.accessors,
+            "bufferViews": self._views,
+            "buffers": [{"byteLength": length}],
+        }
+        text = json.dumps(scene, separators=(",", ":"), allow_nan=False).encode()
+        text += b" " * (-len(text) % 4)
+        return b"".join(
+            (
+                struct.pack("<4sII", b"glTF", 2, 28 + len(text) + length),
+                struct.pack("<I4s", len(text), b"JSON"),
+                text,
+                struct.pack("<I4s", length, b"BIN\0"),
+                *chunks,
+            )
+        )
+
+
+def _row(value: Any) -> list[float]:
+    """Return one row of an array as JSON data."""
+    return [float(number) for number in np.atleast_1d(value)]

@@ -1,0 +1,78 @@
+"""Materials of MJCF, for MuJoCo's two renderers: the classic one, by Phong, and the physically based one."""
+
+import xml.etree.ElementTree as ET
+from collections.abc import Iterable
+
+from artgen.asset import Asset
+from artgen.export.maps import MapFiles
+from artgen.export.meshes import display_color
+from artgen.export.phong import highlight
+from artgen.materials import Material
+from artgen.materials.textures import Kind
+
+_ROLES: dict[Kind, str] = {
+    "albedo": "rgb", "normal": "normal", "roughness": "roughness", "metalness": "metallic",
+}  # fmt: skip
+_GREATEST = 128.0  # exponent of the classic renderer at shininess 1
+
+
+def add_materials(parent: ET.Element, asset: Asset, maps: MapFiles) -> None:
+    """Add the materials of an asset, each with its maps as layers, to `<asset>`.
+
+    The classic renderer shows the colour map as it is only if its colour space is left to MuJoCo: it decodes
+    sRGB, but does not encode again.
+    """
+    added: set[str] = set()
+    for material in asset.materials:
+        names = maps.of(material)
+        layers = {role: _stem(names[kind]) for kind, role in _ROLES.items() if kind in names}
+        for name in (names[kind] for kind in _ROLES if kind in names):
+            if name not in added:
+                ET.SubElement(parent, "texture", type="2d", name=_stem(name), file=name)
+                added.add(name)
+        if any(material.emission):
+            layers["emissive"] = _add_emission(parent, material)
+        element = ET.SubElement(parent, "material", _attributes(material, layers))
+        for role, texture in layers.items():
+            ET.SubElement(element, "layer", role=role, texture=texture)
+
+
+def _attributes(material: Material, layers: Iterable[str]) -> dict[str, str]:
+    """Return a material's numbers; MuJoCo multiplies them with its maps."""
+    color = (1.0, 1.0, 1.0) if "rgb" in layers else material.base_color
+    specular, exponent = highlight(material, _GREATEST)
+    attributes = {
+        "name": material.name,
+        "rgba": numbers([*display_color(color), material.opacity]),
+        "specular": numbers([round(specular, 6)]),
+        "shininess": numbers([round(exponent / _GREATEST, 6)]),
+        "roughness": numbers([1.0 if "roughness" in layers else material.specular_roughness]),
+        "metallic": numbers([1.0 if "metallic" in layers else material.base_metalness]),
+    }
+    if any(material.emission):
+        attributes["emission"] = numbers([_emission(material)])
+    return attributes
+
+
+def _emission(material: Material) -> float:
+    """Return the emission as the factor of the colour that MuJoCo's classic renderer takes."""
+    return max(material.emission) / max(*material.base_color, 1e-3)
+
+
+def _add_emission(parent: ET.Element, material: Material) -> str:
+    """Add the colour of the light as a map of one texel; without it the other renderer's light is white."""
+    name = f"{material.name}_emission"
+    color = [channel / _emission(material) for channel in material.emission]
+    ET.SubElement(
+        parent, "texture", type="2d", name=name, builtin="flat", rgb1=numbers(color), width="1", height="1"
+    )
+    return name
+
+
+def numbers(values: Iterable[float]) -> str:
+    """Spell numbers so far that no two machines differ in the last digit."""
+    return " ".join(f"{float(value) + 0.0:.12g}" for value in values)
+
+
+def _stem(file: str) -> str:
+    return file.removesuffix(".png")

@@ -1,0 +1,207 @@
+"""Fields: numbers over one tile that repeat in both directions, with features in metres.
+
+Every field is the same at every size but for detail: noise is drawn by frequency, so that more texels add
+finer waves to those that fewer texels show, and cells lie where they lie however finely they are drawn.
+"""
+
+from collections.abc import Callable, Sequence
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+_FIRST = 256  # texels on a side of the smallest maps: its waves are drawn first, then those of twice as many
+_WHOLE = 1024  # texels on a side that show all of a noise: its deviation there is 1
+_NEGLIGIBLE = 1e-4  # of the greatest amplitude
+
+
+class Cells(NamedTuple):
+    """Distances from the nearest of points strewn over a tile.
+
+    Attributes:
+        nearest: Distance from the nearest point [m], shape (n, n).
+        second: Distance from the second nearest point [m], shape (n, n).
+        number: Which point is the nearest, shape (n, n).
+        total: How many points there are.
+    """
+
+    nearest: Array
+    second: Array
+    number: NDArray[np.int64]
+    total: int
+
+
+class Tile:
+    """A tile of a pattern that is being made.
+
+    Attributes:
+        size: How many texels it has on a side.
+        extent: Its size across and along the grain, shape (2,) [m].
+        u: Place of the texels' centres across the grain, 0 at the left, shape (1, n) [m].
+        v: Place of the texels' centres along the grain, 0 at the bottom, shape (n, 1) [m].
+        stream: Random numbers that do not depend on the size.
+    """
+
+    def __init__(self, stream: np.random.Generator, size: int, extent: tuple[float, float]) -> None:
+        self.size = size
+        self.extent = extent
+        self.stream = stream
+        centres = (np.arange(size) + 0.5) / size
+        self.u: Array = centres[None, :] * extent[0]
+        self.v: Array = centres[::-1, None] * extent[1]
+
+    def noise(self, spectrum: Callable[[Array, Array], Array]) -> Array:
+        """Return noise of some spectrum, mean 0 and deviation 1, shape (n, n).
+
+        Args:
+            spectrum: Returns the amplitude of waves from their frequencies across and along the grain
+                [cycles/m], shapes (1, m) and (m, 1).
+        """
+        half = max(self.size, _WHOLE) // 2
+        wave = np.arange(half)
+        amplitude = np.broadcast_to(
+            spectrum(wave[None, :] / self.extent[0], wave[:, None] / self.extent[1]), (half, half)
+        ).copy()
+        amplitude[0, 0] = 0.0
+        coefficients = _coefficients(self.stream, self.size, amplitude)
+        coefficients /= _deviation(coefficients, amplitude)
+        # The waves' phases are those at the centres of the texels
+        phase = np.exp(1j * np.pi * np.fft.fftfreq(self.size))
+        columns = coefficients.shape[1]
+        coefficients *= phase[:, None] * phase[None, :columns]
+        rows = np.fft.ifft(coefficients, axis=0)
+        return np.fft.irfft(rows, n=self.size, axis=1) * float(self.size) ** 2
+
+    def streaks(self, across: float, along: float) -> Array:
+        """Return smooth noise, its features about so large [m], mean 0 and deviation 1, shape (n, n)."""
+        return self.noise(lambda u, v: np.exp(-((0.8 * across * u) ** 2)) * np.exp(-((0.8 * along * v) ** 2)))
+
+    def fibres(self, along: float, slope: float = 0.6) -> Array:
+        """Return noise of lines along the grain, of all widths and about that long [m], shape (n, n)."""
+        return self.noise(
+            lambda u, v: np.maximum(u, 8.0 / self.extent[0]) ** -slope * np.exp(-((0.8 * along * v) ** 2))
+        )
+
+    def cloud(self, longest: float, slope: float = 2.0, stretch: float = 1.0) -> Array:
+        """Return noise of all scales, mean 0 and deviation 1, shape (n, n).
+
+        Args:
+            longest: Length of the longest waves [m].
+            slope: How fast amplitudes fall with frequency: 1 rough, 2 as clouds, 3 smooth.
+            stretch: How many times longer features are along the grain than across.
+        """
+        lowest = 1.0 / longest
+        return self.noise(lambda u, v: np.maximum(u**2 + (stretch * v) ** 2, lowest**2) ** (-0.5 * slope))
+
+    def band(self, wavelength: float, spread: float = 0.4, stretch: float = 1.0) -> Array:
+        """Return noise of waves of about one length [m], mean 0 and deviation 1, shape (n, n)."""
+        return self.noise(
+            lambda u, v: np.exp(-(((np.sqrt(u**2 + (stretch * v) ** 2) * wavelength - 1.0) / spread) ** 2))
+        )
+
+    def smudges(self, longest: float = 0.12) -> Array:
+        """Return where a surface was touched and wiped: soft patches, mean 0, about -1..3, shape (n, n)."""
+        patches = self.cloud(longest, 2.4)
+        wiped = self.cloud(longest / 3.0, 1.6)
+        return centred(np.maximum(patches, -0.6) + 0.35 * wiped * smoothstep(-0.5, 1.5, patches))
+
+    def cells(self, spacing: float, jitter: float = 1.0) -> Cells:
+        """Strew points over the tile, about that far apart [m], and return the distances from them."""
+        across, along = (max(3, round(length / spacing)) for length in self.extent)
+        place = 0.5 + jitter * (self.stream.random((2, along, across)) - 0.5)
+        u, v = self.u[0] * (across / self.extent[0]), self.v[:, 0] * (along / self.extent[1])
+        column, row = u.astype(np.int64), v.astype(np.int64)
+        u, v = u - column, v - row
+        step_u, step_v = self.extent[0] / across, self.extent[1] / along
+        nearest = np.full((self.size, self.size), np.inf)
+        second = nearest.copy()
+        number = np.zeros((self.size, self.size), np.int64)
+        for down in (-1, 0, 1):
+            rows = (row + down) % along
+            for right in (-1, 0, 1):
+                columns = (column + right) % across
+                index = np.ix_(rows, columns)
+                distance = ((place[0][index] + (right - u[None, :])) * step_u) ** 2
+                distance += ((place[1][index] + (down - v[:, None])) * step_v) ** 2
+                closer = distance < nearest
+                np.minimum(second, np.maximum(distance, nearest), out=second)
+                np.minimum(nearest, distance, out=nearest)
+                np.copyto(number, rows[:, None] * across + columns[None, :], where=closer)
+        return Cells(np.sqrt(nearest), np.sqrt(second), number, along * across)
+
+    def moved(self, values: Array, across: Array | float, along: Array | float) -> Array:
+        """Return what a field is some way to the right and upwards [m] of each texel, shape (n, n)."""
+        column = np.arange(self.size)[None, :] + np.asarray(across) * (self.size / self.extent[0])
+        row = np.arange(self.size)[:, None] - np.asarray(along) * (self.size / self.extent[1])
+        left, top = np.floor(column), np.floor(row)
+        right_share, low_share = column - left, row - top
+        left, top = left.astype(np.int64) % self.size, top.astype(np.int64) % self.size
+        right, low = (left + 1) % self.size, (top + 1) % self.size
+        upper = values[top, left] * (1.0 - right_share) + values[top, right] * right_share
+        lower = values[low, left] * (1.0 - right_share) + values[low, right] * right_share
+        return np.asarray(upper * (1.0 - low_share) + lower * low_share)
+
+
+def _coefficients(stream: np.random.Generator, size: int, amplitude: Array) -> NDArray[np.complex128]:
+    """Return the amplitudes of the waves that maps of some size show, as `numpy.fft.irfft2` wants them."""
+    blocks: list[tuple[int, np.random.Generator]] = []
+    halves = [_FIRST // 2 * 2**number for number in range((size // _FIRST).bit_length())]
+    for half, child in zip(halves, stream.spawn(4), strict=False):
+        inner = half // 2 if blocks else 0
+        outer = max(amplitude[inner:half, :half].max(), amplitude[:inner, inner:half].max(initial=0.0))
+        if inner and outer < _NEGLIGIBLE * amplitude.max():
+            break
+        blocks.append((half, child))
+    half = blocks[-1][0]
+    result = np.zeros((size, half), np.complex128)
+    for block, child in reversed(blocks):
+        drawn = child.standard_normal((2 * block - 1, block, 2)).view(np.complex128)[..., 0]
+        result[:block, :block] = drawn[block - 1 :]
+        result[-(block - 1) :, :block] = drawn[: block - 1]
+    result[:half, :] *= amplitude[:half, :half]
+    result[-(half - 1) :, :] *= amplitude[half - 1 : 0 : -1, :half]
+    # Waves along the grain alone stand twice in that column, once for each direction
+    result[1:, 0] = (result[1:, 0] + result[:0:-1, 0].conj()) * np.sqrt(0.5)
+    return np.asarray(result * np.sqrt(0.5))
+
+
+def _deviation(coefficients: NDArray[np.complex128], amplitude: Array) -> float:
+    """Return the deviation of noise, for all sizes: of coarse waves as they are, of finer on average."""
+    half = _FIRST // 2
+    coarse = np.concatenate([coefficients[:half, :half], coefficients[-(half - 1) :, :half]])
+    power = np.abs(coarse) ** 2
+    counted = 2.0 * power.sum() - power[:, 0].sum()
+    squared = amplitude[: _WHOLE // 2, : _WHOLE // 2] ** 2
+    fine = 4.0 * (squared.sum() - squared[:half, :half].sum())
+    return float(np.sqrt(counted + fine))
+
+
+def centred(values: Array) -> Array:
+    """Return values less their mean."""
+    return np.asarray(values - values.mean())
+
+
+def smoothstep(low: float, high: float, values: Array) -> Array:
+    """Return 0 below low, 1 above high, and a smooth rise between; falls where low is above high."""
+    share = np.asarray(values - low, np.float64)
+    share /= high - low
+    np.clip(share, 0.0, 1.0, out=share)
+    slope = 3.0 - 2.0 * share
+    share *= share  # in place: large maps are many pages
+    share *= slope
+    return share
+
+
+def blend(values: Array, stops: Sequence[tuple[float, tuple[float, float, float]]]) -> Array:
+    """Return colours for values in 0..1, between stops of value and linear RGB, shape (n, n, 3)."""
+    places = [place for place, _ in stops]
+    steps = np.linspace(0.0, 1.0, 2049)
+    table = np.stack([np.interp(steps, places, [color[c] for _, color in stops]) for c in range(3)], axis=-1)
+    return np.asarray(table[np.rint(np.clip(values, 0.0, 1.0) * 2048.0).astype(np.int64)])
+
+
+def with_mean(albedo: Array, mean: tuple[float, float, float]) -> Array:
+    """Return linear albedo whose mean is a colour, shape (n, n, 3)."""
+    return np.asarray(albedo * (np.array(mean) / albedo.mean(axis=(0, 1))))

@@ -1,0 +1,173 @@
+"""Stone, ceramic and glass."""
+
+from dataclasses import dataclass
+from functools import partial
+
+import numpy as np
+
+from artgen.materials.textures.fields import Array, Tile, blend, centred, smoothstep, with_mean
+from artgen.materials.textures.recipe import Pattern, Recipe, Varying
+
+Color = tuple[float, float, float]
+
+_GREY = (0.5, 0.5, 0.5)
+_GRANITE_TILE = (0.30, 0.30)
+_MARBLE_TILE = (0.90, 0.90)
+_GLAZE_TILE = (0.30, 0.30)
+_GLASS_TILE = (0.40, 0.40)
+_FROSTED_TILE = (0.06, 0.06)
+
+
+@dataclass(frozen=True)
+class Granite:
+    """The minerals of a granite.
+
+    Attributes:
+        mean: Linear RGB mean of its albedo.
+        minerals: Linear RGB of each, size of its grains [m], and how common it is; the first to the last.
+        mica: Linear RGB of dark flecks.
+        flecks: How many deviations of noise a fleck must exceed: lower is more.
+    """
+
+    mean: Color
+    minerals: tuple[tuple[Color, float, float], ...]
+    mica: Color
+    flecks: float
+
+
+_GREY_GRANITE = Granite(
+    (0.25, 0.24, 0.24),
+    (
+        ((0.46, 0.44, 0.42), 0.0065, 0.25),
+        ((0.22, 0.215, 0.22), 0.0050, 0.15),
+        ((0.36, 0.32, 0.29), 0.0080, -0.25),
+        ((0.10, 0.10, 0.105), 0.0045, -0.35),
+    ),
+    (0.030, 0.030, 0.032),
+    1.15,
+)
+_BLACK_GRANITE = Granite(
+    (0.032, 0.032, 0.034),
+    (
+        ((0.022, 0.022, 0.023), 0.0050, 0.5),
+        ((0.040, 0.040, 0.043), 0.0040, 0.0),
+        ((0.075, 0.078, 0.085), 0.0035, -1.05),
+    ),
+    (0.021, 0.021, 0.021),
+    1.0,
+)
+
+
+def _granite(kind: Granite, stream: np.random.Generator, size: int) -> Pattern:
+    """Make polished granite: a mineral grows where its noise is the greatest, so that grains interlock."""
+    tile = Tile(stream, size, _GRANITE_TILE)
+    strength = []
+    for _, grain, common in kind.minerals:
+        strength.append(0.75 * tile.band(grain, 0.5) + 0.40 * tile.band(0.4 * grain, 0.5) + common)
+    # Crystals have straight sides: within one, no mineral gains on another
+    cells = tile.cells(0.0032)
+    push = stream.standard_normal((len(kind.minerals), cells.total))
+    total, albedo = np.zeros((size, size)), np.zeros((size, size, 3))
+    for (color, _, _), field, pushed in zip(kind.minerals, strength, push, strict=True):
+        weight = np.exp(9.0 * (field + 0.75 * pushed[cells.number]))
+        total += weight
+        albedo += weight[..., None] * np.array(color)
+    albedo /= total[..., None]
+    veil = tile.cloud(0.006, 1.0)
+    tone = (1.0 + 0.10 * stream.standard_normal(cells.total))[cells.number]
+    albedo *= np.clip(tone * (1.0 + 0.09 * veil), 0.4, 1.6)[..., None]
+    clumps = tile.band(0.014, 0.7)
+    mica = smoothstep(0.0, 0.25, tile.band(0.0021, 0.5) + 0.55 * clumps - kind.flecks)
+    albedo += mica[..., None] * (np.array(kind.mica) - albedo)
+    albedo *= (1.0 + 0.03 * tile.cloud(0.12, 1.8))[..., None]
+    roughness = centred(0.05 * mica + 0.012 * veil + 0.018 * tile.smudges(0.15))
+    return Pattern(with_mean(albedo, kind.mean), roughness)
+
+
+@dataclass(frozen=True)
+class Marble:
+    """The colours of a marble: of its body, of its clouds and of its veins, linear RGB."""
+
+    mean: Color
+    body: Color
+    cloud: Color
+    vein: Color
+
+
+_WHITE_MARBLE = Marble((0.74, 0.73, 0.71), (0.82, 0.815, 0.80), (0.62, 0.62, 0.62), (0.27, 0.28, 0.30))
+_GREEN_MARBLE = Marble((0.045, 0.085, 0.060), (0.030, 0.065, 0.043), (0.06, 0.115, 0.08), (0.38, 0.45, 0.40))
+
+
+def _marble(kind: Marble, stream: np.random.Generator, size: int) -> Pattern:
+    """Make polished marble: clouds, and veins where a slope crosses levels, bent by noise."""
+    tile = Tile(stream, size, _MARBLE_TILE)
+    across, along = tile.cloud(0.55, 2.4), tile.cloud(0.55, 2.4)
+    # Levels of a slope that runs aslant over the tile: their lines cross it, as faults in rock do
+    slope = tile.u / tile.extent[0] + 2.0 * tile.v / tile.extent[1]
+    folds = tile.cloud(0.8, 2.2)
+    strong = _veins(tile, np.sin(2.0 * np.pi * slope + 0.9 * folds), 0.045 * across, 0.045 * along, 0.045)
+    branches = np.sin(2.0 * np.pi * (2.0 * slope + 0.13) - 1.6 * folds + 1.5 * tile.cloud(0.3, 2.1))
+    thin = _veins(tile, branches, 0.030 * along, 0.030 * across, 0.055)
+    mist = _veins(tile, np.sin(2.0 * np.pi * slope + 1.6 * along + 0.5), 0.07 * along, 0.07 * across, 0.40)
+    where = tile.cloud(0.7, 2.4)
+    clouds = tile.cloud(0.45, 1.9)
+    grain = tile.band(0.0035, 0.6)
+    cloud = np.clip(0.30 + 0.22 * clouds + 0.45 * mist * smoothstep(-0.8, 1.2, where), 0.0, 1.0)
+    vein = 0.70 * strong * smoothstep(-1.3, 0.9, where) + 0.34 * thin * smoothstep(-0.2, 1.3, -across)
+    vein = np.clip(vein * (0.75 + 0.25 * clouds), 0.0, 1.0)
+    albedo = blend(cloud, ((0.0, kind.body), (1.0, kind.cloud)))
+    albedo += vein[..., None] * (np.array(kind.vein) - albedo)
+    albedo *= (1.0 + 0.008 * grain)[..., None]
+    roughness = centred(0.04 * vein + 0.02 * tile.smudges(0.3) + 0.004 * grain)
+    return Pattern(with_mean(albedo, kind.mean), roughness)
+
+
+def _veins(tile: Tile, level: Array, across: Array, along: Array, width: float) -> Array:
+    """Return 1 where noise, bent by other noise [m], is 0, and less beside it to some width [deviations]."""
+    beside = np.abs(tile.moved(level, across, along)) / width
+    return np.asarray(1.0 / (1.0 + beside**2) ** 1.5)
+
+
+def _glaze(stream: np.random.Generator, size: int) -> Pattern:
+    """Make glazed ceramic: a few pin holes, wiped; its waves are flatter than a normal map's levels."""
+    tile = Tile(stream, size, _GLAZE_TILE)
+    holes = smoothstep(3.3, 3.9, tile.band(0.0028, 0.5))
+    return Pattern(None, centred(0.018 * tile.smudges(0.15) + 0.10 * holes))
+
+
+def _clear(stream: np.random.Generator, size: int) -> Pattern:
+    """Make clear glass: what was wiped off it, and what was not."""
+    tile = Tile(stream, size, _GLASS_TILE)
+    wiped = tile.smudges(0.20) + 0.25 * tile.streaks(0.004, 0.06)
+    return Pattern(None, centred(0.014 * np.clip(wiped, -1.2, 4.0)))
+
+
+def _frosted(stream: np.random.Generator, size: int) -> Pattern:
+    """Make frosted glass: etched to a fine grain."""
+    tile = Tile(stream, size, _FROSTED_TILE)
+    grain = tile.band(0.0007, 0.7)
+    return Pattern(None, centred(0.025 * grain + 0.02 * tile.smudges(0.06)), height=5e-6 * grain)
+
+
+def recipes() -> list[Recipe]:
+    """Return the recipes of stone, ceramic and glass."""
+    polished: tuple[Varying, ...] = ("albedo",)
+    relief: tuple[Varying, ...] = ("normal",)
+    return [
+        Recipe("granite", _GREY_GRANITE.mean, partial(_granite, _GREY_GRANITE), _GRANITE_TILE, 2, polished),
+        Recipe(
+            "black_granite",
+            _BLACK_GRANITE.mean,
+            partial(_granite, _BLACK_GRANITE),
+            _GRANITE_TILE,
+            2,
+            polished,
+        ),
+        Recipe("marble", _WHITE_MARBLE.mean, partial(_marble, _WHITE_MARBLE), _MARBLE_TILE, 3, polished),
+        Recipe(
+            "green_marble", _GREEN_MARBLE.mean, partial(_marble, _GREEN_MARBLE), _MARBLE_TILE, 2, polished
+        ),
+        Recipe("glaze", _GREY, _glaze, _GLAZE_TILE, 1, ()),
+        Recipe("clear_glass", _GREY, _clear, _GLASS_TILE, 2, ()),
+        Recipe("frosted_glass", _GREY, _frosted, _FROSTED_TILE, 1, relief),
+    ]

@@ -1,0 +1,198 @@
+"""Woods: what the eye knows best. The grain runs along v.
+
+A board shows the rings of the trunk that it was cut from. Cut through the pith (straight grain) they are
+lines that wander slowly; cut beside it (flat-sawn) they are arches over arches, one above the other, with
+lines at their sides. Within a ring the wood darkens slowly and ends sharply. Pores are short dark grooves,
+in ring-porous woods where a ring begins.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
+
+import numpy as np
+
+from artgen.materials.textures.fields import Array, Tile, blend, centred, smoothstep, with_mean
+from artgen.materials.textures.recipe import Pattern, Recipe
+
+Color = tuple[float, float, float]
+_Cut = Callable[[Tile, "Species"], tuple[Array, int, float]]
+
+TILE = (0.32, 1.28)
+"""A repeat of most woods [m]: features are long along the grain, and a door has few repeats."""
+
+_PORE_DEPTH = 90e-6  # [m]
+
+
+@dataclass(frozen=True)
+class Species:
+    """What tells one wood from another.
+
+    Attributes:
+        mean: Linear RGB mean of its albedo.
+        early: Colour where a ring begins, relative to the mean.
+        late: Colour where it ends, relative to the mean.
+        rings: How many rings the width of a tile has in straight grain.
+        contrast: How much of the way from early to late a ring goes.
+        sharpness: Exponent of the rise within a ring: 1 even, 4 dark at its end only.
+        pores: How much darker a pore is.
+        porous: Share of the pores that lie where a ring begins: 1 ring-porous, 0 diffuse-porous.
+        density: How many pores there are: the share of noise that is one [deviations, lower is more].
+        length: Length of a pore [m].
+        flecks: How much darker rays make short flecks.
+        stripes: How much broad ribbons and coloured streaks vary.
+        fibre: How much fine fibres vary.
+        curl: How much figure shimmers across the grain.
+    """
+
+    mean: Color
+    early: Color
+    late: Color
+    rings: int
+    contrast: float
+    sharpness: float = 2.2
+    pores: float = 0.0
+    porous: float = 0.0
+    density: float = 1.6
+    length: float = 0.012
+    flecks: float = 0.0
+    stripes: float = 0.3
+    fibre: float = 0.26
+    curl: float = 0.0
+
+
+SPECIES = {
+    "oak": Species(
+        (0.44, 0.27, 0.13), (1.18, 1.20, 1.25), (0.66, 0.60, 0.50), 76, 0.70,
+        pores=0.40, porous=0.95, density=1.25, length=0.014, flecks=0.05,
+    ),
+    "walnut": Species(
+        (0.16, 0.085, 0.045), (1.30, 1.32, 1.34), (0.50, 0.47, 0.48), 48, 0.50, 1.7,
+        pores=0.45, porous=0.35, density=1.75, length=0.011, stripes=0.75,
+    ),
+    "beech": Species(
+        (0.60, 0.40, 0.24), (1.06, 1.07, 1.08), (0.86, 0.83, 0.80), 70, 0.5, 2.6,
+        pores=0.05, density=1.5, length=0.004, flecks=0.22, stripes=0.25,
+    ),
+    "pine": Species(
+        (0.66, 0.45, 0.24), (1.08, 1.10, 1.14), (0.76, 0.62, 0.46), 68, 0.95, 3.2,
+        stripes=0.3,
+    ),
+    "mahogany": Species(
+        (0.22, 0.075, 0.035), (1.24, 1.26, 1.26), (0.66, 0.62, 0.62), 44, 0.25, 1.2,
+        pores=0.42, density=1.7, length=0.009, stripes=0.85, curl=0.35,
+    ),
+    "maple": Species(
+        (0.68, 0.52, 0.35), (1.04, 1.05, 1.06), (0.88, 0.84, 0.79), 64, 0.45, 3.0,
+        flecks=0.07, stripes=0.3, curl=0.35,
+    ),
+    "ash": Species(
+        (0.60, 0.46, 0.31), (1.10, 1.11, 1.13), (0.74, 0.69, 0.62), 66, 0.6, 1.8,
+        pores=0.34, porous=0.9, density=1.1, length=0.016,
+    ),
+}  # fmt: skip
+"""The woods by name."""
+
+
+def _strengths(tile: Tile, count: int, spread: float) -> Array:
+    """Return how strong each ring is, about 1, shape (count,); good years come in runs."""
+    drawn = tile.stream.standard_normal(count)
+    runs = 0.6 * drawn + 0.5 * np.roll(drawn, 1) + 0.5 * np.roll(drawn, -1)
+    return np.asarray(np.exp(spread * (runs - runs.mean())))
+
+
+def _profile(strengths: Array, sharpness: float, width: float) -> Array:
+    """Return how late the wood is along the rings, blurred by a texel's width in rings, shape (m,)."""
+    steps = 512
+    within = (np.arange(steps) + 0.5) / steps
+    rise = within**sharpness * (1.0 - smoothstep(0.94, 1.0, within))
+    table = (strengths[:, None] * rise[None, :]).ravel()
+    window = max(1, round(width * steps))
+    total = np.cumsum(np.concatenate([table[-window:], table, table[:window]]))
+    blurred = (total[2 * window :] - total[: -2 * window])[: len(table)] / (2 * window)
+    return np.asarray(blurred)
+
+
+def _along_rings(table: Array, count: int, rings: Array) -> Array:
+    """Return what a table over a number of rings has at places counted in rings."""
+    steps = len(table) // count
+    return np.asarray(table[np.floor(rings * steps).astype(np.int64) % len(table)])
+
+
+def _straight(tile: Tile, species: Species) -> tuple[Array, int, float]:
+    """Return at which ring each texel lies, how many there are, and how many a texel spans."""
+    share = tile.u / tile.extent[0]
+    spacing = tile.streaks(0.06, 50.0)  # wider and narrower years, the same along a board
+    wander = tile.streaks(0.14, 1.1)
+    waves = tile.streaks(0.03, 0.35)
+    fibres = tile.streaks(0.004, 0.09)
+    rings = species.rings * share + 0.9 * spacing + 1.3 * wander + 0.20 * waves + 0.05 * fibres
+    return rings, species.rings, species.rings / tile.size
+
+
+def _flat_sawn(tile: Tile, species: Species) -> tuple[Array, int, float]:
+    """Return at which ring each texel lies, how many there are, and how many a texel spans."""
+    arches = max(6, round(species.rings / 10))
+    wander = tile.streaks(0.30, 0.9)
+    across = (tile.u / tile.extent[0] + 0.018 * wander + tile.stream.random()) % 1.0 - 0.5
+    heart = 0.13  # how far from the pith the cut passes, in widths of the tile
+    distance = np.sqrt(across**2 + heart**2) - heart
+    slow = tile.streaks(0.10, 0.60)
+    waves = tile.streaks(0.030, 0.25)
+    teeth = tile.streaks(0.006, 0.08)
+    rings = 0.52 * species.rings * distance + arches * tile.v / tile.extent[1]
+    rings = rings + 0.50 * slow + 0.14 * waves + 0.05 * teeth
+    return rings, arches, 0.4 * species.rings / tile.size
+
+
+def _wood(species: Species, cut: _Cut, stream: np.random.Generator, size: int) -> Pattern:
+    """Make a board."""
+    tile = Tile(stream, size, TILE)
+    rings, count, width = cut(tile, species)
+    late = _along_rings(_profile(_strengths(tile, count, 0.17), species.sharpness, width), count, rings)
+    fine = tile.fibres(0.20, 0.25)
+    short = tile.fibres(0.03, 0.3)
+    broad = tile.streaks(0.035, 0.9)
+    value = 0.30 + species.contrast * centred(late) + species.stripes * 0.12 * broad
+    value += species.fibre * (0.6 * fine + 0.4 * short)
+    if species.curl:
+        value += species.curl * 0.05 * tile.streaks(0.10, 0.010)
+    groove = np.zeros((size, size))
+    if species.pores:
+        early = 1.0 - smoothstep(0.02, 0.16, late)
+        strewn = tile.streaks(0.0009, species.length)
+        lowered = species.density + species.porous * (1.0 - 2.0 * early) * 0.9
+        groove = smoothstep(0.0, 1.1, strewn - lowered)
+    shade = 1.0 - species.pores * groove
+    if species.flecks:
+        fleck = smoothstep(1.1, 2.4, tile.streaks(0.0010, 0.0045))
+        shade = shade * (1.0 - species.flecks * fleck)
+    colors = ((0.0, species.early), (1.0, species.late))
+    albedo = blend(value, [(at, _scaled(color, species.mean)) for at, color in colors])
+    hue = tile.cloud(0.4, 2.2, 4.0)
+    for channel, share in enumerate((0.6, 1.0, 1.5)):
+        albedo[..., channel] *= shade * (1.0 + 0.025 * share * hue)
+    roughness = 0.10 * groove - 0.06 * centred(late) + 0.008 * fine + 0.018 * tile.smudges(0.2)
+    height = -_PORE_DEPTH * groove + 12e-6 * fine + 4e-6 * short - 15e-6 * late
+    return Pattern(with_mean(albedo, species.mean), centred(roughness), height=height)
+
+
+def _scaled(color: Color, mean: Color) -> Color:
+    red, green, blue = (relative * value for relative, value in zip(color, mean, strict=True))
+    return red, green, blue
+
+
+def recipes() -> list[Recipe]:
+    """Return the recipes of woods: each species with straight grain and flat-sawn."""
+    return [
+        Recipe(
+            name + suffix,
+            species.mean,
+            partial(_wood, species, cut),
+            TILE,
+            variants=4,
+            varying=("albedo", "normal"),
+        )
+        for name, species in SPECIES.items()
+        for suffix, cut in (("", _straight), ("_flat_sawn", _flat_sawn))
+    ]

@@ -1,0 +1,120 @@
+"""What is woven or perforated: threads over and under each other, holes in rows."""
+
+from dataclasses import dataclass
+from functools import partial
+
+import numpy as np
+
+from artgen.materials.textures.fields import Array, Tile, centred, smoothstep, with_mean
+from artgen.materials.textures.recipe import Pattern, Recipe, Varying
+
+Color = tuple[float, float, float]
+
+
+@dataclass(frozen=True)
+class Weave:
+    """A plain weave.
+
+    Attributes:
+        mean: Linear RGB mean of its albedo.
+        tile: The size of one repeat [m].
+        threads: How many lie side by side across the tile, and as many along it; even.
+        width: Share of its place that a thread fills.
+        depth: How high a thread rises over the one it crosses [m].
+        unevenness: How much threads differ in lightness.
+        slubs: How much their thickness varies along them.
+        twist: How much the strands of a thread show.
+        gap: How dark it is between threads, relative to them.
+    """
+
+    mean: Color
+    tile: tuple[float, float]
+    threads: int
+    width: float
+    depth: float
+    unevenness: float
+    slubs: float
+    twist: float
+    gap: float
+
+
+_LINEN = Weave((0.75, 0.71, 0.64), (0.060, 0.060), 72, 0.90, 90e-6, 0.05, 0.14, 0.06, 0.62)
+_CANVAS = Weave((0.30, 0.31, 0.33), (0.072, 0.072), 60, 0.96, 160e-6, 0.08, 0.07, 0.10, 0.45)
+_WICKER = Weave((0.36, 0.23, 0.12), (0.128, 0.128), 16, 0.94, 1.4e-3, 0.16, 0.05, 0.0, 0.10)
+_PLASTIC_WICKER = Weave((0.060, 0.045, 0.036), (0.112, 0.112), 16, 0.95, 1.1e-3, 0.05, 0.02, 0.0, 0.35)
+
+
+def _weave(kind: Weave, stream: np.random.Generator, size: int) -> Pattern:
+    """Make a plain weave."""
+    tile = Tile(stream, size, kind.tile)
+    pitch = tile.extent[0] / kind.threads
+    # The border of the tile lies in the middle of a thread
+    warp = _Threads(tile, kind, tile.u, tile.v, tile.streaks(0.3 * pitch, 6.0 * pitch))
+    weft = _Threads(tile, kind, tile.v, tile.u, tile.streaks(6.0 * pitch, 0.3 * pitch))
+    sign = np.where((warp.number + weft.number) % 2 == 0, 1.0, -1.0)
+    warp_height = warp.round * (0.62 + 0.38 * sign * np.cos(np.pi * weft.offset))
+    weft_height = weft.round * (0.62 - 0.38 * sign * np.cos(np.pi * warp.offset))
+    on_top = warp_height > weft_height
+    height = np.maximum(warp_height, weft_height)
+    strand = np.where(on_top, warp.strand, weft.strand)
+    hair = tile.cloud(1.5 * pitch, 0.9)
+    light = kind.gap + (1.0 - kind.gap) * smoothstep(0.05, 0.75, height)
+    light *= np.where(on_top, warp.tone, weft.tone) * (1.0 + kind.twist * strand + 0.035 * hair)
+    light *= 1.0 + 0.015 * tile.cloud(0.5 * tile.extent[0], 1.5)
+    albedo = np.clip(light, 0.03, 1.6)[..., None] ** np.array([0.92, 1.0, 1.1]) * np.array(kind.mean)
+    relief = kind.depth * (height + 0.25 * kind.twist * strand * height + 0.02 * hair)
+    roughness = centred(0.02 * hair - 0.05 * height)
+    return Pattern(with_mean(albedo, kind.mean), roughness, height=relief)
+
+
+class _Threads:
+    """One of the two sets of threads of a weave.
+
+    Attributes:
+        number: Of the thread that is nearest.
+        offset: Place across it, -1..1 over its pitch.
+        round: Height of its section, 0 beside it and 1 at its middle.
+        tone: Its lightness, about 1.
+        strand: The strands that it is twisted of, -1..1; or the lines of a split cane.
+    """
+
+    def __init__(self, tile: Tile, kind: Weave, across: Array, along: Array, wander: Array) -> None:
+        pitch = tile.extent[0] / kind.threads
+        place = across / pitch + 0.5 + 0.06 * kind.slubs / 0.14 * wander
+        self.number = np.floor(place).astype(np.int64) % kind.threads
+        self.offset = 2.0 * (place - np.floor(place)) - 1.0
+        tone = tile.stream.standard_normal(kind.threads)[self.number]
+        self.tone = 1.0 + kind.unevenness * (tone + 0.5 * wander) / 1.1
+        width = kind.width * np.clip(1.0 + kind.slubs * wander, 0.6, 1.0 / kind.width)
+        self.round = np.sqrt(np.clip(1.0 - (self.offset / width) ** 2, 0.0, 1.0))
+        turns = along * (1.5 * kind.threads / tile.extent[0])
+        self.strand = np.sin(2.0 * np.pi * (turns + 0.6 * self.offset))
+
+
+_PERFORATED = (0.030, 0.030, 0.031)
+_PERFORATED_TILE = (0.0240, 0.02425)  # rows of a hexagonal pattern, 2 mm apart
+_HOLES = (12, 14)
+
+
+def _perforated(stream: np.random.Generator, size: int) -> Pattern:
+    """Make the screen of a microwave oven's door: round holes in staggered rows, seen as dark dots."""
+    tile = Tile(stream, size, _PERFORATED_TILE)
+    across, along = tile.u / tile.extent[0] * _HOLES[0], tile.v / tile.extent[1] * _HOLES[1]
+    row = np.floor(along)
+    shifted = across + 0.5 * (row % 2.0) + 0.25  # no hole lies on the border of the tile
+    pitch = tile.extent[0] / _HOLES[0], tile.extent[1] / _HOLES[1]
+    distance = np.hypot((shifted - np.floor(shifted) - 0.5) * pitch[0], (along - row - 0.5) * pitch[1])
+    texel = tile.extent[0] / size
+    metal = smoothstep(0.00062 - texel, 0.00062 + texel, distance)
+    albedo = (0.40 + 0.60 * metal)[..., None] * np.ones(3)
+    return Pattern(with_mean(albedo, _PERFORATED), centred(-0.25 * metal), height=60e-6 * metal)
+
+
+def recipes() -> list[Recipe]:
+    """Return the recipes of what is woven or perforated."""
+    kinds = {"linen": _LINEN, "canvas": _CANVAS, "wicker": _WICKER, "plastic_wicker": _PLASTIC_WICKER}
+    seen: tuple[Varying, ...] = ("albedo", "normal")
+    return [
+        *(Recipe(name, kind.mean, partial(_weave, kind), kind.tile, 1, seen) for name, kind in kinds.items()),
+        Recipe("perforated", _PERFORATED, _perforated, _PERFORATED_TILE, 1, seen),
+    ]

@@ -1,0 +1,55 @@
+"""Details: what makes a product look made. Print, icons, dials, displays, screws, vents, seals and racks.
+
+Most are profiles and solids to be used like any other; `printed`, `raised`, `engraved`, `display`, `screw`
+and `rating_plate` are bodies that only are seen, to be welded to a part.
+"""
+
+from artgen.nodes.details.dials import dial_icons, dial_scale
+from artgen.nodes.details.displays import display
+from artgen.nodes.details.dots import dot_matrix
+from artgen.nodes.details.icons import ICONS, icon
+from artgen.nodes.details.lettering import BRANDS, emblem, lettering, lettering_width, logo
+from artgen.nodes.details.plates import rating_plate
+from artgen.nodes.details.pointers import dial_band, pointer
+from artgen.nodes.details.racks import tine_row, wire_rack
+from artgen.nodes.details.relief import engraved, printed, raised, relief
+from artgen.nodes.details.screws import drive_recess, rivet, screw, screw_head
+from artgen.nodes.details.seals import foot, gasket, gasket_section, seam
+from artgen.nodes.details.segments import seven_segment
+from artgen.nodes.details.vents import louvre_section, louvres, perforation, vent_slots
+
+__all__ = [
+    "BRANDS",
+    "ICONS",
+    "dial_band",
+    "dial_icons",
+    "dial_scale",
+    "display",
+    "dot_matrix",
+    "drive_recess",
+    "emblem",
+    "engraved",
+    "foot",
+    "gasket",
+    "gasket_section",
+    "icon",
+    "lettering",
+    "lettering_width",
+    "logo",
+    "louvre_section",
+    "louvres",
+    "perforation",
+    "pointer",
+    "printed",
+    "raised",
+    "rating_plate",
+    "relief",
+    "rivet",
+    "screw",
+    "screw_head",
+    "seam",
+    "seven_segment",
+    "tine_row",
+    "vent_slots",
+    "wire_rack",
+]

@@ -1,0 +1,227 @@
+"""Scales of knobs: ticks, numbers and icons on a circle, read clockwise from the top."""
+
+import math
+from collections.abc import Sequence
+from functools import lru_cache
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from artgen.asset.outline import Contour, Outline
+from artgen.graph import kernel
+from artgen.nodes import inputs, text
+from artgen.nodes.contours import faceted, moved_outline
+from artgen.nodes.details.icons import Weight, checked_icon, icon_outline
+from artgen.nodes.details.pen import SQUARE
+from artgen.nodes.handles import Profile, Scalar
+
+Array = NDArray[np.float64]
+Orientation = Literal["upright", "radial"]
+"""Whether numbers stand upright, or with their feet to the middle of the dial."""
+
+SWEEP = math.radians(270.0)
+"""How far an ordinary knob turns [rad]."""
+
+
+def _angles(count: int, sweep: float, start: float | None) -> Array:
+    """Return evenly spaced angles clockwise from the top, shape (count,) [rad]."""
+    if count < 2:
+        raise ValueError(f"a dial has at least 2 places, got {count}")
+    inputs.between("sweep", sweep, 1e-3, math.tau + 1e-9, "rad")
+    full = sweep >= math.tau - 1e-6
+    first = (0.0 if full else -sweep / 2.0) if start is None else inputs.finite("start", start, "rad")
+    return first + sweep * np.arange(count) / (count if full else count - 1)
+
+
+def _around(angle: float) -> Array:
+    """Return the matrix that takes y to a direction clockwise from the top, shape (2, 2)."""
+    cosine, sine = math.cos(angle), math.sin(angle)
+    return np.array([[cosine, sine], [-sine, cosine]])
+
+
+def _tick(angle: float, radius: float, length: float, width: float) -> Contour:
+    half = width / 2.0
+    corners = np.array([[-half, 0.0], [half, 0.0], [half, length], [-half, length]]) + [0.0, radius]
+    return faceted(corners @ _around(angle).T)
+
+
+@lru_cache(maxsize=256)
+def _number(string: str, height: float) -> tuple[Outline, Array]:
+    """Return a number centred on the origin, and half of its size, shape (2,) [m]."""
+    outline = text._text(string, height, "left")
+    points = np.concatenate([contour.points for contour in outline.contours])
+    low, high = points.min(axis=0), points.max(axis=0)
+    middle = np.array([(low[0] + high[0]) / 2.0, height / 2.0])
+    return moved_outline(outline, np.eye(2), -middle), np.array([high[0] - low[0], height]) / 2.0
+
+
+def _numbered(
+    numbers: Sequence[str], angles: Array, radius: float, height: float, orientation: str
+) -> list[Contour]:
+    """Return numbers whose inner side is `radius` from the middle."""
+    made: list[Contour] = []
+    for string, angle in zip(numbers, angles, strict=True):
+        if not string.strip():
+            continue
+        outline, half = _number(string, height)
+        out = np.array([math.sin(angle), math.cos(angle)])
+        turn = np.eye(2)
+        reach = half[1]
+        if orientation == "upright":
+            # the box of the number, its corners taken off a little, touches the circle
+            reach = min(float(np.abs(out) @ half), 0.94 * float(np.hypot(*half)))
+        else:
+            turn = _around(angle)
+        made += moved_outline(outline, turn, out * (radius + reach)).contours
+    return made
+
+
+@kernel
+def _dial_scale(
+    radius: float,
+    ticks: int,
+    sweep: float,
+    start: float | None,
+    major_every: int,
+    length: float,
+    major_length: float,
+    width: float,
+    numbers: tuple[str, ...],
+    number_height: float,
+    number_gap: float,
+    orientation: Orientation,
+) -> Outline:
+    inputs.positive("radius", radius)
+    inputs.positive("length", length)
+    inputs.positive("major length", major_length)
+    inputs.positive("width", width)
+    if major_every < 1:
+        raise ValueError(f"major_every must be at least 1, got {major_every}")
+    angles = _angles(ticks, sweep, start)
+    spacing = 2.0 * radius * math.sin(min(float(angles[1] - angles[0]), math.pi) / 2.0)
+    if width >= spacing:
+        raise ValueError(
+            f"{ticks} ticks {width * 1e3:.3g} mm wide do not fit: on a radius of {radius * 1e3:.3g} mm they "
+            f"are {spacing * 1e3:.3g} mm apart; use fewer ticks, thinner ones or a larger radius"
+        )
+    major = np.arange(ticks) % major_every == 0
+    contours = [
+        _tick(angle, radius, major_length if strong else length, width * (1.5 if strong else 1.0))
+        for angle, strong in zip(angles, major, strict=True)
+    ]
+    if numbers:
+        if len(numbers) != int(major.sum()):
+            raise ValueError(
+                f"{len(numbers)} numbers for {int(major.sum())} long ticks (every {major_every} of {ticks}); "
+                'give one for each, "" where none shall stand'
+            )
+        inputs.positive("number height", number_height)
+        reach = radius + major_length + inputs.between("number gap", number_gap, 0.0, 1.0)
+        contours += _numbered(numbers, angles[major], reach, number_height, orientation)
+    return Outline(tuple(contours))
+
+
+def dial_scale(
+    radius: Scalar,
+    ticks: int,
+    *,
+    sweep: Scalar = SWEEP,
+    start: Scalar | None = None,
+    major_every: int = 1,
+    length: Scalar = 0.0015,
+    major_length: Scalar = 0.0025,
+    width: Scalar = 0.0004,
+    numbers: Sequence[str] = (),
+    number_height: Scalar = 0.0026,
+    number_gap: Scalar = 0.001,
+    orientation: Orientation = "upright",
+) -> Profile:
+    """Make the scale around a knob: ticks on a circle about the origin, clockwise, and numbers outside.
+
+    Args:
+        radius: Where the ticks begin [m].
+        ticks: How many there are, both ends of the sweep included.
+        sweep: Angle from the first to the last tick [rad]; 2 pi goes all round without repeating the first.
+        start: Angle of the first tick, clockwise from the top [rad]; by default the sweep is symmetric, and a
+            full circle begins at the top.
+        major_every: Every how many ticks there is a long one, the first included.
+        length: Length of a short tick [m].
+        major_length: Length of a long tick, which is half as wide again [m].
+        width: Width of a short tick [m].
+        numbers: What stands at the long ticks, in order; `""` leaves a place free.
+        number_height: Height of the numbers [m].
+        number_gap: Space between ticks and numbers [m].
+        orientation: Whether numbers stand upright or radially.
+    """
+    numbers = tuple(numbers)
+    return Profile.record(
+        _dial_scale,
+        radius=radius,
+        ticks=ticks,
+        sweep=sweep,
+        start=start,
+        major_every=major_every,
+        length=length,
+        major_length=major_length,
+        width=width,
+        numbers=numbers,
+        number_height=number_height,
+        number_gap=number_gap,
+        orientation=orientation,
+    )
+
+
+@kernel
+def _dial_icons(
+    names: tuple[str, ...],
+    radius: float,
+    height: float,
+    sweep: float,
+    start: float | None,
+    weight: Weight,
+) -> Outline:
+    inputs.positive("radius", radius)
+    inputs.positive("height", height)
+    angles = _angles(len(names), sweep, start)
+    spacing = 2.0 * radius * math.sin(min(float(angles[1] - angles[0]), math.pi) / 2.0)
+    if height > spacing:
+        raise ValueError(
+            f"{len(names)} icons {height * 1e3:.3g} mm high overlap: on a radius of {radius * 1e3:.3g} mm "
+            f"they are {spacing * 1e3:.3g} mm apart; use smaller icons or a larger radius"
+        )
+    contours: list[Contour] = []
+    for name, angle in zip(names, angles, strict=True):
+        if name:
+            middle = radius * np.array([math.sin(angle), math.cos(angle)])
+            outline = icon_outline(checked_icon(name), weight)
+            contours += moved_outline(outline, np.eye(2) * (height / SQUARE), middle).contours
+    if not contours:
+        raise ValueError("the dial has no icons")
+    return Outline(tuple(contours))
+
+
+def dial_icons(
+    names: Sequence[str],
+    radius: Scalar,
+    height: Scalar,
+    *,
+    sweep: Scalar = SWEEP,
+    start: Scalar | None = None,
+    weight: Weight = "regular",
+) -> Profile:
+    """Make icons around a knob, clockwise and upright.
+
+    Args:
+        names: Icons in order, as `icon` knows them; `""` leaves a place free.
+        radius: Distance of their middles from the origin [m].
+        height: Their height [m].
+        sweep: Angle from the first to the last [rad]; 2 pi goes all round without repeating the first.
+        start: Angle of the first, clockwise from the top [rad]; by default the sweep is symmetric, and a full
+            circle begins at the top.
+        weight: How heavy their lines are.
+    """
+    names = tuple(names)
+    return Profile.record(
+        _dial_icons, names=names, radius=radius, height=height, sweep=sweep, start=start, weight=weight
+    )

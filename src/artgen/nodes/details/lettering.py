@@ -1,0 +1,181 @@
+"""Lettering beyond one plain line: spaced capitals, blocks of small print, word marks and invented brands."""
+
+from collections.abc import Sequence
+from functools import lru_cache
+from typing import Literal
+
+import numpy as np
+
+from artgen.asset.outline import Contour, Outline
+from artgen.graph import kernel
+from artgen.nodes import inputs, text
+from artgen.nodes.contours import is_disjoint, moved_outline, outline_of, section
+from artgen.nodes.details.ink import drawing
+from artgen.nodes.details.pen import SQUARE, Mark, arc, circle, cut, disc, fill, stroke, turned
+from artgen.nodes.handles import Profile, Scalar
+
+Fineness = Literal["fine", "coarse"]
+"""Whether letters keep their curves, or only as much of them as print of a few millimetres shows."""
+
+Emblem = Literal[
+    "ring", "bar", "leaf", "hexagon", "waves", "peak", "sun", "bow", "diamond", "quarters", "none"
+]
+"""The signs that may stand beside a word mark."""
+
+BRANDS: tuple[str, ...] = (
+    "Ormiveld", "Zuvetta", "Corvelline", "Eskeldon", "Ambrikson", "Tessaround", "Nordhavel", "Kelmarra",
+    "Ostrivane", "Halvorne", "Talvorex", "Pendrovia", "Brunvekk", "Lindhoevel", "Wexmarrow",
+)  # fmt: skip
+"""Brand names that were made up, for marks on products."""
+
+_COARSE = 0.028  # how far coarse letters may leave their curves, in capital heights
+
+
+@lru_cache(maxsize=512)
+def _letter(character: str, fineness: str) -> tuple[tuple[Contour, ...], float]:
+    """Return the contours of a character and its advance, in capital heights."""
+    contours, advance = text._glyph(character)
+    if contours and (fineness == "coarse" or not is_disjoint([each.points for each in contours])):
+        region = section(contours)
+        if fineness == "coarse":
+            region = region.simplify(_COARSE)
+        contours = outline_of(region, f"the letter {character!r}").contours
+    return contours, advance
+
+
+@kernel
+def _lettering(
+    lines: tuple[str, ...],
+    height: float,
+    tracking: float,
+    leading: float,
+    align: Literal["left", "center", "right"],
+    fineness: Fineness,
+) -> Outline:
+    inputs.positive("height", height)
+    inputs.between("tracking", tracking, -0.2, 5.0, "capital heights")
+    inputs.between("leading", leading, 1.2, 10.0, "capital heights")
+    rows: list[Contour] = []
+    for number, string in enumerate(lines):
+        letters, pen = [], 0.0
+        for character in string:
+            contours, advance = _letter(character, fineness)
+            letters.append((contours, pen))
+            pen += advance + tracking
+        width = pen - tracking
+        shift = {"left": 0.0, "center": -0.5 * width, "right": -width}[align]
+        rise = 0.5 * leading * (len(lines) - 1) - leading * number - 0.5
+        for contours, place in letters:
+            offset = np.array([place + shift, rise])
+            rows += [Contour(one.points + offset, one.normals_in, one.normals_out) for one in contours]
+    if not rows:
+        raise ValueError(f"the lines {lines!r} have nothing to show")
+    return moved_outline(Outline(tuple(rows)), np.eye(2) * height, np.zeros(2))
+
+
+def lettering(
+    lines: Sequence[str],
+    height: Scalar,
+    *,
+    tracking: Scalar = 0.0,
+    leading: Scalar = 1.7,
+    align: Literal["left", "center", "right"] = "center",
+    fineness: Fineness = "fine",
+) -> Profile:
+    """Make lines of text in Roboto Medium, the middle of the block at y = 0.
+
+    Args:
+        lines: What they say, from top to bottom; known while building.
+        height: Height of the capital letters [m].
+        tracking: Space added between letters, in capital heights.
+        leading: From one base line to the next, in capital heights.
+        align: Whether x = 0 is the left end, the middle or the right end of every line.
+        fineness: `coarse` letters have a third of the vertices, for small print.
+    """
+    lines = tuple(lines)
+    return Profile.record(
+        _lettering,
+        lines=lines,
+        height=height,
+        tracking=tracking,
+        leading=leading,
+        align=align,
+        fineness=fineness,
+    )
+
+
+def lettering_width(string: str, tracking: float = 0.0) -> float:
+    """Return the length of a line, in heights of its capital letters."""
+    return text.text_width(string) + tracking * (len(string) - 1)
+
+
+_EMBLEMS: dict[str, tuple[Mark, ...]] = {
+    "ring": (*disc(0, 0, 10), *circle(0, 0, 6.2, "cut")),
+    "bar": fill("M-9,-9 H-4.4 V0 H-9 Z M-2.3,-9 H2.3 V5 H-2.3 Z M4.4,-9 H9 V10 H4.4 Z"),
+    "leaf": (
+        *fill("M-7,-7.6 C-10,3 -2.4,9.8 9.6,9.6 C9.8,-3.6 2.8,-10.6 -7,-7.6 Z"),
+        *cut("M-9.6,-10 C-6,-3.2 -1.6,0.8 5,4.2 C-0.4,-0.4 -4,-4.4 -7.2,-10 Z"),
+    ),
+    "hexagon": (
+        *fill("M0,10 L-8.66,5 V-5 L0,-10 L8.66,-5 V5 Z"),
+        *cut("M0,5.6 L-4.85,2.8 V-2.8 L0,-5.6 L4.85,-2.8 V2.8 Z"),
+    ),
+    "waves": tuple(
+        mark
+        for y in (-6.4, 0, 6.4)
+        for mark in stroke(
+            f"M-9,{y - 1} C-5.4,{y + 3.4} -3,{y + 3.4} 0,{y} C3,{y - 3.4} 5.4,{y - 3.4} 9,{y + 1}", 1.6
+        )
+    ),
+    "peak": fill("M-10,-9 L-2,9 L1.6,0.8 L3.6,4.6 L10,-9 H4.4 L2.4,-4.4 L0.6,-8.4 L-2,-2.4 L-5,-9 Z"),
+    "sun": (*disc(0, 0, 4.6), *turned(12, fill("M-1,6.4 L-0.5,10 H0.5 L1,6.4 Z"))),
+    "bow": (*disc(0, -4.6, 3.4), *arc(0, -5, 7.4, 0, 180), *arc(0, -5, 12, 24, 132)),
+    "diamond": (*fill("M0,10 L-7,0 L0,-10 L7,0 Z"), *cut("M0,3.2 L-2.4,0 L0,-3.2 L2.4,0 Z")),
+    "quarters": turned(4, fill("M0.9,0.9 H9.6 A8.7 0.9,9.6 Z")),
+}
+
+
+@kernel
+def _emblem(name: Emblem, height: float) -> Outline:
+    inputs.positive("height", height)
+    if name == "none":
+        raise ValueError("the emblem 'none' has nothing to show")
+    outline = drawing(_EMBLEMS[name], 1.9, f"the emblem {name!r}")
+    return moved_outline(outline, np.eye(2) * (height / SQUARE), np.zeros(2))
+
+
+def emblem(name: Emblem, height: Scalar) -> Profile:
+    """Make the sign of an invented brand.
+
+    Args:
+        name: Which one; known while building.
+        height: Side of the square about the origin that it fills [m].
+    """
+    return Profile.record(_emblem, name=name, height=height)
+
+
+def logo(
+    name: str,
+    height: Scalar,
+    *,
+    sign: Emblem = "none",
+    tracking: float = 0.3,
+    capitals: bool = True,
+) -> Profile:
+    """Make a word mark in spaced letters, centred on the origin; `BRANDS` lists names that belong to nobody.
+
+    Args:
+        name: The brand; known while building.
+        height: Height of the capital letters [m].
+        sign: The emblem to the left of the name.
+        tracking: Space added between the letters, in capital heights.
+        capitals: Whether it is set in capitals alone.
+    """
+    string = name.upper() if capitals else name
+    word = lettering((string,), height, tracking=tracking)
+    if sign == "none":
+        return word
+    width = lettering_width(string, tracking)
+    size, space = 1.5, 0.6  # of the emblem and beside it, in capital heights
+    mark = emblem(sign, size * height).at(-0.5 * (width + space) * height)
+    return word.at(0.5 * (size + space) * height) | mark

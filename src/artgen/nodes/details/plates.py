@@ -1,0 +1,92 @@
+"""Rating plates: the small print on the back of an appliance."""
+
+from collections.abc import Sequence
+
+from artgen.errors import BuildError
+from artgen.graph.node import authors_line
+from artgen.materials import MATERIALS, Material
+from artgen.nodes.body import detail, weld
+from artgen.nodes.details.lettering import Fineness, lettering, lettering_width
+from artgen.nodes.details.relief import FRONT, relief
+from artgen.nodes.handles import Body, Profile, Scalar, Solid, VectorLike
+from artgen.nodes.profile import rectangle
+from artgen.nodes.scalar import min_
+
+_PLATE = 0.0003  # how far the plate stands out [m]
+_FILM = 0.0001  # and its print out of the plate
+_MOST_LETTERS = 90
+_LEADING = 1.75  # of lines, in capital heights
+
+
+def _frame(width: Scalar, height: Scalar, line: Scalar) -> Profile:
+    return rectangle(width, height) - rectangle(width - 2 * line, height - 2 * line)
+
+
+def rating_plate(
+    width: Scalar,
+    height: Scalar,
+    lines: Sequence[str],
+    *,
+    material: Material | None = None,
+    ink: Material | None = None,
+    double_insulated: bool = True,
+    at: VectorLike = (0.0, 0.0, 0.0),
+    facing: VectorLike = FRONT,
+    up: VectorLike | None = None,
+    label: str = "rating_plate",
+) -> Body:
+    """Make a plate with lines of small print: below 4000 triangles, only seen, no mark of any authority.
+
+    Args:
+        width: Its width [m].
+        height: Its height [m].
+        lines: What it says, from top to bottom; the first line stands a third larger. Known while building.
+        material: The plate; by default white plastic.
+        ink: The print; by default black.
+        double_insulated: Whether the double square of protection class II stands in the lower right corner.
+        at: Where its middle lies on the face [m].
+        facing: Out of the face.
+        up: Upward for the reader; by default Z, or Y on a face that looks up or down.
+        label: Semantic label.
+
+    Raises:
+        BuildError: It has no lines, or more letters than small print may cost.
+    """
+    shown = [line for line in lines if line.strip()]
+    letters = sum(not character.isspace() for line in shown for character in line)
+    if not shown or letters > _MOST_LETTERS:
+        raise BuildError(
+            f"a rating plate has 1 to {_MOST_LETTERS} letters, got {letters}: beyond, print costs more "
+            f"triangles than it shows\n  at {authors_line()}\n  Shorten its lines."
+        )
+    paper = (
+        MATERIALS["abs"].with_(name="plate_white", base_color=(0.78, 0.78, 0.76), texture="", tile=None)
+        if material is None
+        else material
+    )
+    black = MATERIALS["black_abs"].with_(name="plate_ink", texture="", tile=None) if ink is None else ink
+
+    def film(profile: Profile) -> Solid:
+        return relief(profile, at, facing=facing, up=up, proud=_PLATE + _FILM, sunk=0.0002)
+
+    rows = 1.33 * _LEADING + _LEADING * (len(shown) - 1) + 0.6  # of the block, in capital heights
+    square = 2.2 if double_insulated else 0.0
+    wide = max(1.33 * lettering_width(shown[0]), *(lettering_width(line) for line in shown[1:]), 1.0)
+    last = lettering_width(shown[-1]) + square + 1.0 if len(shown) > 1 else 0.0
+    size = min_(0.9 * height / rows, 0.9 * width / max(wide, last))
+    left = -0.45 * width
+    coarse: Fineness = "coarse"
+    top = 0.5 * (rows - 1.33 * _LEADING) * size
+    print_ = lettering(shown[:1], 1.33 * size, align="left", fineness=coarse).at(left, top)
+    if len(shown) > 1:
+        block = lettering(shown[1:], size, align="left", leading=_LEADING, fineness=coarse)
+        print_ = print_ | block.at(left, -0.5 * 1.33 * _LEADING * size)
+    print_ = print_ | _frame(0.97 * width, height - 0.03 * width, 0.004 * width)
+    if double_insulated:
+        squares = _frame(2 * size, 2 * size, 0.22 * size) | _frame(1.1 * size, 1.1 * size, 0.22 * size)
+        print_ = print_ | squares.at(0.45 * width - size, -0.45 * height + 1.15 * size)
+    plate = relief(
+        rectangle(width, height, radius=0.03 * min_(width, height)),
+        at, facing=facing, up=up, proud=_PLATE, sunk=0.0002,
+    )  # fmt: skip
+    return weld(detail(plate, label, paper), detail(film(print_), label, black))

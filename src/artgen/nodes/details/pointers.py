@@ -1,0 +1,64 @@
+"""Marks of knobs, and the bands around them that tell less from more."""
+
+import math
+from typing import Literal
+
+import numpy as np
+
+from artgen.asset.outline import Outline
+from artgen.graph import kernel
+from artgen.nodes import inputs
+from artgen.nodes.contours import arc_points, faceted
+from artgen.nodes.details.dials import SWEEP
+from artgen.nodes.handles import Profile, Scalar
+from artgen.nodes.profile import circle, polygon, rectangle
+from artgen.nodes.surfaces import arc_steps
+
+
+@kernel
+def _dial_band(radius: float, width: float, end_width: float, sweep: float, start: float | None) -> Outline:
+    inputs.positive("radius", radius)
+    inputs.positive("width", width)
+    inputs.positive("end width", end_width)
+    inputs.between("sweep", sweep, 1e-3, math.tau * 0.99, "rad")
+    first = -sweep / 2.0 if start is None else inputs.finite("start", start, "rad")
+    steps = 2 * arc_steps(radius + max(width, end_width), sweep)
+    inner, outward = arc_points(np.zeros(2), radius, math.pi / 2.0 - first, -sweep, steps)
+    share = np.arange(steps + 1)[:, None] / steps
+    outer = inner + outward * (width + (end_width - width) * share)
+    return Outline((faceted(np.concatenate([inner, outer[::-1]])),))
+
+
+def dial_band(
+    radius: Scalar, width: Scalar, end_width: Scalar, *, sweep: Scalar = SWEEP, start: Scalar | None = None
+) -> Profile:
+    """Make a band around a knob that grows clockwise, as for loudness or heat.
+
+    Args:
+        radius: Its inner radius [m].
+        width: Width where it begins [m].
+        end_width: Width where it ends [m].
+        sweep: How far it goes [rad].
+        start: Where it begins, clockwise from the top [rad]; by default it is symmetric.
+    """
+    return Profile.record(
+        _dial_band, radius=radius, width=width, end_width=end_width, sweep=sweep, start=start
+    )
+
+
+def pointer(
+    inner: Scalar, outer: Scalar, width: Scalar, *, style: Literal["line", "triangle", "dot"] = "line"
+) -> Profile:
+    """Make the mark of a knob, upward from the origin, which is the middle of the knob.
+
+    Args:
+        inner: Distance of its lower end from the middle [m].
+        outer: Distance of its upper end from the middle [m].
+        width: Its width; the diameter of a dot, which sits at the upper end [m].
+        style: A line, a triangle that points outward, or a dot.
+    """
+    if style == "dot":
+        return circle(width / 2).at(0.0, outer - width / 2)
+    if style == "triangle":
+        return polygon([(-0.5, 0.0), (0.5, 0.0), (0.0, 1.0)]).scale(width, outer - inner).at(0.0, inner)
+    return rectangle(width, outer - inner).at(0.0, (inner + outer) / 2)

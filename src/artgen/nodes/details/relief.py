@@ -1,0 +1,216 @@
+"""What lies on a face: print, raised letters and what looks engraved, from any profile."""
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from artgen.asset.outline import Contour, Outline
+from artgen.asset.shape import Shape
+from artgen.graph import kernel
+from artgen.materials import Material
+from artgen.nodes import inputs
+from artgen.nodes.body import detail
+from artgen.nodes.contours import is_disjoint
+from artgen.nodes.covers import around_extrusion
+from artgen.nodes.details.prisms import prisms
+from artgen.nodes.handles import Array3, Body, Profile, Scalar, Solid, VectorLike
+from artgen.nodes.surfaces import extrusion, mitres
+
+Array = NDArray[np.float64]
+
+_HALVINGS = 4
+"""How often a bevel that does not fit is halved before the rim stays sharp."""
+
+FRONT = (0.0, -1.0, 0.0)
+"""The way that the front of an asset faces."""
+
+
+def facing_frame(facing: Array, up: Array | None) -> Array:
+    """Return the rotation, shape (3, 3), whose columns are right, up and out of a face that is read.
+
+    Args:
+        facing: Out of the face, to the reader.
+        up: Upward for the reader; by default Z, or Y on a face that looks up or down.
+
+    Raises:
+        ValueError: A direction has no length, or `up` runs along `facing`.
+    """
+    out = inputs.direction("facing", facing)
+    if up is None:
+        up = np.array([0.0, 1.0, 0.0]) if abs(out[2]) > 0.9 else np.array([0.0, 0.0, 1.0])
+    upward = inputs.direction("up", up)
+    upward = upward - out * float(out @ upward)
+    length = float(np.linalg.norm(upward))
+    if length < 1e-6:
+        shown = ", ".join(f"{value:g}" for value in up)
+        raise ValueError(f"up ({shown}) runs along facing: it must point upward on the face")
+    upward /= length
+    return np.column_stack([np.cross(upward, out), upward, out]) + 0.0
+
+
+def _allows(contours: Sequence[Contour], bevel: float) -> bool:
+    """Tell whether borders moved inward by a bevel neither fold nor meet."""
+    rings = []
+    for contour in contours:
+        inward = mitres(contour)
+        sides = np.roll(contour.points, -1, axis=0) - contour.points
+        shortening = bevel * ((np.roll(inward, -1, axis=0) - inward) * sides).sum(axis=1)
+        if (shortening >= (sides * sides).sum(axis=1)).any():
+            return False
+        # in millimetres: the rounding of polygons in metres would count as an overlap
+        rings.append(1e3 * (contour.points - bevel * inward))
+    return is_disjoint(rings)
+
+
+def _fitting(contours: Sequence[Contour], bevel: float) -> float:
+    """Return the greatest of bevel, bevel / 2, bevel / 4, ... that the contours allow, or 0."""
+    for _ in range(_HALVINGS):
+        if bevel < 1e-6:
+            return 0.0
+        if _allows(contours, bevel):
+            return bevel
+        bevel /= 2.0
+    return 0.0
+
+
+@kernel
+def _relief(
+    profile: Outline,
+    at: Array3,
+    facing: Array3,
+    up: Array3 | None,
+    proud: float,
+    sunk: float,
+    bevel: float,
+) -> Shape:
+    inputs.positive("proud", proud)
+    inputs.positive("sunk", sunk)
+    length = proud + sunk
+    bevel = min(inputs.rounding("bevel", bevel, 1.0), 0.999 * proud, 0.499 * length)
+    bevel = _fitting(profile.contours, bevel)
+    place = inputs.vector("at", at)
+    turn = facing_frame(facing, up)
+    contours = profile.contours
+    skin = extrusion(contours, length, bevel=bevel) if bevel > 0.0 else prisms(contours, length)
+    pieces = around_extrusion(profile, length, bevel=bevel, taper=0.0, twist=0.0, stations=1)
+    return skin.shape(pieces).transformed(inputs.pose(turn, place + turn[:, 2] * (proud - sunk) / 2.0))
+
+
+def relief(
+    profile: Profile,
+    at: VectorLike = (0.0, 0.0, 0.0),
+    *,
+    facing: VectorLike = FRONT,
+    up: VectorLike | None = None,
+    proud: Scalar = 0.0004,
+    sunk: Scalar = 0.0004,
+    bevel: Scalar = 0.0,
+) -> Solid:
+    """Put a profile on a face, to be read from where the face looks: never mirrored, whatever the face.
+
+    Args:
+        profile: What to put there; its x runs to the reader's right and its y upward.
+        at: Where its origin lies on the face [m].
+        facing: Out of the face.
+        up: Upward for the reader; by default Z, or Y on a face that looks up or down.
+        proud: How far it stands out of the face [m].
+        sunk: How far it reaches into the face [m], so that it never fights the face for a pixel.
+        bevel: Radius of its upper rim [m]; less where the profile is too fine for it.
+    """
+    return Solid.record(
+        _relief, profile=profile, at=at, facing=facing, up=up, proud=proud, sunk=sunk, bevel=bevel
+    )
+
+
+def printed(
+    profile: Profile,
+    at: VectorLike = (0.0, 0.0, 0.0),
+    *,
+    material: Material,
+    facing: VectorLike = FRONT,
+    up: VectorLike | None = None,
+    label: str = "print",
+    proud: Scalar = 0.0002,
+) -> Body:
+    """Print a profile on a face: a film of ink that is only seen.
+
+    Args:
+        profile: What to print, such as `text("Power", 0.004)` or `icon("power", 0.008)`.
+        at: Where its origin lies on the face [m].
+        material: The ink.
+        facing: Out of the face.
+        up: Upward for the reader; by default Z, or Y on a face that looks up or down.
+        label: Semantic label.
+        proud: How far the ink stands out [m]; it reaches as far into the face.
+    """
+    film = relief(profile, at, facing=facing, up=up, proud=proud, sunk=proud)
+    return detail(film, label, material)
+
+
+def raised(
+    profile: Profile,
+    at: VectorLike = (0.0, 0.0, 0.0),
+    *,
+    material: Material,
+    facing: VectorLike = FRONT,
+    up: VectorLike | None = None,
+    label: str = "print",
+    proud: Scalar = 0.0004,
+    bevel: Scalar = 0.00015,
+) -> Body:
+    """Let a profile stand out of a face with a soft rim, as moulded letters and glued emblems do.
+
+    Args:
+        profile: What stands out.
+        at: Where its origin lies on the face [m].
+        material: What it is made of; that of the face for moulded letters.
+        facing: Out of the face.
+        up: Upward for the reader; by default Z, or Y on a face that looks up or down.
+        label: Semantic label.
+        proud: How far it stands out, 0.0003-0.001 [m].
+        bevel: Radius of its rim [m]; less where the profile is too fine for it.
+    """
+    solid = relief(profile, at, facing=facing, up=up, proud=proud, sunk=proud, bevel=bevel)
+    return detail(solid, label, material)
+
+
+def engraved(
+    profile: Profile,
+    at: VectorLike = (0.0, 0.0, 0.0),
+    *,
+    material: Material,
+    facing: VectorLike = FRONT,
+    up: VectorLike | None = None,
+    label: str = "print",
+) -> Body:
+    """Make a profile look engraved in a face: in the colour of the face, darker and rough as a groove is.
+
+    The face itself is not cut; where the groove has to be real, subtract a `relief`.
+
+    Args:
+        profile: What looks engraved.
+        at: Where its origin lies on the face [m].
+        material: The material of the face.
+        facing: Out of the face.
+        up: Upward for the reader; by default Z, or Y on a face that looks up or down.
+        label: Semantic label.
+    """
+    groove = in_shade(material)
+    return printed(profile, at, material=groove, facing=facing, up=up, label=label, proud=0.0001)
+
+
+def in_shade(material: Material) -> Material:
+    """Return how a material looks at the bottom of a groove or recess: darker, rough and even."""
+    color = tuple(0.22 * channel for channel in material.base_color)
+    return material.with_(
+        name=f"{material.name}_shade",
+        base_color=color,
+        base_metalness=0.5 * material.base_metalness,
+        specular_roughness=max(material.specular_roughness, 0.6),
+        coat_weight=0.0,
+        texture="",
+        tile=None,
+        variant=0,
+        turned=False,
+    )

@@ -1,0 +1,222 @@
+"""Screws and rivets as they are seen: heads with a real recess, of at most 200 triangles."""
+
+import math
+from functools import lru_cache
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from artgen.asset.outline import Contour, Outline
+from artgen.asset.shape import Shape
+from artgen.graph import kernel
+from artgen.materials import Material
+from artgen.nodes import inputs
+from artgen.nodes.body import detail, weld
+from artgen.nodes.contours import circle_contour, faceted, moved_outline, reversed_contour
+from artgen.nodes.covers import around_hull
+from artgen.nodes.details.relief import FRONT, facing_frame, in_shade, relief
+from artgen.nodes.handles import Array3, Body, Profile, Scalar, Solid, VectorLike
+from artgen.nodes.primitive import dome
+from artgen.nodes.profile import polygon
+from artgen.nodes.rail import Rail
+from artgen.nodes.revolve import revolve
+from artgen.nodes.surfaces import Sheets, triangulated
+
+Array = NDArray[np.float64]
+Drive = Literal["phillips", "pozidriv", "slot", "hex", "torx"]
+"""The recess that a driver fits."""
+Head = Literal["pan", "countersunk", "cap"]
+"""A low dome, a disc that ends almost flush, or a tall cylinder."""
+
+# Radius, height and elevation of the normal [degrees] of the rows of a head, from the face upward; lengths in
+# radii of the head.
+_HEADS: dict[str, tuple[tuple[float, float, float], ...]] = {
+    "pan": ((1.0, 0.0, 0.0), (1.0, 0.2, 12.0), (0.88, 0.44, 48.0), (0.66, 0.56, 78.0)),
+    "countersunk": ((1.0, 0.0, 0.0), (1.0, 0.1, 0.0), (0.95, 0.16, 90.0)),
+    "cap": ((1.0, 0.0, 0.0), (1.0, 0.82, 0.0), (0.9, 0.92, 90.0)),
+}
+_REACH = {"pan": 0.56, "countersunk": 0.62, "cap": 0.56}  # of the recess
+_SLOT_REACH = {"pan": 0.62, "countersunk": 0.86, "cap": 0.8}  # of a slot
+_DEPTH = {"pan": 0.36, "countersunk": 0.13, "cap": 0.5}  # of the recess
+
+
+def _reach(drive: str, head: str) -> float:
+    """Return the radius of a recess, in radii of the head."""
+    return (_SLOT_REACH if drive == "slot" else _REACH)[head]
+
+
+@lru_cache(maxsize=8)
+def _recess(drive: str) -> Array:
+    """Return the border of a recess within the unit circle, shape (n, 2)."""
+    if drive == "slot":
+        return np.array([[-1.0, -0.15], [1.0, -0.15], [1.0, 0.15], [-1.0, 0.15]])
+    if drive == "hex":
+        angle = math.tau * np.arange(6) / 6
+        return np.column_stack([np.cos(angle), np.sin(angle)])
+    if drive == "torx":
+        middle = (math.tau * np.arange(6) / 6)[:, None]
+        angle = middle + np.radians([-11.0, 11.0, 30.0])
+        radius = np.broadcast_to([1.0, 1.0, 0.7], (6, 3))
+        return np.column_stack([(radius * np.cos(angle)).ravel(), (radius * np.sin(angle)).ravel()])
+    half = 0.19 if drive == "phillips" else 0.16
+    arm = [(1.0, -half), (1.0, half), (half * 1.35, half * 1.35)]
+    if drive == "pozidriv":  # the thin diagonal marks by which it is told from a Phillips
+        arm[2:] = [(0.3, half), (0.5, 0.4), (0.4, 0.5), (half, 0.3)]
+    rows = np.array(arm)
+    turn = np.array([[0.0, -1.0], [1.0, 0.0]])
+    quarters = [rows]
+    for _ in range(3):
+        quarters.append(quarters[-1] @ turn.T)
+    return np.concatenate(quarters)
+
+
+def _drive_outline(radius: float, drive: str) -> Outline:
+    return Outline((faceted(_recess(drive) * radius),))
+
+
+@kernel
+def _drive_recess(radius: float, drive: Drive) -> Outline:
+    return _drive_outline(inputs.positive("radius", radius), drive)
+
+
+def drive_recess(radius: Scalar, drive: Drive) -> Profile:
+    """Make the outline of the recess that a driver fits, about the origin.
+
+    Args:
+        radius: Its greatest distance from the origin [m].
+        drive: Its form; known while building.
+    """
+    return Profile.record(_drive_recess, radius=radius, drive=drive)
+
+
+def _head_skin(radius: float, drive: str, head: str, turn: float) -> Shape:
+    rows = np.array(_HEADS[head]) * [radius, radius, math.pi / 180.0]
+    sides = 12 if drive == "pozidriv" or radius < 0.0015 else 16
+    outer = circle_contour(1.0, sides)
+    cosine, sine = math.cos(turn), math.sin(turn)
+    hole = moved_outline(
+        _drive_outline(_reach(drive, head) * radius, drive),
+        np.array([[cosine, -sine], [sine, cosine]]),
+        np.zeros(2),
+    ).contours[0]
+    inward = reversed_contour(hole)
+    sheets = Sheets()
+    rail = Rail.along(outer)
+    vertices = np.empty((len(rows), len(rail.vertex), 3))
+    vertices[..., :2] = rows[:, 0, None, None] * outer.points[rail.vertex]
+    vertices[..., 2] = rows[:, 1, None]
+    normals = np.empty_like(vertices)
+    normals[..., :2] = np.cos(rows[:, 2])[:, None, None] * rail.normals
+    normals[..., 2] = np.sin(rows[:, 2])[:, None]
+    uvs = np.empty((*vertices.shape[:2], 2))
+    uvs[..., 0], uvs[..., 1] = rail.distance * radius, rows[:, 1, None]
+    wall = sheets.grid(rail, vertices, normals, uvs)
+    top, floor = rows[-1, 1], rows[-1, 1] - _DEPTH[head] * radius
+    pit = _pit(sheets, inward, floor, top)
+    up = np.array([0.0, 0.0, 1.0])
+    rings = [outer.points * rows[-1, 0], inward.points]
+    flat = np.concatenate(rings)
+    lid = np.column_stack([flat, np.full(len(flat), top)])
+    sheets.cap(np.concatenate([wall[-1], pit[1]]), lid, up, flat, triangulated(rings))
+    ground = np.column_stack([hole.points, np.full(len(hole.points), floor)])
+    sheets.cap(pit[0][::-1], ground, up, hole.points, triangulated([hole.points]))
+    base = outer.points * radius
+    seat = np.column_stack([base, np.zeros(sides)])
+    sheets.cap(wall[0], seat, -up, base * [-1.0, 1.0], triangulated([base])[:, ::-1])
+    skin = sheets.skin()
+    return skin.shape(around_hull(skin.vertices))
+
+
+def _pit(sheets: Sheets, border: Contour, floor: float, top: float) -> NDArray[np.int64]:
+    """Add the walls of a recess whose border runs clockwise; return their vertices at floor and top."""
+    rail = Rail.along(border)
+    level = np.array([floor, top])
+    vertices = np.empty((2, len(rail.vertex), 3))
+    vertices[..., :2] = border.points[rail.vertex]
+    vertices[..., 2] = level[:, None]
+    normals = np.zeros_like(vertices)
+    normals[..., :2] = rail.normals
+    uvs = np.empty((2, len(rail.vertex), 2))
+    uvs[..., 0], uvs[..., 1] = rail.distance, level[:, None]
+    return sheets.grid(rail, vertices, normals, uvs)
+
+
+@kernel
+def _screw_head(radius: float, at: Array3, facing: Array3, drive: Drive, head: Head, turn: float) -> Shape:
+    inputs.positive("radius", radius)
+    shape = _head_skin(radius, drive, head, inputs.finite("turn", turn, "rad"))
+    return shape.transformed(inputs.pose(facing_frame(facing, None), inputs.vector("at", at)))
+
+
+def screw_head(
+    radius: Scalar,
+    at: VectorLike = (0.0, 0.0, 0.0),
+    *,
+    facing: VectorLike = FRONT,
+    drive: Drive = "phillips",
+    head: Head = "pan",
+    turn: Scalar = 0.3,
+) -> Solid:
+    """Make the head of a screw that sits on a face, its recess above the face: no hole has to be cut.
+
+    Args:
+        radius: Radius of the head [m]: about 0.9 of the thread's diameter.
+        at: Where its middle lies on the face [m].
+        facing: Out of the face.
+        drive: The recess; known while building.
+        head: A low dome, a disc that stands out by a sixth of its radius, or a tall cylinder.
+        turn: How far the recess is turned [rad]; real screws end up at any angle.
+    """
+    return Solid.record(_screw_head, radius=radius, at=at, facing=facing, drive=drive, head=head, turn=turn)
+
+
+def screw(
+    radius: Scalar,
+    at: VectorLike = (0.0, 0.0, 0.0),
+    *,
+    material: Material,
+    facing: VectorLike = FRONT,
+    drive: Drive = "phillips",
+    head: Head = "pan",
+    turn: Scalar = 0.3,
+    label: str = "screw",
+) -> Body:
+    """Make a screw's head with the dark bottom of its recess, only seen.
+
+    Args:
+        radius: Radius of the head [m].
+        at: Where its middle lies on the face [m].
+        material: Its metal.
+        facing: Out of the face.
+        drive: The recess; known while building.
+        head: A low dome, a disc that stands out by a sixth of its radius, or a tall cylinder.
+        turn: How far the recess is turned [rad].
+        label: Semantic label.
+    """
+    solid = screw_head(radius, at, facing=facing, drive=drive, head=head, turn=turn)
+    floor = _HEADS[head][-1][1] - _DEPTH[head]
+    bottom = drive_recess(0.97 * _reach(drive, head) * radius, drive).rotate(turn)
+    dark = relief(bottom, at, facing=facing, proud=(floor + 0.04) * radius, sunk=0.02 * radius)
+    return weld(detail(solid, label, material), detail(dark, label, in_shade(material)))
+
+
+def rivet(
+    radius: Scalar,
+    at: VectorLike = (0.0, 0.0, 0.0),
+    *,
+    facing: VectorLike = FRONT,
+    style: Literal["dome", "blind"] = "dome",
+) -> Solid:
+    """Make the head of a rivet that sits on a face.
+
+    Args:
+        radius: Radius of the head [m].
+        at: Where its middle lies on the face [m].
+        facing: Out of the face.
+        style: A plain dome, or a blind rivet with the pit that its mandrel left.
+    """
+    if style == "dome":
+        return dome(radius, height=0.55 * radius, axis=facing).at(at)
+    section = [(0, 0), (1, 0), (0.98, 0.12), (0.8, 0.3), (0.5, 0.4), (0.36, 0.36), (0.3, 0.16), (0, 0.16)]
+    return revolve(polygon(section).scale(radius), axis=facing).at(at)

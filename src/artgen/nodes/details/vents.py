@@ -1,0 +1,246 @@
+"""Vents: perforated sheets, rows of slots and louvres."""
+
+import math
+from typing import Literal
+
+import numpy as np
+from manifold3d import JoinType
+from numpy.typing import NDArray
+
+from artgen.asset.outline import Contour, Outline
+from artgen.graph import kernel
+from artgen.nodes import inputs
+from artgen.nodes.contours import circle_contour, moved_outline, reversed_contour, section
+from artgen.nodes.extrude import extrude
+from artgen.nodes.handles import Profile, Scalar, Solid
+from artgen.nodes.profile import _slot
+
+Array = NDArray[np.float64]
+
+MOST_HOLES = 2000
+"""How many holes a perforation may have as geometry."""
+
+_FINE = 0.0012  # [m]: smaller holes have 8 sides, larger ones 12
+
+
+def _grid(low: Array, high: Array, pitch: float, pattern: str) -> Array:
+    """Return places in a box that are even about its middle, shape (n, 2)."""
+    rise = pitch * (math.sqrt(0.75) if pattern == "hex" else 1.0)
+    size = np.maximum(high - low, 0.0)
+    columns, rows = (int(extent / step + 1e-9) + 1 for extent, step in zip(size, (pitch, rise), strict=True))
+    column, row = np.meshgrid(np.arange(columns + 1), np.arange(rows))
+    x = (column - (columns - 1) / 2.0) * pitch
+    if pattern == "hex":
+        # every other row is shifted by half a pitch, to both sides of the middle
+        x = x - np.where((row - rows // 2) % 2 == 0, 0.0, 0.5 * pitch)
+    places = np.column_stack([x.ravel(), ((row - (rows - 1) / 2.0) * rise).ravel()])
+    return places + (low + high) / 2.0
+
+
+def _inside(points: Array, rings: list[Array]) -> NDArray[np.bool_]:
+    """Tell which points lie in a region, shape (n,)."""
+    inside = np.zeros(len(points), bool)
+    for ring in rings:
+        ends = np.roll(ring, -1, axis=0)
+        above = ring[:, 1] > points[:, 1, None]
+        crosses = above != (ends[:, 1] > points[:, 1, None])
+        drop = np.where(ring[:, 1] == ends[:, 1], 1.0, ends[:, 1] - ring[:, 1])
+        reach = ring[:, 0] + (points[:, 1, None] - ring[:, 1]) / drop * (ends[:, 0] - ring[:, 0])
+        inside ^= ((crosses & (points[:, 0, None] < reach)).sum(axis=1) % 2).astype(bool)
+    return inside
+
+
+@kernel
+def _perforation(
+    outline: Outline, pitch: float, radius: float, pattern: Literal["square", "hex"], margin: float
+) -> Outline:
+    inputs.positive("pitch", pitch)
+    inputs.between("radius", radius, 1e-5, 0.499 * pitch)
+    inputs.between("margin", margin, 0.0, 10.0)
+    room = section(outline.contours).offset(-(radius + margin), JoinType.Round, 4.0, 32)
+    estimate = room.area() / (pitch * pitch * (math.sqrt(0.75) if pattern == "hex" else 1.0))
+    if estimate > 1.1 * MOST_HOLES:
+        raise ValueError(_too_many(estimate))
+    if room.is_empty():
+        raise ValueError(
+            f"no hole of radius {radius * 1e3:.3g} mm fits inside a margin of {margin * 1e3:.3g} mm; use "
+            "smaller ones or a smaller margin"
+        )
+    rings = [np.asarray(ring, float) for ring in room.to_polygons()]
+    low, high = (np.array(room.bounds()[span]) for span in (slice(0, 2), slice(2, 4)))
+    places = _grid(low - 1e-9, high + 1e-9, pitch, pattern)
+    # a hair of room lets holes stand exactly at the margin
+    places = places[_inside(places + (0.5 * (low + high) - places) * 1e-6, rings)]
+    if len(places) > MOST_HOLES:
+        raise ValueError(_too_many(len(places)))
+    if not len(places):
+        raise ValueError(f"no hole fits at a pitch of {pitch * 1e3:.3g} mm; use a smaller pitch or margin")
+    hole = reversed_contour(circle_contour(radius, 8 if radius < _FINE else 12))
+    holes = [Contour(hole.points + place, hole.normals_in, hole.normals_out) for place in places]
+    return Outline((*outline.contours, *holes))
+
+
+def _too_many(count: float) -> str:
+    return (
+        f"a perforation of about {count:.0f} holes is too fine for geometry, which allows {MOST_HOLES}; use "
+        "a larger pitch, or a plain sheet of a material with a perforated texture"
+    )
+
+
+def perforation(
+    outline: Profile,
+    pitch: Scalar,
+    radius: Scalar,
+    *,
+    pattern: Literal["square", "hex"] = "hex",
+    margin: Scalar = 0.003,
+) -> Profile:
+    """Punch round holes into a profile, before it is extruded, which is far cheaper than afterwards.
+
+    A part of it collides hole by hole: `enclosed(relief(...))` gives a flat sheet one collider, and `relief`
+    builds many holes faster than `extrude`.
+
+    Args:
+        outline: The sheet.
+        pitch: Distance between neighbouring holes [m].
+        radius: Their radius [m].
+        pattern: Holes in rows and columns, or each with six neighbours.
+        margin: Least width that is left between a hole and the border [m].
+    """
+    return Profile.record(
+        _perforation, outline=outline, pitch=pitch, radius=radius, pattern=pattern, margin=margin
+    )
+
+
+@kernel
+def _vent_slots(
+    width: float,
+    height: float,
+    count: int,
+    slot: float,
+    direction: Literal["vertical", "horizontal"],
+    slant: float,
+) -> Outline:
+    inputs.positive("width", width)
+    inputs.positive("height", height)
+    inputs.positive("slot", slot)
+    inputs.between("slant", slant, -1.0, 1.0, "rad")
+    if count < 1:
+        raise ValueError(f"vent slots need a count of at least 1, got {count}")
+    across, along = (width, height) if direction == "vertical" else (height, width)
+    lean = along * math.tan(abs(slant))
+    if slot > along:
+        raise ValueError(f"a slot {slot * 1e3:.3g} mm wide is wider than long ({along * 1e3:.3g} mm)")
+    room = across - lean - slot
+    if (room < 0.0) if count == 1 else (room / (count - 1) <= slot * 1.02):
+        raise ValueError(
+            f"{count} slots {slot * 1e3:.3g} mm wide do not fit into {across * 1e3:.3g} mm"
+            f"{' with that slant' if slant else ''}; use fewer or thinner ones"
+        )
+    one = _slot(along, slot).contours[0]
+    turn = np.array([[0.0, -1.0], [1.0, 0.0]]) if direction == "vertical" else np.eye(2)
+    shear = math.tan(slant)
+    lean_matrix = (
+        np.array([[1.0, shear], [0.0, 1.0]])
+        if direction == "vertical"
+        else np.array([[1.0, 0.0], [shear, 1.0]])
+    )
+    shape = moved_outline(Outline((one,)), lean_matrix @ turn, np.zeros(2)).contours[0]
+    step = np.array([1.0, 0.0]) if direction == "vertical" else np.array([0.0, 1.0])
+    at = np.linspace(-room / 2.0, room / 2.0, count) if count > 1 else np.zeros(1)
+    contours = tuple(
+        Contour(shape.points + place * step, shape.normals_in, shape.normals_out) for place in at
+    )
+    return Outline(contours, tuple(contour.points for contour in contours))
+
+
+def vent_slots(
+    width: Scalar,
+    height: Scalar,
+    count: int,
+    *,
+    slot: Scalar = 0.002,
+    direction: Literal["vertical", "horizontal"] = "vertical",
+    slant: Scalar = 0.0,
+) -> Profile:
+    """Make a row of slots with round ends that fills a rectangle about the origin.
+
+    The slots themselves are the profile: cut them out of a sheet, or print them dark.
+
+    Args:
+        width: Width of the rectangle [m].
+        height: Height of the rectangle [m].
+        count: How many slots there are.
+        slot: Width of a slot [m].
+        direction: How the slots run.
+        slant: How far they lean [rad].
+    """
+    return Profile.record(
+        _vent_slots, width=width, height=height, count=count, slot=slot, direction=direction, slant=slant
+    )
+
+
+@kernel
+def _louvre_section(height: float, count: int, depth: float, thickness: float, tilt: float) -> Outline:
+    inputs.positive("height", height)
+    inputs.positive("depth", depth)
+    inputs.positive("thickness", thickness)
+    inputs.between("tilt", tilt, -1.2, 1.2, "rad")
+    if count < 2:
+        raise ValueError(f"louvres need at least 2 slats, got {count}")
+    length = (depth - thickness) / math.cos(tilt) + thickness
+    if length < thickness:
+        raise ValueError(f"a depth of {depth * 1e3:.3g} mm is less than the slats are thick")
+    rise = thickness + (length - thickness) * math.sin(abs(tilt))
+    pitch = (height - rise) / (count - 1)
+    if pitch * math.cos(tilt) <= thickness:
+        raise ValueError(
+            f"{count} slats {thickness * 1e3:.3g} mm thick do not fit into {height * 1e3:.3g} mm at a tilt "
+            f"of {tilt:.3g} rad; use fewer, thinner or flatter ones"
+        )
+    cosine, sine = math.cos(tilt), math.sin(tilt)
+    slat = moved_outline(_slot(length, thickness), np.array([[cosine, -sine], [sine, cosine]]), np.zeros(2))
+    one = slat.contours[0]
+    contours = tuple(
+        Contour(one.points + np.array([0.0, place]), one.normals_in, one.normals_out)
+        for place in pitch * (np.arange(count) - (count - 1) / 2.0)
+    )
+    return Outline(contours, tuple(contour.points for contour in contours))
+
+
+def louvre_section(height: Scalar, count: int, *, depth: Scalar, thickness: Scalar, tilt: Scalar) -> Profile:
+    """Make the cross-section of louvres, x being the depth from front to back; `louvres` extrudes it.
+
+    Args:
+        height: Height of them all [m].
+        count: How many slats there are.
+        depth: From their front to their back [m].
+        thickness: Thickness of a slat [m].
+        tilt: How far they fall to the front [rad].
+    """
+    return Profile.record(
+        _louvre_section, height=height, count=count, depth=depth, thickness=thickness, tilt=tilt
+    )
+
+
+def louvres(
+    width: Scalar,
+    height: Scalar,
+    count: int,
+    *,
+    depth: Scalar = 0.012,
+    thickness: Scalar = 0.0015,
+    tilt: Scalar = 0.6,
+) -> Solid:
+    """Make tilted slats along X between two sides, which are not part of it; centred on the origin.
+
+    Args:
+        width: Length of the slats [m].
+        height: Height of them all [m].
+        count: How many there are.
+        depth: From their front to their back [m].
+        thickness: Thickness of a slat [m].
+        tilt: How far they fall to the front (-Y) [rad].
+    """
+    profile = louvre_section(height, count, depth=depth, thickness=thickness, tilt=tilt)
+    return extrude(profile, width, axis=(1.0, 0.0, 0.0))

@@ -1,0 +1,183 @@
+"""Texture coordinates in metres: u to the right, v upwards along the grain, seen from outside.
+
+The grain runs along the long side of a part. No face is mirrored, so that what is printed on it can be read.
+"""
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from artgen.asset.outline import Contour
+from artgen.nodes.rail import Rail
+
+Array = NDArray[np.float64]
+Indices = NDArray[np.int64]
+
+_LONGER = 1.0 + 1e-6  # lengths closer than this are equal: rounding must not turn the grain
+
+
+def runs_across(size: Array) -> bool:
+    """Tell whether the grain of a flat face of that size, shape (2,) [m], runs along x instead of y."""
+    return bool(size[0] > size[1] * _LONGER)
+
+
+def lies_flat(size: Array, length: float) -> bool:
+    """Tell whether a profile of that size, shape (2,) [m], is longer than how far it is drawn out [m]."""
+    return bool(size.max() > length * _LONGER)
+
+
+def cap_uvs(flat: Array, side: float, *, across: bool) -> Array:
+    """Lay texture on a flat face square to z.
+
+    Args:
+        flat: x and y of its vertices, shape (..., 2) [m].
+        side: 1 where the face looks along z, -1 where it looks against it.
+        across: Whether the grain runs along x instead of y.
+
+    Returns:
+        Texture coordinates, shape (..., 2) [m].
+    """
+    x, y = flat[..., 0], flat[..., 1]
+    return np.stack([-side * y, x] if across else [side * x, y], axis=-1)
+
+
+def wall_uvs(around: Array, along: Array, *, lying: bool) -> Array:
+    """Lay texture on the side walls of what is drawn out of a contour.
+
+    Args:
+        around: Length along the contour, counter-clockwise seen against the axis [m].
+        along: Length along the axis [m]; the shape of both broadcasts.
+        lying: Whether the contour is the long side, along which the grain runs.
+
+    Returns:
+        Texture coordinates, shape (..., 2) [m].
+    """
+    around, along = np.broadcast_arrays(around, along)
+    return np.stack([0.0 - along, around] if lying else [around, along], axis=-1)
+
+
+def tapered_around(rail: Rail, around: Array, even: Array) -> Array:
+    """Return lengths around a contour that grows or shrinks from row to row, shape (r, c) [m].
+
+    Flat sides keep their lengths, so that the grain of a tapered leg stays straight; curved ones get even
+    ones.
+
+    Args:
+        rail: The columns of the contour.
+        around: Length along the contour in each row, shape (r, c) [m].
+        even: Lengths by which texture is stretched from row to row instead, shape (r, c) or (c,) [m].
+    """
+    breaks = np.flatnonzero(rail.vertex[1:] == rail.vertex[:-1]) + 1
+    first, last = np.append(0, breaks), np.append(breaks - 1, len(rail.vertex) - 1)
+    run = np.repeat(np.arange(len(first)), last - first + 1)
+    bend = np.abs(rail.normals - rail.normals[first][run]).max(axis=1)
+    flat = np.maximum.reduceat(bend, first) < 1e-9
+    begin, end = first.copy(), last.copy()
+    if np.abs(rail.normals[0] - rail.normals[-1]).max() < 1e-9:  # a flat side that the seam cuts stays one
+        end[0], begin[-1] = begin[0], end[-1]
+    shift = 0.5 * ((even - around)[:, begin] + (even - around)[:, end])
+    return np.where(flat[run], around + shift[:, run], even)
+
+
+def ring_lengths(rail: Rail, rings: Array) -> Array:
+    """Return lengths along closed rings of points, shape (r, n, 2) [m], at a rail's columns, shape (r, c)."""
+    sides = np.roll(rings, -1, axis=1) - rings
+    lengths = np.cumsum(np.hypot(sides[..., 0], sides[..., 1]), axis=1)
+    travelled = np.concatenate([np.zeros((len(rings), 1)), lengths], axis=1)
+    return np.asarray(travelled[:, np.append(rail.vertex[:-1], rings.shape[1])])
+
+
+def turned_uvs(
+    contour: Contour, rail: Rail, vertices: Array, turn: NDArray[np.floating[Any]], level: NDArray[np.bool_]
+) -> Array:
+    """Lay texture on what a contour in the (r, z) plane sweeps about z: around it, or flat on discs.
+
+    Args:
+        contour: The contour.
+        rail: Its columns, with breaks where discs begin and end.
+        vertices: The turned columns, shape (r, c, 3) [m].
+        turn: The angle of each row, shape (r,) [rad].
+        level: Which sides of the contour are discs, shape (n,).
+
+    Returns:
+        Texture coordinates, shape (r, c, 2) [m].
+    """
+    smooth = contour.normals_in[0] @ contour.normals_out[0] > 1.0 - 1e-9
+    joined = bool(smooth and not level[0] and not level[-1])
+    radius, along = _even_runs(rail, contour.points[:, 0], joined=joined)
+    uvs = wall_uvs(turn[:, None] * radius, along, lying=False)
+    flat = np.zeros(len(rail.vertex), bool)
+    flat[rail.start[level]] = flat[rail.end[level]] = True
+    for side in (-1.0, 1.0):
+        disc = flat & (rail.normals[:, 1] * side > 0.0)
+        uvs[:, disc] = cap_uvs(vertices[:, disc, :2], side, across=False)
+    return uvs
+
+
+def _even_runs(rail: Rail, radius: Array, *, joined: bool) -> tuple[Array, Array]:
+    """Return by which radius columns of a turned contour measure lengths around the axis.
+
+    Columns without a break between them share one: the median over the surface, which stretches it least.
+
+    Args:
+        rail: The columns.
+        radius: Distance of each contour vertex from the axis, shape (n,) [m].
+        joined: Whether the last run goes on smoothly at the first vertex.
+
+    Returns:
+        Radius of each column, and length along the contour that does not jump within a run, both shape
+        (c,) [m].
+    """
+    distance = rail.distance
+    run = np.concatenate([[0], np.cumsum(rail.vertex[1:] == rail.vertex[:-1])])
+    if joined and run[-1] > 0:
+        distance = np.where(run == 0, distance + distance[-1], distance)
+        run = np.where(run == 0, run[-1], run)
+    middle = 0.5 * (radius + np.roll(radius, -1))
+    area = middle * (distance[rail.end] - distance[rail.start])
+    of_side = run[rail.start]
+    order = np.lexsort((middle, of_side))
+    total = np.concatenate([[0.0], np.cumsum(area[order])])
+    ends = np.searchsorted(of_side[order], np.arange(run[-1] + 2))
+    half = 0.5 * (total[ends[:-1]] + total[ends[1:]])
+    found = np.searchsorted(total, half) - 1
+    found = np.minimum(np.maximum(found, ends[:-1]), np.maximum(ends[1:], 1) - 1)
+    shared = middle[order[found]]
+    return shared[run], distance
+
+
+def boxed_uvs(vertices: Array, normals: Array, size: Array) -> tuple[Array, Indices]:
+    """Project faces onto the sides of a box.
+
+    Args:
+        vertices: Corners of the faces, shape (..., 3) [m].
+        normals: Normal of the face of each corner, shape (..., 3).
+        size: Lengths of the box, shape (3,) [m]; the grain runs along the longest.
+
+    Returns:
+        Texture coordinates, shape (..., 2) [m], and the number of the side of each corner, shape (...,).
+    """
+    axis = np.argmax(np.abs(normals), axis=-1)
+    side = np.sign(np.take_along_axis(normals, axis[..., None], axis=-1)[..., 0])
+    grain = np.array([grain_of(size, but=each) for each in range(3)])[axis]
+    # u goes to the right of v for who looks against the normal: u = v x n
+    third = 3 - axis - grain
+    turn = np.where((axis - grain) % 3 == 1, 1.0, -1.0)
+    u = np.take_along_axis(vertices, third[..., None], axis=-1)[..., 0] * (side * turn)
+    v = np.take_along_axis(vertices, grain[..., None], axis=-1)[..., 0]
+    return np.stack([u, v], axis=-1), 2 * axis + (side > 0.0)
+
+
+def grain_of(size: Array, *, but: int = -1) -> int:
+    """Return along which axis the grain of a box runs: the longest, of equal ones Z or else X.
+
+    Args:
+        size: Lengths of the box, shape (3,) [m].
+        but: Axis of a side on which it must lie.
+    """
+    best = -1
+    for axis in (2, 0, 1):
+        if axis != but and (best < 0 or size[axis] > size[best] * _LONGER):
+            best = axis
+    return best

@@ -1,0 +1,191 @@
+"""Cameras: where a picture is taken from, and views that frame an asset by themselves."""
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from artgen.asset import Asset
+from artgen.errors import ParameterError, nearest
+
+Array = NDArray[np.float64]
+
+CLOSE_UP = "close-up:"
+"""What stands before the name of a link in the name of a view that frames this link."""
+
+
+def _check_field_of_view(angle: float) -> None:
+    if not 0.01 <= angle <= 2.5:
+        raise ParameterError(f"field_of_view {angle!r} must be in 0.01..2.5 [rad]")
+
+
+@dataclass(frozen=True)
+class Camera:
+    """A pinhole camera that stands upright.
+
+    Attributes:
+        position: Where it stands, in asset coordinates, shape (3,) [m].
+        target: The point in the middle of its picture, shape (3,) [m].
+        field_of_view: Vertical angle of view [rad].
+    """
+
+    position: tuple[float, float, float]
+    target: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    field_of_view: float = 0.5
+
+    def __post_init__(self) -> None:
+        """Check every field."""
+        for name in ("position", "target"):
+            point = np.asarray(getattr(self, name), float)
+            if point.shape != (3,) or not np.isfinite(point).all():
+                raise ParameterError(f"camera: {name} {getattr(self, name)!r} must be 3 finite numbers [m]")
+            object.__setattr__(self, name, tuple(point.tolist()))
+        _check_field_of_view(self.field_of_view)
+        if math.dist(self.position, self.target) < 1e-6:
+            raise ParameterError(f"camera: position and target are both {self.position}; move one of them")
+
+    def axes(self) -> Array:
+        """Return the directions right, up and forward of the picture as rows, shape (3, 3)."""
+        forward = np.subtract(self.target, self.position)
+        forward /= np.linalg.norm(forward)
+        right = np.cross(forward, (0.0, 0.0, 1.0))
+        if np.linalg.norm(right) < 1e-6:  # from straight above the picture's top is the asset's back
+            right = np.array([1.0, 0.0, 0.0])
+        right /= np.linalg.norm(right)
+        return np.array([right, np.cross(right, forward), forward])
+
+    def rays(self, size: tuple[int, int]) -> Array:
+        """Return the directions through the centres of the pixels, of depth 1, shape (height, width, 3).
+
+        Args:
+            size: Width and height of the picture [pixels].
+        """
+        width, height = size
+        right, up, forward = self.axes()
+        half = math.tan(self.field_of_view / 2.0)
+        across = (2.0 * (np.arange(width) + 0.5) - width) / height * half
+        along = (height - 2.0 * (np.arange(height) + 0.5)) / height * half
+        return np.asarray(forward + across[None, :, None] * right + along[:, None, None] * up)
+
+    def pixels(self, points: Array, size: tuple[int, int]) -> Array:
+        """Return where points appear: column and row from the top left corner, shape (n, 2) [pixels].
+
+        Args:
+            points: In front of the camera, in asset coordinates, shape (n, 3) [m].
+            size: Width and height of the picture [pixels].
+        """
+        width, height = size
+        x, y, depth = self.axes() @ (np.asarray(points, float) - self.position).T
+        scale = height / (2.0 * math.tan(self.field_of_view / 2.0)) / depth
+        return np.column_stack([width / 2.0 + scale * x, height / 2.0 - scale * y])
+
+    def turned(self, rotation: Array) -> "Camera":
+        """Return the camera after a rotation about the origin, shape (3, 3)."""
+        position, target = (rotation @ np.asarray(point) for point in (self.position, self.target))
+        return replace(self, position=tuple(position), target=tuple(target))
+
+    def azimuth(self) -> float:
+        """Return from where the camera looks: 0 from the front, a quarter turn from the right [rad]."""
+        away = np.subtract(self.position, self.target)
+        if math.hypot(away[0], away[1]) < 1e-6 * float(np.linalg.norm(away)):
+            return 0.0
+        return math.atan2(away[0], -away[1])
+
+
+@dataclass(frozen=True)
+class View:
+    """A direction to look from; the distance follows from what has to be in the picture.
+
+    Attributes:
+        azimuth: From where: 0 from the front, a quarter turn from the right [rad].
+        elevation: How far above the horizon, at most a quarter turn [rad].
+        field_of_view: Vertical angle of view [rad].
+        margin: Share of the picture that stays free along its edges, 0..0.9.
+        link: Name of the link to frame; empty for the whole asset.
+    """
+
+    azimuth: float = 0.0
+    elevation: float = 0.0
+    field_of_view: float = 0.45
+    margin: float = 0.08
+    link: str = field(default="", kw_only=True)
+
+    def __post_init__(self) -> None:
+        """Check every field."""
+        _check_field_of_view(self.field_of_view)
+        if not math.isfinite(self.azimuth):
+            raise ParameterError(f"view: azimuth {self.azimuth!r} must be a finite number [rad]")
+        if not -math.pi / 2 <= self.elevation <= math.pi / 2:
+            raise ParameterError(f"view: elevation {self.elevation!r} must be in -pi/2..pi/2 [rad]")
+        if not 0.0 <= self.margin <= 0.9:
+            raise ParameterError(f"view: margin {self.margin!r} must be in 0..0.9")
+
+    def camera(self, points: Array, aspect: float = 1.0) -> Camera:
+        """Return the camera that has points in its picture, as large as can be.
+
+        Args:
+            points: What to frame, in asset coordinates, shape (n, 3) [m].
+            aspect: Width of the picture divided by its height.
+        """
+        level = math.cos(self.elevation)
+        away = np.array(
+            [level * math.sin(self.azimuth), -level * math.cos(self.azimuth), math.sin(self.elevation)]
+        )
+        axes = Camera(tuple(away), (0.0, 0.0, 0.0)).axes()
+        x, y, depth = axes @ np.asarray(points, float).T
+        vertical = math.tan(self.field_of_view / 2.0) * (1.0 - self.margin)
+        horizontal = vertical * aspect
+        # a point is in the picture when |x - cx| <= tan * (depth + distance): the largest offsets decide
+        right, left = (x - horizontal * depth).max(), (-x - horizontal * depth).max()
+        above, below = (y - vertical * depth).max(), (-y - vertical * depth).max()
+        distance = max((right + left) / (2.0 * horizontal), (above + below) / (2.0 * vertical))
+        least = 1e-3 - depth.min()  # a single point fits from anywhere: stand in front of it
+        center = axes.T @ np.array([(right - left) / 2.0, (above - below) / 2.0, -max(distance, least)])
+        middle = (depth.min() + depth.max()) / 2.0
+        target = center + axes[2] * (middle + max(distance, least))
+        return Camera(tuple(center), tuple(target), self.field_of_view)
+
+
+VIEWS: Mapping[str, View] = {
+    "front": View(0.0, 0.12),
+    "three_quarter": View(-0.6, 0.28),
+    "three_quarter_right": View(0.6, 0.28),
+    "side": View(math.pi / 2, 0.12),
+    "back": View(math.pi, 0.12),
+    "three_quarter_back": View(math.pi + 0.6, 0.28),
+    "top": View(0.0, math.pi / 2),
+}
+"""The views that have names."""
+
+
+def camera_of(
+    camera: Camera | View | str | None, asset: Asset, points: Mapping[str, Array], aspect: float
+) -> Camera:
+    """Return the camera that was asked for.
+
+    Args:
+        camera: A camera, a view, or the name of one: of `VIEWS`, or `close-up:` and the name of a link.
+        asset: What is in the picture.
+        points: The vertices of each of its links as posed, in asset coordinates, shape (n, 3) [m].
+        aspect: Width of the picture divided by its height.
+
+    Raises:
+        ParameterError: There is no view of that name.
+        AssetError: There is no link of that name.
+    """
+    if isinstance(camera, Camera):
+        return camera
+    view = camera if isinstance(camera, View) else _named("three_quarter" if camera is None else camera)
+    if view.link:
+        return view.camera(points[asset.link(view.link).name], aspect)
+    return view.camera(np.concatenate(list(points.values())), aspect)
+
+
+def _named(name: str) -> View:
+    if name.startswith(CLOSE_UP):
+        return replace(VIEWS["three_quarter"], margin=0.25, link=name.removeprefix(CLOSE_UP))
+    if name not in VIEWS:
+        raise ParameterError(f"there is no view {name!r}.{nearest(name, [*VIEWS, CLOSE_UP + '<link>'])}")
+    return VIEWS[name]

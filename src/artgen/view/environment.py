@@ -1,0 +1,108 @@
+"""The light around a product in a studio, as a function of direction, and as blurred by rough surfaces.
+
+Directions are those of the studio: z up, the camera on the side of -y.
+"""
+
+import math
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+_LOBE = 64  # directions by which the blur of a rough surface is averaged
+
+
+def radiance(directions: Array) -> Array:
+    """Return how bright the studio is in unit directions, shape (n, 3) in, (n,) out.
+
+    A light tent with a dark front where the camera stands: softboxes and strips give metal long soft
+    highlights, the gaps between them give it contrast.
+    """
+    x, y, z = directions.T
+    azimuth, elevation = (
+        np.arctan2(x, y),
+        np.arcsin(np.clip(z, -1.0, 1.0)),
+    )  # azimuth 0 is away from the camera
+    dome = 0.26 + 0.40 * _step(elevation, 0.0, 1.3)
+    floor = 0.50 - 0.28 * _step(-elevation, 0.0, 0.9)
+    light = np.where(z > 0.0, dome, floor)
+    light -= 0.20 * _window(y, -1.3, -0.80, 0.2) * _window(z, -0.25, 0.3, 0.25)  # the camera's dark side
+    light += 2.6 * _window(azimuth, -2.75, -1.75, 0.14) * _window(elevation, 0.25, 1.02, 0.12)  # key softbox
+    light += 1.4 * _window(azimuth, 1.30, 1.72, 0.10) * _window(elevation, -0.05, 1.10, 0.15)  # strip, right
+    light += 1.1 * _window(azimuth, -1.20, -0.92, 0.08) * _window(elevation, -0.05, 0.95, 0.15)  # strip, left
+    light += 0.8 * _window(elevation, 1.22, 2.0, 0.12)  # ceiling
+    light -= (
+        0.16 * _window(azimuth, 1.95, 2.45, 0.1) * _window(elevation, -0.3, 0.9, 0.2)
+    )  # flag beside the strip
+    return light
+
+
+def reflected(directions: Array, roughness: float) -> Array:
+    """Return what a surface of some GGX roughness mirrors along directions, shape (n, 3) in, (n,) out."""
+    if roughness < 0.03:
+        return radiance(directions)
+    number = np.arange(_LOBE) + 0.5
+    alpha = roughness * roughness
+    share = number / _LOBE
+    cosine = np.sqrt((1.0 - share) / (1.0 + (alpha * alpha - 1.0) * share))
+    sine = np.sqrt(1.0 - cosine * cosine)
+    turn = number * (math.pi * (3.0 - math.sqrt(5.0)))
+    # the half vectors of a GGX lobe about z, and the directions mirrored by them
+    half = np.column_stack([sine * np.cos(turn), sine * np.sin(turn), cosine])
+    mirrored = 2.0 * cosine[:, None] * half - np.array([0.0, 0.0, 1.0])
+    weight = np.maximum(mirrored[:, 2], 0.0)
+    aside = np.where(np.abs(directions[:, 2:]) < 0.9, [[0.0, 0.0, 1.0]], [[1.0, 0.0, 0.0]])
+    across = np.cross(aside, directions)
+    across /= np.linalg.norm(across, axis=1, keepdims=True)
+    along = np.cross(directions, across)
+    total = np.zeros(len(directions))
+    for (u, v, w), share_of in zip(mirrored, weight, strict=True):
+        if share_of > 0.0:
+            total += share_of * radiance(u * across + v * along + w * directions)
+    return np.asarray(total / weight.sum())
+
+
+def sphere_map_coordinates(directions: Array) -> Array:
+    """Return where unit directions lie on a sphere map seen from -y, shape (n, 3) in, (n, 2) out, in 0..1."""
+    x, y, z = directions.T
+    scale = 2.0 * np.sqrt(np.maximum(x * x + z * z + (1.0 - y) ** 2, 1e-9))
+    return np.column_stack([x / scale + 0.5, z / scale + 0.5])
+
+
+@lru_cache(maxsize=32)
+def sphere_map(roughness: float, size: int = 96) -> Array:
+    """Return what surfaces of a roughness mirror, as a sphere map, shape (size, size), from the bottom."""
+    u, v = np.meshgrid((np.arange(size) + 0.5) / size - 0.5, (np.arange(size) + 0.5) / size - 0.5)
+    square = np.minimum(4.0 * (u * u + v * v), 0.9999)
+    root = np.sqrt(1.0 - square)
+    directions = np.stack([4.0 * u * root, 2.0 * square - 1.0, 4.0 * v * root], axis=-1).reshape(-1, 3)
+    directions /= np.linalg.norm(directions, axis=1, keepdims=True)
+    return reflected(directions, roughness).reshape(size, size)
+
+
+def sphere_directions(count: int) -> Array:
+    """Return evenly spread unit directions, shape (count, 3)."""
+    number = np.arange(count) + 0.5
+    z = 1.0 - 2.0 * number / count
+    turn = number * (math.pi * (3.0 - math.sqrt(5.0)))
+    level = np.sqrt(1.0 - z * z)
+    return np.column_stack([level * np.cos(turn), level * np.sin(turn), z])
+
+
+def irradiance(normals: Array) -> Array:
+    """Return the light that falls on surfaces, divided by pi, shape (n, 3) in, (n,) out."""
+    directions = sphere_directions(4096)
+    cosine = np.maximum(normals @ directions.T, 0.0)
+    return np.asarray(cosine @ radiance(directions) * (4.0 / len(directions)))
+
+
+def _step(value: Array, low: float, high: float) -> Array:
+    share = np.clip((value - low) / (high - low), 0.0, 1.0)
+    return np.asarray(share * share * (3.0 - 2.0 * share))
+
+
+def _window(value: Array, low: float, high: float, edge: float) -> Array:
+    """Return 1 between two values and 0 outside, with soft edges."""
+    return _step(value, low - edge, low + edge) * (1.0 - _step(value, high - edge, high + edge))

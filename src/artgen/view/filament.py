@@ -1,0 +1,284 @@
+"""MuJoCo's Filament renderer: physically based, with every map of a material; on Vulkan, without a window."""
+
+import contextlib
+import importlib
+import importlib.util
+import math
+import os
+import subprocess
+import sys
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from artgen.materials import Material
+from artgen.materials.textures import Kind, encoded, kinds, map_name
+from artgen.view.camera import Camera
+from artgen.view.classic import body_of_glass, displayed
+from artgen.view.errors import RenderError
+from artgen.view.filament_environment import image_light
+from artgen.view.lamps import KEY, key_light, spread
+from artgen.view.scene import Layer, Scene
+from artgen.view.studio import Backdrop
+
+Array = NDArray[np.float64]
+
+_SAMPLES_OF_A_FRAME = 4  # every frame smooths edges and shadows by itself
+_IMAGE_LIGHT = "studio_light.ktx"
+_ROLES: dict[Kind, str] = {"albedo": "mjTEXROLE_RGB", "orm": "mjTEXROLE_ORM", "normal": "mjTEXROLE_NORMAL"}
+_AMBIENT, _SUN = 17500.0, 45000.0  # candela: the sum shows white paper as white
+_WHITE = 6.0  # what is shown as white behind an asset
+_TONES = "pbr_neutral"  # keeps the colours of materials; only highlights are compressed
+
+
+@dataclass
+class FilamentDress:
+    """Makes materials for Filament: metalness and roughness, with their maps."""
+
+    known: dict[str, tuple[Layer, ...]] = field(default_factory=dict)
+    textures: set[str] = field(default_factory=set)
+
+    def layers(self, spec: Any, material: Material, textures: int) -> tuple[Layer, ...]:
+        """Add what a material needs to a specification; return with what its surfaces are drawn, in order."""
+        if material.name not in self.known:
+            self._add(spec, material, textures)
+            self.known[material.name] = (Layer(material.name),)
+        return self.known[material.name]
+
+    def _add(self, spec: Any, material: Material, textures: int) -> None:
+        import mujoco
+
+        color, metalness, roughness = (
+            displayed(material.base_color),
+            material.base_metalness,
+            material.specular_roughness,
+        )
+        roles = [""] * int(mujoco.mjtTextureRole.mjNTEXROLE)
+        for kind in kinds(material) if textures else ():
+            if kind in _ROLES:
+                roles[int(getattr(mujoco.mjtTextureRole, _ROLES[kind]))] = self._texture(
+                    spec, material, kind, textures
+                )
+        if roles[int(mujoco.mjtTextureRole.mjTEXROLE_RGB)]:
+            color = np.ones(3)
+        if roles[int(mujoco.mjtTextureRole.mjTEXROLE_ORM)]:
+            metalness = roughness = 1.0
+        color = color * body_of_glass(material)
+        made = spec.add_material(
+            name=material.name,
+            rgba=[*(float(each) for each in color), material.opacity],
+            metallic=metalness,
+            roughness=max(roughness, 0.04),
+            emission=max(material.emission),
+            reflectance=0.0,
+        )
+        made.textures = roles
+
+    def _texture(self, spec: Any, material: Material, kind: Kind, size: int) -> str:
+        import mujoco
+
+        name = map_name(material, kind)
+        if name not in self.textures:
+            self.textures.add(name)
+            spec.assets[f"{name}.png"] = encoded(material, kind, size, "png")
+            spec.add_texture(
+                name=name,
+                type=mujoco.mjtTexture.mjTEXTURE_2D,
+                file=f"{name}.png",
+                colorspace=mujoco.mjtColorSpace.mjCOLORSPACE_SRGB
+                if kind == "albedo"
+                else mujoco.mjtColorSpace.mjCOLORSPACE_LINEAR,
+            )
+        return name
+
+    def surroundings(self, spec: Any, place: Backdrop) -> None:
+        """Add lights and the sky to a specification."""
+        import mujoco
+
+        spec.assets[_IMAGE_LIGHT] = image_light()
+        spec.add_texture(name="studio_light", type=mujoco.mjtTexture.mjTEXTURE_2D, file=_IMAGE_LIGHT)
+        spec.worldbody.add_light(
+            name="around", type=mujoco.mjtLightType.mjLIGHT_IMAGE, texture="studio_light", intensity=_AMBIENT
+        )
+        spec.worldbody.add_light(
+            name="key",
+            type=mujoco.mjtLightType.mjLIGHT_DIRECTIONAL,
+            castshadow=True,
+            intensity=_SUN,
+            diffuse=[1.0] * 3,
+            dir=(-KEY).tolist(),
+            pos=(place.center + 4.0 * place.radius * KEY).tolist(),
+            bulbradius=0.05 * place.radius,
+        )
+        spec.add_text(name="filament.cg.tone_mapping", data=_TONES)
+        spec.visual.quality.shadowsize = 2048
+        spec.visual.quality.offsamples = 4
+        spec.visual.headlight.active = 0
+
+
+class FilamentRenderer:
+    """Draws one scene with Filament."""
+
+    def __init__(self, scene: Scene) -> None:
+        context = _context()
+        from mujoco.rendering.filament.model_scene import ModelScene
+        from mujoco.rendering.filament.renderer import Renderer
+
+        self.scene = scene
+        self._renderer = Renderer(context)
+        self._model = ModelScene(context, scene.model, self._renderer.scene("main"))
+        self._renderer.scene("main").set_msaa(4)
+        context.set_clear_color([_WHITE] * 3)
+
+    def close(self) -> None:
+        """Free the graphics card's memory."""
+        # the parts of a scene go before the scene does
+        self._model = self._renderer = None
+
+    def fits(self, size: tuple[int, int]) -> bool:
+        """Tell whether pictures of a size can be drawn."""
+        return True
+
+    def color(
+        self, camera: Camera, poses: list[Array], size: tuple[int, int], samples: int
+    ) -> NDArray[np.uint8]:
+        """Return the colours, shape (height, width, 3)."""
+        import mujoco
+        from mujoco.rendering.filament.renderer import View
+
+        width, height = size
+        near, far = self.scene.depth_range(camera, poses)
+        buffer = np.zeros((height, width, 3), np.uint8)
+        self._renderer.target("color", buffer)
+        total = np.zeros((height, width, 3), np.float32)
+        eye = mujoco.MjvGLCamera()
+        right, eye.up, forward = camera.axes()
+        eye.pos, eye.frustum_near, eye.frustum_far = camera.position, near, far
+        half = near * math.tan(camera.field_of_view / 2.0)
+        eye.frustum_width = half * width / height
+        pixel = 2.0 * half / height
+        frames = max(1, samples // _SAMPLES_OF_A_FRAME)
+        for number in range(frames):
+            across, along, *place, _, _ = spread(number, frames)
+            self.scene.data.light_xdir[1] = -key_light(*place)
+            self._model.update(self.scene.data)
+            # Filament takes no frustum shifted to the side: turning by less than a pixel does the same
+            eye.forward = forward + (across - 0.5) * pixel / near * right
+            shift = (along - 0.5) * pixel
+            eye.frustum_bottom, eye.frustum_top = shift - half, shift + half
+            self._renderer.render([View(scene="main", target="color", camera=eye)])
+            total += buffer
+        return np.rint(total / frames).astype(np.uint8)
+
+
+@lru_cache(maxsize=1)
+def _context() -> Any:
+    """Return the one context of this process.
+
+    Raises:
+        RenderError: There is none.
+    """
+    _require()
+    with _silence():
+        # this module brings Filament its shaders: without it the process ends
+        importlib.import_module("mujoco.studio._studio")
+        from mujoco import mjrf
+
+        config = mjrf.ContextConfig()
+        config.graphics_api = mjrf.GraphicsApi.GRAPHICS_API_VULKAN
+        config.software_rendering = True
+        return mjrf.Context(config)
+
+
+def forget_context() -> None:
+    """Free the context of this process, after everything that was made with it."""
+    _context.cache_clear()
+
+
+@contextlib.contextmanager
+def _silence() -> Iterator[None]:
+    """Keep what a library writes to the process's own output from being seen."""
+    sys.stdout.flush()
+    sys.stderr.flush()
+    saved = [os.dup(number) for number in (1, 2)]
+    try:
+        with open(os.devnull, "wb") as nothing:  # noqa: PTH123 - a file descriptor is what is needed
+            for number in (1, 2):
+                os.dup2(nothing.fileno(), number)
+        yield
+    finally:
+        for number, before in zip((1, 2), saved, strict=True):
+            os.dup2(before, number)
+            os.close(before)
+
+
+@lru_cache(maxsize=1)
+def works() -> bool:
+    """Tell whether Filament works here; a child process tries it, since a bad driver ends its process."""
+    try:
+        _require_packages()
+    except RenderError:
+        return False
+    try:
+        child = subprocess.run(  # noqa: S603 - Python, with a program of ours
+            [sys.executable, "-c", _TRIAL], capture_output=True, timeout=_PATIENCE, check=False
+        )
+    except (OSError, subprocess.TimeoutExpired):
+        return False
+    return child.returncode == 0 and b"drawn" in child.stdout
+
+
+def _require() -> None:
+    _require_packages()
+    if not works():
+        raise RenderError(
+            "Filament does not work here: it needs Vulkan (Debian: libvulkan1 mesa-vulkan-drivers); "
+            "use backend='classic'"
+        )
+
+
+def _require_packages() -> None:
+    if sys.version_info < (3, 12):
+        raise RenderError(
+            f"Filament needs Python 3.12 or newer, this is {sys.version_info[0]}.{sys.version_info[1]}; "
+            "use backend='classic'"
+        )
+    try:
+        found = importlib.util.find_spec("mujoco.studio") is not None
+    except ModuleNotFoundError:
+        found = False
+    if not found:
+        raise RenderError('Filament needs MuJoCo 4 with mujoco-studio: pip install "artgen[sim]"')
+
+
+_PATIENCE = 60.0  # how long the trial may take [s]
+_TRIAL = """
+import importlib
+importlib.import_module("mujoco.studio._studio")
+import mujoco, numpy
+from mujoco import mjrf
+from mujoco.rendering.filament.model_scene import ModelScene
+from mujoco.rendering.filament.renderer import Renderer, View
+config = mjrf.ContextConfig()
+config.graphics_api = mjrf.GraphicsApi.GRAPHICS_API_VULKAN
+config.software_rendering = True
+context = mjrf.Context(config)
+model = mujoco.MjModel.from_xml_string("<mujoco><worldbody><geom size='1'/></worldbody></mujoco>")
+data = mujoco.MjData(model)
+mujoco.mj_forward(model, data)
+renderer = Renderer(context)
+scene = ModelScene(context, model, renderer.scene("main"))
+scene.update(data)
+pixels = numpy.zeros((16, 16, 3), numpy.uint8)
+renderer.target("color", pixels)
+camera = mujoco.MjvCamera()
+mujoco.mjv_defaultFreeCamera(model, camera)
+renderer.render([View(scene="main", target="color", camera=mujoco.mjv_camera2GLCamera(model, data, camera))])
+if pixels.any():
+    print("drawn", flush=True)
+del scene, renderer, context
+"""

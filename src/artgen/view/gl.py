@@ -1,0 +1,73 @@
+"""OpenGL without a window, for MuJoCo's classic renderer."""
+
+import ctypes
+import os
+import sys
+from typing import Any
+
+from artgen.view.errors import RenderError
+
+_LIBRARIES = {"egl": ("libEGL.so.1", "libGL.so.1"), "osmesa": ("libOSMesa.so.8", "libOSMesa.so.6")}
+_NEEDED = (
+    "MuJoCo's classic renderer needs EGL (Debian: libegl1 libgl1 libegl-mesa0 libgl1-mesa-dri) or OSMesa "
+    "(Debian: libosmesa6 libgl1); MUJOCO_GL=egl or MUJOCO_GL=osmesa chooses one"
+)
+
+
+def available() -> str:
+    """Return the way to OpenGL that is taken: `egl`, `osmesa` or, where there are windows, `window`.
+
+    The environment variable MUJOCO_GL decides; by default the first of EGL and OSMesa whose library loads.
+
+    Raises:
+        RenderError: There is none; the message names the packages.
+    """
+    wanted = os.environ.get("MUJOCO_GL", "").lower().strip()
+    if wanted in ("disable", "disabled", "off", "false", "0"):
+        raise RenderError(f"MUJOCO_GL={wanted} forbids pictures; unset it")
+    if not sys.platform.startswith("linux") or wanted in ("glfw", "glx"):
+        return "window"
+    if wanted in _LIBRARIES:
+        if not _loads(wanted):
+            raise RenderError(f"MUJOCO_GL={wanted}, but its library cannot be loaded. {_NEEDED}")
+        return wanted
+    for name in _LIBRARIES:
+        if _loads(name):
+            return name
+    raise RenderError(f"no OpenGL without a window was found. {_NEEDED}")
+
+
+def _loads(name: str) -> bool:
+    names = _LIBRARIES[name]
+    found = [_library(each) for each in names]
+    return all(found) if name == "egl" else any(found)
+
+
+def _library(name: str) -> bool:
+    try:
+        ctypes.CDLL(name)
+    except OSError:
+        return False
+    return True
+
+
+def context(width: int, height: int) -> Any:
+    """Return an OpenGL context, with `make_current()` and `free()`.
+
+    Raises:
+        RenderError: None can be made.
+    """
+    name = available()
+    try:
+        if name == "egl":
+            from mujoco.egl import GLContext
+        elif name == "osmesa":
+            from mujoco.osmesa import GLContext
+        else:
+            from mujoco.gl_context import GLContext
+        return GLContext(width, height)
+    except (ImportError, AttributeError, OSError, RuntimeError) as error:
+        other = "osmesa" if name == "egl" else "egl"
+        raise RenderError(
+            f"OpenGL by {name} does not work: {error}. {_NEEDED}; try MUJOCO_GL={other}"
+        ) from error

@@ -1,0 +1,74 @@
+"""From radiance to a picture: noise removed, highlights rolled off, displayed as sRGB."""
+
+import importlib
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float32]
+
+_SHOULDER = 0.76  # radiance up to which colours are reproduced as they are
+_WASH = 0.15  # how soon what is brighter turns white
+_TOE = 0.02  # radiance below which blacks are deepened
+
+
+def tone_mapped(radiance: Array) -> Array:
+    """Return display-linear colours in 0..1, shape (h, w, 3).
+
+    Ordinary colours stay as they are, as a product's must; brighter ones roll off towards white: the curve
+    that Khronos published as PBR Neutral, on the brightest channel so that hues do not turn.
+    """
+    light = np.maximum(np.nan_to_num(radiance, posinf=0.0), 0.0).astype(np.float64)
+    light *= light / (light + _TOE) * (1.0 + _TOE)
+    peak = light.max(axis=-1, keepdims=True)
+    room = 1.0 - _SHOULDER
+    rolled = 1.0 - room * room / (np.maximum(peak, _SHOULDER) + room - _SHOULDER)
+    scaled = light * (rolled / np.maximum(peak, _SHOULDER))
+    white = 1.0 - 1.0 / (_WASH * (np.maximum(peak, _SHOULDER) - rolled) + 1.0)
+    return np.asarray(np.where(peak < _SHOULDER, light, scaled * (1.0 - white) + rolled * white), np.float32)
+
+
+def displayed(linear: Array) -> NDArray[np.uint8]:
+    """Return display-linear colours encoded as sRGB."""
+    linear = np.clip(linear, 0.0, 1.0)
+    encoded = np.where(
+        linear <= 0.0031308, 12.92 * linear, 1.055 * np.maximum(linear, 1e-9) ** (1 / 2.4) - 0.055
+    )
+    return np.asarray(np.rint(encoded * 255.0), np.uint8)
+
+
+def denoised(color: Array, albedo: Array, normals: Array) -> Array:
+    """Return a picture without noise, by Intel's Open Image Denoise where the package `oidn` is there.
+
+    Args:
+        color: Display-linear colours in 0..1, shape (h, w, 3).
+        albedo: What the surfaces reflect, shape (h, w, 3).
+        normals: Unit normals of the surfaces, shape (h, w, 3).
+    """
+    try:
+        oidn = importlib.import_module("oidn")
+    except (ImportError, OSError, RuntimeError):  # not installed, without its library, or on another system
+        return color
+    return _filtered(oidn, color, albedo, normals)
+
+
+def _filtered(oidn: Any, color: Array, albedo: Array, normals: Array) -> Array:
+    height, width = color.shape[:2]
+    result = np.zeros_like(color)
+    layers = {
+        "color": np.ascontiguousarray(color),
+        "albedo": np.ascontiguousarray(np.clip(albedo, 0.0, 1.0), np.float32),
+        "normal": np.ascontiguousarray(np.clip(normals, -1.0, 1.0), np.float32),
+        "output": result,
+    }
+    device = oidn.NewDevice()
+    oidn.CommitDevice(device)
+    removal = oidn.NewFilter(device, "RT")
+    for name, pixels in layers.items():
+        oidn.SetSharedFilterImage(removal, name, pixels, oidn.FORMAT_FLOAT3, width, height)
+    oidn.CommitFilter(removal)
+    oidn.ExecuteFilter(removal)
+    oidn.ReleaseFilter(removal)
+    oidn.ReleaseDevice(device)
+    return result if result.any() else color

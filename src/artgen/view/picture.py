@@ -1,0 +1,135 @@
+"""Pictures: colours, and for each pixel what is seen there, how far away it is, and how it is turned."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from artgen.errors import AssetError, ExportError, nearest
+from artgen.view.camera import Camera
+
+Array = NDArray[np.float64]
+Pixels = NDArray[np.uint8]
+
+_SUFFIXES = {".png": "PNG", ".jpg": "JPEG", ".jpeg": "JPEG"}
+
+
+@dataclass(frozen=True, eq=False)
+class Segmentation:
+    """What each pixel shows.
+
+    Attributes:
+        ids: Number of the name of each pixel, 0 for the background, shape (height, width).
+        names: The names; the first one is empty and stands for the background.
+    """
+
+    ids: NDArray[np.int32]
+    names: tuple[str, ...]
+
+    def mask(self, name: str) -> NDArray[np.bool_]:
+        """Return where something is seen, shape (height, width).
+
+        Raises:
+            AssetError: There is no such name.
+        """
+        if name not in self.names:
+            raise AssetError(f"nothing in the picture is named {name!r}.{nearest(name, self.names[1:])}")
+        return np.asarray(self.ids == self.names.index(name))
+
+
+@dataclass(frozen=True, eq=False)
+class Passes:
+    """What a picture is made by, each drawn when it is first asked for.
+
+    Attributes:
+        surfaces: Number of the surface at each pixel's centre from 1, 0 for none, with the depth of it along
+            the camera's axis [m], infinite for none; both of shape (height, width).
+        normals: Unit normals in asset coordinates, zero where nothing is seen, shape (height, width, 3).
+    """
+
+    surfaces: Callable[[], tuple[NDArray[np.int32], Array]]
+    normals: Callable[[], Array]
+
+
+@dataclass(frozen=True, eq=False)
+class Picture:
+    """A picture of an asset.
+
+    Attributes:
+        color: sRGB, shape (height, width, 3).
+        camera: Where it was taken from, in asset coordinates.
+        backend: The renderer that drew the colours: `classic` or `filament`.
+        link_names: Link of each surface.
+        label_names: Semantic label of each surface.
+        passes: What draws the rest.
+    """
+
+    color: Pixels
+    camera: Camera
+    backend: str
+    link_names: tuple[str, ...]
+    label_names: tuple[str, ...]
+    passes: Passes
+
+    @cached_property
+    def _surfaces(self) -> tuple[NDArray[np.int32], Array]:
+        return self.passes.surfaces()
+
+    @property
+    def depth(self) -> Array:
+        """Depth along the camera's axis, infinite where the asset is not seen, shape (height, width) [m]."""
+        return self._surfaces[1]
+
+    @cached_property
+    def links(self) -> Segmentation:
+        """Which link each pixel's centre shows; glass hides what is behind it."""
+        return self._by(self.link_names)
+
+    @cached_property
+    def labels(self) -> Segmentation:
+        """Which semantic label each pixel's centre shows; glass hides what is behind it."""
+        return self._by(self.label_names)
+
+    @cached_property
+    def normals(self) -> Array:
+        """Unit normals in asset coordinates, zero where the asset is not seen, shape (height, width, 3)."""
+        return self.passes.normals()
+
+    def _by(self, of_surface: tuple[str, ...]) -> Segmentation:
+        names = ("", *dict.fromkeys(of_surface))
+        table = np.array([0, *(names.index(name) for name in of_surface)], np.int32)
+        return Segmentation(table[self._surfaces[0]], names)
+
+    def save(self, path: str | Path) -> Path:
+        """Write the colours to a PNG or JPEG file.
+
+        Raises:
+            ExportError: The name ends otherwise, or the file cannot be written.
+        """
+        return save_image(self.color, path)
+
+
+def save_image(pixels: Pixels, path: str | Path, quality: int = 92) -> Path:
+    """Write sRGB pixels, shape (height, width, 3), to a PNG or JPEG file.
+
+    Raises:
+        ExportError: The name ends otherwise, or the file cannot be written.
+    """
+    from PIL import Image
+
+    path = Path(path)
+    check_suffix(path)
+    try:
+        Image.fromarray(pixels).save(path, _SUFFIXES[path.suffix.lower()], quality=quality)
+    except OSError as error:
+        raise ExportError(f"cannot write {path}: {error.strerror or error}") from error
+    return path
+
+
+def check_suffix(path: Path) -> None:
+    """Raise an ExportError unless a file's name is one of a PNG or JPEG."""
+    if path.suffix.lower() not in _SUFFIXES:
+        raise ExportError(f"cannot write {path}: a picture's name ends in {', '.join(_SUFFIXES)}")

@@ -1,0 +1,193 @@
+"""Pictures of assets; `Asset.render` hands over to this."""
+
+import atexit
+import os
+import threading
+from collections import OrderedDict
+from collections.abc import Mapping
+from typing import Any, Literal, get_args
+
+import numpy as np
+from numpy.typing import NDArray
+
+from artgen.asset import Asset
+from artgen.asset.shape import Mesh
+from artgen.errors import AssetError, ParameterError, nearest
+from artgen.materials.textures import check_size
+from artgen.view import filament
+from artgen.view.camera import Camera, View, camera_of
+from artgen.view.classic import ClassicDress, ClassicRenderer
+from artgen.view.errors import RenderError
+from artgen.view.picture import Passes, Picture
+from artgen.view.rays import cast
+from artgen.view.scene import Scene, Studio
+
+Array = NDArray[np.float64]
+Backend = Literal["auto", "classic", "filament"]
+
+_KEPT = 4  # scenes that stay ready for the next picture
+_LEAST, _MOST = 16, 4096  # pixels on a side
+_kept = threading.local()  # a graphics context belongs to one thread
+
+
+def render(
+    asset: Asset,
+    q: Mapping[str, float] | None = None,
+    *,
+    camera: Camera | View | str | None = None,
+    size: int | tuple[int, int] = 768,
+    studio: Studio = "studio",
+    backend: Backend = "auto",
+    textures: int = 512,
+    samples: int = 32,
+) -> Picture:
+    """Take a picture of an asset with MuJoCo.
+
+    Args:
+        asset: The asset, generated or loaded.
+        q: Joint positions by name; those not given stand nearest to 0 [rad or m].
+        camera: A camera, a view, or the name of a view: one of `artgen.view.VIEWS`, or `close-up:` and the
+            name of a link. By default from the front, a little from the left and above.
+        size: Width and height of the picture, or one number for both [pixels].
+        studio: What stands around: a seamless backdrop, a wall and a wooden floor, or nothing.
+        backend: Filament is physically based and needs Python 3.12 and Vulkan; `classic` needs OpenGL only;
+            `auto` takes Filament where it works.
+        textures: Texels on a side of the materials' maps; 0 for plain colours.
+        samples: How finely lamps and edges are sampled; pictures with few have steps in their shadows.
+
+    Raises:
+        AssetError: A joint or link is unknown, a position beyond its limits, or nothing is to be seen.
+        ParameterError: An argument has a value that is not allowed.
+        RenderError: A renderer or its library is missing; the message says what to install.
+    """
+    pixels = _checked_size(size)
+    _check("studio", studio, get_args(Studio))
+    _check("backend", backend, get_args(Backend))
+    if textures:
+        check_size(textures)
+    _check_samples(samples)
+    poses = asset.pose(q)
+    seen = _points(asset, poses)
+    taken = camera_of(camera, asset, seen, pixels[0] / pixels[1])
+    _require_mujoco()
+    chosen = ("filament" if filament.works() else "classic") if backend == "auto" else backend
+    renderer = _renderer(asset, chosen, studio, textures, pixels)
+    placed, moved = renderer.scene.placed(taken, poses)
+    color = renderer.color(placed, moved, pixels, samples)
+    surfaces = [(link.name, surface.label) for link in asset.links for surface in link.surfaces]
+    return Picture(
+        color,
+        taken,
+        chosen,
+        tuple(link for link, _ in surfaces),
+        tuple(label for _, label in surfaces),
+        Passes(
+            lambda: _surfaces(asset, taken, poses, pixels),
+            lambda: _cast(asset, taken, poses, pixels).normals.reshape(pixels[1], pixels[0], 3),
+        ),
+    )
+
+
+def close() -> None:
+    """Free what is kept ready for further pictures in this thread; the next one makes it anew."""
+    kept: OrderedDict[Any, Any] = vars(_kept).pop("renderers", OrderedDict())
+    if vars(_kept).get("process") == os.getpid():
+        for renderer in kept.values():
+            renderer.close()
+    kept.clear()
+    filament.forget_context()
+
+
+def _renderer(asset: Asset, backend: str, studio: Studio, textures: int, size: tuple[int, int]) -> Any:
+    """Return the renderer of an asset, made anew only where none is kept."""
+    if vars(_kept).get("process") != os.getpid():  # a forked process must not touch its parent's contexts
+        vars(_kept).update(process=os.getpid(), renderers=OrderedDict())
+    kept: OrderedDict[Any, Any] = vars(_kept).setdefault("renderers", OrderedDict())
+    key = (id(asset), backend, studio, textures)
+    found = kept.get(key)
+    if found is not None and not found.fits(size):
+        kept.pop(key).close()
+        found = None
+    if found is None:
+        while len(kept) >= _KEPT:
+            kept.popitem(last=False)[1].close()
+        if backend == "classic":
+            found = ClassicRenderer(Scene(asset, studio, textures, ClassicDress()), size)
+        else:
+            for other in [other for other in kept if other[1] == "filament"]:
+                kept.pop(other).close()  # Filament draws nothing any more while two models share its context
+            found = filament.FilamentRenderer(Scene(asset, studio, textures, filament.FilamentDress()))
+        # runs before MuJoCo's own, which were registered earlier, take the display away
+        atexit.unregister(close)
+        atexit.register(close)
+        kept[key] = found
+    kept.move_to_end(key)
+    return found
+
+
+def _surfaces(
+    asset: Asset, camera: Camera, poses: Mapping[str, Array], size: tuple[int, int]
+) -> tuple[NDArray[np.int32], Array]:
+    """Return number and depth of the surface at each pixel's centre: by OpenGL, or else by rays."""
+    try:
+        renderer = _renderer(asset, "classic", "none", 0, size)
+    except RenderError:
+        hits = _cast(asset, camera, poses, size)
+        shape = (size[1], size[0])
+        return hits.surfaces.reshape(shape), hits.distance.reshape(shape)
+    placed, moved = renderer.scene.placed(camera, poses)
+    found: tuple[NDArray[np.int32], Array] = renderer.surfaces(placed, moved, size)
+    return found
+
+
+def _cast(asset: Asset, camera: Camera, poses: Mapping[str, Array], size: tuple[int, int]) -> Any:
+    meshes = [surface.mesh.moved(poses[link.name]) for link in asset.links for surface in link.surfaces]
+    return cast(meshes, np.array(camera.position), camera.rays(size))
+
+
+def _points(asset: Asset, poses: Mapping[str, Array]) -> dict[str, Array]:
+    """Return the posed vertices of each link that is seen."""
+    meshes: dict[str, list[Mesh]] = {
+        link.name: [surface.mesh for surface in link.surfaces] for link in asset.links
+    }
+    found = {}
+    for name, of_link in meshes.items():
+        if of_link:
+            points = np.concatenate([mesh.vertices for mesh in of_link])
+            found[name] = points @ poses[name][:3, :3].T + poses[name][:3, 3]
+    if not found:
+        raise AssetError(f"asset {asset.name!r} has no surfaces to be seen")
+    return found
+
+
+def _checked_size(size: Any) -> tuple[int, int]:
+    both = (size, size) if isinstance(size, int) and not isinstance(size, bool) else size
+    try:
+        width, height = both
+        whole = int(width) == width and int(height) == height
+    except (TypeError, ValueError):
+        whole, width, height = False, 0, 0
+    if not whole or not (_LEAST <= width <= _MOST and _LEAST <= height <= _MOST):
+        raise ParameterError(
+            f"size {size!r} must be one or two whole numbers in {_LEAST}..{_MOST}: width and height [pixels]"
+        )
+    return int(width), int(height)
+
+
+def _check_samples(samples: Any) -> None:
+    if isinstance(samples, bool) or not isinstance(samples, int) or samples < 1:
+        raise ParameterError(f"samples {samples!r} must be a whole number from 1 on")
+
+
+def _check(name: str, value: Any, allowed: tuple[str, ...]) -> None:
+    if value not in allowed:
+        raise ParameterError(f"there is no {name} {value!r}.{nearest(str(value), allowed)}")
+
+
+def _require_mujoco() -> None:
+    try:
+        import mujoco  # noqa: F401 - whether it is there
+    except ImportError as error:
+        raise RenderError(
+            f'pictures are drawn by MuJoCo, which cannot be loaded ({error}): pip install "artgen[sim]"'
+        ) from error

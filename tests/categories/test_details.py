@@ -1,0 +1,50 @@
+"""What is only seen: it takes no part in the proof, and yet never passes through another link."""
+
+from itertools import product
+
+import numpy as np
+import pytest
+
+from artgen.asset import Asset
+from artgen.catalog import categories, find
+
+SEEDS = range(6)
+
+
+def free_poses(asset: Asset, count: int = 6) -> list[dict[str, float]]:
+    """Return the corners of joint space and some poses between that no dependency forbids."""
+    draw = np.random.default_rng(7)
+    joints = asset.free_joints
+    limits = np.array([joint.limits for joint in joints])
+    shares = [np.array(corner) for corner in product((0.0, 1.0), repeat=len(joints))]
+    shares += [draw.random(len(joints)) ** draw.choice([0.3, 1.0, 3.0]) for _ in range(count)]
+    names = [joint.name for joint in joints]
+    poses = [dict(zip(names, limits[:, 0] + share * np.ptp(limits, axis=1), strict=True)) for share in shares]
+    return [pose for pose in poses if not asset.blocked(pose)]
+
+
+def passing(asset: Asset, q: dict[str, float]) -> set[tuple[str, str, str, str]]:
+    """Return which details overlap which pieces of other links at a pose."""
+    pose = asset.pose(q)
+    placed = [
+        (link.name, piece, piece.shape.manifold.transform(np.asarray(pose[link.name])[:3]))
+        for link in asset.links
+        for piece in link.pieces
+    ]
+    boxes = np.array([np.reshape(solid.bounding_box(), (2, 3)) for *_, solid in placed])
+    found = set()
+    for i, (link, piece, solid) in enumerate(placed):
+        near = (boxes[i, 0] < boxes[i:, 1]).all(axis=1) & (boxes[i:, 0] < boxes[i, 1]).all(axis=1)
+        for j in np.flatnonzero(near) + i:
+            other, met, around = placed[j]
+            seen_only = piece.visual or met.visual
+            if link != other and seen_only and (solid ^ around).volume() > 1e-12:
+                found.add((link, piece.label, other, met.label))
+    return found
+
+
+@pytest.mark.parametrize(("category", "seed"), [(name, seed) for name in categories() for seed in SEEDS])
+def test_details_do_not_pass_through_other_links(category: str, seed: int) -> None:
+    asset = find(category).generate(seed, certify=False)
+    found = {each for q in free_poses(asset) for each in passing(asset, q)}
+    assert found == set()

@@ -1,0 +1,322 @@
+"""Pictures: that they show what is there, and that every pixel's label, depth and normal is true."""
+
+import os
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+from PIL import Image
+from scipy import ndimage
+
+import artgen
+from artgen.asset import Asset
+from artgen.errors import AssetError, ExportError, ParameterError
+from artgen.view import Camera, RenderError, View, filament, gl, opened, rays, rendering
+from artgen.view.picture import Picture
+
+pytestmark = pytest.mark.usefixtures("opengl")
+
+
+def picture(asset: Asset, q=None, **arguments) -> Picture:
+    return asset.render(q, **{"size": 128, "backend": "classic", "textures": 0, "samples": 4} | arguments)
+
+
+def mean(shown: Picture, mask) -> np.ndarray:
+    inside = ndimage.binary_erosion(mask, iterations=2)
+    assert inside.sum() > 20
+    return shown.color[inside].mean(axis=0)
+
+
+def test_the_asset_fills_the_picture_and_the_background_is_neutral(red_cabinet) -> None:
+    shown = picture(red_cabinet, size=(160, 120))
+    assert shown.color.shape == (120, 160, 3)
+    seen = shown.links.ids > 0
+    rows, columns = np.flatnonzero(seen.any(axis=1)), np.flatnonzero(seen.any(axis=0))
+    filled = (np.ptp(rows) + 1) / 120, (np.ptp(columns) + 1) / 160
+    assert max(filled) >= 0.85
+    assert not np.concatenate([seen[0], seen[-1], seen[:, 0], seen[:, -1]]).any()
+    around = shown.color[~ndimage.binary_dilation(seen, iterations=8)].astype(int)
+    assert np.ptp(around, axis=1).max() <= 2
+    assert around.mean() > 180
+
+
+def test_colours_are_those_of_the_materials(red_cabinet) -> None:
+    shown = picture(red_cabinet, camera="front")
+    red, green, blue = mean(shown, shown.labels.mask("door"))
+    assert red > 2.0 * green
+    assert red > 2.0 * blue
+    red, green, blue = mean(shown, shown.labels.mask("drawer"))
+    assert blue > 2.0 * red
+    white = mean(shown, shown.labels.mask("body"))
+    assert np.ptp(white) < 25
+    assert white.mean() > 120
+
+
+def test_glass_shows_what_is_behind(glass_cabinet, red_cabinet) -> None:
+    shown = picture(glass_cabinet, camera="front")
+    behind = ndimage.binary_erosion(shown.labels.mask("door"), iterations=20)
+    red, _, blue = shown.color[behind].mean(axis=0)
+    assert blue > red + 15  # the blue inside
+    red, _, blue = picture(red_cabinet, camera="front").color[behind].mean(axis=0)
+    assert red > blue + 25
+
+
+def test_positions_move_pixels_and_open_what_they_say(red_cabinet) -> None:
+    closed, open_ = (picture(red_cabinet, {"door_hinge": q}, camera="front") for q in (0.0, 1.2))
+    assert not closed.labels.mask("inside").any()
+    assert open_.labels.mask("inside").sum() > 50
+    alike = (np.abs(closed.color.astype(int) - open_.color) < 4).all(axis=2).mean()
+    assert alike < 0.9
+
+
+def test_shadows_lie_on_the_floor_of_the_studio_only(red_cabinet) -> None:
+    seen = ndimage.binary_dilation(picture(red_cabinet).links.ids > 0, iterations=3)
+    studio, none = (picture(red_cabinet, studio=studio).color[~seen] for studio in ("studio", "none"))
+    assert np.ptp(studio.mean(axis=1)) > 25
+    assert none.min() >= 248
+
+
+def test_a_room_has_a_wooden_floor_and_a_wall_behind_the_asset(red_cabinet) -> None:
+    for view in ("three_quarter", "three_quarter_back"):
+        color = picture(red_cabinet, studio="room", camera=view).color.astype(int)
+        floor, wall = color[-4, 4], color[4, 4]
+        assert floor[0] > floor[2] + 30
+        assert np.ptp(wall) < 25
+
+
+def test_the_same_picture_comes_again(red_cabinet) -> None:
+    first = picture(red_cabinet).color
+    picture(red_cabinet, {"door_hinge": 1.0}, camera="back")
+    rendering.close()
+    np.testing.assert_array_equal(picture(red_cabinet).color, first)
+
+
+def test_chrome_mirrors_light_and_dark(red_cabinet) -> None:
+    shown = picture(red_cabinet, camera=View(-0.5, 0.3, link="door", margin=0.0), size=256)
+    knob = ndimage.binary_erosion(shown.labels.mask("knob"))
+    light = shown.color[knob].mean(axis=1)
+    assert np.ptp(np.percentile(light, (2, 98))) > 40
+
+
+@pytest.mark.parametrize("share", [0.0, 1.0])
+@pytest.mark.parametrize("size", [(160, 120), (90, 200)])
+@pytest.mark.parametrize("view", [View(-0.6, 0.3), View(2.5, -0.2, 0.9), View(0.4, 1.2)])
+def test_labels_depth_and_normals_agree_with_rays(red_cabinet, share, size, view) -> None:
+    pytest.importorskip("embreex", reason="needs Embree: artgen[sim]")
+    q = opened(red_cabinet, share)
+    shown = picture(red_cabinet, q, camera=view, size=size, samples=1)
+    poses = red_cabinet.pose(q)
+    surfaces = [(link, surface) for link in red_cabinet.links for surface in link.surfaces]
+    meshes = [surface.mesh.moved(poses[link.name]) for link, surface in surfaces]
+    stream = np.random.default_rng(0)
+    row, column = stream.integers(0, size[1], 1000), stream.integers(0, size[0], 1000)
+    hits = rays.cast(meshes, np.array(shown.camera.position), shown.camera.rays(size)[row, column])
+    links = np.array(["", *(link.name for link, _ in surfaces)])[hits.surfaces]
+    labels = np.array(["", *(surface.label for _, surface in surfaces)])[hits.surfaces]
+    # at a silhouette the centre of a pixel may fall to either side
+    edge = np.zeros(shown.depth.shape, bool)
+    for ids in (shown.links.ids, shown.labels.ids):
+        edge |= ndimage.maximum_filter(ids, 3) != ndimage.minimum_filter(ids, 3)
+    sure = ~edge[row, column]
+    assert sure.sum() > 500
+    np.testing.assert_array_equal(
+        np.array(shown.links.names)[shown.links.ids[row, column]][sure], links[sure]
+    )
+    np.testing.assert_array_equal(
+        np.array(shown.labels.names)[shown.labels.ids[row, column]][sure], labels[sure]
+    )
+    depth, distance = shown.depth[row, column][sure], hits.distance[sure]
+    seen = np.isfinite(distance)
+    np.testing.assert_array_equal(np.isfinite(depth), seen)
+    error = np.abs(depth[seen] - distance[seen])
+    assert np.median(error) < 1e-4
+    assert (error < 2e-3).mean() > 0.99  # an edge may lie within one label
+    np.testing.assert_allclose(shown.normals[row, column], hits.normals, atol=1e-6)
+    np.testing.assert_allclose(np.linalg.norm(shown.normals[row, column][sure][seen], axis=1), 1.0, atol=1e-6)
+
+
+def test_normals_point_to_the_camera_and_turn_with_the_door(red_cabinet) -> None:
+    pytest.importorskip("embreex", reason="needs Embree: artgen[sim]")
+    angle = 0.7
+    shown = picture(red_cabinet, {"door_hinge": angle}, camera="front")
+    toward = (shown.normals * shown.camera.rays((128, 128))).sum(axis=2)
+    assert toward[shown.links.ids > 0].max() < 1e-6
+    front = np.array([-np.sin(angle), -np.cos(angle), 0.0])
+    door = shown.normals[shown.labels.mask("door")]
+    assert (np.linalg.norm(door - front, axis=1) < 1e-6).mean() > 0.6
+
+
+def test_without_opengl_rays_tell_what_is_seen(red_cabinet, monkeypatch) -> None:
+    pytest.importorskip("embreex", reason="needs Embree: artgen[sim]")
+    drawn = picture(red_cabinet)
+    drawn.links, drawn.depth  # noqa: B018 - drawn now, by OpenGL
+    cast = picture(red_cabinet)
+
+    def fail(*_: object) -> None:
+        raise RenderError("none")
+
+    monkeypatch.setattr(rendering, "_renderer", fail)
+    assert (cast.links.ids == drawn.links.ids).mean() > 0.99
+    assert (cast.labels.ids == drawn.labels.ids).mean() > 0.99
+
+
+def test_unknown_masks_are_named(red_cabinet) -> None:
+    shown = picture(red_cabinet)
+    with pytest.raises(AssetError, match=r"nothing in the picture is named 'dor'. Did you mean 'door'?"):
+        shown.links.mask("dor")
+
+
+def test_a_loaded_asset_looks_the_same(red_cabinet, tmp_path) -> None:
+    loaded = artgen.Asset.load(red_cabinet.export(tmp_path / "cabinet", formats=("urdf",)))
+    first, second = picture(red_cabinet), picture(loaded)
+    assert np.abs(first.color.astype(int) - second.color).mean() < 1.0
+    assert (first.labels.ids > 0).sum() == pytest.approx((second.labels.ids > 0).sum(), rel=0.01)
+
+
+def test_pictures_are_saved(red_cabinet, tmp_path) -> None:
+    shown = picture(red_cabinet, size=64)
+    with Image.open(shown.save(tmp_path / "a.png")) as image:
+        np.testing.assert_array_equal(np.asarray(image), shown.color)
+    with Image.open(shown.save(tmp_path / "a.jpg")) as image:
+        assert image.format == "JPEG"
+    with pytest.raises(ExportError, match=r"a picture's name ends in .png, .jpg, .jpeg"):
+        shown.save(tmp_path / "a.gif")
+    with pytest.raises(ExportError, match=r"cannot write .*: No such file or directory"):
+        shown.save(tmp_path / "none" / "a.png")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ({"size": 8}, "size 8 must be one or two whole numbers in 16..4096"),
+        ({"size": (64, 64, 64)}, "must be one or two whole numbers"),
+        ({"size": 64.5}, "must be one or two whole numbers"),
+        ({"size": True}, "must be one or two whole numbers"),
+        ({"studio": "studo"}, "there is no studio 'studo'. Did you mean 'studio'?"),
+        ({"backend": "opengl"}, "there is no backend 'opengl'"),
+        ({"samples": 0}, "samples 0 must be a whole number from 1 on"),
+        ({"textures": 100}, "textures have 256"),
+        ({"camera": "under"}, "there is no view 'under'"),
+    ],
+)
+def test_wrong_arguments_are_refused(red_cabinet, arguments, message) -> None:
+    with pytest.raises(ParameterError, match=message):
+        red_cabinet.render(**arguments)
+
+
+def test_an_unknown_joint_is_named(red_cabinet) -> None:
+    with pytest.raises(AssetError, match=r"has no joint 'door_hing'. Did you mean 'door_hinge'?"):
+        red_cabinet.render({"door_hing": 1.0})
+
+
+def test_a_camera_of_ones_own_sees_from_where_it_stands(red_cabinet) -> None:
+    shown = picture(red_cabinet, camera=Camera((0.0, -2.0, 0.1), (0.0, 0.0, 0.1), 0.6))
+    assert shown.labels.names[shown.labels.ids[64, 64]] == "door"
+    assert shown.depth[64, 64] == pytest.approx(2.0 - 0.225, abs=1e-4)
+
+
+def test_few_scenes_are_kept_and_a_larger_picture_makes_room(red_cabinet) -> None:
+    rendering.close()
+    for textures in (0, 256):
+        for studio in ("studio", "room", "none"):
+            picture(red_cabinet, studio=studio, textures=textures, size=32)
+    assert len(rendering._kept.renderers) == 4
+    assert picture(red_cabinet, size=200).color.shape == (200, 200, 3)
+    rendering.close()
+
+
+def test_missing_libraries_are_named(monkeypatch) -> None:
+    monkeypatch.setattr(gl, "_library", lambda name: False)
+    monkeypatch.setattr(sys, "platform", "linux")
+    monkeypatch.delenv("MUJOCO_GL", raising=False)
+    with pytest.raises(RenderError, match=r"libegl1 .*libosmesa6 .*MUJOCO_GL=osmesa"):
+        gl.available()
+    monkeypatch.setenv("MUJOCO_GL", "osmesa")
+    with pytest.raises(RenderError, match="MUJOCO_GL=osmesa, but its library cannot be loaded"):
+        gl.available()
+    monkeypatch.setenv("MUJOCO_GL", "disabled")
+    with pytest.raises(RenderError, match="forbids pictures; unset it"):
+        gl.available()
+
+
+def test_missing_packages_are_named(red_cabinet, monkeypatch) -> None:
+    monkeypatch.setitem(sys.modules, "embreex.mesh_construction", None)
+    with pytest.raises(RenderError, match=r'pip install "artgen\[sim\]"'):
+        picture(red_cabinet).normals  # noqa: B018 - drawn when it is asked for
+    monkeypatch.setitem(sys.modules, "mujoco", None)
+    with pytest.raises(RenderError, match=r'pip install "artgen\[sim\]"'):
+        picture(red_cabinet)
+
+
+PROGRAM = """
+from artgen import box, generator, material, part, Body
+from artgen.materials import material
+
+@generator
+def cube() -> Body:
+    return part(box(0.1, 0.1, 0.1), "cube", material("oak"))
+
+shown = cube.generate().render(size=32, backend="classic", textures=0, samples=1)
+print(shown.links.mask("cube").sum() > 100)
+"""
+
+
+@pytest.mark.parametrize("library", ["egl", "osmesa"])
+def test_a_program_that_draws_ends_without_a_word(library, monkeypatch) -> None:
+    monkeypatch.setenv("MUJOCO_GL", library)
+    monkeypatch.delenv("PYOPENGL_PLATFORM", raising=False)
+    try:
+        gl.available()
+    except RenderError as error:
+        pytest.skip(f"needs {library}: {error}")
+    done = subprocess.run(
+        [sys.executable, "-W", "error", "-c", PROGRAM],
+        capture_output=True,
+        text=True,
+        check=False,
+        env=os.environ,
+    )
+    assert (done.returncode, done.stdout, done.stderr) == (0, "True\n", "")
+
+
+class TestFilament:
+    """The other renderer, where it works."""
+
+    @pytest.fixture(autouse=True)
+    def works(self) -> None:
+        if not filament.works():
+            pytest.skip("needs Filament: Python 3.12, mujoco-studio and Vulkan")
+
+    def test_auto_takes_it(self, red_cabinet) -> None:
+        assert red_cabinet.render(size=32, textures=0, samples=1).backend == "filament"
+
+    def test_it_shows_the_same(self, red_cabinet, glass_cabinet) -> None:
+        shown = picture(red_cabinet, backend="filament", camera="front")
+        red, green, blue = mean(shown, shown.labels.mask("door"))
+        assert red > 2.0 * max(green, blue)
+        clear = picture(glass_cabinet, backend="filament", camera="front")
+        behind = ndimage.binary_erosion(shown.labels.mask("door"), iterations=20)
+        red, _, blue = clear.color[behind].mean(axis=0)
+        assert blue > red + 15
+        # masks fit colours: what differs from an empty studio is the asset
+        red_seen = (shown.color[..., 0] > 2.0 * shown.color[..., 1]) & (shown.color[..., 0] > 80)
+        mask = shown.labels.mask("door")
+        assert (red_seen & mask).sum() > 0.8 * mask.sum()
+        assert not (red_seen & ~ndimage.binary_dilation(mask, iterations=3)).any()
+
+    def test_assets_take_turns(self, red_cabinet, glass_cabinet) -> None:
+        first = picture(red_cabinet, backend="filament").color.astype(int)
+        picture(glass_cabinet, backend="filament")
+        again = picture(red_cabinet, backend="filament").color
+        assert np.abs(first - again).mean() < 1.5  # its noise differs from frame to frame
+
+    def test_without_an_environment_it_is_white_around(self, red_cabinet) -> None:
+        assert picture(red_cabinet, backend="filament", studio="none").color[0, 0].min() >= 245
+
+
+def test_filament_says_what_it_needs(red_cabinet) -> None:
+    if filament.works():
+        pytest.skip("it works here")
+    with pytest.raises(RenderError, match=r"Filament .*(needs|backend='classic')"):
+        picture(red_cabinet, backend="filament")

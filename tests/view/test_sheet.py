@@ -1,0 +1,240 @@
+"""Contact sheets, open positions, and the commands that draw."""
+
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from artgen.asset import Asset
+from artgen.cli import main
+from artgen.errors import ExportError, ParameterError
+from artgen.generator import generator
+from artgen.materials import material
+from artgen.nodes.body import part
+from artgen.nodes.handles import Body, Float
+from artgen.nodes.joint import Prismatic, Revolute
+from artgen.nodes.primitive import box
+from artgen.nodes.vector import X, Y, Z
+from artgen.view import opened
+from artgen.view import sheet as sheets
+from artgen.view.sheet import save_sheet, sheet, words
+
+OAK = material("oak")
+DRAW = {"backend": "classic", "textures": 0, "samples": 1, "size": 48}
+
+
+@generator
+def locked_door(*, swing: Float = 1.8, push: bool = False) -> Body:
+    """A door that opens once its lever is turned."""
+    door = part(box(0.8, 0.04, 2.0), "door", OAK)
+    turn = Revolute("lever_turn", axis=Y, limits=(0, 0.7))
+    lever = part(box(0.12, 0.02, 0.02).at(0.3, -0.08), "handle", OAK)
+    needs = (turn > 0.5).until(0.05) if not push else turn > 0.5
+    hinge = Revolute("door_hinge", pivot=(-0.4, 0, 0), axis=-Z, limits=(0, swing), needs=needs)
+    frame = part(box(0.1, 0.1, 2.1).at(-0.5), "frame", OAK)
+    return frame.attach(door.attach(lever, turn), hinge)
+
+
+@generator
+def lone_lever() -> Body:
+    turn = Revolute("turn", axis=X, limits=(-0.6, 0.2))
+    return part(box(0.1, 0.1, 0.1), "base", OAK).attach(
+        part(box(0.1, 0.02, 0.02).at(0, -0.1), "lever", OAK), turn
+    )
+
+
+@generator
+def drawer_and_wheel() -> Body:
+    base = part(box(0.2, 0.2, 0.2), "base", OAK)
+    base = base.attach(
+        part(box(0.1, 0.02, 0.05).at(0, -0.12), "drawer", OAK), Prismatic("slide", axis=-Y, limits=(0, 0.1))
+    )
+    return base.attach(
+        part(box(0.02, 0.1, 0.1).at(0.12), "wheel", OAK), Revolute("spin", axis=X, limits=None)
+    )
+
+
+def test_a_door_opens_two_thirds_and_its_lever_rests() -> None:
+    assert opened(locked_door.generate()) == pytest.approx({"door_hinge": 0.65 * 1.8})
+    assert opened(locked_door.generate(swing=1.0)) == pytest.approx({"door_hinge": 1.0})
+
+
+def test_what_a_joint_needs_is_held_where_it_could_not_stand_open_otherwise() -> None:
+    asset = locked_door.generate(push=True)
+    q = opened(asset)
+    assert q == pytest.approx({"door_hinge": 0.65 * 1.8, "lever_turn": 0.7})
+    assert not asset.blocked(q)
+
+
+def test_a_lever_alone_turns_to_its_farther_end() -> None:
+    assert opened(lone_lever.generate()) == pytest.approx({"turn": -0.6})
+    assert opened(lone_lever.generate(), 0.5) == pytest.approx({"turn": -0.3})
+
+
+def test_every_share_is_allowed_by_dependencies() -> None:
+    for asset in (locked_door.generate(), locked_door.generate(push=True), drawer_and_wheel.generate()):
+        assert opened(asset, 0.0) == {}
+        for share in np.linspace(0, 1, 21):
+            assert not asset.blocked(opened(asset, float(share)))
+    assert opened(drawer_and_wheel.generate()) == pytest.approx({"slide": 0.1, "spin": 0.8})
+
+
+@pytest.mark.parametrize("share", [-0.1, 1.5, float("nan")])
+def test_other_shares_are_refused(share) -> None:
+    with pytest.raises(ParameterError, match=r"open .* must be in 0\.\.1"):
+        opened(lone_lever.generate(), share)
+
+
+@pytest.mark.usefixtures("opengl")
+class TestSheet:
+    def test_it_has_a_cell_for_each_asset_with_all_poses_and_sides(self, red_cabinet) -> None:
+        seen = []
+        page = sheet([lambda: red_cabinet] * 3, columns=2, progress=lambda *each: seen.append(each), **DRAW)
+        assert seen == [(1, 3), (2, 3), (3, 3)]
+        one = sheet([lambda: red_cabinet], views=1, **DRAW)
+        assert page.shape[0] > 2 * 48
+        assert page.shape[1] > 1.5 * one.shape[1]
+        assert (page[0] == 255).all()
+        assert (page[:, -1] == 255).all()
+        # one of four cells is free
+        assert (page[page.shape[0] // 2 + 10 :, page.shape[1] // 2 + 10 :] == 255).all()
+        # the captions are dark on white
+        caption = one[60:80]
+        assert (caption.min(axis=2) < 80).any()
+
+    def test_open_differs_from_closed(self, red_cabinet) -> None:
+        page = sheet([lambda: red_cabinet], views=1, **DRAW).astype(int)
+        body = page[12:60, 12:-12]
+        half = body.shape[1] // 2
+        assert np.abs(body[:, :half] - body[:, half : 2 * half]).mean() > 3.0
+
+    @pytest.mark.parametrize("arguments", [{"assets": []}, {"views": 0}, {"views": 3}, {"columns": 0}])
+    def test_wrong_numbers_are_refused(self, red_cabinet, arguments) -> None:
+        assets = arguments.pop("assets", [lambda: red_cabinet])
+        with pytest.raises(
+            ParameterError, match="a sheet has at least 1 asset and 1 column, and 1 or 2 views"
+        ):
+            sheet(assets, **arguments)
+
+
+def test_words_tell_size_and_structure() -> None:
+    parameters = {"style": "flat_panel", "width": 0.3, "metal": "none", "hand": "left", "handle.style": "bar"}
+    asset = replace(lone_lever.generate(), parameters=parameters)
+    low, high = asset.bounds()
+    size = " x ".join(f"{100 * length:.0f}" for length in high - low)
+    assert words(asset) == f"{size} cm, flat panel, left"
+
+
+def test_a_jpeg_sheet_is_small_and_as_good_as_can_be(tmp_path, monkeypatch) -> None:
+    pixels = np.random.default_rng(0).integers(0, 256, (400, 600, 3)).astype(np.uint8)
+    path = save_sheet(pixels, tmp_path / "noise.jpg")
+    assert 100_000 < path.stat().st_size <= 300_000
+    monkeypatch.setattr(sheets, "_BYTES", 60_000)
+    assert save_sheet(pixels, tmp_path / "less.jpg").stat().st_size < path.stat().st_size
+    with Image.open(save_sheet(pixels, tmp_path / "noise.png")) as image:
+        np.testing.assert_array_equal(np.asarray(image), pixels)
+    with pytest.raises(ExportError, match=r"a picture's name ends in \.png"):
+        save_sheet(pixels, tmp_path / "noise.bmp")
+
+
+@dataclass
+class Result:
+    code: int
+    out: str
+    err: str
+
+
+@pytest.fixture
+def command(capsys, tmp_path, monkeypatch):
+    """Run the command line in an empty directory."""
+    monkeypatch.chdir(tmp_path)
+
+    def run(*arguments: str) -> Result:
+        with pytest.raises(SystemExit) as ended:
+            main(arguments)
+        printed = capsys.readouterr()
+        return Result(int(ended.value.code or 0), printed.out, printed.err)
+
+    return run
+
+
+@pytest.fixture
+def exported(red_cabinet, tmp_path) -> Asset:
+    return red_cabinet.export(tmp_path / "cabinet", formats=("urdf",))
+
+
+FAST = ("--backend", "classic", "--textures", "0", "--samples", "1", "--size", "64x48")
+
+
+@pytest.mark.usefixtures("opengl")
+class TestCommands:
+    def test_render_draws_an_export(self, command, exported) -> None:
+        closed = command("render", str(exported), *FAST)
+        assert (closed.code, closed.out, closed.err) == (0, "cabinet_0.png\n", "")
+        before = np.asarray(Image.open("cabinet_0.png"))
+        assert before.shape == (48, 64, 3)
+        for more in (
+            ("--open", "1"),
+            ("--q", "door_hinge=1.0", "--q", "drawer_slide=0.1"),
+            ("--view", "back"),
+        ):
+            assert command("render", str(exported), *FAST, *more, "--out", "b.jpg").out == "b.jpg\n"
+            after = np.asarray(Image.open("b.jpg")).astype(int)
+            assert np.abs(after - before).mean() > 3.0, more
+
+    @pytest.mark.parametrize("show", ["links", "labels", "depth", "normals"])
+    def test_render_shows_what_pixels_tell(self, command, exported, show) -> None:
+        assert command("render", str(exported), *FAST, "--show", show, "--out", "m.png").code == 0
+        pixels = np.asarray(Image.open("m.png"))
+        assert len(np.unique(pixels.reshape(-1, 3), axis=0)) >= 4
+        assert (pixels[0, 0] == pixels[-1, -1]).all()
+
+    def test_render_draws_a_category(self, command) -> None:
+        done = command("render", "handle", "--seed", "3", *FAST, "--out", "h.png")
+        assert (done.code, done.out) == (0, "h.png\n")
+        assert Path("h.png").stat().st_size > 500
+
+    def test_sheet_draws_samples(self, command) -> None:
+        done = command(
+            "sheet", "handle", "--seeds", "2", "--first-seed", "5", "--size", "64", "--backend", "classic"
+        )
+        assert (done.code, done.out, done.err) == (0, "handle.jpg\n", "")
+        assert Path("handle.jpg").stat().st_size <= 300_000
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (("render", "handel"), "handel"),
+        (("render", "handle", "--view", "frond"), "there is no view 'frond'"),
+        (("render", "handle", "--size", "big"), "--size 'big' must be a number of pixels"),
+        (("render", "handle", "--size", "1x2x3"), "--size '1x2x3' must be a number of pixels"),
+        (("render", "handle", "--size", "5"), "16..4096"),
+        (("render", "handle", "--q", "turn"), "--q 'turn' must be JOINT=NUMBER"),
+        (("render", "handle", "--q", "nothing=1"), "has no joint 'nothing'"),
+        (("render", "handle", "--open", "2"), "open 2.0 must be in 0..1"),
+        (("render", "handle", "--out", "a.gif"), "a picture's name ends in .png"),
+        (("render", "handle", "--studio", "garden"), "garden"),
+        (("render", "."), "asset.json"),
+        (("sheet", "handle", "--seeds", "0"), "--seeds 0 must be at least 1"),
+        (("sheet", "handle", "--views", "3"), "1 or 2 views"),
+        (("sheet", "handle", "--out", "none/a.jpg"), "give a file in a directory that exists"),
+        (("sheet", "handle", "--out", "a.gif"), "a picture's name ends in .png"),
+        (("sheet", "handel"), "handel"),
+    ],
+)
+def test_wrong_arguments_are_refused_in_one_line(command, arguments, message) -> None:
+    done = command(*arguments)
+    assert done.code == 2
+    assert done.out == ""
+    assert done.err.startswith("error: ")
+    assert done.err.count("\n") == 1
+    assert message in done.err
+
+
+def test_parameters_are_for_categories(command, exported) -> None:
+    done = command("render", str(exported), "--set", "width=1")
+    assert (done.code, done.err.count("\n")) == (2, 1)
+    assert "--set is for categories" in done.err
