@@ -18,6 +18,7 @@ TREE = {
     "AssetError": ValueError,
     "CheckError": RuntimeError,
     "ExportError": OSError,
+    "RenderError": RuntimeError,
 }
 
 

@@ -21,6 +21,7 @@ from artgen.errors import (
     GraphError,
     InfeasibleError,
     ParameterError,
+    RenderError,
 )
 from artgen.generator import Generator, category, generator, one_of, shades
 from artgen.graph import Cache, Evaluation, Graph
@@ -106,6 +107,7 @@ __all__ = [
     "Points",
     "Prismatic",
     "Profile",
+    "RenderError",
     "Revolute",
     "Solid",
     "Vector",

@@ -8,7 +8,8 @@
     ├── InfeasibleError(RuntimeError)   a sample that `require` ruled out, or no sample is feasible
     ├── AssetError(ValueError)          an asset is inconsistent, or was asked for what it has not
     ├── CheckError(RuntimeError)        a check found a fault
-    └── ExportError(OSError)            files could not be written or read
+    ├── ExportError(OSError)            files could not be written or read
+    └── RenderError(RuntimeError)       a renderer, or a library that it needs, is not there
 
 Each is also the natural builtin, so `except ValueError` works. A message says what is wrong, where
 (the author's file and line), the offending value, what is allowed or the nearest name, and what to do.
@@ -62,6 +63,10 @@ class CheckError(ArtgenError, RuntimeError):
 
 class ExportError(ArtgenError, OSError):
     """Files could not be written or read."""
+
+
+class RenderError(ArtgenError, RuntimeError):
+    """A picture could not be drawn: a renderer, or a library that it needs, is not there."""
 
 
 def nearest(name: str, allowed: Iterable[str]) -> str:

@@ -120,11 +120,18 @@ class TestSheet:
 
 
 def test_words_tell_size_and_structure() -> None:
-    parameters = {"style": "flat_panel", "width": 0.3, "metal": "none", "hand": "left", "handle.style": "bar"}
+    parameters = {
+        "style": "flat_panel",
+        "width": 0.3,
+        "metal": "none",
+        "wood": "oak_09af3c",
+        "hand": "left",
+        "handle.style": "bar",
+    }
     asset = replace(lone_lever.generate(), parameters=parameters)
     low, high = asset.bounds()
     size = " x ".join(f"{100 * length:.0f}" for length in high - low)
-    assert words(asset) == f"{size} cm, flat panel, left"
+    assert words(asset) == f"{size} cm, flat panel, oak, left"
 
 
 def test_a_jpeg_sheet_is_small_and_as_good_as_can_be(tmp_path, monkeypatch) -> None:

@@ -8,6 +8,10 @@ there are such; `flush_bolt` in the inactive leaf of a double door. Joints: `doo
 `_right` for two leaves), `handle_turn` or `handle_push`, `latch_slide`, `lock_turn`, `deadbolt_slide`,
 `flush_bolt_slide`.
 
+What is only seen, such as screws, print, mouldings and seals, has neither mass nor collider. An entrance may
+have a letter plate, the number of the house, a viewer and a kick plate on its outer face, from which it opens
+away, and a brush under its inner one.
+
 Sizes are those of residential doors: leaves 24-42 in wide (28, 30, 32 and 36 in are stock), 6 ft 6 in to 8 ft
 high, 1 3/8 to 1 3/4 in thick (ANSI/SDI A250.8, WDMA I.S. 1A); clearances 3 mm at the sides, 10-19 mm at the
 floor.

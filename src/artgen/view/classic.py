@@ -25,8 +25,8 @@ Array = NDArray[np.float64]
 
 _HALF = 0.5  # pictures are drawn this dark, so that no light is cut off before they are averaged
 _MIRROR_STEP = 0.05  # roughness in whose steps the mirrored studio is blurred
-_SHADOW_TEXELS = 1024
-_SHADOW_REACH = 1.6  # how far from the asset's middle shadows are drawn, over its radius
+_SHADOW_TEXELS = 2048
+_SHADOW_REACH = 1.25  # how far from the asset's middle shadows are drawn, over its radius
 _NEARNESS = 0.35  # half the size of the asset compared with the distance to what it mirrors
 _SKY = {"studio": 0.87, "room": 0.87, "none": 1.7}  # the last one is shown as white
 

@@ -1,7 +1,3 @@
 """What goes wrong with pictures."""
 
-from artgen.errors import ArtgenError
-
-
-class RenderError(ArtgenError, RuntimeError):
-    """A picture could not be drawn: a renderer, or a library that it needs, is not there."""
+from artgen.errors import RenderError as RenderError

@@ -1,6 +1,7 @@
 """Contact sheets: many samples of a category on one page, each closed and open, with what tells it apart."""
 
 import io
+import re
 from collections.abc import Callable, Sequence
 from functools import lru_cache
 from pathlib import Path
@@ -20,6 +21,7 @@ Pixels = NDArray[np.uint8]
 SIDES = (View(-0.5, 0.22), View(np.pi - 0.5, 0.22))
 """From where the samples of a sheet are seen: from in front, and from behind."""
 
+_SHADE = re.compile("_[0-9a-f]{6}$")  # ends the name of a material in a shade of its own
 _TITLE, _TEXT, _GAP = 15, 12, 12  # sizes of type, and what stays free around an asset [pixels]
 _INK, _GREY = (30, 30, 32), (110, 110, 114)
 _BYTES = 300_000  # what a sheet may take on a page of documentation
@@ -93,7 +95,7 @@ def _aspect(asset: Asset) -> float:
 def words(asset: Asset) -> str:
     """Return what makes an asset different in a few words: its structural parameters and its size."""
     found = [
-        f"{value}"
+        _SHADE.sub("", value)
         for name, value in asset.parameters.items()
         if isinstance(value, str) and value and value != "none" and "." not in name
     ]

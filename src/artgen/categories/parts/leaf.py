@@ -33,6 +33,7 @@ from artgen.categories.parts.infill import Opening, Relief, Sticking, panels_in,
 from artgen.nodes.handles import Scalar
 
 _GLASS = known("glass", "frosted_glass", "tinted_glass")
+_LOCK_STRIP = 0.120  # from the lock edge to an upright inlay, which the lock must not reach [m]
 _GLASS_WEIGHTS = (0.6, 0.3, 0.1)[: len(_GLASS)]
 
 
@@ -47,7 +48,7 @@ def flush_leaf(
 
     Args:
         blank: Its measures.
-        inlays: Strips of aluminium across the faces.
+        inlays: Strips of aluminium across the faces; with them goes one upright strip.
         grain: Which way the grain of the veneer runs.
     """
     finish = blank.finish if grain == "upright" else across(blank.finish)
@@ -60,10 +61,14 @@ def flush_leaf(
     body = weld(part(blank.carved(slab), "door", core), *_fitted(blank))
     if not inlays:
         return body
-    strip = box(blank.width - 0.004, blank.thickness + 0.0004, 0.008)
-    shares = [(index + 0.75) / (inlays + 0.5) for index in range(inlays)]
-    levels = [(0.0, 0.0, blank.bottom + blank.upright * share) for share in shares]
-    return weld(body, detail(blank.carved(array(strip, at=levels)), "door", material("aluminium")))
+    # across, up to one that runs upright beside the lock
+    long, out = blank.width - _LOCK_STRIP, blank.thickness / 2.0
+    strip, line = box(long, 0.0008, 0.008), box(0.008, 0.0008, blank.upright - 0.004)
+    levels = [blank.bottom + blank.upright * (at + 0.75) / (inlays + 0.5) for at in range(inlays)]
+    places = [(-_LOCK_STRIP / 2.0 + 0.001, side * (out - 0.0001), z) for z in levels for side in (-1, 1)]
+    beside = [(blank.width / 2.0 - _LOCK_STRIP, side * (out - 0.0001), blank.waist) for side in (-1, 1)]
+    bars = (array(strip, at=places), array(line, at=beside))
+    return weld(body, *(detail(bar, "door", material("aluminium")) for bar in bars))
 
 
 @generator
