@@ -9,9 +9,8 @@ import pytest
 
 from artgen import Revolute, Z, box, material, part
 from artgen.asset.surface import texture_coordinates
-from artgen.errors import AssetError, ParameterError
+from artgen.errors import AssetError, ParameterError, RenderError
 from artgen.view.camera import View
-from artgen.view.errors import RenderError
 from artgen.view.mitsuba import load_mitsuba, render_mitsuba, usable_llvm
 from artgen.view.mitsuba_film import denoised, displayed, tone_mapped
 from support.proof_fridges import evaluated

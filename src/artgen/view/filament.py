@@ -15,11 +15,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from artgen.errors import RenderError
 from artgen.materials import Material
 from artgen.materials.textures import Kind, encoded, kinds, map_name
 from artgen.view.camera import Camera
 from artgen.view.classic import body_of_glass, displayed
-from artgen.view.errors import RenderError
 from artgen.view.filament_environment import image_light
 from artgen.view.lamps import KEY, key_light, spread
 from artgen.view.scene import Layer, Scene

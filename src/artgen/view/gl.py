@@ -5,7 +5,7 @@ import os
 import sys
 from typing import Any
 
-from artgen.view.errors import RenderError
+from artgen.errors import RenderError
 
 _LIBRARIES = {"egl": ("libEGL.so.1", "libGL.so.1"), "osmesa": ("libOSMesa.so.8", "libOSMesa.so.6")}
 _NEEDED = (

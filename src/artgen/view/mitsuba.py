@@ -13,11 +13,10 @@ from numpy.typing import NDArray
 from artgen.asset import Asset
 from artgen.asset.shape import Mesh
 from artgen.asset.surface import texture_coordinates
-from artgen.errors import ParameterError, nearest
+from artgen.errors import ParameterError, RenderError, nearest
 from artgen.materials import Material
 from artgen.materials.textures import check_size
 from artgen.view.camera import Camera, View, camera_of
-from artgen.view.errors import RenderError
 from artgen.view.mitsuba_film import denoised, displayed, tone_mapped
 from artgen.view.mitsuba_materials import radiance, scattering
 from artgen.view.mitsuba_room import doorway, room

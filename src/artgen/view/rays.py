@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from artgen.asset.shape import Mesh
-from artgen.view.errors import RenderError
+from artgen.errors import RenderError
 
 Array = NDArray[np.float64]
 

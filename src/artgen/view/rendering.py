@@ -12,12 +12,11 @@ from numpy.typing import NDArray
 
 from artgen.asset import Asset
 from artgen.asset.shape import Mesh
-from artgen.errors import AssetError, ParameterError, nearest
+from artgen.errors import AssetError, ParameterError, RenderError, nearest
 from artgen.materials.textures import check_size
 from artgen.view import filament
 from artgen.view.camera import Camera, View, camera_of
 from artgen.view.classic import ClassicDress, ClassicRenderer
-from artgen.view.errors import RenderError
 from artgen.view.picture import Passes, Picture
 from artgen.view.rays import cast
 from artgen.view.scene import Scene, Studio

@@ -204,19 +204,21 @@ def strike_plate(
     opening = rectangle(wide, section.height + 2 * _EASY).at((_EASY - _OPENING_PLAY) / 2)
     skin = rectangle(high - low, 0.060, radius=0.0045).at((low + high) / 2)
     level = section.height / 2 + 0.0105
-    # the lip, which guides the latch in, curls around the front of the jamb
-    curl = polygon([(0.0, 0.0), (0.0, -0.0006), (0.0020, -0.0029), (0.0030, -0.0024), (0.0012, 0.0)])
-    lip = extrude(curl, section.height + 0.012, axis=Z, bevel=0.0003)
-    return weld(
+    bodies = [
         part(plate - hole, "strike", finish),
         detail(
             _pierced(skin - opening, level, _SKIN + 0.0003).at(face + (_SKIN + 0.0003) / 2, 0.0, 0.0),
             "strike",
             finish,
         ),
-        detail(lip.at(face, -thickness / 2 + 0.0006, 0.0), "strike", finish),
         *_plate_screws(face, "-x", level, finish),
-    )
+    ]
+    if bolt == "latch":
+        # the lip, which guides the latch in, curls around the front of the jamb
+        curl = polygon([(0.0, 0.0), (0.0, -0.0006), (0.0020, -0.0029), (0.0030, -0.0024), (0.0012, 0.0)])
+        lip = extrude(curl, section.height + 0.012, axis=Z, bevel=0.0003)
+        bodies.append(detail(lip.at(face, -thickness / 2 + 0.0006, 0.0), "strike", finish))
+    return weld(*bodies)
 
 
 def clear_angle(*, thickness: Scalar, reach: Scalar, bolt: Bolt = LATCH) -> Scalar:

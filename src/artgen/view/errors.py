@@ -1,3 +1,0 @@
-"""What goes wrong with pictures."""
-
-from artgen.errors import RenderError as RenderError
