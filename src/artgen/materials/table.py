@@ -43,8 +43,9 @@ COLORS: dict[str, Color] = {
 }
 """Colours of products, linear RGB, by name."""
 
-_HARD: dict[str, Any] = {"specular_roughness": 0.42, "density": 700.0, "friction": 0.5}
-_SOFT: dict[str, Any] = {"specular_roughness": 0.48, "density": 500.0, "friction": 0.5}
+_LACQUER: dict[str, Any] = {"coat_weight": 0.3, "coat_roughness": 0.28}  # satin
+_HARD: dict[str, Any] = {"specular_roughness": 0.42, "density": 700.0, "friction": 0.5, **_LACQUER}
+_SOFT: dict[str, Any] = {"specular_roughness": 0.46, "density": 500.0, "friction": 0.5, **_LACQUER}
 _STEEL: dict[str, Any] = {"base_metalness": 1.0, "density": 7850.0, "friction": 0.6}
 _STAINLESS: dict[str, Any] = {"base_metalness": 1.0, "density": 7900.0, "friction": 0.5}
 _BRASS: dict[str, Any] = {"base_metalness": 1.0, "density": 8500.0, "friction": 0.45}
@@ -125,7 +126,7 @@ def _metals() -> list[Material]:
         Material("copper", (0.90, 0.55, 0.42), specular_roughness=0.25, texture="polished", **_BRASS),
         Material(
             "aged_bronze",
-            (0.12, 0.085, 0.06),
+            (0.090, 0.063, 0.045),
             specular_roughness=0.42,
             texture="aged_bronze",
             **{**_BRASS, "base_metalness": 0.8},
@@ -208,13 +209,13 @@ def _plastics() -> list[Material]:
 def _glass_and_stone() -> list[Material]:
     clear: dict[str, Any] = {"specular_roughness": 0.04, "transmission_weight": 1.0, "texture": "clear_glass"}
     return [
-        Material("glass", (0.85, 0.90, 0.88), opacity=0.25, **clear, **_CLEAR),
-        Material("tinted_glass", (0.16, 0.18, 0.18), opacity=0.55, **clear, **_CLEAR),
-        Material("amber_glass", (0.36, 0.15, 0.035), opacity=0.5, **clear, **_CLEAR),
+        Material("glass", (0.97, 0.985, 0.98), opacity=0.18, **clear, **_CLEAR),
+        Material("tinted_glass", (0.28, 0.31, 0.31), opacity=0.55, **clear, **_CLEAR),
+        Material("amber_glass", (0.52, 0.25, 0.06), opacity=0.5, **clear, **_CLEAR),
         Material(
             "frosted_glass",
-            (0.86, 0.90, 0.90),
-            specular_roughness=0.5,
+            (0.95, 0.97, 0.97),
+            specular_roughness=0.4,
             transmission_weight=1.0,
             opacity=0.6,
             texture="frosted_glass",

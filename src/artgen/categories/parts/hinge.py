@@ -64,7 +64,7 @@ def _half(
     plate = plate.align((inner + side * _FACE, radius + 0.0005, 0.0), x=-side, y=-1.0)
     rows = ((-0.36, 0.65), (0.0, 0.40), (0.36, 0.65))
     screws_at = [(hinge_offset(radius) + row * depth, level * height) for level, row in rows]
-    face = rectangle(deep, height, radius=0.004).at(radius + 0.0005 + deep / 2.0)
+    face = rectangle(deep, height).at(radius + 0.0005 + deep / 2.0)
     for at in screws_at:
         face = face - circle(_SCREW + 0.0003).at(*at)
     skin = extrude(face, _FACE + 0.0003, axis=X).at(inner + side * (_FACE + 0.0003) / 2.0, 0.0, 0.0)

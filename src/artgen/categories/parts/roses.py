@@ -156,10 +156,10 @@ def _one_rose(
         socket = extrude(circle(0.0021) - drive_recess(0.00125, "hex"), 0.0008).at(0.0, middle, -across / 2)
         dark = cylinder(0.0019, 0.0008).at(0.0, middle, -across / 2 + 0.0003)
         return [*bodies, detail(socket, "screw", finish), detail(dark, "screw", recess(finish))]
-    aside = across / 2 - 0.0080
+    aside = across / 2 - 0.0056  # outside of the collar of a knob
     # beside the hole of a pin, or above and below the spindle
     spots = [(end * aside, face, 0.0) if pin else (0.0, face, end * aside) for end in (-1, 1)]
-    return bodies + screws(spots, facing=facing, radius=0.0037, finish=finish, drive=drive, head="pan")
+    return bodies + screws(spots, facing=facing, radius=0.0028, finish=finish, drive=drive, head="pan")
 
 
 def spindle(thickness: Scalar, rose_depth: Scalar, faces: Faces = "both") -> Solid:

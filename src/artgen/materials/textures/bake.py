@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from artgen.materials.textures import keep
+from artgen.materials.textures.fields import in_strips
 from artgen.materials.textures.recipe import Recipe
 
 Pixels = NDArray[np.uint8]
@@ -69,7 +70,7 @@ def bake(recipe: Recipe, variant: int, size: int) -> Maps:
     pattern = recipe.make(stream, size)
     albedo = pattern.albedo
     if albedo is not None:
-        albedo = displayed(np.clip(albedo, _DARKEST, _BRIGHTEST))
+        albedo = in_strips(lambda linear: displayed(np.clip(linear, _DARKEST, _BRIGHTEST)), albedo)
     return Maps(
         None if albedo is None else as_bytes(albedo),
         as_bytes(pattern.roughness + 128 / 255),

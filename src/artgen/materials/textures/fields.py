@@ -5,7 +5,7 @@ finer waves to those that fewer texels show, and cells lie where they lie howeve
 """
 
 from collections.abc import Callable, Sequence
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,6 +15,7 @@ Array = NDArray[np.float64]
 _FIRST = 256  # texels on a side of the smallest maps: its waves are drawn first, then those of twice as many
 _WHOLE = 1024  # texels on a side that show all of a noise: its deviation there is 1
 _NEGLIGIBLE = 1e-4  # of the greatest amplitude
+_STRIP = 1 << 16  # texels worked on at a time
 
 
 class Cells(NamedTuple):
@@ -115,21 +116,31 @@ class Tile:
         column, row = u.astype(np.int64), v.astype(np.int64)
         u, v = u - column, v - row
         step_u, step_v = self.extent[0] / across, self.extent[1] / along
-        nearest = np.full((self.size, self.size), np.inf)
-        second = nearest.copy()
-        number = np.zeros((self.size, self.size), np.int64)
-        for down in (-1, 0, 1):
-            rows = (row + down) % along
-            for right in (-1, 0, 1):
-                columns = (column + right) % across
-                index = np.ix_(rows, columns)
-                distance = ((place[0][index] + (right - u[None, :])) * step_u) ** 2
-                distance += ((place[1][index] + (down - v[:, None])) * step_v) ** 2
-                closer = distance < nearest
-                np.minimum(second, np.maximum(distance, nearest), out=second)
-                np.minimum(nearest, distance, out=nearest)
-                np.copyto(number, rows[:, None] * across + columns[None, :], where=closer)
-        return Cells(np.sqrt(nearest), np.sqrt(second), number, along * across)
+
+        def found(row: NDArray[np.int64], v: Array) -> Array:
+            """Return the squared distances and the number of the nearest point, shape (m, n, 3)."""
+            result = np.empty((len(row), self.size, 3))
+            nearest = np.full((len(row), self.size), np.inf)
+            second, number = nearest.copy(), np.zeros_like(nearest)
+            for down in (-1, 0, 1):
+                rows = (row + down) % along
+                for right in (-1, 0, 1):
+                    columns = (column + right) % across
+                    index = np.ix_(rows, columns)
+                    distance = ((place[0][index] + (right - u[None, :])) * step_u) ** 2
+                    distance += ((place[1][index] + (down - v[:, None])) * step_v) ** 2
+                    closer = distance < nearest
+                    np.minimum(second, np.maximum(distance, nearest), out=second)
+                    np.minimum(nearest, distance, out=nearest)
+                    np.copyto(number, rows[:, None] * across + columns[None, :], where=closer)
+            for channel, values in enumerate((nearest, second, number)):
+                result[..., channel] = values
+            return result
+
+        made = in_strips(found, row, v)
+        return Cells(
+            np.sqrt(made[..., 0]), np.sqrt(made[..., 1]), made[..., 2].astype(np.int64), along * across
+        )
 
     def moved(self, values: Array, across: Array | float, along: Array | float) -> Array:
         """Return what a field is some way to the right and upwards [m] of each texel, shape (n, n)."""
@@ -183,15 +194,28 @@ def centred(values: Array) -> Array:
     return np.asarray(values - values.mean())
 
 
+def in_strips(make: Callable[..., Array], *fields: NDArray[Any]) -> Array:
+    """Return what a function makes of fields, texel by texel, worked out some rows at a time.
+
+    Large maps are many pages of memory, which cost more to get than to work on.
+    """
+    rows = max(1, _STRIP // max(1, fields[0][0].size))
+    first = make(*(field[:rows] for field in fields))
+    result = np.empty((len(fields[0]), *first.shape[1:]))
+    result[:rows] = first
+    for start in range(rows, len(result), rows):
+        result[start : start + rows] = make(*(field[start : start + rows] for field in fields))
+    return result
+
+
 def smoothstep(low: float, high: float, values: Array) -> Array:
     """Return 0 below low, 1 above high, and a smooth rise between; falls where low is above high."""
-    share = np.asarray(values - low, np.float64)
-    share /= high - low
-    np.clip(share, 0.0, 1.0, out=share)
-    slope = 3.0 - 2.0 * share
-    share *= share  # in place: large maps are many pages
-    share *= slope
-    return share
+
+    def risen(values: Array) -> Array:
+        share = np.clip((values - low) / (high - low), 0.0, 1.0)
+        return np.asarray(share * share * (3.0 - 2.0 * share))
+
+    return in_strips(risen, values)
 
 
 def blend(values: Array, stops: Sequence[tuple[float, tuple[float, float, float]]]) -> Array:
@@ -199,7 +223,9 @@ def blend(values: Array, stops: Sequence[tuple[float, tuple[float, float, float]
     places = [place for place, _ in stops]
     steps = np.linspace(0.0, 1.0, 2049)
     table = np.stack([np.interp(steps, places, [color[c] for _, color in stops]) for c in range(3)], axis=-1)
-    return np.asarray(table[np.rint(np.clip(values, 0.0, 1.0) * 2048.0).astype(np.int64)])
+    return in_strips(
+        lambda values: table[np.rint(np.clip(values, 0.0, 1.0) * 2048.0).astype(np.int64)], values
+    )
 
 
 def with_mean(albedo: Array, mean: tuple[float, float, float]) -> Array:

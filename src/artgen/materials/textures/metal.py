@@ -7,14 +7,14 @@ from artgen.materials.textures.recipe import Pattern, Recipe, Varying
 
 _GREY = (0.5, 0.5, 0.5)
 _BRUSHED_TILE = (0.15, 0.60)
-_SATIN_TILE = (0.06, 0.24)
+_SATIN_TILE = (0.09, 0.36)
 _POLISHED_TILE = (0.25, 0.25)
 _ANODISED_TILE = (0.10, 0.10)
 _CAST_TILE = (0.10, 0.10)
 _BLASTED_TILE = (0.06, 0.06)
 _ROLLED_TILE = (0.30, 0.30)
-_BRONZE = (0.12, 0.085, 0.06)
-_BRONZE_TILE = (0.15, 0.15)
+_BRONZE = (0.090, 0.063, 0.045)
+_BRONZE_TILE = (0.16, 0.16)
 _HAMMERED = (0.20, 0.13, 0.075)
 _HAMMERED_TILE = (0.12, 0.12)
 _KNURL_TILE = (0.0096, 0.0144)
@@ -33,8 +33,8 @@ def _brushed(stream: np.random.Generator, size: int) -> Pattern:
     """Make sheet metal brushed along v, and touched since."""
     tile = Tile(stream, size, _BRUSHED_TILE)
     strokes = _strokes(tile, 0.0005, 0.10)
-    broad = tile.streaks(0.006, 0.4)
-    roughness = 0.030 * strokes + 0.012 * broad + 0.022 * tile.smudges(0.15)
+    bundles = tile.streaks(0.0030, 0.25)  # what the eye makes out from farther than it does strokes
+    roughness = 0.030 * strokes + 0.026 * bundles + 0.034 * tile.smudges(0.15)
     return Pattern(None, centred(roughness), height=8e-6 * strokes)
 
 
@@ -42,7 +42,8 @@ def _satin(stream: np.random.Generator, size: int) -> Pattern:
     """Make small parts of finely brushed metal."""
     tile = Tile(stream, size, _SATIN_TILE)
     strokes = _strokes(tile, 0.0003, 0.03)
-    roughness = 0.022 * strokes + 0.020 * tile.smudges(0.05)
+    bundles = tile.streaks(0.0018, 0.06)
+    roughness = 0.028 * strokes + 0.030 * bundles + 0.040 * tile.smudges(0.08)
     return Pattern(None, centred(roughness), height=3e-6 * strokes)
 
 
@@ -52,7 +53,7 @@ def _polished(stream: np.random.Generator, size: int) -> Pattern:
     hairs = smoothstep(2.3, 3.4, tile.streaks(0.0008, 0.02)) + smoothstep(
         2.3, 3.4, tile.streaks(0.02, 0.0008)
     )
-    return Pattern(None, centred(0.015 * tile.smudges(0.10) + 0.030 * hairs))
+    return Pattern(None, centred(0.020 * tile.smudges(0.08) + 0.030 * hairs))
 
 
 def _anodised(stream: np.random.Generator, size: int) -> Pattern:
@@ -92,16 +93,16 @@ def _rolled(stream: np.random.Generator, size: int) -> Pattern:
 
 
 def _aged_bronze(stream: np.random.Generator, size: int) -> Pattern:
-    """Make oil-rubbed bronze: a dark patina, rubbed through to the metal in places."""
+    """Make oil-rubbed bronze: a dark patina, and broad soft areas where hands wore it to the metal."""
     tile = Tile(stream, size, _BRONZE_TILE)
-    rubbed = smoothstep(-1.6, 3.6, 0.7 * tile.cloud(0.05, 1.4) + 0.7 * tile.streaks(0.0006, 0.03))
-    grain = tile.band(0.0012, 0.7)
-    mottle = tile.cloud(0.01, 1.3)
-    stops = ((0.0, (0.070, 0.050, 0.037)), (0.5, (0.13, 0.092, 0.064)), (1.0, (0.24, 0.16, 0.10)))
-    albedo = blend(rubbed, stops) * (1.0 + 0.04 * mottle)[..., None]
-    metalness = np.clip(0.72 + 0.28 * smoothstep(0.1, 0.9, rubbed) - 0.03 * mottle, 0.0, 1.0)
-    roughness = 0.025 * grain - 0.16 * rubbed + 0.035 * mottle
-    return Pattern(with_mean(albedo, _BRONZE), centred(roughness), metalness, 4e-6 * grain)
+    mottle = tile.cloud(0.004, 1.0)
+    worn = smoothstep(-0.2, 2.4, tile.cloud(0.09, 2.6) + 0.10 * mottle)
+    grain = tile.band(0.0010, 0.7)
+    stops = ((0.0, (0.034, 0.025, 0.020)), (0.4, (0.088, 0.060, 0.041)), (1.0, (0.36, 0.235, 0.14)))
+    albedo = blend(0.20 + 0.045 * mottle + 0.62 * worn, stops)
+    metalness = np.clip(0.74 + 0.26 * worn - 0.02 * mottle, 0.0, 1.0)
+    roughness = 0.015 * grain - 0.13 * worn + 0.022 * mottle + 0.02 * tile.smudges(0.06)
+    return Pattern(with_mean(albedo, _BRONZE), centred(roughness), metalness, 3e-6 * grain)
 
 
 def _hammered(stream: np.random.Generator, size: int) -> Pattern:

@@ -4,14 +4,15 @@ from dataclasses import dataclass
 from functools import partial
 
 import numpy as np
+from numpy.typing import NDArray
 
-from artgen.materials.textures.fields import Array, Tile, blend, centred, smoothstep, with_mean
+from artgen.materials.textures.fields import Array, Tile, blend, centred, in_strips, smoothstep, with_mean
 from artgen.materials.textures.recipe import Pattern, Recipe, Varying
 
 Color = tuple[float, float, float]
 
 _GREY = (0.5, 0.5, 0.5)
-_GRANITE_TILE = (0.30, 0.30)
+_GRANITE_TILE = (0.256, 0.256)
 _MARBLE_TILE = (0.90, 0.90)
 _GLAZE_TILE = (0.30, 0.30)
 _GLASS_TILE = (0.40, 0.40)
@@ -38,10 +39,10 @@ class Granite:
 _GREY_GRANITE = Granite(
     (0.25, 0.24, 0.24),
     (
-        ((0.46, 0.44, 0.42), 0.0065, 0.25),
-        ((0.22, 0.215, 0.22), 0.0050, 0.15),
-        ((0.36, 0.32, 0.29), 0.0080, -0.25),
-        ((0.10, 0.10, 0.105), 0.0045, -0.35),
+        ((0.46, 0.44, 0.42), 0.0044, 0.25),
+        ((0.22, 0.215, 0.22), 0.0032, 0.15),
+        ((0.36, 0.32, 0.29), 0.0054, -0.25),
+        ((0.10, 0.10, 0.105), 0.0030, -0.35),
     ),
     (0.030, 0.030, 0.032),
     1.15,
@@ -49,9 +50,9 @@ _GREY_GRANITE = Granite(
 _BLACK_GRANITE = Granite(
     (0.032, 0.032, 0.034),
     (
-        ((0.022, 0.022, 0.023), 0.0050, 0.5),
-        ((0.040, 0.040, 0.043), 0.0040, 0.0),
-        ((0.075, 0.078, 0.085), 0.0035, -1.05),
+        ((0.022, 0.022, 0.023), 0.0036, 0.5),
+        ((0.040, 0.040, 0.043), 0.0030, 0.0),
+        ((0.075, 0.078, 0.085), 0.0026, -1.05),
     ),
     (0.021, 0.021, 0.021),
     1.0,
@@ -61,23 +62,27 @@ _BLACK_GRANITE = Granite(
 def _granite(kind: Granite, stream: np.random.Generator, size: int) -> Pattern:
     """Make polished granite: a mineral grows where its noise is the greatest, so that grains interlock."""
     tile = Tile(stream, size, _GRANITE_TILE)
-    strength = []
-    for _, grain, common in kind.minerals:
-        strength.append(0.75 * tile.band(grain, 0.5) + 0.40 * tile.band(0.4 * grain, 0.5) + common)
+    strength = [
+        0.75 * tile.band(grain, 0.5) + 0.40 * tile.band(0.4 * grain, 0.5) + common
+        for _, grain, common in kind.minerals
+    ]
     # Crystals have straight sides: within one, no mineral gains on another
-    cells = tile.cells(0.0032)
+    cells = tile.cells(0.0021)
     push = stream.standard_normal((len(kind.minerals), cells.total))
-    total, albedo = np.zeros((size, size)), np.zeros((size, size, 3))
-    for (color, _, _), field, pushed in zip(kind.minerals, strength, push, strict=True):
-        weight = np.exp(9.0 * (field + 0.75 * pushed[cells.number]))
-        total += weight
-        albedo += weight[..., None] * np.array(color)
-    albedo /= total[..., None]
-    veil = tile.cloud(0.006, 1.0)
+    colors = np.array([color for color, _, _ in kind.minerals])
+
+    def mixed(number: NDArray[np.int64], *strength: Array) -> Array:
+        weight = np.exp(9.0 * (np.stack(strength, axis=-1) + 0.75 * push.T[number]))
+        # not by a product of matrices, whose rounding differs between machines
+        share = (weight / weight.sum(axis=-1, keepdims=True))[..., None]
+        return np.asarray((share * colors).sum(axis=-2))
+
+    albedo = in_strips(mixed, cells.number, *strength)
+    veil = tile.cloud(0.005, 1.0)
     tone = (1.0 + 0.10 * stream.standard_normal(cells.total))[cells.number]
     albedo *= np.clip(tone * (1.0 + 0.09 * veil), 0.4, 1.6)[..., None]
-    clumps = tile.band(0.014, 0.7)
-    mica = smoothstep(0.0, 0.25, tile.band(0.0021, 0.5) + 0.55 * clumps - kind.flecks)
+    clumps = tile.band(0.010, 0.7)
+    mica = smoothstep(0.0, 0.25, tile.band(0.0016, 0.5) + 0.55 * clumps - kind.flecks)
     albedo += mica[..., None] * (np.array(kind.mica) - albedo)
     albedo *= (1.0 + 0.03 * tile.cloud(0.12, 1.8))[..., None]
     roughness = centred(0.05 * mica + 0.012 * veil + 0.018 * tile.smudges(0.15))

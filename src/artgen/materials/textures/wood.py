@@ -2,8 +2,8 @@
 
 A board shows the rings of the trunk that it was cut from. Cut through the pith (straight grain) they are
 lines that wander slowly; cut beside it (flat-sawn) they are arches over arches, one above the other, with
-lines at their sides. Within a ring the wood darkens slowly and ends sharply. Pores are short dark grooves,
-in ring-porous woods where a ring begins.
+lines at their sides. Within a ring the wood darkens slowly and ends sharply. Pores are fine dark grooves,
+in ring-porous woods crowded where a ring begins.
 """
 
 from collections.abc import Callable
@@ -13,15 +13,17 @@ from functools import partial
 import numpy as np
 
 from artgen.materials.textures.fields import Array, Tile, blend, centred, smoothstep, with_mean
+from artgen.materials.textures.pores import pores
 from artgen.materials.textures.recipe import Pattern, Recipe
 
 Color = tuple[float, float, float]
 _Cut = Callable[[Tile, "Species"], tuple[Array, int, float]]
 
-TILE = (0.32, 1.28)
+TILE = (0.256, 1.024)
 """A repeat of most woods [m]: features are long along the grain, and a door has few repeats."""
 
 _PORE_DEPTH = 90e-6  # [m]
+_EARLY = (0.12, 0.42)  # until where in a ring pores are crowded, and from where on there are few
 
 
 @dataclass(frozen=True)
@@ -36,9 +38,10 @@ class Species:
         contrast: How much of the way from early to late a ring goes.
         sharpness: Exponent of the rise within a ring: 1 even, 4 dark at its end only.
         pores: How much darker a pore is.
-        porous: Share of the pores that lie where a ring begins: 1 ring-porous, 0 diffuse-porous.
-        density: How many pores there are: the share of noise that is one [deviations, lower is more].
-        length: Length of a pore [m].
+        porous: Share of the pores that lie only where a ring begins: 1 ring-porous, 0 diffuse-porous.
+        density: How many pores there are where they are the most [1/m^2].
+        length: Median length of a pore [m].
+        width: Mean width of a pore [m].
         flecks: How much darker rays make short flecks.
         stripes: How much broad ribbons and coloured streaks vary.
         fibre: How much fine fibres vary.
@@ -53,8 +56,9 @@ class Species:
     sharpness: float = 2.2
     pores: float = 0.0
     porous: float = 0.0
-    density: float = 1.6
-    length: float = 0.012
+    density: float = 0.0
+    length: float = 0.004
+    width: float = 0.00015
     flecks: float = 0.0
     stripes: float = 0.3
     fibre: float = 0.26
@@ -63,32 +67,32 @@ class Species:
 
 SPECIES = {
     "oak": Species(
-        (0.44, 0.27, 0.13), (1.18, 1.20, 1.25), (0.66, 0.60, 0.50), 76, 0.70,
-        pores=0.40, porous=0.95, density=1.25, length=0.014, flecks=0.05,
+        (0.44, 0.27, 0.13), (1.12, 1.13, 1.16), (0.70, 0.64, 0.55), 62, 0.65, 1.6,
+        pores=0.62, porous=0.96, density=6.0e5, length=0.0042, width=0.00020, flecks=0.05,
     ),
     "walnut": Species(
-        (0.16, 0.085, 0.045), (1.30, 1.32, 1.34), (0.50, 0.47, 0.48), 48, 0.50, 1.7,
-        pores=0.45, porous=0.35, density=1.75, length=0.011, stripes=0.75,
+        (0.16, 0.085, 0.045), (1.30, 1.32, 1.34), (0.50, 0.47, 0.48), 38, 0.50, 1.7,
+        pores=0.60, porous=0.60, density=2.2e5, length=0.0055, width=0.00018, stripes=0.75,
     ),
     "beech": Species(
-        (0.60, 0.40, 0.24), (1.06, 1.07, 1.08), (0.86, 0.83, 0.80), 70, 0.5, 2.6,
-        pores=0.05, density=1.5, length=0.004, flecks=0.22, stripes=0.25,
+        (0.60, 0.40, 0.24), (1.06, 1.07, 1.08), (0.86, 0.83, 0.80), 56, 0.5, 2.6,
+        pores=0.16, density=5.0e5, length=0.0018, width=0.00010, flecks=0.22, stripes=0.25,
     ),
     "pine": Species(
-        (0.66, 0.45, 0.24), (1.08, 1.10, 1.14), (0.76, 0.62, 0.46), 68, 0.95, 3.2,
+        (0.66, 0.45, 0.24), (1.08, 1.10, 1.14), (0.76, 0.62, 0.46), 54, 0.95, 3.2,
         stripes=0.3,
     ),
     "mahogany": Species(
-        (0.22, 0.075, 0.035), (1.24, 1.26, 1.26), (0.66, 0.62, 0.62), 44, 0.25, 1.2,
-        pores=0.42, density=1.7, length=0.009, stripes=0.85, curl=0.35,
+        (0.22, 0.075, 0.035), (1.24, 1.26, 1.26), (0.66, 0.62, 0.62), 36, 0.25, 1.2,
+        pores=0.60, porous=0.15, density=1.8e5, length=0.0050, width=0.00017, stripes=0.85, curl=0.35,
     ),
     "maple": Species(
-        (0.68, 0.52, 0.35), (1.04, 1.05, 1.06), (0.88, 0.84, 0.79), 64, 0.45, 3.0,
+        (0.68, 0.52, 0.35), (1.04, 1.05, 1.06), (0.88, 0.84, 0.79), 50, 0.45, 3.0,
         flecks=0.07, stripes=0.3, curl=0.35,
     ),
     "ash": Species(
-        (0.60, 0.46, 0.31), (1.10, 1.11, 1.13), (0.74, 0.69, 0.62), 66, 0.6, 1.8,
-        pores=0.34, porous=0.9, density=1.1, length=0.016,
+        (0.60, 0.46, 0.31), (1.09, 1.10, 1.12), (0.75, 0.71, 0.64), 52, 0.62, 1.6,
+        pores=0.50, porous=0.96, density=6.0e5, length=0.0050, width=0.00020,
     ),
 }  # fmt: skip
 """The woods by name."""
@@ -157,12 +161,7 @@ def _wood(species: Species, cut: _Cut, stream: np.random.Generator, size: int) -
     value += species.fibre * (0.6 * fine + 0.4 * short)
     if species.curl:
         value += species.curl * 0.05 * tile.streaks(0.10, 0.010)
-    groove = np.zeros((size, size))
-    if species.pores:
-        early = 1.0 - smoothstep(0.02, 0.16, late)
-        strewn = tile.streaks(0.0009, species.length)
-        lowered = species.density + species.porous * (1.0 - 2.0 * early) * 0.9
-        groove = smoothstep(0.0, 1.1, strewn - lowered)
+    groove = _grooves(tile, species, rings, short, broad) if species.pores else np.zeros((size, size))
     shade = 1.0 - species.pores * groove
     if species.flecks:
         fleck = smoothstep(1.1, 2.4, tile.streaks(0.0010, 0.0045))
@@ -175,6 +174,15 @@ def _wood(species: Species, cut: _Cut, stream: np.random.Generator, size: int) -
     roughness = 0.10 * groove - 0.06 * centred(late) + 0.008 * fine + 0.018 * tile.smudges(0.2)
     height = -_PORE_DEPTH * groove + 12e-6 * fine + 4e-6 * short - 15e-6 * late
     return Pattern(with_mean(albedo, species.mean), centred(roughness), height=height)
+
+
+def _grooves(tile: Tile, species: Species, rings: Array, short: Array, broad: Array) -> Array:
+    """Return how much of each texel pores take: crowded in some years, and along some fibres."""
+    within = rings - np.floor(rings)
+    early = smoothstep(_EARLY[1], _EARLY[0], within)
+    crowded = np.clip(0.55 + 0.20 * short + 0.15 * broad, 0.08, 1.0)
+    chance = (1.0 - species.porous * (1.0 - early)) * crowded
+    return pores(tile, chance, species.density, species.length, species.width)
 
 
 def _scaled(color: Color, mean: Color) -> Color:
