@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from artgen import Graph, X, Y, Z, box, detail, extrude, material, part, polygon, weld
+from artgen import Graph, X, Y, Z, box, detail, details, extrude, material, part, polygon, text, weld
 
 _FLAG = [(0.0, 0.0), (0.03, 0.0), (0.03, 0.01), (0.01, 0.01), (0.01, 0.05), (0.0, 0.05)]
 
@@ -59,3 +59,48 @@ def test_rotations_carry_print_along(angle, name):
     again = _print(_sign(X).mirror(X).rotate(axis, sense * angle))
     order = [np.lexsort(np.round(points, 7).T) for points in (turned, again)]
     assert np.allclose(turned[order[0]], again[order[1]], atol=1e-6)
+
+
+def _surfaces(body):
+    return {surface.name: surface.mesh for surface in Graph(body).evaluate({}).value.link.surfaces}
+
+
+def _panel(*prints):
+    return weld(part(box(0.3, 0.02, 0.1).at(0.0, 0.01), "board", material("oak")), *prints)
+
+
+def _moved_only(before, after):
+    """Tell whether print was moved along X and not mirrored."""
+    rows = [np.round(mesh.vertices - mesh.vertices.min(axis=0), 7) for mesh in (before, after)]
+    return all(
+        np.array_equal(*(np.unique(each[:, axes], axis=0) for each in rows))
+        for axes in ([0, 1], [1, 2], [0, 2])
+    )
+
+
+@pytest.mark.parametrize("make", [details.printed, details.raised, details.engraved])
+def test_printed_words_stay_readable(make):
+    word = make(text("Ebb 27", 0.02, align="left"), (0.02, 0.0, 0.0), material=material("brass"))
+    before, after = _surfaces(_panel(word)), _surfaces(_panel(word).mirror(X))
+    (name,) = [each for each in before if each.startswith("print")]
+    assert _moved_only(before[name], after[name])
+    # in the place of its mirror image: it ended at the reader's right, now it starts at the left
+    assert after[name].vertices[:, 0].max() == pytest.approx(-before[name].vertices[:, 0].min(), abs=1e-9)
+
+
+def test_a_scale_stays_about_its_knob():
+    scale = details.dial_scale(0.02, 11, major_every=5, numbers=("0", "50", "100"))
+    body = _panel(details.printed(scale, (0.05, 0.0, 0.0), material=material("brass")))
+    before, after = (_surfaces(each)["print_brass"].vertices[:, 0] for each in (body, body.mirror(X)))
+    assert after.min() + 0.05 == pytest.approx(before.min() - 0.05, abs=1e-9)
+
+
+def test_a_display_stays_whole():
+    body = _panel(details.display("12:30", 0.06, 0.02, at=(0.05, 0.0, 0.0), color="amber"))
+    before, after = _surfaces(body), _surfaces(body.mirror(X))
+    assert len([name for name in before if name.startswith("display")]) == 3
+    for name, mesh in before.items():
+        if name.startswith("display"):
+            assert after[name].vertices[:, 0].min() == pytest.approx(
+                mesh.vertices[:, 0].min() - 0.1, abs=1e-9
+            )

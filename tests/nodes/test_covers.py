@@ -40,7 +40,7 @@ def test_a_rounded_cylinder_is_followed(radius, length, share):
         across = np.hypot(points[:, 0], points[:, 1]) - (radius - bevel)
         return np.column_stack((across, np.abs(points[:, 2]) - (length / 2.0 - bevel)))
 
-    assert covered(shape) < 0.045 or farthest(shape, core) - bevel < 0.0012
+    assert covered(shape) < 0.047 or farthest(shape, core) - bevel < 0.0012
 
 
 @settings(max_examples=40, deadline=None)
@@ -53,7 +53,7 @@ def test_a_rounded_box_is_followed(x, y, z, share):
     def core(points):
         return np.abs(points) - (np.array((x, y, z)) / 2.0 - bevel)
 
-    assert covered(shape) < 0.045 or farthest(shape, core) - bevel < max(0.0012, 0.2 * bevel)
+    assert covered(shape) < 0.047 or farthest(shape, core) - bevel < max(0.0012, 0.2 * bevel)
 
 
 @pytest.mark.parametrize(("bevel", "kinds"), [(0.001, ["cylinder"]), (0.006, ["cylinder", "hull", "hull"])])

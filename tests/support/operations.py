@@ -80,6 +80,8 @@ OVERRIDES: dict[str, dict[str, Any]] = {
     "lettering": {"leading": 1.7},
     "louvre_section": {"count": 2, "depth": 0.012, "thickness": 0.0015},
     "perforation": {"pitch": 0.05, "radius": 0.01, "margin": 0.01},
+    "middle": {"up": (0.0, 1.0, 0.0)},
+    "reading": {"up": (0.0, 1.0, 0.0)},
     "relief": {"up": (0.0, 1.0, 0.0)},
     "seven_segment": {"string": "12:30"},
     "tine_row": {"wire": 0.002, "rail": 0.003},

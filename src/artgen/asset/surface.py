@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from artgen.asset.shape import Mesh
 from artgen.materials import Material
-from artgen.materials.textures import tile_of
+from artgen.materials.textures import shifts_of, tile_of
 
 Array = NDArray[np.float64]
 
@@ -21,8 +21,8 @@ def shifted(mesh: Mesh, material: Material, key: str) -> Mesh:
         return mesh
     number = zlib.crc32(key.encode())
     steps = np.array([number % _SHIFTS, number // _SHIFTS % _SHIFTS]) / _SHIFTS
-    tile = np.array(tile_of(material))
-    return replace(mesh, uvs=mesh.uvs + steps * (tile[::-1] if material.turned else tile))
+    free = np.array(tile_of(material)) * shifts_of(material)
+    return replace(mesh, uvs=mesh.uvs + steps * (free[::-1] if material.turned else free))
 
 
 def texture_coordinates(mesh: Mesh, material: Material) -> Array:

@@ -30,6 +30,7 @@ from artgen import (
     by,
     category,
     choice,
+    details,
     one_of,
     shades,
     uniform,
@@ -37,7 +38,7 @@ from artgen import (
 )
 from artgen.categories.parts import HARDWARE_LABELS
 from artgen.categories.parts.blank import Blank
-from artgen.categories.parts.doorset import DoorSet, Hand, Opens, handed, is_mirrored
+from artgen.categories.parts.doorset import DoorSet, Hand, Opens, handed
 from artgen.categories.parts.entrance import Fittings
 from artgen.categories.parts.finish import (
     FINISH_WEIGHTS,
@@ -73,7 +74,6 @@ from artgen.categories.parts.plates import finger_plate
 from artgen.categories.parts.pulls import pull_handle
 from artgen.categories.parts.push_bar import push_bar
 from artgen.categories.parts.roses import Fixing
-from artgen.nodes.details.lettering import BRANDS
 
 _PAINTS = paints(480.0, "paint")  # over light softwood
 _SOLID_PAINTS = paints(660.0, "exterior_paint")  # over hardwood
@@ -171,7 +171,7 @@ def door(
     metal: Material = shades(
         *FINISHES, weights=FINISH_WEIGHTS, color=0.03, roughness=0.03, doc="of all hardware"
     ),
-    maker: str = choice(*BRANDS, doc="whose name is on the lock"),
+    maker: str = choice(*details.BRANDS, doc="whose name is on the lock"),
     letter_plate: bool = by("use", interior=False, exterior=choice(False, True)),
     number: str = by(
         "use",
@@ -238,13 +238,12 @@ def door(
     """Make a door with its frame, hinges, handle, latch and locks."""
     meeting = 1.25 * side_gap if layout == "double" else side_gap  # between the leaf and what its bolts enter
     arched = width * rise if frame == "arched" else None
-    mirrored = is_mirrored(hand, opens)
-    fittings = Fittings(metal, kick=kick_plate, sweep=sweep, mirrored=mirrored)
+    fittings = Fittings(metal, kick=kick_plate, sweep=sweep)
     if opener != "push_bar":  # which is on the outer face
         fittings = replace(fittings, letters=letter_plate, number=number, viewer=viewer)
     blank = Blank(width, floor_gap, floor_gap + height, thickness, arched, None, finish, fittings)
     spindle = vector(width / 2.0 - backset, 0.0, handle_height)
-    site = Site(spindle, backset, thickness, meeting, metal, maker, mirrored)
+    site = Site(spindle, backset, thickness, meeting, metal, maker)
     match opener:
         case "lever" | "knob":
             lockset = turning_handle(
@@ -257,10 +256,8 @@ def door(
             )
         case "push_bar":
             lockset = pushed_handle(site, handle, width=width, travel=handle_range, throw=throw)
-        case "pull":
+        case "pull" | "none":
             lockset = rigid_handle(site, handle)
-        case "none":
-            lockset = rigid_handle(site, partial(handle, mirrored=mirrored))
     if bolted:
         above = 0.30 if opener in ("pull", "none") else 0.15  # past the end of a pull, or of a long plate
         lockset = lockset + dead_lock(replace(site, spindle=spindle + (0.0, 0.0, above)))

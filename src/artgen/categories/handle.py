@@ -17,6 +17,7 @@ from artgen import (
     count,
     cylinder,
     detail,
+    details,
     extrude,
     material,
     max_,
@@ -34,8 +35,6 @@ from artgen.categories.parts.latch import faceplate, latch_bolt, latch_pocket, l
 from artgen.categories.parts.levers import lever_handle, spring_turn
 from artgen.categories.parts.locks import with_button
 from artgen.categories.parts.roses import PIN_BELOW, Faces, Fixing, rose, spindle_hole
-from artgen.nodes.details.lettering import BRANDS, lettering
-from artgen.nodes.details.relief import engraved
 
 _FOOT = 0.020  # thickness of the stand's foot [m]
 _DEEP = 0.15  # of the foot, front to back [m]
@@ -114,7 +113,7 @@ def handle(
         color=0.05,
         doc="of the display stand",
     ),
-    maker: str = choice(*BRANDS, doc="whose name is on the stand and on the latch"),
+    maker: str = choice(*details.BRANDS, doc="whose name is on the stand and on the latch"),
     model: int = count(101, 989, doc="number on the stand"),
 ) -> Body:
     """Build a handle with both its sides, spindle and latch on a display stand.
@@ -129,7 +128,6 @@ def handle(
     is_set = kind == "grip_set"
     faces: Faces = "back" if is_set else "both"
     side = 1 if is_set else -1  # the face with the lock
-    mirrored = hand == "right"
     common = {"thickness": thickness, "rose_depth": rose_depth, "finish": finish, "faces": faces}
     pinned = lock if inside == "lever" else "none"  # a knob has the lock in itself
     # the pin of a lock needs a rose that reaches 3 mm past it
@@ -139,7 +137,7 @@ def handle(
     height = 0.35 if is_set else 0.145
     base = weld(
         _stand(thickness, backset, throw, low=-height, high=0.125, wood=leaf, foot=foot, metal=finish),
-        _plaque(backset, low=-height, lines=(maker.upper(), f"No. {model}"), mirrored=mirrored),
+        _plaque(backset, low=-height, lines=(maker.upper(), f"No. {model}")),
         rose(
             thickness=thickness,
             depth=rose_depth,
@@ -152,7 +150,7 @@ def handle(
             pin_side=side,
             fixing=fixing,
         ),
-        faceplate(backset=backset, finish=finish, mark=maker, mirrored=mirrored),
+        faceplate(backset=backset, finish=finish, mark=maker),
     )
     if is_set:
         outside = grip(thickness=thickness, depth=rose_depth, finish=finish, length=0.23, projection=0.055)
@@ -180,7 +178,7 @@ def handle(
         press = thumb_press(lean, limit=turn, thickness=thickness, depth=rose_depth)
         base = base.attach(piece, press)
     shown = base.at(_WIDTH / 2 - backset, 0.0, height + _FOOT)
-    return shown.mirror(X) if mirrored else shown
+    return shown.mirror(X) if hand == "right" else shown
 
 
 def _stand(
@@ -214,16 +212,15 @@ def _stand(
     )
 
 
-def _plaque(backset: Float, *, low: float, lines: tuple[str, str], mirrored: bool) -> Body:
+def _plaque(backset: Float, *, low: float, lines: tuple[str, str]) -> Body:
     """Make the small plate on the front of the foot, with the maker's name and the model engraved."""
     middle = backset - _WIDTH / 2
     metal, face = material("stainless"), -_DEEP / 2 - 0.0004
     plate = extrude(rectangle(0.060, 0.0125, radius=0.0012), 0.0010, axis=Y, bevel=0.0002)
-    name = lettering(lines[:1], 0.0036, tracking=0.15, fineness="coarse").at(0.0, 0.0019)
-    print_ = name | lettering(lines[1:], 0.0021, tracking=0.05, fineness="coarse").at(0.0, -0.0033)
-    print_ = print_.mirror() if mirrored else print_
+    name = details.lettering(lines[:1], 0.0036, tracking=0.15, fineness="coarse").at(0.0, 0.0019)
+    print_ = name | details.lettering(lines[1:], 0.0021, tracking=0.05, fineness="coarse").at(0.0, -0.0033)
     at = (middle, face, low - _FOOT / 2)
     return weld(
         detail(plate.at(middle, face + 0.0005, low - _FOOT / 2), "stand", metal),
-        engraved(print_, at, label="stand", material=metal),
+        details.engraved(print_, at, label="stand", material=metal),
     )

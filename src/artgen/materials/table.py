@@ -127,7 +127,7 @@ def _metals() -> list[Material]:
         Material(
             "aged_bronze",
             (0.090, 0.063, 0.045),
-            specular_roughness=0.42,
+            specular_roughness=0.38,
             texture="aged_bronze",
             **{**_BRASS, "base_metalness": 0.8},
         ),

@@ -112,9 +112,7 @@ def part(
 
 
 @kernel
-def _detail(
-    solid: Shape, label: str, material: Material, reads: Array3 | None, about: Array3 | None
-) -> Tree:
+def _detail(solid: Shape, label: str, material: Material, reads: Array3 | None, about: Array3 | None) -> Tree:
     _check_name(label, "label")
     reading = None
     if reads is not None:
@@ -142,9 +140,7 @@ def detail(
         reads: For print, the direction of its lines: where the body is mirrored, the print stays readable.
         about: The middle of the print [m]; by default that of its bounding box.
     """
-    return Body.record(
-        _detail, solid=solid, label=label, material=material, reads=reads, about=about
-    )
+    return Body.record(_detail, solid=solid, label=label, material=material, reads=reads, about=about)
 
 
 @kernel

@@ -161,11 +161,17 @@ def section(contours: Sequence[Contour]) -> CrossSection:
     return CrossSection([contour.points for contour in contours], FillRule.Positive)
 
 
+_ROUNDED = 1e-8
+"""By how much a boolean of borders may move them [m]."""
+
+
 def is_disjoint(rings: Sequence[Array]) -> bool:
     """Tell whether rings neither cross each other nor themselves."""
     area = sum(signed_area(ring) for ring in rings)
+    around = sum(float(np.linalg.norm(np.roll(ring, -1, axis=0) - ring, axis=1).sum()) for ring in rings)
     covered = CrossSection(list(rings), FillRule.Positive).area()
-    return bool(area > 0.0 and abs(covered - area) <= 1e-6 * area + 1e-12)
+    # the covering rounds every border by some nanometres
+    return bool(area > 0.0 and abs(covered - area) <= 1e-6 * area + _ROUNDED * around)
 
 
 def outline_of(region: CrossSection, what: str) -> Outline:

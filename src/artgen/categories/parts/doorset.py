@@ -26,11 +26,6 @@ _HALF_OPEN = 0.42
 """Two leaves are out of each other's way when either stands further open than this [rad]."""
 
 
-def is_mirrored(hand: Hand, opens: Opens) -> bool:
-    """Tell whether `handed` mirrors the door instead of turning it."""
-    return (hand == "right") == (opens == "towards")
-
-
 def handed(body: Body, hand: Hand, opens: Opens) -> Body:
     """Turn or mirror the door with hinges at the left that opens towards the viewer into another one."""
     if opens == "towards":

@@ -12,6 +12,7 @@ from artgen import (
     box,
     cylinder,
     detail,
+    details,
     dome,
     extrude,
     material,
@@ -21,7 +22,6 @@ from artgen import (
 )
 from artgen.categories.parts.finish import casting, recess
 from artgen.categories.parts.screws import screws
-from artgen.nodes.details.relief import raised
 from artgen.nodes.handles import Scalar
 
 LETTER_PLATE = 0.30
@@ -39,7 +39,6 @@ class Fittings:
         viewer: Whether one can look out.
         kick: Whether a plate protects its foot.
         sweep: Whether a brush seals the gap to the floor.
-        mirrored: Whether the door is mirrored when it is done, so that print has to be drawn in reverse.
     """
 
     finish: Material
@@ -48,11 +47,10 @@ class Fittings:
     viewer: bool = False
     kick: bool = False
     sweep: bool = False
-    mirrored: bool = False
 
     def bare(self) -> "Fittings":
         """Return those of a leaf that nobody enters by."""
-        return Fittings(self.finish, kick=self.kick, sweep=self.sweep, mirrored=self.mirrored)
+        return Fittings(self.finish, kick=self.kick, sweep=self.sweep)
 
 
 def letter_plate(fittings: Fittings, face: Scalar, height: Scalar) -> list[Body]:
@@ -92,11 +90,8 @@ def house_number(fittings: Fittings, face: Scalar, height: Scalar, tall: Scalar)
         height: Of its middle above the floor [m].
         tall: Height of the figures [m].
     """
-    figures = text(fittings.number, tall)
-    if fittings.mirrored:
-        figures = figures.mirror()
-    return raised(
-        figures,
+    return details.raised(
+        text(fittings.number, tall),
         (0.0, face, height),
         facing=Y,
         proud=0.004,

@@ -20,6 +20,7 @@ from artgen import (
     box,
     circle,
     detail,
+    details,
     extrude,
     part,
     polygon,
@@ -27,8 +28,6 @@ from artgen import (
     weld,
 )
 from artgen.categories.parts.screws import Way, screws
-from artgen.nodes.details.lettering import lettering
-from artgen.nodes.details.relief import engraved
 from artgen.nodes.handles import Scalar
 
 PLAY = 0.0004
@@ -116,9 +115,7 @@ def _slot(bolt: Bolt, length: Scalar, end: Scalar) -> Solid:
     return box(length, bolt.width + 2 * PLAY, bolt.height + 2 * PLAY).align((end, 0.0, 0.0), x=1.0)
 
 
-def faceplate(
-    *, backset: Scalar, finish: Material, bolt: BoltName = "latch", mark: str = "", mirrored: bool = False
-) -> Body:
+def faceplate(*, backset: Scalar, finish: Material, bolt: BoltName = "latch", mark: str = "") -> Body:
     """Make the plate on the lock edge through which a bolt comes out, 23 by 57 mm as is common, with screws.
 
     Args:
@@ -126,7 +123,6 @@ def faceplate(
         finish: Metal of the plate.
         bolt: `latch` or `deadbolt`.
         mark: The maker's name, engraved below the bolt; empty for none.
-        mirrored: Whether the door is mirrored when it is done.
     """
     section = LATCH if bolt == "latch" else DEADBOLT
     width, height, thick = 0.0235, 0.057, 0.0024
@@ -138,10 +134,11 @@ def faceplate(
         *_plate_screws(face, "+x", level, finish),
     ]
     if mark:
-        name = lettering([mark.upper()], 0.0016, tracking=0.12, fineness="coarse")
-        name = name.mirror() if mirrored else name
+        name = details.lettering([mark.upper()], 0.0016, tracking=0.12, fineness="coarse")
         bodies.append(
-            engraved(name, (face, 0.0, -height / 2 + 0.0026), facing=X, label="faceplate", material=finish)
+            details.engraved(
+                name, (face, 0.0, -height / 2 + 0.0026), facing=X, label="faceplate", material=finish
+            )
         )
     return weld(*bodies)
 

@@ -55,7 +55,6 @@ class Site:
         gap: Between the leaf and what its bolts enter [m].
         finish: Metal of all that is seen.
         mark: The name of its maker.
-        mirrored: Whether the door is mirrored when it is done, so that print has to be drawn in reverse.
     """
 
     spindle: Vector
@@ -64,7 +63,6 @@ class Site:
     gap: Scalar
     finish: Material
     mark: str = ""
-    mirrored: bool = False
 
 
 @dataclass(frozen=True)
@@ -132,7 +130,7 @@ def latch(site: Site, leader: Joint, *, throw: Scalar, release: Scalar, through:
     strike = strike_plate(backset=backset, gap=site.gap, throw=throw, thickness=site.thickness, finish=finish)
     return Lockset(
         cuts=(latch_pocket(backset=backset, throw=throw, through=through).paint(recess(finish)).at(at),),
-        fixed=(faceplate(backset=backset, finish=finish, mark=site.mark, mirrored=site.mirrored).at(at),),
+        fixed=(faceplate(backset=backset, finish=finish, mark=site.mark).at(at),),
         moving=(
             (
                 latch_bolt(backset=backset, throw=throw, finish=finish).at(at),

@@ -6,9 +6,9 @@ from artgen import (
     Material,
     Y,
     box,
+    details,
     extrude,
     generator,
-    given,
     part,
     rectangle,
     text,
@@ -17,7 +17,6 @@ from artgen import (
 )
 from artgen.categories.parts.blank import Blank
 from artgen.categories.parts.screws import Way, screws
-from artgen.nodes.details.relief import engraved
 from artgen.nodes.handles import Scalar
 
 ASTRAGAL_GAP = 0.002
@@ -29,7 +28,6 @@ def finger_plate(
     *,
     thickness: Float,
     finish: Material,
-    mirrored: bool = given(False),
     height: Float = uniform(0.28, 0.38, "m"),
 ) -> Body:
     """Make the plates on both faces of a leaf without a handle, where hands push it; weld them to it.
@@ -39,7 +37,6 @@ def finger_plate(
     Args:
         thickness: Thickness of the leaf [m].
         finish: Their metal.
-        mirrored: Whether the door is mirrored when it is done.
         height: Height of a plate [m].
     """
     plate = extrude(rectangle(0.075, height, radius=0.004), 0.0016, axis=Y, bevel=0.0006)
@@ -50,10 +47,9 @@ def finger_plate(
         places = [(x * 0.030, side * face, z * (height / 2.0 - 0.008)) for x in (-1, 1) for z in (-1, 1)]
         facing: Way = "-y" if side < 0 else "+y"
         bodies += screws(places, facing=facing, radius=0.0034, finish=finish, drive="slot")
-        sign = text(word, 0.0125)
         bodies.append(
-            engraved(
-                sign.mirror() if mirrored else sign,
+            details.engraved(
+                text(word, 0.0125),
                 (0.0, side * face, height / 2.0 - 0.045),
                 facing=(0.0, side, 0.0),
                 label="plate",

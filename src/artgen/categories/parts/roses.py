@@ -18,6 +18,7 @@ from artgen import (
     circle,
     cylinder,
     detail,
+    details,
     extrude,
     part,
     rectangle,
@@ -26,7 +27,6 @@ from artgen import (
 from artgen.categories.parts.cylinders import key_cylinder
 from artgen.categories.parts.finish import casting, recess
 from artgen.categories.parts.screws import Drive, Way, screws
-from artgen.nodes.details.screws import drive_recess
 from artgen.nodes.handles import Scalar
 
 Faces = Literal["both", "front", "back"]
@@ -153,7 +153,9 @@ def _one_rose(
         return bodies
     if fixing == "hidden":
         # the set screw sits in the rim, where it is not seen from the front
-        socket = extrude(circle(0.0021) - drive_recess(0.00125, "hex"), 0.0008).at(0.0, middle, -across / 2)
+        socket = extrude(circle(0.0021) - details.drive_recess(0.00125, "hex"), 0.0008).at(
+            0.0, middle, -across / 2
+        )
         dark = cylinder(0.0019, 0.0008).at(0.0, middle, -across / 2 + 0.0003)
         return [*bodies, detail(socket, "screw", finish), detail(dark, "screw", recess(finish))]
     aside = across / 2 - 0.0056  # outside of the collar of a knob

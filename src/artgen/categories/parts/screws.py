@@ -3,10 +3,8 @@
 from collections.abc import Sequence
 from typing import Literal
 
-from artgen import Body, Material, array, detail
+from artgen import Body, Material, array, detail, details
 from artgen.categories.parts.finish import recess
-from artgen.nodes.details.relief import relief
-from artgen.nodes.details.screws import drive_recess, screw_head
 from artgen.nodes.handles import Scalar, VectorLike
 
 Drive = Literal["slot", "phillips", "hex"]
@@ -54,9 +52,9 @@ def screws(
     out = FACING[facing]
     seat = tuple(-sunk * each for each in out)
     reach, high = _FLOOR[head]
-    solid = screw_head(radius, seat, facing=out, drive=drive, head=head, turn=_TURN)
-    bottom = drive_recess(reach * radius, drive).rotate(_TURN)
-    floor = relief(bottom, seat, facing=out, proud=high * radius, sunk=0.02 * radius)
+    solid = details.screw_head(radius, seat, facing=out, drive=drive, head=head, turn=_TURN)
+    bottom = details.drive_recess(reach * radius, drive).rotate(_TURN)
+    floor = details.relief(bottom, seat, facing=out, proud=high * radius, sunk=0.02 * radius)
     return [
         detail(array(solid, at=at), "screw", finish),
         detail(array(floor, at=at), "screw", recess(finish)),

@@ -12,6 +12,7 @@ from artgen.materials.textures.maps import (
     kinds,
     map_name,
     maps,
+    shifts_of,
     tile_of,
 )
 from artgen.materials.textures.recipe import Pattern, Recipe
@@ -30,5 +31,6 @@ __all__ = [
     "kinds",
     "map_name",
     "maps",
+    "shifts_of",
     "tile_of",
 ]

@@ -68,11 +68,8 @@ def bake(recipe: Recipe, variant: int, size: int) -> Maps:
     """Make a recipe's maps."""
     stream = np.random.default_rng(np.random.SeedSequence([zlib.crc32(recipe.name.encode()), variant]))
     pattern = recipe.make(stream, size)
-    albedo = pattern.albedo
-    if albedo is not None:
-        albedo = in_strips(lambda linear: displayed(np.clip(linear, _DARKEST, _BRIGHTEST)), albedo)
     return Maps(
-        None if albedo is None else as_bytes(albedo),
+        None if pattern.albedo is None else in_strips(_colored, pattern.albedo),
         as_bytes(pattern.roughness + 128 / 255),
         None if pattern.metalness is None else as_bytes(pattern.metalness),
         None if pattern.height is None else _normals(pattern.height, recipe.tile),
@@ -90,14 +87,22 @@ def displayed(linear: NDArray[np.float64]) -> NDArray[np.float64]:
     return np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055)
 
 
+def _colored(albedo: NDArray[np.float64]) -> Pixels:
+    return as_bytes(displayed(np.clip(albedo, _DARKEST, _BRIGHTEST)))
+
+
 def _normals(height: NDArray[np.float64], tile: tuple[float, float]) -> Pixels:
     """Return the tangent-space normals of a relief [m] over a tile of that size [m]."""
     size = len(height)
     along_u = (np.roll(height, -1, axis=1) - np.roll(height, 1, axis=1)) * (size / (2.0 * tile[0]))
     along_v = (np.roll(height, 1, axis=0) - np.roll(height, -1, axis=0)) * (size / (2.0 * tile[1]))
-    normals = np.stack([-along_u, -along_v, np.ones_like(height)], axis=-1)
-    normals /= np.sqrt((normals**2).sum(axis=-1, keepdims=True))
-    return as_bytes((normals * 127.0 + 128.0) / 255.0)
+
+    def leaning(along_u: NDArray[np.float64], along_v: NDArray[np.float64]) -> Pixels:
+        normals = np.stack([-along_u, -along_v, np.ones_like(along_u)], axis=-1)
+        normals /= np.sqrt((normals**2).sum(axis=-1, keepdims=True))
+        return as_bytes((normals * 127.0 + 128.0) / 255.0)
+
+    return in_strips(leaning, along_u, along_v)
 
 
 def _packed(made: Maps) -> bytes:

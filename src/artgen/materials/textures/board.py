@@ -138,5 +138,13 @@ def recipes() -> list[Recipe]:
         Recipe("brushed_paint", grey, _brushed_paint, _PAINT_TILE, 2, ("normal",)),
         Recipe("sprayed_paint", grey, _sprayed_paint, _SPRAY_TILE, 1, ("normal",)),
         Recipe("cardboard", _CARDBOARD, _cardboard, _CARDBOARD_TILE, 2, seen),
-        Recipe("cardboard_edge", _CARDBOARD, _cardboard_edge, _CARDBOARD_EDGE_TILE, 1, seen),
+        Recipe(
+            "cardboard_edge",
+            _CARDBOARD,
+            _cardboard_edge,
+            _CARDBOARD_EDGE_TILE,
+            1,
+            seen,
+            shifts=(False, True),  # its liners are the board's faces
+        ),
     ]

@@ -5,12 +5,14 @@ finer waves to those that fewer texels show, and cells lie where they lie howeve
 """
 
 from collections.abc import Callable, Sequence
-from typing import Any, NamedTuple
+from itertools import product
+from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
+Value = TypeVar("Value", bound=np.generic)
 
 _FIRST = 256  # texels on a side of the smallest maps: its waves are drawn first, then those of twice as many
 _WHOLE = 1024  # texels on a side that show all of a noise: its deviation there is 1
@@ -72,8 +74,10 @@ class Tile:
         phase = np.exp(1j * np.pi * np.fft.fftfreq(self.size))
         columns = coefficients.shape[1]
         coefficients *= phase[:, None] * phase[None, :columns]
-        rows = np.fft.ifft(coefficients, axis=0)
-        return np.fft.irfft(rows, n=self.size, axis=1) * float(self.size) ** 2
+        np.fft.ifft(coefficients, axis=0, out=coefficients)
+        result = np.fft.irfft(coefficients, n=self.size, axis=1)
+        result *= float(self.size) ** 2
+        return np.asarray(result)
 
     def streaks(self, across: float, along: float) -> Array:
         """Return smooth noise, its features about so large [m], mean 0 and deviation 1, shape (n, n)."""
@@ -117,42 +121,38 @@ class Tile:
         u, v = u - column, v - row
         step_u, step_v = self.extent[0] / across, self.extent[1] / along
 
-        def found(row: NDArray[np.int64], v: Array) -> Array:
-            """Return the squared distances and the number of the nearest point, shape (m, n, 3)."""
-            result = np.empty((len(row), self.size, 3))
-            nearest = np.full((len(row), self.size), np.inf)
-            second, number = nearest.copy(), np.zeros_like(nearest)
-            for down in (-1, 0, 1):
-                rows = (row + down) % along
-                for right in (-1, 0, 1):
-                    columns = (column + right) % across
-                    index = np.ix_(rows, columns)
-                    distance = ((place[0][index] + (right - u[None, :])) * step_u) ** 2
-                    distance += ((place[1][index] + (down - v[:, None])) * step_v) ** 2
-                    closer = distance < nearest
-                    np.minimum(second, np.maximum(distance, nearest), out=second)
-                    np.minimum(nearest, distance, out=nearest)
-                    np.copyto(number, rows[:, None] * across + columns[None, :], where=closer)
-            for channel, values in enumerate((nearest, second, number)):
-                result[..., channel] = values
-            return result
-
-        made = in_strips(found, row, v)
-        return Cells(
-            np.sqrt(made[..., 0]), np.sqrt(made[..., 1]), made[..., 2].astype(np.int64), along * across
-        )
+        nearest = np.full((self.size, self.size), np.inf)
+        second, number = nearest.copy(), np.zeros((self.size, self.size), np.int64)
+        height = max(1, _STRIP // self.size)
+        for strip in (slice(start, start + height) for start in range(0, self.size, height)):
+            for down, right in product((-1, 0, 1), (-1, 0, 1)):
+                rows, columns = (row[strip] + down) % along, (column + right) % across
+                index = np.ix_(rows, columns)
+                distance = ((place[0][index] + (right - u[None, :])) * step_u) ** 2
+                distance += ((place[1][index] + (down - v[strip, None])) * step_v) ** 2
+                closer = distance < nearest[strip]
+                np.minimum(second[strip], np.maximum(distance, nearest[strip]), out=second[strip])
+                np.minimum(nearest[strip], distance, out=nearest[strip])
+                np.copyto(number[strip], rows[:, None] * across + columns[None, :], where=closer)
+        return Cells(np.sqrt(nearest), np.sqrt(second), number, along * across)
 
     def moved(self, values: Array, across: Array | float, along: Array | float) -> Array:
         """Return what a field is some way to the right and upwards [m] of each texel, shape (n, n)."""
-        column = np.arange(self.size)[None, :] + np.asarray(across) * (self.size / self.extent[0])
-        row = np.arange(self.size)[:, None] - np.asarray(along) * (self.size / self.extent[1])
-        left, top = np.floor(column), np.floor(row)
-        right_share, low_share = column - left, row - top
-        left, top = left.astype(np.int64) % self.size, top.astype(np.int64) % self.size
-        right, low = (left + 1) % self.size, (top + 1) % self.size
-        upper = values[top, left] * (1.0 - right_share) + values[top, right] * right_share
-        lower = values[low, left] * (1.0 - right_share) + values[low, right] * right_share
-        return np.asarray(upper * (1.0 - low_share) + lower * low_share)
+        numbers = np.arange(self.size)
+        field = (self.size, self.size)
+
+        def there(number: NDArray[np.int64], across: Array, along: Array) -> Array:
+            column = numbers[None, :] + across * (self.size / self.extent[0])
+            row = number[:, None] - along * (self.size / self.extent[1])
+            left, top = np.floor(column), np.floor(row)
+            right_share, low_share = column - left, row - top
+            left, top = left.astype(np.int64) % self.size, top.astype(np.int64) % self.size
+            right, low = (left + 1) % self.size, (top + 1) % self.size
+            upper = values[top, left] * (1.0 - right_share) + values[top, right] * right_share
+            lower = values[low, left] * (1.0 - right_share) + values[low, right] * right_share
+            return np.asarray(upper * (1.0 - low_share) + lower * low_share)
+
+        return in_strips(there, numbers, np.broadcast_to(across, field), np.broadcast_to(along, field))
 
 
 def _coefficients(stream: np.random.Generator, size: int, amplitude: Array) -> NDArray[np.complex128]:
@@ -175,7 +175,8 @@ def _coefficients(stream: np.random.Generator, size: int, amplitude: Array) -> N
     result[-(half - 1) :, :] *= amplitude[half - 1 : 0 : -1, :half]
     # Waves along the grain alone stand twice in that column, once for each direction
     result[1:, 0] = (result[1:, 0] + result[:0:-1, 0].conj()) * np.sqrt(0.5)
-    return np.asarray(result * np.sqrt(0.5))
+    result *= np.sqrt(0.5)
+    return result
 
 
 def _deviation(coefficients: NDArray[np.complex128], amplitude: Array) -> float:
@@ -194,14 +195,14 @@ def centred(values: Array) -> Array:
     return np.asarray(values - values.mean())
 
 
-def in_strips(make: Callable[..., Array], *fields: NDArray[Any]) -> Array:
+def in_strips(make: Callable[..., NDArray[Value]], *fields: NDArray[Any]) -> NDArray[Value]:
     """Return what a function makes of fields, texel by texel, worked out some rows at a time.
 
     Large maps are many pages of memory, which cost more to get than to work on.
     """
-    rows = max(1, _STRIP // max(1, fields[0][0].size))
+    rows = max(1, _STRIP // max(1, *(field[0].size for field in fields)))
     first = make(*(field[:rows] for field in fields))
-    result = np.empty((len(fields[0]), *first.shape[1:]))
+    result = np.empty((len(fields[0]), *first.shape[1:]), first.dtype)
     result[:rows] = first
     for start in range(rows, len(result), rows):
         result[start : start + rows] = make(*(field[start : start + rows] for field in fields))

@@ -94,6 +94,11 @@ def tile_of(material: Material) -> tuple[float, float]:
     return material.tile or recipe_of(material).tile
 
 
+def shifts_of(material: Material) -> tuple[bool, bool]:
+    """Return whether the pattern of a part may begin anywhere across and along the grain."""
+    return recipe_of(material).shifts
+
+
 def _tint(material: Material, recipe: Recipe) -> tuple[float, float, float]:
     """Return what each linear channel of the albedo is multiplied by."""
     red, green, blue = (

@@ -96,10 +96,10 @@ def _aged_bronze(stream: np.random.Generator, size: int) -> Pattern:
     """Make oil-rubbed bronze: a dark patina, and broad soft areas where hands wore it to the metal."""
     tile = Tile(stream, size, _BRONZE_TILE)
     mottle = tile.cloud(0.004, 1.0)
-    worn = smoothstep(-0.2, 2.4, tile.cloud(0.09, 2.6) + 0.10 * mottle)
+    worn = smoothstep(-0.7, 1.9, tile.cloud(0.09, 2.8))
     grain = tile.band(0.0010, 0.7)
     stops = ((0.0, (0.034, 0.025, 0.020)), (0.4, (0.088, 0.060, 0.041)), (1.0, (0.36, 0.235, 0.14)))
-    albedo = blend(0.20 + 0.045 * mottle + 0.62 * worn, stops)
+    albedo = blend(0.22 + 0.028 * mottle + 0.60 * worn, stops)
     metalness = np.clip(0.74 + 0.26 * worn - 0.02 * mottle, 0.0, 1.0)
     roughness = 0.015 * grain - 0.13 * worn + 0.022 * mottle + 0.02 * tile.smudges(0.06)
     return Pattern(with_mean(albedo, _BRONZE), centred(roughness), metalness, 3e-6 * grain)

@@ -43,6 +43,8 @@ class Recipe:
         variants: How many different patterns there are.
         varying: Which maps it has besides roughness, of `albedo`, `metalness` and `normal`; None where that
             is to be found out by baking it small.
+        shifts: Whether the pattern of a part may begin anywhere across and along the grain: not where it has
+            to meet the part's edges.
         kept: Whether its maps are kept on disk, by a digest of this package's code: not where other code
             makes them.
     """
@@ -53,4 +55,5 @@ class Recipe:
     tile: tuple[float, float] = (0.5, 0.5)
     variants: int = 1
     varying: tuple[Varying, ...] | None = None
+    shifts: tuple[bool, bool] = (True, True)
     kept: bool = False

@@ -69,22 +69,30 @@ def _granite(kind: Granite, stream: np.random.Generator, size: int) -> Pattern:
     # Crystals have straight sides: within one, no mineral gains on another
     cells = tile.cells(0.0021)
     push = stream.standard_normal((len(kind.minerals), cells.total))
-    colors = np.array([color for color, _, _ in kind.minerals])
 
     def mixed(number: NDArray[np.int64], *strength: Array) -> Array:
-        weight = np.exp(9.0 * (np.stack(strength, axis=-1) + 0.75 * push.T[number]))
-        # not by a product of matrices, whose rounding differs between machines
-        share = (weight / weight.sum(axis=-1, keepdims=True))[..., None]
-        return np.asarray((share * colors).sum(axis=-2))
+        total, mixture = np.zeros(number.shape), np.zeros((*number.shape, 3))
+        for (color, _, _), field, pushed in zip(kind.minerals, strength, push, strict=True):
+            weight = np.exp(9.0 * (field + 0.75 * pushed[number]))
+            total += weight
+            mixture += weight[..., None] * np.array(color)
+        return np.asarray(mixture / total[..., None])
 
     albedo = in_strips(mixed, cells.number, *strength)
     veil = tile.cloud(0.005, 1.0)
-    tone = (1.0 + 0.10 * stream.standard_normal(cells.total))[cells.number]
-    albedo *= np.clip(tone * (1.0 + 0.09 * veil), 0.4, 1.6)[..., None]
+    tone = 1.0 + 0.10 * stream.standard_normal(cells.total)
     clumps = tile.band(0.010, 0.7)
     mica = smoothstep(0.0, 0.25, tile.band(0.0016, 0.5) + 0.55 * clumps - kind.flecks)
-    albedo += mica[..., None] * (np.array(kind.mica) - albedo)
-    albedo *= (1.0 + 0.03 * tile.cloud(0.12, 1.8))[..., None]
+    broad = tile.cloud(0.12, 1.8)
+
+    def shaded(albedo: Array, number: Array, veil: Array, mica: Array, broad: Array) -> Array:
+        light = np.clip(tone[number] * (1.0 + 0.09 * veil), 0.4, 1.6)[..., None]
+        body = albedo * light
+        return np.asarray(
+            (body + mica[..., None] * (np.array(kind.mica) - body)) * (1.0 + 0.03 * broad)[..., None]
+        )
+
+    albedo = in_strips(shaded, albedo, cells.number, veil, mica, broad)
     roughness = centred(0.05 * mica + 0.012 * veil + 0.018 * tile.smudges(0.15))
     return Pattern(with_mean(albedo, kind.mean), roughness)
 
@@ -117,9 +125,11 @@ def _marble(kind: Marble, stream: np.random.Generator, size: int) -> Pattern:
     where = tile.cloud(0.7, 2.4)
     clouds = tile.cloud(0.45, 1.9)
     grain = tile.band(0.0035, 0.6)
-    cloud = np.clip(0.30 + 0.22 * clouds + 0.45 * mist * smoothstep(-0.8, 1.2, where), 0.0, 1.0)
-    vein = 0.70 * strong * smoothstep(-1.3, 0.9, where) + 0.34 * thin * smoothstep(-0.2, 1.3, -across)
-    vein = np.clip(vein * (0.75 + 0.25 * clouds), 0.0, 1.0)
+    cloud = np.clip(0.32 + 0.17 * clouds + 0.34 * mist * smoothstep(-0.8, 1.2, where), 0.0, 1.0)
+    # Veins that run on look alike everywhere: one that stood alone would show where the tile repeats
+    faint = 0.55 + 0.45 * smoothstep(-1.3, 0.9, where)
+    vein = 0.46 * strong * faint + 0.32 * thin * (0.30 + 0.70 * smoothstep(-1.0, 1.0, -across))
+    vein = np.clip(vein * (0.85 + 0.12 * clouds), 0.0, 0.55)
     albedo = blend(cloud, ((0.0, kind.body), (1.0, kind.cloud)))
     albedo += vein[..., None] * (np.array(kind.vein) - albedo)
     albedo *= (1.0 + 0.008 * grain)[..., None]

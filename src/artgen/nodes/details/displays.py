@@ -7,7 +7,7 @@ from artgen.graph.node import authors_line
 from artgen.materials import MATERIALS, Material
 from artgen.nodes.body import detail, weld
 from artgen.nodes.details.dots import dot_matrix, dot_matrix_width, dots_of
-from artgen.nodes.details.relief import FRONT, relief
+from artgen.nodes.details.relief import FRONT, reading, relief
 from artgen.nodes.details.segments import Lit, has_dark_segments, seven_segment, seven_segment_width
 from artgen.nodes.handles import Body, Profile, Scalar, Solid, VectorLike
 from artgen.nodes.profile import rectangle
@@ -115,7 +115,8 @@ def display(
         return relief(profile, at, facing=facing, up=up, proud=proud, sunk=0.0004, bevel=bevel)
 
     corner = 0.06 * min_(width, height)
-    bodies = [detail(plate(rectangle(width, height, radius=corner), _PANE, 0.0003), label, pane)]
+    turns = {"reads": reading(facing, up), "about": at}
+    bodies = [detail(plate(rectangle(width, height, radius=corner), _PANE, 0.0003), label, pane, **turns)]
     wide = _width(string, style) if string.strip() else 0.0
     if wide > 0.0:
         tall = min_(share * height, 0.84 * width / wide)
@@ -125,7 +126,7 @@ def display(
                 return dot_matrix(string, tall, show=show)
             return seven_segment(string, tall, show=show)
 
-        bodies.append(detail(plate(figures("lit"), _PANE + _FILM), label, lit))
+        bodies.append(detail(plate(figures("lit"), _PANE + _FILM), label, lit, **turns))
         if ghosts and (style == "dot_matrix" or has_dark_segments(string)):
-            bodies.append(detail(plate(figures("dark"), _PANE + _FILM), label, dark))
+            bodies.append(detail(plate(figures("dark"), _PANE + _FILM), label, dark, **turns))
     return weld(*bodies)

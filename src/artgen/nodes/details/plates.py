@@ -7,7 +7,7 @@ from artgen.graph.node import authors_line
 from artgen.materials import MATERIALS, Material
 from artgen.nodes.body import detail, weld
 from artgen.nodes.details.lettering import Fineness, lettering, lettering_width
-from artgen.nodes.details.relief import FRONT, relief
+from artgen.nodes.details.relief import FRONT, reading, relief
 from artgen.nodes.handles import Body, Profile, Scalar, Solid, VectorLike
 from artgen.nodes.profile import rectangle
 from artgen.nodes.scalar import min_
@@ -89,4 +89,5 @@ def rating_plate(
         rectangle(width, height, radius=0.03 * min_(width, height)),
         at, facing=facing, up=up, proud=_PLATE, sunk=0.0002,
     )  # fmt: skip
-    return weld(detail(plate, label, paper), detail(film(print_), label, black))
+    turns = {"reads": reading(facing, up), "about": at}
+    return weld(detail(plate, label, paper), detail(film(print_), label, black, **turns))

@@ -14,13 +14,16 @@ from artgen.nodes.body import detail
 from artgen.nodes.contours import is_disjoint
 from artgen.nodes.covers import around_extrusion
 from artgen.nodes.details.prisms import prisms
-from artgen.nodes.handles import Array3, Body, Profile, Scalar, Solid, VectorLike
+from artgen.nodes.handles import Array3, Body, Profile, Scalar, Solid, Vector, VectorLike
 from artgen.nodes.surfaces import extrusion, mitres
 
 Array = NDArray[np.float64]
 
 _HALVINGS = 4
 """How often a bevel that does not fit is halved before the rim stays sharp."""
+
+_ABOUT = 0.25
+"""A profile lies about its origin if its middle is off by less than this share of its width."""
 
 FRONT = (0.0, -1.0, 0.0)
 """The way that the front of an asset faces."""
@@ -109,6 +112,8 @@ def relief(
 ) -> Solid:
     """Put a profile on a face, to be read from where the face looks: never mirrored, whatever the face.
 
+    A body that is mirrored later mirrors it; `printed`, `raised` and `engraved` stay readable.
+
     Args:
         profile: What to put there; its x runs to the reader's right and its y upward.
         at: Where its origin lies on the face [m].
@@ -121,6 +126,35 @@ def relief(
     return Solid.record(
         _relief, profile=profile, at=at, facing=facing, up=up, proud=proud, sunk=sunk, bevel=bevel
     )
+
+
+@kernel
+def _reading(facing: Array3, up: Array3 | None) -> Array3:
+    return facing_frame(facing, up)[:, 0]
+
+
+def reading(facing: VectorLike, up: VectorLike | None) -> Vector:
+    """Return the direction of the lines of print on a face."""
+    return Vector.record(_reading, facing=facing, up=up)
+
+
+@kernel
+def _middle(profile: Outline, at: Array3, facing: Array3, up: Array3 | None) -> Array3:
+    points = np.concatenate([contour.points for contour in profile.contours])
+    low, high = points[:, 0].min(), points[:, 0].max()
+    middle = 0.5 * (low + high)
+    if abs(middle) < _ABOUT * (high - low):
+        middle = 0.0
+    return np.asarray(at + facing_frame(facing, up)[:, 0] * middle)
+
+
+def middle(profile: Profile, at: VectorLike, facing: VectorLike, up: VectorLike | None) -> Vector:
+    """Return about which point print turns over when its body is mirrored.
+
+    It is `at` for a profile that lies about its origin, such as a scale around a knob, and the middle of the
+    profile for one beside it, such as a line of text that starts there.
+    """
+    return Vector.record(_middle, profile=profile, at=at, facing=facing, up=up)
 
 
 def printed(
@@ -145,7 +179,7 @@ def printed(
         proud: How far the ink stands out [m]; it reaches as far into the face.
     """
     film = relief(profile, at, facing=facing, up=up, proud=proud, sunk=proud)
-    return detail(film, label, material)
+    return detail(film, label, material, reads=reading(facing, up), about=middle(profile, at, facing, up))
 
 
 def raised(
@@ -172,7 +206,7 @@ def raised(
         bevel: Radius of its rim [m]; less where the profile is too fine for it.
     """
     solid = relief(profile, at, facing=facing, up=up, proud=proud, sunk=proud, bevel=bevel)
-    return detail(solid, label, material)
+    return detail(solid, label, material, reads=reading(facing, up), about=middle(profile, at, facing, up))
 
 
 def engraved(
