@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from artgen.materials.textures.fields import Tile, blend, centred, smoothstep, with_mean
+from artgen.materials.textures.fields import Tile, blend, centred, in_strips, smoothstep, with_mean
 
 MAKERS = {
     "streaks": lambda tile: tile.streaks(0.01, 0.1),
@@ -86,3 +86,18 @@ def test_helpers():
     np.testing.assert_allclose(colors, [[[0, 0.2, 0.4], [0.5, 0.3, 0.2]], [[1, 0.4, 0], [1, 0.4, 0]]])
     scaled = with_mean(np.random.default_rng(0).random((8, 8, 3)), (0.1, 0.2, 0.3))
     np.testing.assert_allclose(scaled.mean(axis=(0, 1)), (0.1, 0.2, 0.3))
+
+
+@pytest.mark.parametrize("strip", [1, 100, 256, 1000, 10**9])
+def test_strips_are_the_whole(strip, monkeypatch):
+    monkeypatch.setattr("artgen.materials.textures.fields._STRIP", strip)
+    drawn = np.random.default_rng(0).random((2, 37, 11))
+    sums = in_strips(lambda a, b: a + 2.0 * b, drawn[0], drawn[1])
+    assert np.array_equal(sums, drawn[0] + 2.0 * drawn[1])
+    bytes_ = in_strips(lambda a: np.stack([a, a], axis=-1).astype(np.uint8), 255.0 * drawn[0])
+    assert bytes_.dtype == np.uint8
+    assert bytes_.shape == (37, 11, 2)
+    made = tile(5).cells(0.01)
+    monkeypatch.undo()
+    for field, whole in zip(made, tile(5).cells(0.01), strict=True):
+        assert np.array_equal(field, whole)

@@ -94,7 +94,7 @@ def _boards() -> list[Material]:
         Material("hollow_core", _PAINT_WHITE, density=330.0, **paint),
         Material("lacquered_mdf", _PAINT_WHITE, specular_roughness=0.22, texture="sprayed_paint", **mdf),
         Material("cardboard", (0.48, 0.33, 0.19), texture="cardboard", **paper),
-        Material("cardboard_edge", (0.48, 0.33, 0.19), texture="cardboard_edge", **paper),
+        Material("cardboard_edge", (0.23, 0.155, 0.088), texture="cardboard_edge", **paper),
     ]
 
 

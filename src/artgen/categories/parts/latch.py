@@ -128,7 +128,8 @@ def faceplate(*, backset: Scalar, finish: Material, bolt: BoltName = "latch", ma
     width, height, thick = 0.0235, 0.057, 0.0024
     face, level = backset + _PROUD, section.height / 2 + 0.0095
     outline = rectangle(width, height, radius=0.0045)
-    outline = outline - rectangle(section.width + 2 * PLAY, section.height + 2 * PLAY)
+    # 0.1 mm inside the walls of the pocket, whose faces would fight its own for a pixel
+    outline = outline - rectangle(section.width + 1.5 * PLAY, section.height + 1.5 * PLAY)
     bodies = [
         detail(_pierced(outline, level, thick).at(face - thick / 2, 0.0, 0.0), "faceplate", finish),
         *_plate_screws(face, "+x", level, finish),

@@ -16,6 +16,7 @@ _SPRAY_TILE = (0.20, 0.20)
 _CARDBOARD = (0.48, 0.33, 0.19)
 _CARDBOARD_TILE = (0.20, 0.256)
 _FLUTE = 0.008  # wavelength of what is called C flute [m]
+_CARDBOARD_EDGE = (0.23, 0.155, 0.088)  # mostly hollows
 _CARDBOARD_EDGE_TILE = (0.004, 0.064)
 
 
@@ -116,10 +117,10 @@ def _cardboard_edge(stream: np.random.Generator, size: int) -> Pattern:
     liner = _sheet(np.abs(np.abs(place) - 0.5), 0.060, texel)
     solid = np.maximum(paper, liner)
     rag = tile.cloud(0.0015, 0.9)
-    depth = 0.42 + 0.58 * solid * (1.0 + 0.07 * rag)
-    albedo = np.clip(depth, 0.05, 1.3)[..., None] ** np.array([0.9, 1.0, 1.1]) * _CARDBOARD
+    depth = 0.30 + 0.70 * solid * (1.0 + 0.09 * rag)
+    albedo = np.clip(depth, 0.05, 1.3)[..., None] ** np.array([0.9, 1.0, 1.1]) * _CARDBOARD_EDGE
     height = 60e-6 * solid + 5e-6 * rag * solid
-    return Pattern(with_mean(albedo, _CARDBOARD), centred(0.03 * rag), height=height)
+    return Pattern(with_mean(albedo, _CARDBOARD_EDGE), centred(0.03 * rag), height=height)
 
 
 def _sheet(distance: Array, half: float, texel: Array | float) -> Array:
@@ -140,7 +141,7 @@ def recipes() -> list[Recipe]:
         Recipe("cardboard", _CARDBOARD, _cardboard, _CARDBOARD_TILE, 2, seen),
         Recipe(
             "cardboard_edge",
-            _CARDBOARD,
+            _CARDBOARD_EDGE,
             _cardboard_edge,
             _CARDBOARD_EDGE_TILE,
             1,

@@ -25,6 +25,7 @@ class Weave:
         slubs: How much their thickness varies along them.
         twist: How much the strands of a thread show.
         gap: How dark it is between threads, relative to them.
+        split: Whether threads are split canes, with lines along them, instead of twisted strands.
     """
 
     mean: Color
@@ -36,11 +37,12 @@ class Weave:
     slubs: float
     twist: float
     gap: float
+    split: bool = False
 
 
 _LINEN = Weave((0.75, 0.71, 0.64), (0.060, 0.060), 72, 0.90, 90e-6, 0.05, 0.14, 0.06, 0.62)
 _CANVAS = Weave((0.30, 0.31, 0.33), (0.072, 0.072), 60, 0.96, 160e-6, 0.08, 0.07, 0.10, 0.45)
-_WICKER = Weave((0.36, 0.23, 0.12), (0.128, 0.128), 16, 0.94, 1.4e-3, 0.16, 0.05, 0.0, 0.10)
+_WICKER = Weave((0.36, 0.23, 0.12), (0.128, 0.128), 24, 0.96, 0.9e-3, 0.09, 0.05, 0.09, 0.20, split=True)
 _PLASTIC_WICKER = Weave((0.060, 0.045, 0.036), (0.112, 0.112), 16, 0.95, 1.1e-3, 0.05, 0.02, 0.0, 0.35)
 
 
@@ -51,6 +53,9 @@ def _weave(kind: Weave, stream: np.random.Generator, size: int) -> Pattern:
     # The border of the tile lies in the middle of a thread
     warp = _Threads(tile, kind, tile.u, tile.v, tile.streaks(0.3 * pitch, 6.0 * pitch))
     weft = _Threads(tile, kind, tile.v, tile.u, tile.streaks(6.0 * pitch, 0.3 * pitch))
+    if kind.split:
+        warp.strand = tile.streaks(0.07 * pitch, 4.0 * pitch)
+        weft.strand = tile.streaks(4.0 * pitch, 0.07 * pitch)
     sign = np.where((warp.number + weft.number) % 2 == 0, 1.0, -1.0)
     warp_height = warp.round * (0.62 + 0.38 * sign * np.cos(np.pi * weft.offset))
     weft_height = weft.round * (0.62 - 0.38 * sign * np.cos(np.pi * warp.offset))
