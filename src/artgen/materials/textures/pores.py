@@ -34,7 +34,7 @@ def pores(tile: Tile, chance: Array, density: float, length: float, width: float
     for start in range(0, len(order), _AT_ONCE):
         where, share = _covered(tile.size, *placed[:, order[start : start + _AT_ONCE]])
         covered += np.bincount(where, share, tile.size**2)
-    return np.asarray(1.0 - np.exp(-covered)).reshape(tile.size, tile.size)
+    return np.minimum(covered, 1.0).reshape(tile.size, tile.size)
 
 
 def _covered(

@@ -12,7 +12,7 @@ from artgen.materials.textures.recipe import Pattern, Recipe, Varying
 Color = tuple[float, float, float]
 
 _GREY = (0.5, 0.5, 0.5)
-_GRANITE_TILE = (0.256, 0.256)
+_GRANITE_TILE = (0.20, 0.20)
 _MARBLE_TILE = (0.90, 0.90)
 _GLAZE_TILE = (0.30, 0.30)
 _GLASS_TILE = (0.40, 0.40)

@@ -68,11 +68,11 @@ class Species:
 SPECIES = {
     "oak": Species(
         (0.44, 0.27, 0.13), (1.12, 1.13, 1.16), (0.70, 0.64, 0.55), 62, 0.65, 1.6,
-        pores=0.62, porous=0.96, density=6.0e5, length=0.0042, width=0.00020, flecks=0.05,
+        pores=0.52, porous=0.96, density=6.0e5, length=0.0042, width=0.00020, flecks=0.05,
     ),
     "walnut": Species(
         (0.16, 0.085, 0.045), (1.30, 1.32, 1.34), (0.50, 0.47, 0.48), 38, 0.50, 1.7,
-        pores=0.60, porous=0.60, density=2.2e5, length=0.0055, width=0.00018, stripes=0.75,
+        pores=0.52, porous=0.60, density=2.2e5, length=0.0055, width=0.00018, stripes=0.75,
     ),
     "beech": Species(
         (0.60, 0.40, 0.24), (1.06, 1.07, 1.08), (0.86, 0.83, 0.80), 56, 0.5, 2.6,
@@ -84,7 +84,7 @@ SPECIES = {
     ),
     "mahogany": Species(
         (0.22, 0.075, 0.035), (1.24, 1.26, 1.26), (0.66, 0.62, 0.62), 36, 0.25, 1.2,
-        pores=0.60, porous=0.15, density=1.8e5, length=0.0050, width=0.00017, stripes=0.85, curl=0.35,
+        pores=0.52, porous=0.15, density=1.8e5, length=0.0050, width=0.00017, stripes=0.85, curl=0.35,
     ),
     "maple": Species(
         (0.68, 0.52, 0.35), (1.04, 1.05, 1.06), (0.88, 0.84, 0.79), 50, 0.45, 3.0,
@@ -92,7 +92,7 @@ SPECIES = {
     ),
     "ash": Species(
         (0.60, 0.46, 0.31), (1.09, 1.10, 1.12), (0.75, 0.71, 0.64), 52, 0.62, 1.6,
-        pores=0.50, porous=0.96, density=6.0e5, length=0.0050, width=0.00020,
+        pores=0.42, porous=0.96, density=6.0e5, length=0.0050, width=0.00020,
     ),
 }  # fmt: skip
 """The woods by name."""
