@@ -18,7 +18,7 @@ from PIL import Image
 from rich.console import Console
 
 import artgen
-from artgen.view.camera import View
+from artgen.view.camera import Camera, View
 from artgen.view.mitsuba import Studio, render_mitsuba
 
 console = Console(highlight=False, soft_wrap=True)
@@ -40,23 +40,39 @@ class Shot:
 
     category: str
     seed: int
-    view: View
+    view: View | Camera
     studio: Studio = "studio"
     parameters: Mapping[str, Any] = field(default_factory=dict)
     opened: Mapping[str, float] = field(default_factory=dict)
     shape: tuple[float, float] = (1.0, 1.0)
 
 
-_OAK_LEVER = {"finish": artgen.material("oak"), "metal": artgen.material("satin_nickel"), "opener": "lever"}
+_OAK_LEVER = {
+    "finish": artgen.material("oak"),
+    "fixing": "phillips",
+    "frame": "full",
+    "frame_finish": "same",
+    "hand": "left",
+    "handle.style": "wave",
+    "layout": "single",
+    "leaf": "panel_leaf",
+    "metal": artgen.material("satin_nickel"),
+    "opener": "lever",
+    "opens": "towards",
+    "rose": "round",
+    "use": "interior",
+}
 _GLAZED = {"use": "exterior", "layout": "single", "leaf": "glazed_leaf"}
 _HALF_LITE = {"use": "exterior", "layout": "single", "leaf": "half_lite_leaf"}
 _LOUVERS = {"use": "interior", "layout": "single", "leaf": "louver_leaf"}
 _LEVER_SIDE = View(math.radians(-24.0), math.radians(8.0), margin=0.3, link="handle")
+_LOCK_SIDE = Camera((0.061, -1.332, 1.228), (0.215, -0.343, 0.985), 0.31)  # past the edge, to the strike
 _LEFT = View(math.radians(-28.0), math.radians(6.0))
 _RIGHT = View(math.radians(28.0), math.radians(6.0))
 _TALL = (0.7, 1.0)
 
 SHOTS = {
+    "lever": Shot("door", 7, _LOCK_SIDE, "doorway", _OAK_LEVER, {"door_hinge": 0.38}),
     "lever_close": Shot("door", 7, _LEVER_SIDE, "doorway", _OAK_LEVER),
     "lever_turned": Shot("door", 7, _LEVER_SIDE, "doorway", _OAK_LEVER, {"handle_turn": 0.9}),
     "door_oak_closed": Shot("door", 7, _LEFT, "doorway", _OAK_LEVER, shape=_TALL),

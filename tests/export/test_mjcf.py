@@ -266,5 +266,6 @@ def test_picture_is_upright_in_mujoco(tmp_path: Path) -> None:
 
 def test_losses_name_coat_and_transmission() -> None:
     losses = {loss.feature: loss.where for loss in write_mjcf(textured(), 256).losses}
-    assert (losses["coat"], losses["transmission"]) == ("plate", "pane")
+    assert "plate" in losses["coat"].split(", ")
+    assert losses["transmission"] == "pane"
     assert "texture" not in losses
