@@ -57,14 +57,14 @@ def drawer_and_wheel() -> Body:
 
 
 def test_a_door_opens_two_thirds_and_its_lever_rests() -> None:
-    assert opened(locked_door.generate()) == pytest.approx({"door_hinge": 0.65 * 1.8})
+    assert opened(locked_door.generate()) == pytest.approx({"door_hinge": 0.45 * 1.8})
     assert opened(locked_door.generate(swing=1.0)) == pytest.approx({"door_hinge": 1.0})
 
 
 def test_what_a_joint_needs_is_held_where_it_could_not_stand_open_otherwise() -> None:
     asset = locked_door.generate(push=True)
     q = opened(asset)
-    assert q == pytest.approx({"door_hinge": 0.65 * 1.8, "lever_turn": 0.7})
+    assert q == pytest.approx({"door_hinge": 0.45 * 1.8, "lever_turn": 0.7})
     assert not asset.blocked(q)
 
 

@@ -25,7 +25,9 @@ def sheet(
     ] = None,
     views: Annotated[int, typer.Option(help="From how many sides, 1 or 2.")] = 2,
     size: Annotated[int, typer.Option(metavar="PIXELS", help="Height of one picture.")] = 200,
-    columns: Annotated[int, typer.Option(help="Samples side by side.")] = 3,
+    columns: Annotated[
+        int | None, typer.Option(help="Samples side by side; as many as make a good page by default.")
+    ] = None,
     backend: Annotated[
         Literal["auto", "classic", "filament"], typer.Option(help="MuJoCo's renderer.")
     ] = "auto",

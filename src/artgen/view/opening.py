@@ -4,15 +4,16 @@ from artgen.asset import Asset, Joint
 from artgen.errors import ParameterError
 
 _WIDE = 1.2  # a swing that is wider shows more from in front when it is not opened fully [rad]
-_SHARE = 0.65  # of a wide swing
+_SHARE = 0.45  # of a wide swing about an upright axis: farther, a door is seen edge on
+_LAID = 0.7  # a hinge whose axis leans less than this lets its part swing down, as an oven's door does
 _TURN = 0.8  # of a joint without limits [rad or m]
 
 
 def opened(asset: Asset, share: float = 1.0) -> dict[str, float]:
     """Return joint positions in which an asset is open [rad or m].
 
-    Wide swings are opened by two thirds, other joints up to their limits. What only unlocks another joint,
-    as a lever does, stays at rest unless the other one could not stand open otherwise.
+    Doors that swing wide are opened by half, other joints up to their limits. What only unlocks another
+    joint, as a lever does, stays at rest unless the other one could not stand open otherwise.
 
     Args:
         asset: The asset.
@@ -43,6 +44,6 @@ def _target(joint: Joint, share: float) -> float:
     low, high = joint.limits
     end = high if high - joint.closed >= joint.closed - low else low
     way = end - joint.closed
-    if joint.kind == "revolute" and abs(way) > _WIDE:
+    if joint.kind == "revolute" and abs(way) > _WIDE and abs(joint.axis[2]) > _LAID:
         way *= _SHARE
     return joint.closed + share * way

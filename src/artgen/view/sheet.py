@@ -24,6 +24,7 @@ SIDES = (View(-0.5, 0.22), View(np.pi - 0.5, 0.22))
 _SHADE = re.compile("_[0-9a-f]{6}$")  # ends the name of a material in a shade of its own
 _TITLE, _TEXT, _GAP = 15, 12, 12  # sizes of type, and what stays free around an asset [pixels]
 _INK, _GREY = (30, 30, 32), (110, 110, 114)
+_PAGE = 1.5  # width of a page over its height
 _BYTES = 300_000  # what a sheet may take on a page of documentation
 _QUALITIES = (90, 85, 80, 75, 70, 62, 54, 46, 38, 30, 22)
 
@@ -33,7 +34,7 @@ def sheet(
     *,
     views: int = 2,
     size: int = 200,
-    columns: int = 4,
+    columns: int | None = None,
     backend: Backend = "auto",
     textures: int = 256,
     samples: int = 16,
@@ -45,7 +46,7 @@ def sheet(
         assets: Makers of the assets, each called when its turn comes.
         views: How many sides, 1 or 2.
         size: Height of one picture [pixels].
-        columns: Cells in a row.
+        columns: Cells in a row; by default the page is about one and a half times as wide as high.
         backend: As of `render`.
         textures: As of `render`.
         samples: As of `render`.
@@ -55,7 +56,7 @@ def sheet(
         ParameterError: There are no assets, or a number is not allowed.
         RenderError: A renderer or its library is missing.
     """
-    if not assets or not 1 <= views <= len(SIDES) or columns < 1:
+    if not assets or not 1 <= views <= len(SIDES) or (columns is not None and columns < 1):
         raise ParameterError(
             f"a sheet has at least 1 asset and 1 column, and 1 or {len(SIDES)} views; "
             f"these are {len(assets)} assets, {columns} columns, {views} views"
@@ -82,7 +83,9 @@ def sheet(
         cells.append(_cell(asset, shown, words(asset)))
         if progress is not None:
             progress(number + 1, len(assets))
-    return _page(cells, min(columns, len(cells)))
+    height, width, _ = cells[0].shape
+    fitting = max(1, round((_PAGE * len(cells) * height / width) ** 0.5))
+    return _page(cells, min(columns or fitting, len(cells)))
 
 
 def _aspect(asset: Asset) -> float:
