@@ -48,7 +48,7 @@ class Shot:
 
 
 _OAK_LEVER = {
-    "finish": artgen.material("oak"),
+    "finish": artgen.material("oak").with_(name="oiled_oak", base_color=(0.40, 0.235, 0.105)),
     "fixing": "phillips",
     "frame": "full",
     "frame_finish": "same",

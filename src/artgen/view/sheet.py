@@ -92,7 +92,7 @@ def _aspect(asset: Asset) -> float:
     """Return width divided by height of pictures of assets like one."""
     low, high = asset.bounds()
     wide, deep, tall = high - low
-    return float(np.clip(1.25 * (wide + 0.5 * deep) / max(tall, 1e-9), 0.65, 1.5))
+    return float(np.clip(1.05 * (wide + 0.5 * deep) / max(tall, 1e-9), 0.65, 1.5))
 
 
 def words(asset: Asset) -> str:

@@ -34,7 +34,7 @@ def _brushed(stream: np.random.Generator, size: int) -> Pattern:
     tile = Tile(stream, size, _BRUSHED_TILE)
     strokes = _strokes(tile, 0.0005, 0.10)
     bundles = tile.streaks(0.0030, 0.25)  # what the eye makes out from farther than it does strokes
-    roughness = 0.030 * strokes + 0.026 * bundles + 0.034 * tile.smudges(0.15)
+    roughness = 0.030 * strokes + 0.014 * bundles + 0.030 * tile.smudges(0.15)
     return Pattern(None, centred(roughness), height=5e-6 * strokes)
 
 
@@ -43,7 +43,7 @@ def _satin(stream: np.random.Generator, size: int) -> Pattern:
     tile = Tile(stream, size, _SATIN_TILE)
     strokes = _strokes(tile, 0.0003, 0.03)
     bundles = tile.streaks(0.0018, 0.06)
-    roughness = 0.028 * strokes + 0.030 * bundles + 0.040 * tile.smudges(0.08)
+    roughness = 0.022 * strokes + 0.010 * bundles + 0.026 * tile.smudges(0.08)
     return Pattern(None, centred(roughness), height=1.6e-6 * strokes)
 
 
