@@ -22,10 +22,14 @@ from artgen.view.camera import Camera
 from artgen.view.classic import body_of_glass, displayed
 from artgen.view.filament_environment import image_light
 from artgen.view.lamps import KEY, key_light, spread
+from artgen.view.one_thread import OneThread
 from artgen.view.scene import Layer, Scene
 from artgen.view.studio import Backdrop
 
 Array = NDArray[np.float64]
+
+THREAD = OneThread("filament")
+"""In which Filament does everything: called from two threads, it ends the process."""
 
 _SAMPLES_OF_A_FRAME = 4  # every frame smooths edges and shadows by itself
 _IMAGE_LIGHT = "studio_light.ktx"
@@ -121,7 +125,7 @@ class FilamentDress:
 
 
 class FilamentRenderer:
-    """Draws one scene with Filament."""
+    """Draws one scene with Filament; only for use in `THREAD`."""
 
     def __init__(self, scene: Scene) -> None:
         context = _context()
@@ -195,7 +199,7 @@ def _context() -> Any:
 
 
 def forget_context() -> None:
-    """Free the context of this process, after everything that was made with it."""
+    """Free the context of this process, after everything that was made with it; only for use in `THREAD`."""
     _context.cache_clear()
 
 

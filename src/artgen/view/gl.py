@@ -14,6 +14,29 @@ _NEEDED = (
 )
 
 
+_process: dict[str, int] = {}  # the one that draws; a forked one finds its parent's
+
+
+def claim_process() -> None:
+    """Let this process draw, and none that will be forked from it.
+
+    Raises:
+        RenderError: It was forked from one that has drawn: drivers would wait forever for threads that only
+            that one has.
+    """
+    if _process.setdefault("id", os.getpid()) != os.getpid():
+        raise RenderError(
+            "this process was forked from one that had drawn a picture, which graphics drivers do not "
+            "survive; start processes by multiprocessing's 'spawn' or 'forkserver', or fork before the first "
+            "picture"
+        )
+
+
+def owns_process() -> bool:
+    """Tell whether this is the process that draws."""
+    return _process.get("id") == os.getpid()
+
+
 def available() -> str:
     """Return the way to OpenGL that is taken: `egl`, `osmesa` or, where there are windows, `window`.
 

@@ -1,7 +1,6 @@
 """Pictures of assets; `Asset.render` hands over to this."""
 
 import atexit
-import os
 import threading
 from collections import OrderedDict
 from collections.abc import Mapping
@@ -14,7 +13,7 @@ from artgen.asset import Asset
 from artgen.asset.shape import Mesh
 from artgen.errors import AssetError, ParameterError, RenderError, nearest
 from artgen.materials.textures import check_size
-from artgen.view import filament
+from artgen.view import filament, gl
 from artgen.view.camera import Camera, View, camera_of
 from artgen.view.classic import ClassicDress, ClassicRenderer
 from artgen.view.picture import Passes, Picture
@@ -70,9 +69,15 @@ def render(
     taken = camera_of(camera, asset, seen, pixels[0] / pixels[1])
     _require_mujoco()
     chosen = ("filament" if filament.works() else "classic") if backend == "auto" else backend
-    renderer = _renderer(asset, chosen, studio, textures, pixels)
-    placed, moved = renderer.scene.placed(taken, poses)
-    color = renderer.color(placed, moved, pixels, samples)
+    gl.claim_process()
+
+    def draw() -> NDArray[np.uint8]:
+        renderer = _renderer(asset, chosen, studio, textures, pixels)
+        placed, moved = renderer.scene.placed(taken, poses)
+        drawn: NDArray[np.uint8] = renderer.color(placed, moved, pixels, samples)
+        return drawn
+
+    color = filament.THREAD.run(draw) if chosen == "filament" else draw()
     surfaces = [(link.name, surface.label) for link in asset.links for surface in link.surfaces]
     return Picture(
         color,
@@ -89,18 +94,27 @@ def render(
 
 def close() -> None:
     """Free what is kept ready for further pictures in this thread; the next one makes it anew."""
+    if not gl.owns_process():
+        return  # what a forked process finds is its parent's
+    _close_kept()
+    if filament.THREAD.begun():
+        filament.THREAD.run(_close_kept)
+        filament.THREAD.run(filament.forget_context)
+
+
+def _close_kept() -> None:
     kept: OrderedDict[Any, Any] = vars(_kept).pop("renderers", OrderedDict())
-    if vars(_kept).get("process") == os.getpid():
-        for renderer in kept.values():
-            renderer.close()
-    kept.clear()
-    filament.forget_context()
+    while kept:
+        kept.popitem()[1].close()
 
 
 def _renderer(asset: Asset, backend: str, studio: Studio, textures: int, size: tuple[int, int]) -> Any:
-    """Return the renderer of an asset, made anew only where none is kept."""
-    if vars(_kept).get("process") != os.getpid():  # a forked process must not touch its parent's contexts
-        vars(_kept).update(process=os.getpid(), renderers=OrderedDict())
+    """Return the renderer of an asset, made anew only where none is kept.
+
+    Raises:
+        RenderError: This is a forked process, or a library is missing.
+    """
+    gl.claim_process()
     kept: OrderedDict[Any, Any] = vars(_kept).setdefault("renderers", OrderedDict())
     key = (id(asset), backend, studio, textures)
     found = kept.get(key)
