@@ -1,6 +1,6 @@
 """Contact sheets, open positions, and the commands that draw."""
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -8,7 +8,6 @@ import pytest
 from PIL import Image
 
 from artgen.asset import Asset
-from artgen.cli import main
 from artgen.errors import ExportError, ParameterError
 from artgen.generator import generator
 from artgen.materials import material
@@ -146,27 +145,6 @@ def test_a_jpeg_sheet_is_small_and_as_good_as_can_be(tmp_path, monkeypatch) -> N
         save_sheet(pixels, tmp_path / "noise.bmp")
 
 
-@dataclass
-class Result:
-    code: int
-    out: str
-    err: str
-
-
-@pytest.fixture
-def command(capsys, tmp_path, monkeypatch):
-    """Run the command line in an empty directory."""
-    monkeypatch.chdir(tmp_path)
-
-    def run(*arguments: str) -> Result:
-        with pytest.raises(SystemExit) as ended:
-            main(arguments)
-        printed = capsys.readouterr()
-        return Result(int(ended.value.code or 0), printed.out, printed.err)
-
-    return run
-
-
 @pytest.fixture
 def exported(red_cabinet, tmp_path) -> Asset:
     return red_cabinet.export(tmp_path / "cabinet", formats=("urdf",))
@@ -177,8 +155,8 @@ FAST = ("--backend", "classic", "--textures", "0", "--samples", "1", "--size", "
 
 @pytest.mark.usefixtures("opengl")
 class TestCommands:
-    def test_render_draws_an_export(self, command, exported) -> None:
-        closed = command("render", str(exported), *FAST)
+    def test_render_draws_an_export(self, artgen_command, exported) -> None:
+        closed = artgen_command("render", str(exported), *FAST)
         assert (closed.code, closed.out, closed.err) == (0, "cabinet_0.png\n", "")
         before = np.asarray(Image.open("cabinet_0.png"))
         assert before.shape == (48, 64, 3)
@@ -187,24 +165,24 @@ class TestCommands:
             ("--q", "door_hinge=1.0", "--q", "drawer_slide=0.1"),
             ("--view", "back"),
         ):
-            assert command("render", str(exported), *FAST, *more, "--out", "b.jpg").out == "b.jpg\n"
+            assert artgen_command("render", str(exported), *FAST, *more, "--out", "b.jpg").out == "b.jpg\n"
             after = np.asarray(Image.open("b.jpg")).astype(int)
             assert np.abs(after - before).mean() > 3.0, more
 
     @pytest.mark.parametrize("show", ["links", "labels", "depth", "normals"])
-    def test_render_shows_what_pixels_tell(self, command, exported, show) -> None:
-        assert command("render", str(exported), *FAST, "--show", show, "--out", "m.png").code == 0
+    def test_render_shows_what_pixels_tell(self, artgen_command, exported, show) -> None:
+        assert artgen_command("render", str(exported), *FAST, "--show", show, "--out", "m.png").code == 0
         pixels = np.asarray(Image.open("m.png"))
         assert len(np.unique(pixels.reshape(-1, 3), axis=0)) >= 4
         assert (pixels[0, 0] == pixels[-1, -1]).all()
 
-    def test_render_draws_a_category(self, command) -> None:
-        done = command("render", "handle", "--seed", "3", *FAST, "--out", "h.png")
+    def test_render_draws_a_category(self, artgen_command) -> None:
+        done = artgen_command("render", "handle", "--seed", "3", *FAST, "--out", "h.png")
         assert (done.code, done.out) == (0, "h.png\n")
         assert Path("h.png").stat().st_size > 500
 
-    def test_sheet_draws_samples(self, command) -> None:
-        done = command(
+    def test_sheet_draws_samples(self, artgen_command) -> None:
+        done = artgen_command(
             "sheet", "handle", "--seeds", "2", "--first-seed", "5", "--size", "64", "--backend", "classic"
         )
         assert (done.code, done.out, done.err) == (0, "handle.jpg\n", "")
@@ -232,8 +210,8 @@ class TestCommands:
         (("sheet", "handel"), "handel"),
     ],
 )
-def test_wrong_arguments_are_refused_in_one_line(command, arguments, message) -> None:
-    done = command(*arguments)
+def test_wrong_arguments_are_refused_in_one_line(artgen_command, arguments, message) -> None:
+    done = artgen_command(*arguments)
     assert done.code == 2
     assert done.out == ""
     assert done.err.startswith("error: ")
@@ -241,7 +219,7 @@ def test_wrong_arguments_are_refused_in_one_line(command, arguments, message) ->
     assert message in done.err
 
 
-def test_parameters_are_for_categories(command, exported) -> None:
-    done = command("render", str(exported), "--set", "width=1")
+def test_parameters_are_for_categories(artgen_command, exported) -> None:
+    done = artgen_command("render", str(exported), "--set", "width=1")
     assert (done.code, done.err.count("\n")) == (2, 1)
     assert "--set is for categories" in done.err

@@ -5,9 +5,8 @@ from pathlib import Path
 from typing import Annotated
 
 import typer
-from rich.console import Console
-from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
+from artgen.commands.progress import progress_bar
 from artgen.errors import ExportError
 from artgen.overrides import parse_overrides
 from artgen.range_proof import prove_range
@@ -43,7 +42,7 @@ def certify(
     """Prove samples and corners of a category free of collisions; exit code 1 if one is not."""
     if json_file is not None and (json_file.is_dir() or not json_file.absolute().parent.is_dir()):
         raise ExportError(f"cannot write {json_file}: give a file in a directory that exists")
-    with _progress() as bar:
+    with progress_bar() as bar:
         task = bar.add_task(category, total=None)
         proof = prove_range(
             category,
@@ -63,17 +62,3 @@ def certify(
             raise ExportError(f"cannot write {json_file}: {error.strerror}") from error
     if not proof.sound:
         raise typer.Exit(_FAULT)
-
-
-def _progress() -> Progress:
-    """Return a bar on stderr, which is shown on a terminal only and leaves nothing behind."""
-    console = Console(stderr=True)
-    return Progress(
-        TextColumn("{task.description}"),
-        BarColumn(),
-        MofNCompleteColumn(),
-        TimeRemainingColumn(),
-        console=console,
-        transient=True,
-        disable=not console.is_terminal,
-    )

@@ -5,11 +5,10 @@ from pathlib import Path
 from typing import Annotated, Any, Literal
 
 import typer
-from rich.console import Console
-from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
 from artgen.asset import Asset
 from artgen.catalog import find
+from artgen.commands.progress import progress_bar
 from artgen.errors import ExportError, ParameterError
 from artgen.overrides import parse_overrides
 
@@ -48,7 +47,7 @@ def sheet(
         raise ExportError(f"cannot write {path}: give a file in a directory that exists")
     found, chosen = find(category), parse_overrides(overrides or [])
     makers = [partial(_asset, found, seed, chosen) for seed in range(first_seed, first_seed + seeds)]
-    with _progress() as bar:
+    with progress_bar() as bar:
         task = bar.add_task(category, total=seeds)
         pixels = draw(
             makers,
@@ -65,17 +64,3 @@ def _asset(category: Any, seed: int, overrides: Any) -> Asset:
     """Generate a sample, which needs no proof to be seen."""
     asset: Asset = category.evaluate(seed, certify=False, overrides=overrides)[0]
     return asset
-
-
-def _progress() -> Progress:
-    """Return a bar on stderr, which is shown on a terminal only and leaves nothing behind."""
-    console = Console(stderr=True)
-    return Progress(
-        TextColumn("{task.description}"),
-        BarColumn(),
-        MofNCompleteColumn(),
-        TimeRemainingColumn(),
-        console=console,
-        transient=True,
-        disable=not console.is_terminal,
-    )
