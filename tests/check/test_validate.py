@@ -58,7 +58,7 @@ def test_a_sound_export_passes_every_check(exported):
     assert [result.check for result in report.results] == list(CHECKS)
     assert not [result for result in report.results if result.skipped]
     details = {result.check: result.detail for result in report.results}
-    assert details["files"] == "9 files: urdf, mjcf, usd"
+    assert details["files"] == "12 files: urdf, mjcf, usd"  # three of them are maps
     assert details["certificate"].startswith(
         "1 pair of links, tolerance 0 mm, body and drawer never closer than "
     )

@@ -44,7 +44,7 @@ def _satin(stream: np.random.Generator, size: int) -> Pattern:
     strokes = _strokes(tile, 0.0003, 0.03)
     bundles = tile.streaks(0.0018, 0.06)
     roughness = 0.022 * strokes + 0.010 * bundles + 0.026 * tile.smudges(0.08)
-    return Pattern(None, centred(roughness), height=1.6e-6 * strokes)
+    return Pattern(None, centred(roughness), height=2e-6 * strokes)
 
 
 def _polished(stream: np.random.Generator, size: int) -> Pattern:
