@@ -15,7 +15,7 @@ import pytest
 
 from artgen.asset import Asset
 from artgen.asset.files import load
-from artgen.errors import AssetError, ExportError
+from artgen.errors import AssetError, ExportError, ParameterError
 from artgen.export import export
 
 FORMATS = ("urdf", "mjcf")
@@ -111,6 +111,13 @@ def test_directory_that_is_no_export_cannot_be_read(tmp_path: Path) -> None:
 def test_unknown_format_names_the_nearest(cabinet: Asset, tmp_path: Path) -> None:
     with pytest.raises(ExportError, match=r"there is no format 'mjfc'\. Did you mean 'mjcf'\?"):
         export(cabinet, tmp_path / "cabinet", formats=("urdf", "mjfc"))
+    assert not (tmp_path / "cabinet").exists()
+
+
+@pytest.mark.parametrize("textures", [None, 300, "512"])
+def test_maps_of_no_such_size_are_refused(cabinet: Asset, tmp_path: Path, textures: object) -> None:
+    with pytest.raises(ParameterError, match=f"texels on a side, not {textures!r}"):
+        export(cabinet, tmp_path / "cabinet", textures=textures)  # type: ignore[arg-type]
     assert not (tmp_path / "cabinet").exists()
 
 

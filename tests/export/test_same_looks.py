@@ -126,7 +126,8 @@ def check_levels(what: str, want: np.ndarray, got: np.ndarray, *, lossy: bool) -
     difference = np.abs(want - got)
     worst = int(difference.max(axis=1).argmax())
     assert difference.max() <= (48.0 if lossy else 1.0), f"{what} is {got[worst]} instead of {want[worst]}"
-    assert difference.mean() <= (3.0 if lossy else 0.3), (
+    # trimesh rounds plain colours to whole grey levels
+    assert difference.mean() <= (3.0 if lossy else 0.5), (
         f"{what} is off by {difference.mean():.2f} on average"
     )
 

@@ -74,6 +74,9 @@ def test_unknown_views_and_links_are_named(red_cabinet) -> None:
         (lambda: Camera((0, -1, 0), (0, 0, 0), 3.2), "field_of_view 3.2 must be in 0.01..2.5"),
         (lambda: View(elevation=2.0), "elevation 2.0 must be in -pi/2..pi/2"),
         (lambda: View(math.inf), "azimuth inf must be a finite number"),
+        (lambda: View("front"), "azimuth 'front' must be a finite number"),
+        (lambda: Camera("front"), "position 'front' must be 3 finite numbers"),
+        (lambda: Camera((0, -1, 0), field_of_view="wide"), "field_of_view 'wide' must be in 0.01..2.5"),
         (lambda: View(margin=1.0), "margin 1.0 must be in 0..0.9"),
     ],
 )

@@ -197,6 +197,8 @@ def test_pictures_are_saved(red_cabinet, tmp_path) -> None:
         ({"backend": "opengl"}, "there is no backend 'opengl'"),
         ({"samples": 0}, "samples 0 must be a whole number from 1 on"),
         ({"textures": 100}, "textures have 256"),
+        ({"textures": None}, "textures have 256.* not None"),
+        ({"camera": 5}, "camera 5 must be a Camera, a View, or the name of a view"),
         ({"camera": "under"}, "there is no view 'under'"),
     ],
 )

@@ -13,6 +13,7 @@ from artgen.materials.textures import shifts_of, tile_of
 Array = NDArray[np.float64]
 
 _SHIFTS = 64  # places in a tile, in each direction, at which the pattern of a part may begin
+_APART = 1e-5  # by how much texture coordinates of vertices differ that have to stay two [m]
 
 
 def shifted(mesh: Mesh, material: Material, key: str) -> Mesh:
@@ -65,7 +66,11 @@ def _compacted(mesh: Mesh, triangles: NDArray[np.int64]) -> Mesh:
 
 
 def joined(meshes: list[Mesh]) -> Mesh:
-    """Concatenate meshes, and put vertices and triangles in an order that only their values decide."""
+    """Concatenate meshes, and put vertices and triangles in an order that only their values decide.
+
+    Corners of equal values are one vertex, unless faces touch there in that point alone: such a vertex is no
+    manifold. Checkers would merge vertices of equal values again, so that these differ a little.
+    """
     offsets = np.cumsum([0, *(len(mesh.vertices) for mesh in meshes[:-1])])
     rows = np.concatenate(
         [np.concatenate([mesh.vertices, mesh.normals, mesh.uvs], axis=1) for mesh in meshes]
@@ -92,4 +97,39 @@ def joined(meshes: list[Mesh]) -> Mesh:
     turned = np.argmin(corners, axis=1)[:, None] + np.arange(3)
     corners = np.take_along_axis(corners, turned % 3, axis=1)
     corners = corners[np.lexsort(corners.T[::-1])]
+    corners, copied = _fanned(corners, len(rows))
+    copies = rows[copied]
+    copies[:, 6] += _APART * (1 + np.arange(len(copied)) - np.searchsorted(copied, copied))
+    rows = np.concatenate([rows, copies])
     return Mesh(rows[:, :3], rows[:, 3:6], rows[:, 6:8], np.zeros(len(rows), np.int64), corners)
+
+
+def _fanned(corners: NDArray[np.int64], count: int) -> tuple[NDArray[np.int64], list[int]]:
+    """Give open fans of triangles vertices of their own where they touch in one point.
+
+    Args:
+        corners: Triangles among `count` vertices, shape (m, 3).
+        count: How many vertices there are.
+
+    Returns:
+        The triangles, and of which vertices those from `count` on are copies.
+    """
+    following = np.roll(corners, -1, axis=1)
+    keys = np.sort((np.minimum(corners, following) * count + np.maximum(corners, following)).ravel())
+    sides = keys[np.append(True, keys[1:] != keys[:-1])]
+    neighbours = np.bincount(sides // count, minlength=count) + np.bincount(sides % count, minlength=count)
+    # an open fan has one neighbour more than triangles, a closed one as many
+    fans = neighbours - np.bincount(corners.ravel(), minlength=count)
+    copied: list[int] = []
+    for vertex in np.flatnonzero(fans > 1).tolist():
+        rows, places = np.nonzero(corners == vertex)
+        ahead, behind = corners[rows, (places + 1) % 3].tolist(), corners[rows, places - 1].tolist()
+        after = {corner: number for number, corner in enumerate(ahead)}
+        starts = [number for number, corner in enumerate(ahead) if corner not in behind]
+        for start in starts[1:]:
+            number: int | None = start
+            while number is not None:
+                corners[rows[number], places[number]] = count + len(copied)
+                number = after.pop(behind[number], None)
+            copied.append(vertex)
+    return corners, copied

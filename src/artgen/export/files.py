@@ -106,7 +106,7 @@ def encode(
         AssetError: The asset was read from files, which keep no solids, and other colliders are asked for.
         ParameterError: Maps cannot have that many texels.
     """
-    if textures:
+    if textures != 0:
         check_size(textures)
     chosen = dict.fromkeys([formats] if isinstance(formats, str) else formats)
     for name in chosen:

@@ -3,6 +3,8 @@
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from numbers import Real
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,8 +18,12 @@ CLOSE_UP = "close-up:"
 """What stands before the name of a link in the name of a view that frames this link."""
 
 
+def _is_number(value: Any) -> bool:
+    return isinstance(value, Real) and math.isfinite(value)
+
+
 def _check_field_of_view(angle: float) -> None:
-    if not 0.01 <= angle <= 2.5:
+    if not (_is_number(angle) and 0.01 <= angle <= 2.5):
         raise ParameterError(f"field_of_view {angle!r} must be in 0.01..2.5 [rad]")
 
 
@@ -38,7 +44,10 @@ class Camera:
     def __post_init__(self) -> None:
         """Check every field."""
         for name in ("position", "target"):
-            point = np.asarray(getattr(self, name), float)
+            try:
+                point = np.asarray(getattr(self, name), float)
+            except (TypeError, ValueError):
+                point = np.empty(0)
             if point.shape != (3,) or not np.isfinite(point).all():
                 raise ParameterError(f"camera: {name} {getattr(self, name)!r} must be 3 finite numbers [m]")
             object.__setattr__(self, name, tuple(point.tolist()))
@@ -115,11 +124,11 @@ class View:
     def __post_init__(self) -> None:
         """Check every field."""
         _check_field_of_view(self.field_of_view)
-        if not math.isfinite(self.azimuth):
+        if not _is_number(self.azimuth):
             raise ParameterError(f"view: azimuth {self.azimuth!r} must be a finite number [rad]")
-        if not -math.pi / 2 <= self.elevation <= math.pi / 2:
+        if not (_is_number(self.elevation) and -math.pi / 2 <= self.elevation <= math.pi / 2):
             raise ParameterError(f"view: elevation {self.elevation!r} must be in -pi/2..pi/2 [rad]")
-        if not 0.0 <= self.margin <= 0.9:
+        if not (_is_number(self.margin) and 0.0 <= self.margin <= 0.9):
             raise ParameterError(f"view: margin {self.margin!r} must be in 0..0.9")
 
     def camera(self, points: Array, aspect: float = 1.0) -> Camera:
@@ -172,7 +181,7 @@ def camera_of(
         aspect: Width of the picture divided by its height.
 
     Raises:
-        ParameterError: There is no view of that name.
+        ParameterError: There is no view of that name, or it is none of these.
         AssetError: There is no link of that name.
     """
     if isinstance(camera, Camera):
@@ -184,6 +193,8 @@ def camera_of(
 
 
 def _named(name: str) -> View:
+    if not isinstance(name, str):
+        raise ParameterError(f"camera {name!r} must be a Camera, a View, or the name of a view")
     if name.startswith(CLOSE_UP):
         return replace(VIEWS["three_quarter"], margin=0.25, link=name.removeprefix(CLOSE_UP))
     if name not in VIEWS:

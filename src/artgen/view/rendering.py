@@ -61,7 +61,7 @@ def render(
     pixels = _checked_size(size)
     _check("studio", studio, get_args(Studio))
     _check("backend", backend, get_args(Backend))
-    if textures:
+    if textures != 0:
         check_size(textures)
     _check_samples(samples)
     poses = asset.pose(q)
