@@ -199,3 +199,13 @@ def test_generate_as_a_process_without_a_warning(tmp_path: Path) -> None:
     paths = [tmp_path / line for line in done.stdout.splitlines()]
     assert [path.suffix for path in paths] == [".urdf", ".xml", ".usda"]
     assert all(path.is_file() for path in paths)
+
+
+def test_generate_takes_the_size_of_the_maps(artgen_command, tmp_path) -> None:
+    few = artgen_command("generate", "handle", "--no-certify", "--format", "mjcf", "--textures", "0")
+    assert few.code == 0
+    assert not list(tmp_path.rglob("*.png"))
+    wrong = artgen_command("generate", "handle", "--no-certify", "--textures", "300", "--out", "other")
+    assert wrong.code == 2
+    assert wrong.err == "error: textures have 256, 512, 1024, 2048 texels on a side, not 300\n"
+    assert not (tmp_path / "other").exists()

@@ -18,9 +18,10 @@ from artgen.commands.render import render
 from artgen.commands.sheet import sheet
 from artgen.commands.validate import validate
 from artgen.errors import ArtgenError, CheckError
-from artgen.export import DEFAULT_FORMATS, FORMATS
+from artgen.export import DEFAULT_FORMATS, FORMATS, TEXTURES
 from artgen.export.collision import Collision
 from artgen.generator import Fixed, OnCollision, Parameter
+from artgen.materials.textures import check_size
 from artgen.overrides import parse_overrides
 from artgen.version import __version__
 
@@ -133,6 +134,9 @@ def generate(
         Collision,
         typer.Option(help="Colliders: those known from how solids were made, CoACD's, or convex hulls."),
     ] = "exact",
+    textures: Annotated[
+        int, typer.Option(metavar="TEXELS", help="Texels on a side of the maps; 0 for colours alone.")
+    ] = TEXTURES,
     certify: Annotated[
         bool, typer.Option(help="Prove that no two links collide anywhere in the joint ranges.")
     ] = True,
@@ -148,6 +152,8 @@ def generate(
     chosen = [item.strip() for item in formats.split(",") if item.strip()]
     if not chosen:
         raise typer.BadParameter(f"--format {formats!r} names no format; choose of {', '.join(FORMATS)}")
+    if textures != 0:
+        check_size(textures)
     found = find(category)
     asset, _ = found.evaluate(
         seed,
@@ -160,7 +166,9 @@ def generate(
     )
     if asset.certificate is not None and not asset.certificate.proven:
         typer.echo(f"warning: {' '.join(str(asset.certificate).split())}", err=True)
-    directory = asset.export(Path(asset.name) if out is None else out, formats=chosen, collision=collision)
+    directory = asset.export(
+        Path(asset.name) if out is None else out, formats=chosen, collision=collision, textures=textures
+    )
     if collision != "exact" and asset.certificate is not None:
         typer.echo(
             f"note: the certificate is of the exact colliders; the export with {collision!r} has none",

@@ -48,7 +48,7 @@ def test_text_extrudes_to_a_solid(string):
 
 
 def test_a_missing_character_is_named_with_the_font():
-    with pytest.raises(ValueError, match=r"Roboto Medium has no character '界' \(U\+754C\)"):
+    with pytest.raises(ValueError, match=r"no character '界' \(U\+754C\): spell it with others, or draw it"):
         text._text("a界", 0.01, "left")
 
 

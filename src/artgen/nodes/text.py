@@ -89,7 +89,10 @@ def _glyph(character: str) -> tuple[tuple[Contour, ...], float]:
     name = font.getBestCmap().get(ord(character))
     if name is None:
         family = font["name"].getDebugName(4)
-        raise ValueError(f"the font {family} has no character {character!r} (U+{ord(character):04X})")
+        raise ValueError(
+            f"the font {family} has no character {character!r} (U+{ord(character):04X}): spell it with "
+            "others, or draw it with polygon() or details.icon()"
+        )
     glyphs = font.getGlyphSet()
     pen = DecomposingRecordingPen(glyphs)
     glyphs[name].draw(pen)

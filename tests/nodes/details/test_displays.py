@@ -160,3 +160,10 @@ def test_a_rating_plate_is_cheap_and_inside_its_border():
 def test_a_rating_plate_has_some_letters_but_not_too_many(lines):
     with pytest.raises(BuildError, match=r"1 to 90 letters, got (0|100)"):
         rating_plate(0.07, 0.04, lines)
+
+
+def test_a_display_shines_in_known_colours_only():
+    with pytest.raises(
+        BuildError, match=r"cannot shine in 'ambre'\. Did you mean 'amber'\?\n  at .*test_displays"
+    ):
+        display("12", 0.05, 0.02, color="ambre")

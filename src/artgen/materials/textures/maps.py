@@ -31,7 +31,7 @@ _QUALITY: dict[Kind, int] = {"normal": 92}
 
 def check_size(size: int) -> None:
     """Raise a ParameterError unless maps may have that many texels on a side."""
-    if size not in SIZES:
+    if type(size) is not int or size not in SIZES:
         raise ParameterError(f"textures have {', '.join(map(str, SIZES))} texels on a side, not {size!r}")
 
 

@@ -2,7 +2,7 @@
 
 from typing import Literal
 
-from artgen.errors import BuildError
+from artgen.errors import BuildError, nearest
 from artgen.graph.node import authors_line
 from artgen.materials import MATERIALS, Material
 from artgen.nodes.body import detail, weld
@@ -51,6 +51,10 @@ def _black_glass() -> Material:
 
 def _materials(color: str) -> tuple[Material, Material, Material]:
     """Return the materials of the pane, of what is lit and of what is dark."""
+    if color not in (*_GLOW, "lcd"):
+        raise BuildError(
+            f"a display cannot shine in {color!r}.{nearest(color, [*_GLOW, 'lcd'])}\n  at {authors_line()}"
+        )
     if color == "lcd":
         pane = MATERIALS["abs"].with_(
             name="lcd", base_color=(0.34, 0.39, 0.31), specular_roughness=0.22, texture="", tile=None
