@@ -14,6 +14,7 @@ from artgen import InfeasibleError, ParameterError, material
 from artgen.asset import Asset, Link, Piece
 from artgen.asset.surface import shifted
 from artgen.categories.door import door
+from support.poses import free_poses
 
 LEAVES = ("flush_leaf", "plank_leaf", "panel_leaf", "glazed_leaf", "half_lite_leaf", "louver_leaf")
 PLAIN: dict[str, Any] = {  # a small door that is quick to make
@@ -74,18 +75,6 @@ def overlaps(asset: Asset, q: dict[str, float]) -> list[tuple[str, str, str, str
         if link_a != link_b and near and (a ^ b).volume() > 1e-12:
             found.append((link_a, label_a, link_b, label_b))
     return found
-
-
-def free_poses(asset: Asset, count: int = 12) -> list[dict[str, float]]:
-    """Return the corners of joint space and some poses between that no dependency forbids."""
-    draw = np.random.default_rng(7)
-    joints = asset.free_joints
-    limits = np.array([joint.limits for joint in joints])
-    shares = [np.array(corner) for corner in product((0.0, 1.0), repeat=len(joints))]
-    shares += [draw.random(len(joints)) ** draw.choice([0.3, 1.0, 3.0]) for _ in range(count)]
-    names = [joint.name for joint in joints]
-    poses = [dict(zip(names, limits[:, 0] + share * np.ptp(limits, axis=1), strict=True)) for share in shares]
-    return [pose for pose in poses if not asset.blocked(pose)]
 
 
 @pytest.mark.parametrize("seed", range(6))

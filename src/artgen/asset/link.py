@@ -341,12 +341,9 @@ class MovedLink(Link):
         reflected = np.linalg.det(self.matrix[:3, :3]) < 0.0
         if reflected and any(piece.reading is not None for piece in self.pieces):
             return super().surfaces
-        key = "" if self.name == self.source.name else self.name
-        return tuple(
-            replace(surface, mesh=_relaid(surface.mesh.moved(self.matrix), surface.material, key))
-            for surface in self.source.surfaces
-        )
-
-
-def _relaid(mesh: Mesh, material: Material, key: str) -> Mesh:
-    return shifted(mesh, material, key) if key else mesh
+        moved = [replace(surface, mesh=surface.mesh.moved(self.matrix)) for surface in self.source.surfaces]
+        if self.name != self.source.name:
+            moved = [
+                replace(surface, mesh=shifted(surface.mesh, surface.material, self.name)) for surface in moved
+            ]
+        return tuple(moved)

@@ -20,9 +20,7 @@ PROPERTIES = 6
 _COINCIDENT = 1e-9  # [m]: vertices closer than this are one point of the surface
 _GRAIN = 1e12  # steps per metre: hides the last digit, in which the sines of different machines differ
 _RIGID = 1e-12  # what a rotation may miss orthogonality by
-_TURNED_OVER = np.array(
-    [-1.0, 1.0]
-)  # what a reflection does to texture coordinates, so that maps are not mirrored
+_TURNED_OVER = np.array([-1.0, 1.0])  # turns texture coordinates, so that a reflection mirrors no map
 _HAS_NORMALS = 2  # bit of a mesh run: the first three channels are normals, to be turned with the solid
 
 

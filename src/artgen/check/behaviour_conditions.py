@@ -6,14 +6,9 @@ from itertools import product
 from typing import Literal
 
 from artgen.asset import Asset, Condition, Joint
-from artgen.export.frames import coupling
+from artgen.export.regions import BORDER, intersection, leader_of, regions
 
 _OPEN_TRAVEL = 0.5  # how far inside a region that has no end a position is chosen [rad or m]
-_BORDER = 1e-9  # regions are open; what lies this far beyond a border is on it [rad or m]
-
-
-Region = dict[str, tuple[float, float]]
-"""A box of joint space: open intervals of free joints; those that are not named may stand anywhere."""
 
 
 def state_for(
@@ -65,22 +60,19 @@ def negation(condition: Condition) -> Condition:
         "any": "all",
     }
     terms = tuple(negation(term) for term in condition.terms)
-    border = {"above": _BORDER, "below": -_BORDER}.get(condition.kind, 0.0)
+    border = {"above": BORDER, "below": -BORDER}.get(condition.kind, 0.0)
     return Condition(kinds[condition.kind], condition.joint, condition.value + border, terms)
 
 
 def _leader(asset: Asset, name: str) -> str:
-    if not name:
-        return ""
-    law = coupling(asset, asset.joint(name))
-    return name if law is None else law.leader
+    return leader_of(asset, asset.joint(name))[0] if name else ""
 
 
 def _states(
     asset: Asset, conditions: list[Condition], ignore: str, extreme: str
 ) -> Iterator[dict[str, float]]:
-    for regions in product(*(_regions(asset, condition) for condition in conditions)):
-        region = _intersection(regions)
+    for boxes in product(*(regions(asset, condition) for condition in conditions)):
+        region = intersection(boxes)
         region.pop(ignore, None)
         chosen = {
             name: _choose(asset.joint(name), interval, extreme=name == extreme)
@@ -90,43 +82,17 @@ def _states(
             yield {name: position for name, position in chosen.items() if position is not None}
 
 
-def _regions(asset: Asset, condition: Condition) -> list[Region]:
-    """Return boxes that together are a region of joint space."""
-    if condition.kind == "any":
-        return [region for term in condition.terms for region in _regions(asset, term)]
-    if condition.kind == "all":
-        parts = product(*(_regions(asset, term) for term in condition.terms))
-        return [_intersection(part) for part in parts]
-    joint = asset.joint(condition.joint)
-    if joint.locked:
-        return [{}] if condition.holds({joint.name: joint.closed}) else []
-    law = coupling(asset, joint)
-    name, ratio, offset = (joint.name, 1.0, 0.0) if law is None else (law.leader, law.ratio, law.offset)
-    bound = (condition.value - offset) / ratio
-    above = (condition.kind == "above") == (ratio > 0.0)
-    return [{name: (bound, math.inf) if above else (-math.inf, bound)}]
-
-
-def _intersection(regions: Iterable[Region]) -> Region:
-    result: Region = {}
-    for region in regions:
-        for name, (low, high) in region.items():
-            before = result.get(name, (-math.inf, math.inf))
-            result[name] = (max(low, before[0]), min(high, before[1]))
-    return result
-
-
 def _choose(joint: Joint, interval: tuple[float, float], *, extreme: bool) -> float | None:
     """Choose where a joint stands: closed if it may, else in the middle or at the far end."""
     if interval[0] < joint.closed < interval[1]:
         return joint.closed
     low, high = joint.limits or (-math.inf, math.inf)
     low, high = max(low, interval[0]), min(high, interval[1])
-    if high - low <= 2.0 * _BORDER:
+    if high - low <= 2.0 * BORDER:
         return None
     if not math.isfinite(low) or not math.isfinite(high):
         return low + _OPEN_TRAVEL if math.isfinite(low) else high - _OPEN_TRAVEL
     if not extreme:
         return (low + high) / 2.0
     end, inside = (high, -1.0) if low >= joint.closed else (low, 1.0)
-    return end + inside * 2.0 * _BORDER if end in interval else end
+    return end + inside * 2.0 * BORDER if end in interval else end

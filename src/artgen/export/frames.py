@@ -6,6 +6,7 @@ the last of a pair.
 """
 
 import math
+from collections.abc import Collection
 from dataclasses import dataclass
 
 import numpy as np
@@ -117,7 +118,8 @@ def chain(asset: Asset) -> tuple[Segment, ...]:
         displacement = parent.placement @ translation(-parent.origin)
         for joint in joints:
             last = joint is joints[-1]
-            name = child_name if last else _unused(f"{child_name}_{joint.name}", taken)
+            name = child_name if last else unused(f"{child_name}_{joint.name}", taken)
+            taken.add(name)
             displacement = displacement @ joint.motion(positions[joint.name])
             origin = asset.origin(child_name) if last else joint.pivot
             child = Frame(
@@ -159,11 +161,18 @@ def bodies(asset: Asset) -> tuple[BodyFrame, ...]:
     return tuple(result)
 
 
-def _unused(name: str, taken: set[str]) -> str:
+def unused(name: str, taken: Collection[str]) -> str:
+    """Return a name, with underscores at its end if it is taken."""
     while name in taken:
         name += "_"
-    taken.add(name)
     return name
+
+
+def joint_type(joint: Joint) -> str:
+    """Return what formats that follow URDF call the kind of a joint."""
+    if joint.locked:
+        return "fixed"
+    return "continuous" if joint.kind == "revolute" and joint.limits is None else joint.kind
 
 
 def quaternion(matrix: Array) -> Array:

@@ -14,7 +14,16 @@ import numpy as np
 
 from artgen.asset import Asset, Joint, Link
 from artgen.asset.record import rounded
-from artgen.export.frames import Frame, Segment, base_frame, chain, coupling, quaternion
+from artgen.export.frames import (
+    Frame,
+    Segment,
+    base_frame,
+    chain,
+    coupling,
+    joint_type,
+    quaternion,
+    unused,
+)
 from artgen.export.glb_animations import animations, local_motion
 from artgen.export.glb_buffer import Buffer, Json
 from artgen.export.glb_materials import Looks
@@ -77,7 +86,7 @@ def _root(asset: Asset, segments: Sequence[Segment], taken: Collection[str]) -> 
         "joints": [_joint(asset, segment) for segment in segments],
     }
     return {
-        "name": _unused(asset.name, taken),
+        "name": unused(asset.name, taken),
         "rotation": _UPRIGHT,
         "children": [_BASE],
         "extras": {"artgen": rounded(data)},
@@ -93,7 +102,7 @@ def _joint(asset: Asset, segment: Segment) -> Json:
         mimic = {"joint": follows.leader, "multiplier": follows.ratio, "offset": follows.offset}
     return {
         "name": joint.name,
-        "type": _type(joint),
+        "type": joint_type(joint),
         "parent": joint.parent,
         "child": joint.child,
         "node": segment.child.name,
@@ -105,12 +114,6 @@ def _joint(asset: Asset, segment: Segment) -> Json:
         "mimic": mimic,
         "needs": None if joint.needs is None else {**joint.needs.to_data(), "text": str(joint.needs)},
     }
-
-
-def _type(joint: Joint) -> str:
-    if joint.locked:
-        return "fixed"
-    return "continuous" if joint.limits is None and joint.kind == "revolute" else joint.kind
 
 
 def _node(frame: Frame) -> Json:
@@ -142,7 +145,7 @@ def _mesh(frame: Frame, link: Link, buffer: Buffer, looks: Looks, taken: Collect
     for surface in link.surfaces:
         shown = primitive(buffer, surface, frame.origin, looks.maps(surface.material))
         primitives.append({**shown, "material": looks.number(surface.material)})
-    return {"name": _unused(f"{link.name}_mesh", taken), "primitives": primitives}
+    return {"name": unused(f"{link.name}_mesh", taken), "primitives": primitives}
 
 
 def _losses(asset: Asset, textures: int, held: Sequence[str]) -> tuple[Loss, ...]:
@@ -161,9 +164,3 @@ def _losses(asset: Asset, textures: int, held: Sequence[str]) -> tuple[Loss, ...
 
 def _is_driven(joint: Joint) -> bool:
     return any((joint.stiffness, joint.damping, joint.friction, joint.armature))
-
-
-def _unused(name: str, taken: Collection[str]) -> str:
-    while name in taken:
-        name += "_"
-    return name

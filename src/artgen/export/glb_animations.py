@@ -10,7 +10,8 @@ from numpy.typing import NDArray
 from artgen.asset import Asset
 from artgen.export.frames import Segment
 from artgen.export.glb_buffer import Buffer, Json
-from artgen.export.glb_motion import Stop, leader_of, opening
+from artgen.export.glb_motion import Stop, opening
+from artgen.export.regions import leader_of
 
 Array = NDArray[np.float64]
 

@@ -2,17 +2,17 @@
 
 import itertools
 import math
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Mapping
 
 from artgen.asset import Asset, Condition, Joint
 from artgen.export.frames import coupling
+from artgen.export.regions import BORDER, Region, leader_of, regions
 
 Stop = Mapping[str, float]
 """Positions of all free joints [rad or m]."""
 
 _TRAVEL = {"revolute": math.tau, "prismatic": 0.2}  # of joints without limits [rad or m]
 _CHECKS = 8  # places between two stops at which dependencies are asked
-_BORDER = 1e-9  # conditions are strict: a joint stands at least this far within them [rad or m]
 
 
 class _NoWayError(Exception):
@@ -44,16 +44,10 @@ def opening(asset: Asset, joint: Joint) -> tuple[Stop, ...] | None:
     return tuple(stops) if _allowed(asset, stops) else None
 
 
-def leader_of(asset: Asset, joint: Joint) -> tuple[str, float, float]:
-    """Return the free joint that decides where a joint stands, with ratio and offset."""
-    law = coupling(asset, joint)
-    return (joint.name, 1.0, 0.0) if law is None else (law.leader, law.ratio, law.offset)
-
-
 def _ends(joint: Joint) -> list[float]:
     if joint.limits is None:
         return [joint.closed + _TRAVEL[joint.kind]]
-    return [end for end in reversed(joint.limits) if abs(end - joint.closed) > _BORDER]
+    return [end for end in reversed(joint.limits) if abs(end - joint.closed) > BORDER]
 
 
 def _comes_round(asset: Asset, joint: Joint) -> bool:
@@ -109,7 +103,7 @@ class _Planner:
     def _meet(self, condition: Condition) -> None:
         start = len(self.stops)
         waiting = list(self._waiting)
-        for region in _regions(self._asset, condition):
+        for region in regions(self._asset, condition):
             try:
                 self._enter(region)
             except _NoWayError:
@@ -119,34 +113,12 @@ class _Planner:
                 return
         raise _NoWayError
 
-    def _enter(self, region: Mapping[str, tuple[float, float]]) -> None:
+    def _enter(self, region: Region) -> None:
         for name, (low, high) in region.items():
             if not low < self.stops[-1][name] < high:
                 position = _within(self._asset.joint(name), low, high)
                 self.allow(name)
                 self.move(name, position)
-
-
-def _regions(asset: Asset, condition: Condition) -> Iterator[dict[str, tuple[float, float]]]:
-    """Yield boxes of free joints, open intervals by name, that together are the region of a condition."""
-    if condition.kind == "any":
-        for term in condition.terms:
-            yield from _regions(asset, term)
-    elif condition.kind == "all":
-        for boxes in itertools.product(*(list(_regions(asset, term)) for term in condition.terms)):
-            result: dict[str, tuple[float, float]] = {}
-            for name, (low, high) in itertools.chain.from_iterable(box.items() for box in boxes):
-                known = result.get(name, (-math.inf, math.inf))
-                result[name] = (max(low, known[0]), min(high, known[1]))
-            yield result
-    elif asset.joint(condition.joint).locked:
-        if condition.holds({condition.joint: asset.joint(condition.joint).closed}):
-            yield {}
-    else:
-        name, ratio, offset = leader_of(asset, asset.joint(condition.joint))
-        bound = (condition.value - offset) / ratio
-        above = (condition.kind == "above") == (ratio > 0.0)
-        yield {name: (bound, math.inf) if above else (-math.inf, bound)}
 
 
 def _within(joint: Joint, low: float, high: float) -> float:
@@ -160,7 +132,7 @@ def _within(joint: Joint, low: float, high: float) -> float:
         if low < end < high and math.isfinite(end):
             return end
     low, high = max(low, ends[0]), min(high, ends[1])
-    if high - low <= 2.0 * _BORDER:
+    if high - low <= 2.0 * BORDER:
         raise _NoWayError
     if math.isfinite(low) and math.isfinite(high):
         return (low + high) / 2.0

@@ -16,7 +16,7 @@ from artgen.export.lines import face_lines, lines, rounded, text
 from artgen.export.maps import TEXTURE_DIRECTORY, MapFiles, map_files
 from artgen.export.phong import phong_exponent, specular_color
 from artgen.materials import Material
-from artgen.materials.textures import Kind
+from artgen.materials.textures import Kind, displayed
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
@@ -176,7 +176,5 @@ def _color(linear: tuple[float, float, float]) -> str:
 
 def display_color(linear: tuple[float, float, float]) -> tuple[float, float, float]:
     """Encode linear RGB as sRGB, which is what URDF, MJCF and MTL readers take colours for."""
-    red, green, blue = (
-        12.92 * value if value <= 0.0031308 else 1.055 * value ** (1 / 2.4) - 0.055 for value in linear
-    )
+    red, green, blue = displayed(np.array(linear)).tolist()
     return round(red, 6), round(green, 6), round(blue, 6)

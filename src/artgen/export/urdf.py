@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from artgen.asset import Asset, Joint, Link
+from artgen.asset import Asset, Link
 from artgen.colliders import Convex
 from artgen.export.frames import (
     INTERMEDIATE_INERTIA,
@@ -19,6 +19,7 @@ from artgen.export.frames import (
     Segment,
     chain,
     coupling,
+    joint_type,
     local,
     mass_in_frame,
     translation,
@@ -157,7 +158,9 @@ def _joint(segment: Segment) -> Any:
     from yourdfpy import urdf as model
 
     joint = segment.joint
-    result = model.Joint(joint.name, _kind(joint), segment.parent.name, segment.child.name, segment.origin)
+    result = model.Joint(
+        joint.name, joint_type(joint), segment.parent.name, segment.child.name, segment.origin
+    )
     if joint.locked:
         return result
     result.axis = joint.axis
@@ -166,12 +169,6 @@ def _joint(segment: Segment) -> Any:
         result.limit.lower, result.limit.upper = joint.limits or (-_FAR, _FAR)
     result.dynamics = model.Dynamics(joint.damping, joint.friction)
     return result
-
-
-def _kind(joint: Joint) -> str:
-    if joint.locked:
-        return "fixed"
-    return "continuous" if joint.kind == "revolute" and joint.limits is None else joint.kind
 
 
 def _add_grasps(robot: Any, asset: Asset) -> None:

@@ -1,7 +1,7 @@
 """Writing assets to USD: a light text layer with the physics, and a binary layer with the meshes."""
 
 import json
-from collections.abc import Collection, Mapping
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -16,6 +16,7 @@ from artgen.export.frames import (
     base_frame,
     chain,
     local,
+    unused,
 )
 from artgen.export.hulls import hulls
 from artgen.export.losses import Written, look_losses
@@ -86,8 +87,8 @@ class _Writer:
         self.geometry = new_layer(".usdc", asset.name)
         self.segments = chain(asset)
         taken = {segment.child.name for segment in self.segments} | {asset.links[0].name}
-        self._joints_name = _unused("joints", taken)
-        self._looks_name = _unused("looks", taken)
+        self._joints_name = unused("joints", taken)
+        self._looks_name = unused("looks", taken)
 
     def write(self) -> None:
         """Author both layers."""
@@ -104,7 +105,7 @@ class _Writer:
     def _joints(self) -> None:
         scope = define(self._root, self._joints_name, "Scope")
         if self.asset.base == "fixed":
-            name = _unused("root_joint", {joint.name for joint in self.asset.joints})
+            name = unused("root_joint", {joint.name for joint in self.asset.joints})
             base = self._root.path.AppendChild(self.asset.links[0].name)
             write_fixed_joint(scope, name, (None, base))
         write_joints(scope, self.asset, self.segments)
@@ -199,9 +200,3 @@ def _custom(value: Any) -> Any:
     if isinstance(value, list | tuple) and all(isinstance(item, int | float) for item in value):
         return Vt.DoubleArray([float(item) for item in value])
     return json.dumps(value, default=str)
-
-
-def _unused(name: str, taken: Collection[str]) -> str:
-    while name in taken:
-        name += "_"
-    return name

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from artgen.materials import Material
-from artgen.materials.textures import kinds, map_name, maps
+from artgen.materials.textures import displayed, kinds, map_name, maps
 from artgen.view import gl
 from artgen.view.camera import Camera
 from artgen.view.environment import sphere_map, sphere_map_coordinates
@@ -29,12 +29,6 @@ _SHADOW_TEXELS = 2048
 _SHADOW_REACH = 1.25  # how far from the asset's middle shadows are drawn, over its radius
 _NEARNESS = 0.35  # half the size of the asset compared with the distance to what it mirrors
 _SKY = {"studio": 0.87, "room": 0.87, "none": 1.7}  # the last one is shown as white
-
-
-def displayed(linear: Any) -> Array:
-    """Encode linear values as sRGB."""
-    value = np.clip(np.asarray(linear, float), 0.0, 1.0)
-    return np.asarray(np.where(value <= 0.0031308, 12.92 * value, 1.055 * value ** (1 / 2.4) - 0.055))
 
 
 def body_of_glass(material: Material) -> float:

@@ -17,9 +17,9 @@ from numpy.typing import NDArray
 
 from artgen.errors import RenderError
 from artgen.materials import Material
-from artgen.materials.textures import Kind, encoded, kinds, map_name
+from artgen.materials.textures import Kind, displayed, encoded, kinds, map_name
 from artgen.view.camera import Camera
-from artgen.view.classic import body_of_glass, displayed
+from artgen.view.classic import body_of_glass
 from artgen.view.filament_environment import image_light
 from artgen.view.lamps import KEY, key_light, spread
 from artgen.view.one_thread import OneThread

@@ -6,6 +6,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from artgen.materials import textures
+
 Array = NDArray[np.float32]
 
 _SHOULDER = 0.76  # radiance up to which colours are reproduced as they are
@@ -31,11 +33,7 @@ def tone_mapped(radiance: Array) -> Array:
 
 def displayed(linear: Array) -> NDArray[np.uint8]:
     """Return display-linear colours encoded as sRGB."""
-    linear = np.clip(linear, 0.0, 1.0)
-    encoded = np.where(
-        linear <= 0.0031308, 12.92 * linear, 1.055 * np.maximum(linear, 1e-9) ** (1 / 2.4) - 0.055
-    )
-    return np.asarray(np.rint(encoded * 255.0), np.uint8)
+    return textures.as_bytes(textures.displayed(linear))
 
 
 def denoised(color: Array, albedo: Array, normals: Array) -> Array:

@@ -50,13 +50,11 @@ class Drawn:
 
     Attributes:
         link: Number of its link.
-        label: Its semantic label.
         mesh: Its faces, in asset coordinates at rest.
         mirrors: Number of each of its meshes in the model that mirror the studio.
     """
 
     link: int
-    label: str
     mesh: Mesh
     mirrors: tuple[int, ...]
 
@@ -106,7 +104,7 @@ class Scene:
                 for layer_number, layer in enumerate(layers)
                 if layer.mirrors
             )
-            drawn.append(Drawn(number, surface.label, surface.mesh, mirrors))
+            drawn.append(Drawn(number, surface.mesh, mirrors))
         self.drawn = tuple(drawn)
 
     def placed(self, camera: Camera, poses: Mapping[str, Array]) -> tuple[Camera, list[Array]]:

@@ -1,6 +1,6 @@
 """Procedural textures: tileable maps in metric scale, baked once per recipe and kept on disk."""
 
-from artgen.materials.textures.bake import Maps
+from artgen.materials.textures.bake import Maps, as_bytes, displayed
 from artgen.materials.textures.library import RECIPES
 from artgen.materials.textures.maps import (
     KINDS,
@@ -26,7 +26,9 @@ __all__ = [
     "Maps",
     "Pattern",
     "Recipe",
+    "as_bytes",
     "check_size",
+    "displayed",
     "encoded",
     "kinds",
     "map_name",

@@ -7,7 +7,7 @@ from typing import Any
 from zipfile import BadZipFile
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from artgen.materials.textures import keep
 from artgen.materials.textures.fields import in_strips
@@ -81,10 +81,10 @@ def as_bytes(values: NDArray[np.float64]) -> Pixels:
     return np.rint(np.clip(values, 0.0, 1.0) * 255.0).astype(np.uint8)
 
 
-def displayed(linear: NDArray[np.float64]) -> NDArray[np.float64]:
+def displayed(linear: ArrayLike) -> NDArray[np.float64]:
     """Encode linear values as sRGB."""
-    linear = np.clip(linear, 0.0, 1.0)
-    return np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055)
+    light = np.clip(np.asarray(linear, float), 0.0, 1.0)
+    return np.asarray(np.where(light <= 0.0031308, 12.92 * light, 1.055 * light ** (1 / 2.4) - 0.055))
 
 
 def _colored(albedo: NDArray[np.float64]) -> Pixels:

@@ -209,6 +209,20 @@ def in_strips(make: Callable[..., NDArray[Value]], *fields: NDArray[Any]) -> NDA
     return result
 
 
+def hairlines(tile: Tile, width: float, length: float, least: float) -> Array:
+    """Return scarce fine scratches of some width and length [m] along and across, 0..2, shape (n, n).
+
+    Args:
+        tile: Where they are.
+        width: How wide they are [m].
+        length: How long they are [m].
+        least: How many deviations noise has to reach to be seen as a scratch.
+    """
+    ways = ((width, length), (length, width))
+    along, across = (smoothstep(least, 3.4, tile.streaks(*way)) for way in ways)
+    return along + across
+
+
 def smoothstep(low: float, high: float, values: Array) -> Array:
     """Return 0 below low, 1 above high, and a smooth rise between; falls where low is above high."""
 

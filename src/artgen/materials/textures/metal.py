@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from artgen.materials.textures.fields import Array, Tile, blend, centred, smoothstep, with_mean
+from artgen.materials.textures.fields import Array, Tile, blend, centred, hairlines, smoothstep, with_mean
 from artgen.materials.textures.recipe import Pattern, Recipe, Varying
 
 _GREY = (0.5, 0.5, 0.5)
@@ -50,9 +50,7 @@ def _satin(stream: np.random.Generator, size: int) -> Pattern:
 def _polished(stream: np.random.Generator, size: int) -> Pattern:
     """Make polished metal: finger marks and hairlines alone tell it from a mirror."""
     tile = Tile(stream, size, _POLISHED_TILE)
-    hairs = smoothstep(2.3, 3.4, tile.streaks(0.0008, 0.02)) + smoothstep(
-        2.3, 3.4, tile.streaks(0.02, 0.0008)
-    )
+    hairs = hairlines(tile, 0.0008, 0.02, 2.3)
     return Pattern(None, centred(0.020 * tile.smudges(0.08) + 0.030 * hairs))
 
 

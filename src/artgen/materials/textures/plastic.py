@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from artgen.materials.textures.fields import Tile, centred, smoothstep, with_mean
+from artgen.materials.textures.fields import Tile, centred, hairlines, smoothstep, with_mean
 from artgen.materials.textures.recipe import Pattern, Recipe, Varying
 
 _GREY = (0.5, 0.5, 0.5)
@@ -36,9 +36,7 @@ def _coarse(stream: np.random.Generator, size: int) -> Pattern:
 def _glossy(stream: np.random.Generator, size: int) -> Pattern:
     """Make polished plastic: finger marks and hairlines of wiping."""
     tile = Tile(stream, size, _GLOSSY_TILE)
-    hairs = smoothstep(2.2, 3.4, tile.streaks(0.0010, 0.03)) + smoothstep(
-        2.2, 3.4, tile.streaks(0.03, 0.0010)
-    )
+    hairs = hairlines(tile, 0.0010, 0.03, 2.2)
     return Pattern(None, centred(0.022 * tile.smudges(0.12) + 0.025 * hairs))
 
 

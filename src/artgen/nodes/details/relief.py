@@ -178,8 +178,7 @@ def printed(
         label: Semantic label.
         proud: How far the ink stands out [m]; it reaches as far into the face.
     """
-    film = relief(profile, at, facing=facing, up=up, proud=proud, sunk=proud)
-    return detail(film, label, material, reads=reading(facing, up), about=middle(profile, at, facing, up))
+    return raised(profile, at, material=material, facing=facing, up=up, label=label, proud=proud, bevel=0.0)
 
 
 def raised(

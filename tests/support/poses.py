@@ -1,0 +1,19 @@
+"""Poses of an asset to look for overlaps in."""
+
+from itertools import product
+
+import numpy as np
+
+from artgen.asset import Asset
+
+
+def free_poses(asset: Asset, count: int = 12) -> list[dict[str, float]]:
+    """Return the corners of joint space and some poses between that no dependency forbids."""
+    draw = np.random.default_rng(7)
+    joints = asset.free_joints
+    limits = np.array([joint.limits for joint in joints])
+    shares = [np.array(corner) for corner in product((0.0, 1.0), repeat=len(joints))]
+    shares += [draw.random(len(joints)) ** draw.choice([0.3, 1.0, 3.0]) for _ in range(count)]
+    names = [joint.name for joint in joints]
+    poses = [dict(zip(names, limits[:, 0] + share * np.ptp(limits, axis=1), strict=True)) for share in shares]
+    return [pose for pose in poses if not asset.blocked(pose)]
