@@ -1,24 +1,24 @@
 """The command line: list categories, show their parameters, generate, prove and check assets."""
 
-import json
 import sys
 from collections.abc import Sequence
-from pathlib import Path, PurePosixPath
+from pathlib import Path
 from typing import Annotated, Literal, NoReturn
 
 import typer
 from rich.console import Console
 from rich.table import Table
 
-from artgen.asset.files import ASSET_FILE
+from artgen.asset.files import main_files
 from artgen.catalog import categories, find
 from artgen.commands.certify import certify as certify_category
 from artgen.commands.colliders import colliders
+from artgen.commands.export import check_formats, export
 from artgen.commands.render import render
 from artgen.commands.sheet import sheet
 from artgen.commands.validate import validate
 from artgen.errors import ArtgenError, CheckError
-from artgen.export import DEFAULT_FORMATS, FORMATS, TEXTURES
+from artgen.export import DEFAULT_FORMATS, FORMATS, LAYOUTS, TEXTURES
 from artgen.export.collision import Collision
 from artgen.generator import Fixed, OnCollision, Parameter
 from artgen.materials.textures import check_size
@@ -121,8 +121,17 @@ def generate(
         ),
     ] = None,
     formats: Annotated[
-        str, typer.Option("--format", metavar="NAMES", help=f"What to write, of {', '.join(FORMATS)}.")
-    ] = ",".join(DEFAULT_FORMATS),
+        str | None,
+        typer.Option(
+            "--format",
+            metavar="NAMES",
+            help=f"What to write, of {', '.join(FORMATS)}; by default {', '.join(DEFAULT_FORMATS)}, or what "
+            "the layout has of it.",
+        ),
+    ] = None,
+    layout: Annotated[
+        str, typer.Option(metavar="NAME", help=f"How the files lie: {', '.join(LAYOUTS)}.")
+    ] = "flat",
     out: Annotated[
         Path | None, typer.Option(metavar="DIRECTORY", help="Where to; ./<name of the asset> by default.")
     ] = None,
@@ -149,9 +158,7 @@ def generate(
     ] = "redraw",
 ) -> None:
     """Generate an asset and print the paths of what was written."""
-    chosen = [item.strip() for item in formats.split(",") if item.strip()]
-    if not chosen:
-        raise typer.BadParameter(f"--format {formats!r} names no format; choose of {', '.join(FORMATS)}")
+    chosen = check_formats(layout, formats)
     if textures != 0:
         check_size(textures)
     found = find(category)
@@ -167,29 +174,27 @@ def generate(
     if asset.certificate is not None and not asset.certificate.proven:
         typer.echo(f"warning: {' '.join(str(asset.certificate).split())}", err=True)
     directory = asset.export(
-        Path(asset.name) if out is None else out, formats=chosen, collision=collision, textures=textures
+        Path(asset.name) if out is None else out,
+        formats=chosen,
+        collision=collision,
+        textures=textures,
+        layout=layout,
     )
     if collision != "exact" and asset.certificate is not None:
         typer.echo(
             f"note: the certificate is of the exact colliders; the export with {collision!r} has none",
             err=True,
         )
-    for path in _main_files(directory, asset.name):
+    for path in main_files(directory).values():
         typer.echo(path)
 
 
 app.command(name="certify")(certify_category)
 app.command()(validate)
 app.command()(colliders)
+app.command()(export)
 app.command()(render)
 app.command()(sheet)
-
-
-def _main_files(directory: Path, name: str) -> list[Path]:
-    """Return the file of each format that a simulator opens: the one with the asset's name."""
-    record = json.loads((directory / ASSET_FILE).read_text(encoding="utf-8"))["formats"].values()
-    written = [PurePosixPath(path) for of_format in record for path in of_format["files"]]
-    return [directory / path for path in written if path.stem == name and len(path.parts) == 1]
 
 
 def _kind(parameter: Parameter) -> str:

@@ -1,9 +1,11 @@
 """Assets: links, joints, poses and mass properties, as plain data."""
 
+from artgen.asset.affordance import Affordance
 from artgen.asset.asset import Asset, Base
 from artgen.asset.contact import AllowedContact
+from artgen.asset.hold import Grasp, Hold, Push
 from artgen.asset.joint import DYNAMICS, Condition, Coupling, Dependency, Joint, JointKind, rotation
-from artgen.asset.link import MOST_COLLIDERS, Collider, Grasp, Link, Piece, Reading, Surface
+from artgen.asset.link import MOST_COLLIDERS, Collider, Link, Piece, Reading, Surface
 from artgen.asset.mass import MassProperties, Moments, polyhedron_moments
 from artgen.asset.outline import Contour, Curve, Outline
 from artgen.asset.shape import PROPERTIES, Mesh, Shape
@@ -13,6 +15,7 @@ __all__ = [
     "DYNAMICS",
     "MOST_COLLIDERS",
     "PROPERTIES",
+    "Affordance",
     "AllowedContact",
     "Asset",
     "Base",
@@ -24,6 +27,7 @@ __all__ = [
     "Curve",
     "Dependency",
     "Grasp",
+    "Hold",
     "Joint",
     "JointKind",
     "Link",
@@ -32,6 +36,7 @@ __all__ = [
     "Moments",
     "Outline",
     "Piece",
+    "Push",
     "Reading",
     "Shape",
     "Surface",

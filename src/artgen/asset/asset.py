@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from artgen.asset.affordance import Affordance, affordances
 from artgen.asset.certificate import Certificate
 from artgen.asset.contact import AllowedContact
 from artgen.asset.joint import Joint, is_number, positions_of_followers
@@ -143,6 +144,11 @@ class Asset:
     def free_joints(self) -> tuple[Joint, ...]:
         """The joints that are free to be set: neither coupled to another nor locked."""
         return tuple(joint for joint in self.joints if joint.follows is None and not joint.locked)
+
+    @cached_property
+    def affordances(self) -> tuple[Affordance, ...]:
+        """What a hand can do with it: grasps and pushes, each with the joints that it moves."""
+        return affordances(self)
 
     def positions(self, q: Mapping[str, float] | None = None) -> dict[str, float]:
         """Complete joint positions: those not given stand nearest to 0, coupled ones follow.
@@ -304,14 +310,15 @@ class Asset:
         self,
         directory: str | Path,
         *,
-        formats: Sequence[str] = ("urdf", "mjcf", "usd"),
+        formats: Sequence[str] | None = None,
         collision: Literal["exact", "coacd", "hull"] = "exact",
         textures: int = 512,
+        layout: str = "flat",
     ) -> Path:
         """Write the asset to a directory, with its own colliders or others; see `artgen.export.export`."""
         from artgen.export import export
 
-        return export(self, directory, formats=formats, collision=collision, textures=textures)
+        return export(self, directory, formats=formats, collision=collision, textures=textures, layout=layout)
 
     def render(
         self,
@@ -372,6 +379,7 @@ class Asset:
             **rounded(data),
             "links": links,
             "joints": rounded(joints),
+            "affordances": rounded([affordance.to_data(self) for affordance in self.affordances]),
             "contacts": rounded(contacts),
             **proven,
         }

@@ -14,8 +14,9 @@ from numpy.typing import NDArray
 from artgen.asset.asset import FORMAT, Asset, remember
 from artgen.asset.certificate import Certificate
 from artgen.asset.contact import AllowedContact
+from artgen.asset.hold import Grasp, Push
 from artgen.asset.joint import Joint
-from artgen.asset.link import Collider, Grasp, Link, Surface
+from artgen.asset.link import Collider, Link, Surface
 from artgen.asset.mass import MassProperties
 from artgen.asset.shape import Mesh
 from artgen.asset.surface import metric_coordinates
@@ -61,6 +62,25 @@ def load(directory: str | Path) -> Asset:
         return _asset(data, path.parent)
     except (KeyError, TypeError) as error:
         raise AssetError(f"{path} is damaged ({error!r}); export the asset again") from error
+
+
+def main_files(directory: str | Path) -> dict[str, Path]:
+    """Return the file that a client opens, for each format of an export.
+
+    Args:
+        directory: The directory of the export.
+
+    Raises:
+        ExportError: There is no readable `asset.json`.
+    """
+    path = Path(directory) / ASSET_FILE
+    try:
+        record = json.loads(path.read_text(encoding="utf-8"))["formats"]
+        return {str(name): path.parent / str(each["main"]) for name, each in record.items()}
+    except (OSError, ValueError, LookupError, TypeError, AttributeError) as error:
+        raise ExportError(
+            f"cannot read the formats of {path}: {error!r}; is this a directory that artgen exported?"
+        ) from error
 
 
 def previous_directory(directory: Path) -> Path:
@@ -109,6 +129,9 @@ def _asset(data: Mapping[str, Any], directory: Path) -> Asset:
                 Grasp(each["name"], np.array(each["frame"], float), each["width"]) for each in item["grasps"]
             ),
             separate=item.get("separate", ""),
+            pushes=tuple(
+                Push(each["name"], np.array(each["frame"], float)) for each in item.get("pushes", ())
+            ),
             data=item,
             materials=materials,
             meshes=tuple(directory / MESH_DIRECTORY / file for file in files[item["name"]]),

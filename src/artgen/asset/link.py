@@ -9,6 +9,7 @@ import numpy as np
 from manifold3d import Manifold, OpType
 from numpy.typing import NDArray
 
+from artgen.asset.hold import Grasp, Push
 from artgen.asset.mass import MassProperties, Moments, polyhedron_moments, total
 from artgen.asset.shape import Mesh, Shape
 from artgen.asset.surface import by_paint, joined, shifted
@@ -20,29 +21,6 @@ Array = NDArray[np.float64]
 
 MOST_COLLIDERS = 64
 """Convex pieces that one link may carry; the budget of GPU simulators."""
-
-
-@dataclass(frozen=True, eq=False)
-class Grasp:
-    """A frame at which a hand takes hold.
-
-    Attributes:
-        name: Identifier, unique on the asset.
-        frame: Pose in asset coordinates at rest: z along the approach, x along the closing direction of
-            a parallel gripper, shape (4, 4) [m].
-        width: Opening that the fingers need [m].
-    """
-
-    name: str
-    frame: Array
-    width: float = 0.08
-
-    def moved(self, matrix: Array) -> "Grasp":
-        """Return the grasp carried along by a rigid motion or a reflection, shape (4, 4)."""
-        frame = matrix @ self.frame
-        if np.linalg.det(frame[:3, :3]) < 0.0:
-            frame[:3, 1] = -frame[:3, 1]
-        return replace(self, frame=frame)
 
 
 @dataclass(frozen=True, eq=False)
@@ -143,6 +121,7 @@ class Link:
         pieces: Its solids; empty on an asset read from files, which has surfaces and colliders only.
         grasps: Frames at which a hand takes hold of the link.
         separate: Why its solids do not all hang together, if they are meant not to.
+        pushes: Frames at which a finger pushes the link.
     """
 
     name: str
@@ -150,6 +129,7 @@ class Link:
     pieces: Sequence[Piece] = ()
     grasps: tuple[Grasp, ...] = field(default=())
     separate: str = ""
+    pushes: tuple[Push, ...] = field(default=())
 
     @cached_property
     def labels(self) -> tuple[str, ...]:
@@ -218,13 +198,17 @@ class Link:
     def moved(self, matrix: Array) -> "Link":
         """Return the link carried along by a rigid motion or a reflection, shape (4, 4)."""
         grasps = tuple(grasp.moved(matrix) for grasp in self.grasps)
+        pushes = tuple(push.moved(matrix) for push in self.pushes)
         pieces = MovedPieces(self.pieces, matrix)
-        return MovedLink(self.name, self.label, pieces, grasps, self.separate, source=self, matrix=matrix)
+        return MovedLink(
+            self.name, self.label, pieces, grasps, self.separate, pushes, source=self, matrix=matrix
+        )
 
     def renamed(self, suffix: str) -> "Link":
-        """Return the link with a suffix on its name and on its grasps' names."""
+        """Return the link with a suffix on its name and on the names of its grasps and pushes."""
         grasps = tuple(replace(grasp, name=grasp.name + suffix) for grasp in self.grasps)
-        return replace(self, name=self.name + suffix, grasps=grasps)
+        pushes = tuple(replace(push, name=push.name + suffix) for push in self.pushes)
+        return replace(self, name=self.name + suffix, grasps=grasps, pushes=pushes)
 
     def to_data(self) -> dict[str, Any]:
         """Return everything but the triangles as JSON data."""
@@ -237,6 +221,7 @@ class Link:
                 {"name": grasp.name, "frame": grasp.frame.tolist(), "width": grasp.width}
                 for grasp in self.grasps
             ],
+            "pushes": [{"name": push.name, "frame": push.frame.tolist()} for push in self.pushes],
             "colliders": [
                 {
                     "kind": collider.convex.kind,

@@ -3,7 +3,6 @@
 from collections import Counter
 from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass, replace
-from itertools import chain
 
 import numpy as np
 from numpy.typing import NDArray
@@ -70,7 +69,7 @@ class Tree:
         )
 
     def suffixed(self, suffix: str) -> "Tree":
-        """Return the tree with a suffix on the names of all its links, joints and grasps."""
+        """Return the tree with a suffix on the names of all its links, joints, grasps and pushes."""
         return self._renamed({joint.name: joint.name + suffix for joint in self.joints()}, suffix)
 
     def _renamed(self, joint_names: dict[str, str], suffix: str) -> "Tree":
@@ -91,13 +90,13 @@ class Tree:
         """Return the tree if its names are unique.
 
         Raises:
-            ValueError: Two links, joints or grasps share a name.
+            ValueError: Two links, joints, or grasps and pushes share a name.
         """
         links = list(self.links())
         names = {
             "link": [link.name for link in links],
             "joint": [joint.name for joint in self.joints()],
-            "grasp": list(chain.from_iterable((grasp.name for grasp in link.grasps) for link in links)),
+            "grasp": [hold.name for link in links for hold in (*link.grasps, *link.pushes)],
         }
         remedy = {
             "link": "give one part(...) another label, or the same label and a name of its own (name=...)",

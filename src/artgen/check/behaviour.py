@@ -7,6 +7,7 @@ from tempfile import TemporaryDirectory
 import numpy as np
 
 from artgen.asset import Asset
+from artgen.asset.files import main_files
 from artgen.check.behaviour_dependencies import block
 from artgen.check.behaviour_drive import conditions, drive, release
 from artgen.check.behaviour_load import collected_warnings, fixed_model, standing_model
@@ -40,9 +41,9 @@ def check_behaviour(asset: Asset, directory: str | Path | None = None) -> CheckR
 
 
 def _check(asset: Asset, directory: Path) -> CheckResult:
-    path = directory / f"{asset.name}.xml"
-    if not path.exists():
-        return CheckResult(CHECK, skipped=f"there is no {path.name}; export with 'mjcf' among the formats")
+    path = main_files(directory).get("mjcf")
+    if path is None:
+        return CheckResult(CHECK, skipped="there is no MJCF; export with 'mjcf' among the formats")
     with collected_warnings() as warnings:
         try:
             simulation = Simulation(asset, fixed_model(path), warnings)

@@ -6,6 +6,7 @@ from pathlib import Path
 import numpy as np
 
 from artgen.asset import Asset, Joint
+from artgen.asset.files import main_files
 from artgen.check.reading import Reading, expected_frames, sampled_positions
 from artgen.check.report import CheckResult, Finding
 from artgen.colliders import Convex
@@ -31,42 +32,40 @@ def check_formats(asset: Asset, directory: str | Path) -> tuple[CheckResult, ...
     Returns:
         One result for each format that is there: `urdf`, `mjcf`, `usd`.
     """
-    folder = Path(directory)
-    readers: dict[str, tuple[str, Callable[[Asset, Path], Reading]]] = {
-        "urdf": ("urdf", _read_urdf),
-        "mjcf": ("xml", _read_mjcf),
-        "usd": ("usda", _read_usd),
+    readers: dict[str, Callable[[Asset, Path], Reading]] = {
+        "urdf": _read_urdf,
+        "mjcf": _read_mjcf,
+        "usd": _read_usd,
     }
+    files = main_files(directory)
     return tuple(
-        _checked(check, asset, folder, read)
-        for check, (suffix, read) in readers.items()
-        if (folder / f"{asset.name}.{suffix}").exists()
+        _checked(check, asset, files[check], read)
+        for check, read in readers.items()
+        if check in files and files[check].exists()
     )
 
 
-def _read_urdf(asset: Asset, directory: Path) -> Reading:
+def _read_urdf(asset: Asset, path: Path) -> Reading:
     from artgen.check.read_urdf import read_urdf
 
-    return read_urdf(asset, directory)
+    return read_urdf(asset, path)
 
 
-def _read_mjcf(asset: Asset, directory: Path) -> Reading:
+def _read_mjcf(asset: Asset, path: Path) -> Reading:
     from artgen.check.read_mjcf import read_mjcf
 
-    return read_mjcf(asset, directory)
+    return read_mjcf(asset, path)
 
 
-def _read_usd(asset: Asset, directory: Path) -> Reading:
+def _read_usd(asset: Asset, path: Path) -> Reading:
     from artgen.check.read_usd import read_usd
 
-    return read_usd(asset, directory)
+    return read_usd(asset, path)
 
 
-def _checked(
-    check: str, asset: Asset, directory: Path, read: Callable[[Asset, Path], Reading]
-) -> CheckResult:
+def _checked(check: str, asset: Asset, path: Path, read: Callable[[Asset, Path], Reading]) -> CheckResult:
     try:
-        reading = read(asset, directory)
+        reading = read(asset, path)
     except ModuleNotFoundError as error:
         if error.name != "mujoco":
             raise

@@ -14,21 +14,20 @@ from artgen.check.reading import Inertial, Reading, listening, mesh_volume
 Array = NDArray[np.float64]
 
 
-def read_mjcf(asset: Asset, directory: Path) -> Reading:
-    """Read `<name>.xml` and its meshes.
+def read_mjcf(asset: Asset, path: Path) -> Reading:
+    """Read a model and its meshes.
 
     Args:
         asset: The asset whose links are looked for.
-        directory: The directory of the export.
+        path: The file.
 
     Raises:
         ImportError: MuJoCo is not installed.
     """
     import mujoco
 
-    file = f"{asset.name}.xml"
     with listening() as said, _warnings(mujoco, said):
-        model = mujoco.MjModel.from_xml_path(str(directory / file))
+        model = mujoco.MjModel.from_xml_path(str(path))
         tried = mujoco.MjData(model)
         for _ in range(2):
             mujoco.mj_step(model, tried)
@@ -52,7 +51,7 @@ def read_mjcf(asset: Asset, directory: Path) -> Reading:
         return result
 
     return Reading(
-        file,
+        path.name,
         frames,
         {name: _inertial(model.body(name)) for name in links},
         {model.joint(number).name: _KINDS[model.jnt_type[number]] for number in joints},

@@ -13,24 +13,23 @@ from artgen.check.reading import Inertial, Reading, listening, mesh_volume
 Array = NDArray[np.float64]
 
 
-def read_urdf(asset: Asset, directory: Path) -> Reading:
-    """Read `<name>.urdf` and its meshes.
+def read_urdf(asset: Asset, path: Path) -> Reading:
+    """Read a file and its meshes.
 
     Args:
         asset: The asset whose links are looked for.
-        directory: The directory of the export.
+        path: The file.
     """
     import yourdfpy
     from lxml import etree
 
-    file = f"{asset.name}.urdf"
-    etree.parse(directory / file)  # yourdfpy reads as much as it can of broken XML, and says nothing
+    etree.parse(path)  # yourdfpy reads as much as it can of broken XML, and says nothing
     with listening() as said:
-        robot = yourdfpy.URDF.load(str(directory / file))
+        robot = yourdfpy.URDF.load(str(path))
         if not robot.validate():
             said.append("yourdfpy finds it invalid")
         links = {link.name: robot.link_map[link.name] for link in asset.links if link.name in robot.link_map}
-        colliders = {name: _colliders(link, directory) for name, link in links.items()}
+        colliders = {name: _colliders(link, path.parent) for name, link in links.items()}
 
     def frames(positions: Mapping[str, float]) -> dict[str, Array]:
         robot.update_cfg({name: positions[name] for name in robot.actuated_joint_names if name in positions})
@@ -38,7 +37,7 @@ def read_urdf(asset: Asset, directory: Path) -> Reading:
 
     moving = {name: joint for name, joint in robot.joint_map.items() if joint.type != "fixed"}
     return Reading(
-        file,
+        path.name,
         frames,
         {name: _inertial(link) for name, link in links.items() if link.inertial is not None},
         {name: "prismatic" if joint.type == "prismatic" else "revolute" for name, joint in moving.items()},

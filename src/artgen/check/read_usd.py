@@ -17,17 +17,16 @@ Array = NDArray[np.float64]
 _UNREACHABLE = 1e5  # [rad or m]: limits beyond are none; some simulators want them on coupled joints
 
 
-def read_usd(asset: Asset, directory: Path) -> Reading:
-    """Read `<name>.usda` with its sublayer, and run OpenUSD's validators on it.
+def read_usd(asset: Asset, path: Path) -> Reading:
+    """Read a stage, and run OpenUSD's validators on it.
 
     Args:
         asset: The asset whose links are looked for.
-        directory: The directory of the export.
+        path: The file.
     """
-    file = f"{asset.name}.usda"
     with listening() as said:
         diagnostics = UsdUtils.CoalescingDiagnosticDelegate()
-        stage = Usd.Stage.Open(str(directory / file))
+        stage = Usd.Stage.Open(str(path))
         stage.Reload()  # layers that are open already hide what is on the disk now
         said.extend(_validated(stage))
         said.extend(item.commentary for item in diagnostics.TakeUncoalescedDiagnostics())
@@ -53,7 +52,7 @@ def read_usd(asset: Asset, directory: Path) -> Reading:
         return {name: found[name] for name in links if name in found}
 
     return Reading(
-        file,
+        path.name,
         frames,
         {name: _inertial(bodies[name]) for name in links},
         {name: arm.kind for name, arm in moving.items()},

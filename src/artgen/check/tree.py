@@ -5,7 +5,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from artgen.asset import Asset, Link
+from artgen.asset import Asset, Grasp, Link
 from artgen.check.connected import floating_findings
 from artgen.check.joints import joint_findings
 from artgen.check.report import CheckResult, Finding
@@ -79,7 +79,7 @@ def _structure_findings(asset: Asset) -> Iterator[Finding]:
 
 
 def _name_findings(asset: Asset) -> Iterator[Finding]:
-    grasps = [grasp.name for link in asset.links for grasp in link.grasps]
+    grasps = [hold.name for link in asset.links for hold in (*link.grasps, *link.pushes)]
     kinds = {
         "link": [link.name for link in asset.links],
         "joint": [joint.name for joint in asset.joints],
@@ -108,7 +108,7 @@ def _label_findings(asset: Asset) -> Iterator[Finding]:
 
 
 def _grasp_findings(link: Link) -> Iterator[Finding]:
-    for grasp in link.grasps:
+    for grasp in (*link.grasps, *link.pushes):
         turn = grasp.frame[:3, :3]
         error = float(np.abs(turn.T @ turn - np.eye(3)).max())
         if not (error <= _GRASP and np.linalg.det(turn) > 0.0 and np.isfinite(grasp.frame).all()):
@@ -116,7 +116,7 @@ def _grasp_findings(link: Link) -> Iterator[Finding]:
             yield Finding(
                 CHECK, message, link.name, value=error, hint="make the frame of unit axes at right angles"
             )
-        if not grasp.width > 0.0:
+        if isinstance(grasp, Grasp) and not grasp.width > 0.0:
             message = f"grasp {grasp.name!r} has width {grasp.width:.4g} m"
             yield Finding(
                 CHECK, message, link.name, value=grasp.width, unit="m", hint="give the opening of the fingers"

@@ -3,8 +3,10 @@
 Every writer returns the bytes of its files and a list of what its format cannot say.
 """
 
-from artgen.export.files import DEFAULT_FORMATS, FORMATS, TEXTURES, export, write_usd
+from artgen.export.files import export
+from artgen.export.formats import DEFAULT_FORMATS, FORMATS, TEXTURES, write_usd
 from artgen.export.glb import write_glb
+from artgen.export.layouts import LAYOUTS, Layout
 from artgen.export.losses import Loss, Written
 from artgen.export.mjcf import write_mjcf
 from artgen.export.urdf import write_urdf
@@ -12,7 +14,9 @@ from artgen.export.urdf import write_urdf
 __all__ = [
     "DEFAULT_FORMATS",
     "FORMATS",
+    "LAYOUTS",
     "TEXTURES",
+    "Layout",
     "Loss",
     "Written",
     "export",

@@ -3,7 +3,7 @@
 import json
 import os
 import shutil
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
 from pathlib import Path
 from typing import Any
@@ -14,13 +14,9 @@ from artgen.asset.files import ASSET_FILE, CERTIFICATE_FILE, previous_directory
 from artgen.asset.record import json_text
 from artgen.errors import ExportError, nearest
 from artgen.export.collision import Collision, collision_of, with_colliders
-from artgen.export.glb import write_glb
-from artgen.export.losses import Written
-from artgen.export.mjcf import write_mjcf
-from artgen.export.urdf import write_urdf
+from artgen.export.formats import FORMATS, TEXTURES
+from artgen.export.layouts import LAYOUTS, Layout
 from artgen.materials.textures import check_size
-
-Writer = Callable[[Asset, int], Written]
 
 REPORT_FILE = "report.json"
 """What `artgen validate` says of an export, beside it; a new export makes it obsolete."""
@@ -28,35 +24,14 @@ REPORT_FILE = "report.json"
 _OWN_FILES = (ASSET_FILE, CERTIFICATE_FILE, REPORT_FILE)
 
 
-def write_usd(asset: Asset, textures: int) -> Written:
-    """Write an asset as USD; see `artgen.export.usd.write_usd`."""
-    from artgen.export.usd import write_usd as write
-
-    return write(asset, textures)
-
-
-FORMATS: Mapping[str, Writer] = {
-    "urdf": write_urdf,
-    "mjcf": write_mjcf,
-    "usd": write_usd,
-    "glb": write_glb,
-}
-"""The writers by the names of their formats; each takes an asset and the texels on a side of its maps."""
-
-DEFAULT_FORMATS = ("urdf", "mjcf", "usd")
-"""What simulators read; GLB is for pictures."""
-
-TEXTURES = 512
-"""Texels on a side of the maps unless more or fewer are asked for."""
-
-
 def export(
     asset: Asset,
     directory: str | Path,
     *,
-    formats: Sequence[str] = DEFAULT_FORMATS,
+    formats: Sequence[str] | None = None,
     collision: Collision = "exact",
     textures: int = TEXTURES,
+    layout: str = "flat",
 ) -> Path:
     """Write an asset to a directory: `asset.json` and the files of each format.
 
@@ -67,21 +42,25 @@ def export(
     Args:
         asset: The asset.
         directory: Where to; it is made, or it is empty, or it holds an earlier export.
-        formats: What to write, of `urdf`, `mjcf`, `usd` and `glb`.
+        formats: What to write, of `urdf`, `mjcf`, `usd` and `glb`; by default what is usual in the layout,
+            which is all but `glb` in `flat`.
         collision: Which colliders it carries: `exact` are those that it has; `coacd` and `hull` are made of
             its solids, see `artgen.export.collision.with_colliders`, and the certificate is not of them, so
             none is written. `asset.json` records it.
         textures: Texels on a side of the materials' maps: 256, 512, 1024 or 2048; 0 for colours alone.
+        layout: How the files lie, see `artgen.export.layouts`: `flat`, `simready`, `partnet-mobility` or
+            `robocasa`.
 
     Returns:
         The directory.
 
     Raises:
-        ExportError: A format or collision is unknown, the directory holds other files, or the disk refuses.
+        ExportError: A layout, format or collision is unknown, the layout has no such format, the directory
+            holds other files, or the disk refuses.
         AssetError: The asset was read from files, which keep no solids, and other colliders are asked for.
         ParameterError: Maps cannot have that many texels.
     """
-    files = encode(asset, formats, collision, textures)
+    files = encode(asset, formats, collision, textures, layout)
     target = Path(os.path.realpath(directory))
     kept = _foreign_files(target, files)
     try:
@@ -97,37 +76,70 @@ def export(
 
 
 def encode(
-    asset: Asset, formats: Sequence[str], collision: Collision = "exact", textures: int = TEXTURES
+    asset: Asset,
+    formats: Sequence[str] | None = None,
+    collision: Collision = "exact",
+    textures: int = TEXTURES,
+    layout: str = "flat",
 ) -> dict[str, bytes]:
     """Return the content of every file of an export by its path relative to the directory.
 
     Raises:
-        ExportError: A format or collision is unknown.
+        ExportError: A layout, format or collision is unknown, or the layout has no such format.
         AssetError: The asset was read from files, which keep no solids, and other colliders are asked for.
         ParameterError: Maps cannot have that many texels.
     """
     if textures != 0:
         check_size(textures)
-    chosen = dict.fromkeys([formats] if isinstance(formats, str) else formats)
-    for name in chosen:
-        if name not in FORMATS:
-            raise ExportError(f"there is no format {name!r}.{nearest(name, FORMATS)}")
+    laid_out = find_layout(layout)
+    chosen = chosen_formats(laid_out, formats)
     asset = with_colliders(asset, collision)
     files: dict[str, bytes] = {}
     record: dict[str, Any] = {}
     for name in chosen:
-        written = FORMATS[name](asset, textures)
+        written = laid_out.write(asset, name, textures)
         files |= written.files
         record[name] = {
+            "main": written.main,
             "files": sorted(written.files),
             "losses": [loss.to_data() for loss in written.losses],
         }
     data = asset.to_data()
-    data |= {"collision": collision_of(data["links"]), "formats": record}
+    data |= {"collision": collision_of(data["links"]), "layout": layout, "formats": record}
     files[ASSET_FILE] = json_text(data).encode()
     if asset.certificate is not None and asset.certificate.leaves is not None:
         files[CERTIFICATE_FILE] = json_text(asset.certificate.leaves).encode()
     return files
+
+
+def find_layout(name: str) -> Layout:
+    """Return the layout of that name.
+
+    Raises:
+        ExportError: There is none; the message has the nearest name.
+    """
+    if name not in LAYOUTS:
+        raise ExportError(f"there is no layout {name!r}.{nearest(name, LAYOUTS)}")
+    return LAYOUTS[name]
+
+
+def chosen_formats(layout: Layout, formats: Sequence[str] | None) -> tuple[str, ...]:
+    """Return the formats to write, each once.
+
+    Raises:
+        ExportError: There is no such format, or not in the layout.
+    """
+    if formats is None:
+        return layout.default_formats
+    chosen = tuple(dict.fromkeys([formats] if isinstance(formats, str) else formats))
+    for name in chosen:
+        if name not in FORMATS:
+            raise ExportError(f"there is no format {name!r}.{nearest(name, FORMATS)}")
+        if name not in layout.formats:
+            raise ExportError(
+                f"the layout {layout.name!r} has no {name!r}; it holds {', '.join(layout.formats)}"
+            )
+    return chosen
 
 
 def _foreign_files(target: Path, files: Iterable[str]) -> list[str]:

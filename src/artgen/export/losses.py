@@ -32,10 +32,12 @@ class Written:
     Attributes:
         files: Content by path relative to the asset's directory, with forward slashes.
         losses: What the format cannot say.
+        main: Path of the file that a client opens.
     """
 
     files: Mapping[str, bytes]
     losses: tuple[Loss, ...] = ()
+    main: str = ""
 
 
 def loss(feature: str, where: Iterable[str], instead: str) -> tuple[Loss, ...]:

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from artgen import asset as values
-from artgen.asset import Branch, Grasp, Link, Piece, Reading, Shape, Tree, rotation
+from artgen.asset import Branch, Grasp, Link, Piece, Push, Reading, Shape, Tree, rotation
 from artgen.graph import Handle, kernel
 from artgen.materials import Material
 from artgen.nodes.handles import Array3, ArrayN3, Body, PointsLike, Scalar, Solid, VectorLike
@@ -39,10 +39,10 @@ def _frame(at: Array3, approach: Array3, closing: Array3) -> Array4x4:
 def frame(
     at: VectorLike, *, approach: VectorLike = (0.0, 1.0, 0.0), closing: VectorLike = (0.0, 0.0, 1.0)
 ) -> Frame:
-    """Make the frame at which a hand takes hold.
+    """Make the frame at which a hand takes hold or pushes.
 
     Args:
-        at: The point between the fingers in asset coordinates [m].
+        at: The point between the fingers, or under the finger that pushes, in asset coordinates [m].
         approach: Direction in which the hand comes.
         closing: Direction along which the fingers close; made perpendicular to `approach`.
     """
@@ -63,6 +63,7 @@ def _part(
     grasp: tuple[Array4x4, ...],
     grasp_width: float,
     separate: str,
+    push: tuple[Array4x4, ...],
 ) -> Tree:
     link_name = label if name is None else name
     _check_name(label, "label")
@@ -73,7 +74,11 @@ def _part(
         Grasp(f"{link_name}_grasp{f'_{index}' if len(grasp) > 1 else ''}", pose, grasp_width)
         for index, pose in enumerate(grasp)
     )
-    return Tree(Link(link_name, label, (Piece(label, material, solid),), grasps, separate))
+    pushes = tuple(
+        Push(f"{link_name}_push{f'_{index}' if len(push) > 1 else ''}", pose)
+        for index, pose in enumerate(push)
+    )
+    return Tree(Link(link_name, label, (Piece(label, material, solid),), grasps, separate, pushes))
 
 
 def part(
@@ -85,6 +90,7 @@ def part(
     grasp: Frame | Sequence[Frame] = (),
     grasp_width: Scalar = 0.08,
     separate: str = "",
+    push: Frame | Sequence[Frame] = (),
 ) -> Body:
     """Make a rigid link of a solid.
 
@@ -97,8 +103,10 @@ def part(
         grasp_width: Opening that the fingers need [m].
         separate: Why the solids of the link do not all hang together; checks take a gap of more than
             0.5 mm between them for a fault unless it is said.
+        push: Frames at which a finger pushes: on the surface, `approach` in the direction of the push.
     """
     grasps = (grasp,) if isinstance(grasp, Frame) else grasp
+    pushes = (push,) if isinstance(push, Frame) else push
     return Body.record(
         _part,
         solid=solid,
@@ -108,6 +116,7 @@ def part(
         grasp=grasps,
         grasp_width=grasp_width,
         separate=separate,
+        push=pushes,
     )
 
 
@@ -154,6 +163,7 @@ def _weld(bodies: tuple[Tree, ...]) -> Tree:
         tuple(piece for body in bodies for piece in body.link.pieces),
         tuple(grasp for body in bodies for grasp in body.link.grasps),
         "; ".join(dict.fromkeys(body.link.separate for body in bodies if body.link.separate)),
+        tuple(push for body in bodies for push in body.link.pushes),
     )
     contacts = tuple(
         contact.renamed({body.link.name: first.name}, {}) for body in bodies for contact in body.contacts
@@ -247,5 +257,5 @@ def _suffix(body: Tree, suffix: str) -> Tree:
 
 
 def suffix(body: Body, suffix: str) -> Body:
-    """Add a suffix to the names of all links, joints and grasps of a body."""
+    """Add a suffix to the names of all links, joints, grasps and pushes of a body."""
     return Body.record(_suffix, body=body, suffix=suffix)

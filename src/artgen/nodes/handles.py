@@ -435,7 +435,7 @@ class Body(Handle):
         return Body.record("mirror_body", body=self, normal=normal)
 
     def suffixed(self, suffix: str) -> "Body":
-        """Add a suffix to the names of all its links, joints and grasps."""
+        """Add a suffix to the names of all its links, joints, grasps and pushes."""
         return Body.record("suffix", body=self, suffix=suffix)
 
 

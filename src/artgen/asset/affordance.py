@@ -1,0 +1,91 @@
+"""What a hand can do with an asset: where it takes hold or pushes, and which joints that moves."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from artgen.asset.hold import Grasp
+
+if TYPE_CHECKING:
+    from artgen.asset.asset import Asset
+    from artgen.asset.joint import Joint
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class Affordance:
+    """One thing that a hand can do with an asset.
+
+    Attributes:
+        name: Identifier, unique on the asset.
+        kind: `grasp`, closing a parallel gripper, or `push`, with a finger.
+        link: Name of the link that the hand touches.
+        frame: Pose in asset coordinates at rest: z along the approach, x along the closing direction,
+            shape (4, 4) [m].
+        width: Opening that the fingers need; 0 for a push [m].
+        joints: Names of the free joints that the hand can move there, the nearest to the link first.
+    """
+
+    name: str
+    kind: Literal["grasp", "push"]
+    link: str
+    frame: Array
+    width: float
+    joints: tuple[str, ...]
+
+    def to_data(self, asset: "Asset") -> dict[str, Any]:
+        """Return it as JSON data, with the motion that its first joint makes."""
+        motion = _motion(asset.joint(self.joints[0])) if self.joints else None
+        return {
+            "name": self.name,
+            "kind": self.kind,
+            "link": self.link,
+            "frame": self.frame.tolist(),
+            "width": self.width,
+            "joints": list(self.joints),
+            "motion": motion,
+        }
+
+
+def affordances(asset: "Asset") -> tuple[Affordance, ...]:
+    """Return what a hand can do with an asset, in the order of its links."""
+    result = []
+    for link in asset.links:
+        joints = moved_joints(asset, link.name)
+        for hold in (*link.grasps, *link.pushes):
+            width = hold.width if isinstance(hold, Grasp) else 0.0
+            kind: Literal["grasp", "push"] = "grasp" if isinstance(hold, Grasp) else "push"
+            result.append(Affordance(hold.name, kind, link.name, hold.frame, width, joints))
+    return tuple(result)
+
+
+def moved_joints(asset: "Asset", link: str) -> tuple[str, ...]:
+    """Return the free joints that move a link, the nearest first; a coupled joint stands for its leader."""
+    above = {child: (parent, joints) for parent, child, joints in asset.pairs()}
+    found: list[str] = []
+    while link in above:
+        link, joints = above[link]
+        found += [head(asset.joint(joint.name), asset).name for joint in reversed(joints) if not joint.locked]
+    free = {joint.name for joint in asset.free_joints}
+    return tuple(name for name in dict.fromkeys(found) if name in free)
+
+
+def head(joint: "Joint", asset: "Asset") -> "Joint":
+    """Return the joint at the head of a joint's chain of leaders; the joint itself if it follows none."""
+    while joint.follows is not None:
+        joint = asset.joint(joint.follows.leader)
+    return joint
+
+
+def _motion(joint: "Joint") -> Mapping[str, Any]:
+    return {
+        "joint": joint.name,
+        "kind": joint.kind,
+        "axis": joint.axis.tolist(),
+        "pivot": joint.pivot.tolist(),
+        "limits": None if joint.limits is None else list(joint.limits),
+    }

@@ -1,0 +1,72 @@
+"""`artgen export`: an exported asset again, in another layout or other formats."""
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from artgen.asset import Asset
+from artgen.asset.files import main_files
+from artgen.errors import ExportError
+from artgen.export import FORMATS, LAYOUTS, TEXTURES
+from artgen.export.files import chosen_formats, find_layout
+from artgen.materials.textures import check_size
+
+
+def export(
+    directory: Annotated[
+        Path,
+        typer.Argument(metavar="DIRECTORY", help="An exported asset, with urdf or mjcf among its formats."),
+    ],
+    *,
+    layout: Annotated[
+        str, typer.Option(metavar="NAME", help=f"How the files lie: {', '.join(LAYOUTS)}.")
+    ] = "flat",
+    formats: Annotated[
+        str | None,
+        typer.Option(
+            "--format",
+            metavar="NAMES",
+            help=f"What to write, of {', '.join(FORMATS)}; by default what is usual in the layout.",
+        ),
+    ] = None,
+    textures: Annotated[
+        int, typer.Option(metavar="TEXELS", help="Texels on a side of the maps; 0 for colours alone.")
+    ] = TEXTURES,
+    out: Annotated[
+        Path | None,
+        typer.Option(metavar="DIRECTORY", help="Where to; ./<name of the asset>_<layout> by default."),
+    ] = None,
+) -> None:
+    """Export an asset again in another layout, and print the paths of its main files."""
+    chosen = check_formats(layout, formats)
+    if textures != 0:
+        check_size(textures)
+    asset = Asset.load(directory)
+    target = Path(f"{asset.name}_{layout.replace('-', '_')}") if out is None else out
+    if target.resolve() == directory.resolve():
+        raise ExportError(
+            f"cannot export {directory} to itself: its surfaces are read from there; choose another --out"
+        )
+    written = asset.export(target, formats=chosen, textures=textures, layout=layout)
+    for path in main_files(written).values():
+        typer.echo(path)
+
+
+def check_formats(layout: str, formats: str | None) -> tuple[str, ...]:
+    """Return the formats that a command is to write in a layout.
+
+    Args:
+        layout: Name of the layout.
+        formats: Names separated by commas; None for what is usual in the layout.
+
+    Raises:
+        BadParameter: `formats` names none.
+        ExportError: There is no such layout, no such format, or not in the layout.
+    """
+    found = find_layout(layout)
+    chosen = None if formats is None else [item.strip() for item in formats.split(",") if item.strip()]
+    if chosen is not None and not chosen:
+        names = ", ".join(found.formats)
+        raise typer.BadParameter(f"--format {formats!r} names no format; choose of {names}")
+    return chosen_formats(found, chosen)
