@@ -1,0 +1,50 @@
+"""What artgen knows of each client: simulators, validators and converters that read its exports."""
+
+from dataclasses import dataclass
+from typing import Literal
+
+FormatName = Literal["urdf", "mjcf", "usd", "glb"]
+
+
+@dataclass(frozen=True)
+class Unavoidable:
+    """A message that a client prints at every asset of a kind, whatever is written.
+
+    Attributes:
+        pattern: Regular expression that matches the whole of one line of its output.
+        reason: Why no asset can avoid it.
+    """
+
+    pattern: str
+    reason: str
+
+
+@dataclass(frozen=True)
+class Client:
+    """A program that reads exported assets, and how to ask it what it read.
+
+    Attributes:
+        name: Identifier, such as `pybullet` or `newton_usd`.
+        format: The format that it reads.
+        distribution: Python distribution whose version is shown; empty for a program of the system.
+        environment: Name of its environment, see `artgen.clients.environments`.
+        driver: Name of its script in `artgen/clients/drivers`, which runs in that environment.
+        layouts: Layouts of exports whose main file of that format it reads.
+        seconds: How long one asset may take.
+        length_tolerance: By how much positions of links and limits may differ [m or rad].
+        relative_tolerance: By which share masses, moments and gains may differ.
+        unavoidable: Messages that are no fault.
+        light: Whether it comes with `artgen[test]`; others need an environment of their own.
+    """
+
+    name: str
+    format: FormatName
+    distribution: str
+    environment: str
+    driver: str
+    layouts: tuple[str, ...] = ("flat",)
+    seconds: float = 120.0
+    length_tolerance: float = 1e-6
+    relative_tolerance: float = 1e-6
+    unavoidable: tuple[Unavoidable, ...] = ()
+    light: bool = False

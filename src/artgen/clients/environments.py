@@ -1,0 +1,26 @@
+"""The environments that clients run in: some of their packages exclude each other, or artgen's own."""
+
+from collections.abc import Mapping
+
+REQUIREMENTS: Mapping[str, tuple[str, ...]] = {
+    "bullet": ("pybullet>=3.2.7", "numpy"),
+    "drake": ("drake>=1.51",),
+    "light": (
+        "mujoco>=4.0",
+        "omniverse-asset-validator>=1.18",
+        "pin>=4.1",
+        "simready-foundation-tier-core>=2026.8",
+        "simready-validate>=2026.8",
+        "usd-core>=26.11",
+        "yourdfpy>=0.0.60",
+    ),
+    "mani_skill": ("mani_skill>=3.0.1",),
+    "mjx": ("jax[cpu]", "mujoco-mjx>=3.17", "mujoco>=4.0"),
+    "newton": ("mujoco-warp>=4.0", "newton[sim,importers]>=1.8", "trimesh", "usd-core>=26.11"),
+    "ovphysx": ("newton-usd-schemas", "ovphysx>=0.7", "physx-usd-schemas"),
+    "robosuite": ("robosuite>=1.5",),
+    "sapien": ("pillow", "sapien>=3.0.3"),
+    "urchin": ("urchin>=0.0.30",),
+    "usd_converters": ("mujoco-usd-converter>=0.8", "urdf-usd-converter>=0.3.4"),
+}
+"""What is installed in each environment. `light` is what `artgen[test]` brings into artgen's own."""
