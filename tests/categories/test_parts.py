@@ -228,18 +228,20 @@ def test_a_push_bar_slides_in_its_rail(side: int) -> None:
 
 
 @pytest.mark.parametrize("style", ["U", "T", "Z"])
-@pytest.mark.parametrize(("faces", "count"), [("both", 2), ("front", 1), ("back", 1)])
-def test_pulls_stand_on_their_faces_with_room_for_a_hand(style: str, faces: str, count: int) -> None:
+@pytest.mark.parametrize(("faces", "grasps", "pushes"), [("both", 1, 1), ("front", 1, 0), ("back", 0, 1)])
+def test_pulls_stand_on_their_faces_with_room_for_a_hand(
+    style: str, faces: str, grasps: int, pushes: int
+) -> None:
     pull = pull_handle(
         thickness=THICK, finish=NICKEL, faces=faces, style=style, length=0.3, projection=0.05, girth=0.011
     )
     link = asset_of(weld(leaf(), pull)).links[0]
-    assert len(link.grasps) == count
+    assert (len(link.grasps), len(link.pushes)) == (grasps, pushes)  # pulled in front, pushed at the back
     assert len(link.colliders) <= 40
-    for grasp in link.grasps:
-        assert abs(grasp.frame[1, 3]) - THICK / 2 - 0.011 >= 0.035
-        towards = grasp.frame[:3, 2]
-        assert towards @ np.array([0.0, grasp.frame[1, 3], 0.0]) < 0.0
+    for hold in (*link.grasps, *link.pushes):
+        assert abs(hold.frame[1, 3]) - THICK / 2 - 0.011 >= 0.035
+        towards = hold.frame[:3, 2]
+        assert towards @ np.array([0.0, hold.frame[1, 3], 0.0]) < 0.0
 
 
 def test_a_thumb_piece_goes_down_between_its_ears_with_the_handle() -> None:
@@ -263,9 +265,9 @@ def test_a_thumb_piece_goes_down_between_its_ears_with_the_handle() -> None:
     for angle in (0.0, 0.4, 0.8):
         assert overlaps(asset, {"handle_turn": angle}) == []
     assert asset.positions({"handle_turn": 0.8})["thumb_press"] == pytest.approx(THUMB_RANGE)
-    grasp = asset.link("thumb_latch").grasps[0].frame[:3, 3]
+    thumb = asset.link("thumb_latch").pushes[0].frame[:3, 3]
     pose = asset.pose({"handle_turn": 0.8})["thumb_latch"]
-    assert (pose[:3, :3] @ grasp + pose[:3, 3])[2] < grasp[2] - 0.008
+    assert (pose[:3, :3] @ thumb + pose[:3, 3])[2] < thumb[2] - 0.008
 
 
 @pytest.mark.parametrize("style", ["round", "square", "plate"])

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any, NoReturn
 
 import numpy as np
@@ -19,7 +20,7 @@ from artgen.asset.joint import Joint
 from artgen.asset.link import Collider, Link, Surface
 from artgen.asset.mass import MassProperties
 from artgen.asset.shape import Mesh
-from artgen.asset.surface import metric_coordinates
+from artgen.asset.surface import metric_coordinates, texture_coordinates
 from artgen.colliders import Convex
 from artgen.errors import AssetError, ExportError
 from artgen.materials import Material
@@ -29,6 +30,15 @@ Array = NDArray[np.float64]
 ASSET_FILE = "asset.json"
 CERTIFICATE_FILE = "certificate.json"
 MESH_DIRECTORY = "meshes"
+
+POSITION_DECIMALS = 7
+"""Of the vertices of surfaces in files, in their link's frame: 0.1 micrometre."""
+
+NORMAL_DECIMALS = 5
+"""Of the normals of surfaces in files."""
+
+UV_DECIMALS = 6
+"""Of the texture coordinates of surfaces in files, in repeats of the maps."""
 
 
 def load(directory: str | Path) -> Asset:
@@ -62,6 +72,19 @@ def load(directory: str | Path) -> Asset:
         return _asset(data, path.parent)
     except (KeyError, TypeError) as error:
         raise AssetError(f"{path} is damaged ({error!r}); export the asset again") from error
+
+
+def as_stored(asset: Asset) -> Asset:
+    """Return an asset with the very numbers that `asset.json` keeps of it, and with its own surfaces.
+
+    Writers write this one, so that their files agree with `asset.json` to the last digit, and are the same
+    when the asset is read back and written again.
+    """
+    data = asset.to_data()
+    result = _asset({**data, "certificate": None}, Path(), {link.name: link for link in asset.links})
+    if asset.certificate is not None:
+        remember(result, asset.certificate)
+    return result
 
 
 def main_files(directory: str | Path) -> dict[str, Path]:
@@ -115,7 +138,10 @@ def mesh_names(names: Mapping[str, Sequence[str]], taken: Iterable[str] = ()) ->
     return result
 
 
-def _asset(data: Mapping[str, Any], directory: Path) -> Asset:
+def _asset(
+    data: Mapping[str, Any], directory: Path, sources: Mapping[str, Link] = MappingProxyType({})
+) -> Asset:
+    """Make an asset of its JSON data; the surfaces are read from files where no link is their source."""
     materials = {item["name"]: Material.from_data(item) for item in data["materials"]}
     joints = tuple(Joint.from_data(item) for item in data["joints"])
     files = mesh_names({item["name"]: [each["name"] for each in item["surfaces"]] for item in data["links"]})
@@ -136,6 +162,7 @@ def _asset(data: Mapping[str, Any], directory: Path) -> Asset:
             materials=materials,
             meshes=tuple(directory / MESH_DIRECTORY / file for file in files[item["name"]]),
             origin=origins.get(item["name"], np.zeros(3)),
+            source=sources.get(item["name"]),
         )
         for item in data["links"]
     )
@@ -179,12 +206,14 @@ class _StoredLink(Link):
         materials: The asset's materials by name.
         meshes: The OBJ file of each surface.
         origin: Origin of the link's frame in asset coordinates at rest, shape (3,) [m].
+        source: The link that has the surfaces, if they are not in files.
     """
 
     data: Mapping[str, Any] = field(default_factory=dict)
     materials: Mapping[str, Material] = field(default_factory=dict)
     meshes: tuple[Path, ...] = ()
     origin: Array = field(default_factory=lambda: np.zeros(3))
+    source: Link | None = None
 
     @cached_property
     def labels(self) -> tuple[str, ...]:
@@ -203,6 +232,11 @@ class _StoredLink(Link):
 
     @cached_property
     def surfaces(self) -> tuple[Surface, ...]:
+        if self.source is not None:
+            return tuple(
+                _as_written(surface, self.origin, self.materials[surface.material.name])
+                for surface in self.source.surfaces
+            )
         return tuple(
             self._surface(item, path) for item, path in zip(self.data["surfaces"], self.meshes, strict=True)
         )
@@ -227,6 +261,19 @@ class _StoredLink(Link):
         raise AssetError(
             f"link {self.name!r} was read from files and cannot be changed; generate the asset again"
         )
+
+
+def _as_written(surface: Surface, origin: Array, material: Material) -> Surface:
+    """Return a surface as it is read from files: rounded in the frame at `origin` [m], of that material."""
+    mesh = surface.mesh
+    written = np.round(texture_coordinates(mesh, material), UV_DECIMALS) + 0.0
+    rounded_mesh = replace(
+        mesh,
+        vertices=np.round(mesh.vertices - origin, POSITION_DECIMALS) + 0.0 + origin,
+        normals=np.round(mesh.normals, NORMAL_DECIMALS) + 0.0,
+        uvs=metric_coordinates(written, material),
+    )
+    return replace(surface, material=material, mesh=rounded_mesh)
 
 
 def _convex(data: Mapping[str, Any]) -> Convex:

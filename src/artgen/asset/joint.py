@@ -143,6 +143,7 @@ class Joint:
         needs: The dependency on other joints, if any.
         parent: Name of the parent link; empty until the joint is part of an asset.
         child: Name of the child link; empty until the joint is part of an asset.
+        driven: What moves it where no hand does, such as `a motor`; empty for joints that hands move.
     """
 
     name: str
@@ -161,6 +162,7 @@ class Joint:
     needs: Dependency | None = None
     parent: str = ""
     child: str = ""
+    driven: str = ""
 
     @property
     def locked(self) -> bool:
@@ -216,6 +218,7 @@ class Joint:
             if follows is None
             else {"leader": follows.leader, "ratio": follows.ratio, "offset": follows.offset},
             "needs": None if self.needs is None else self.needs.to_data(),
+            "driven": self.driven,
         }
 
     @staticmethod
@@ -233,6 +236,7 @@ class Joint:
             **{field: data[field] for field in DYNAMICS},
             follows=None if follows is None else Coupling(**follows),
             needs=None if needs is None else Dependency.from_data(needs),
+            driven=data.get("driven", ""),
         )
 
 

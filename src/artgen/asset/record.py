@@ -5,7 +5,9 @@ from typing import Any
 
 import numpy as np
 
-_DECIMALS = 12  # of coordinates [m]; numbers of other kinds have as many significant digits
+DECIMALS = 12
+"""Of coordinates of colliders [m]; numbers of other kinds have as many significant digits."""
+
 _EXPANDED = 3  # levels that are always spread over lines; the next one where it holds more than numbers
 
 _ENCODER = json.JSONEncoder(ensure_ascii=False, allow_nan=False)
@@ -39,7 +41,7 @@ def rounded_link(data: dict[str, Any]) -> dict[str, Any]:
 
 def _coordinates(rows: Any) -> Any:
     """Round rows of coordinates to a millionth of a micrometre."""
-    return (np.round(np.array(rows, float), _DECIMALS) + 0.0).tolist()
+    return (np.round(np.array(rows, float), DECIMALS) + 0.0).tolist()
 
 
 def json_text(data: Any) -> str:

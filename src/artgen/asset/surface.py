@@ -87,10 +87,9 @@ def joined(meshes: list[Mesh]) -> Mesh:
     number[order] = np.cumsum(new) - 1
     rows = rows[order[new]]
     corners = number[triangles]
-    proper = (
-        (corners[:, 0] != corners[:, 1]) & (corners[:, 1] != corners[:, 2]) & (corners[:, 2] != corners[:, 0])
-    )
-    corners = corners[proper]
+    # a triangle between corners at one place has no area, though their normals or textures may differ
+    places = ordered[new][:, :3][corners]
+    corners = corners[(places != np.roll(places, 1, axis=1)).any(axis=2).all(axis=1)]
     used = np.zeros(len(rows), bool)
     used[corners] = True
     rows, corners = rows[used], (np.cumsum(used) - 1)[corners]

@@ -75,6 +75,7 @@ from artgen.categories.parts.pulls import pull_handle
 from artgen.categories.parts.push_bar import push_bar
 from artgen.categories.parts.roses import Fixing
 
+_ABOVE = 0.42  # of the place where hands push a leaf over its handle, past a deadbolt [m]
 _PAINTS = paints(480.0, "paint")  # over light softwood
 _SOLID_PAINTS = paints(660.0, "exterior_paint")  # over hardwood
 _WOODS = known("oak", "oak_flat_sawn", "walnut", "mahogany", "ash", "mahogany_flat_sawn")
@@ -241,7 +242,8 @@ def door(
     fittings = Fittings(metal, kick=kick_plate, sweep=sweep)
     if opener != "push_bar":  # which is on the outer face
         fittings = replace(fittings, letters=letter_plate, number=number, viewer=viewer)
-    blank = Blank(width, floor_gap, floor_gap + height, thickness, arched, None, finish, fittings)
+    reach = handle_height + _ABOVE
+    blank = Blank(width, floor_gap, floor_gap + height, thickness, arched, None, finish, fittings, reach)
     spindle = vector(width / 2.0 - backset, 0.0, handle_height)
     site = Site(spindle, backset, thickness, meeting, metal, maker)
     match opener:

@@ -2,51 +2,18 @@
 
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import Annotated, Any, ClassVar
 
 import numpy as np
-from numpy.typing import NDArray
 
 from artgen import asset as values
 from artgen.asset import Branch, Grasp, Link, Piece, Push, Reading, Shape, Tree, rotation
-from artgen.graph import Handle, kernel
+from artgen.asset.gripper import GRIPPER, held
+from artgen.graph import kernel
 from artgen.materials import Material
 from artgen.nodes.handles import Array3, ArrayN3, Body, PointsLike, Scalar, Solid, VectorLike
+from artgen.nodes.hold import Array4x4, Frame
 from artgen.nodes.joint import Joint
 from artgen.nodes.vector import unit
-
-Array4x4 = Annotated[NDArray[np.float64], "frame"]
-"""The value of a `Frame`, shape (4, 4)."""
-
-
-class Frame(Handle):
-    """A pose in asset coordinates."""
-
-    __slots__ = ()
-    value_type: ClassVar[Any] = Array4x4
-
-
-@kernel
-def _frame(at: Array3, approach: Array3, closing: Array3) -> Array4x4:
-    z = unit(approach)
-    x = unit(closing - z * float(closing @ z))
-    result = np.eye(4)
-    result[:3, :3] = np.stack([x, np.cross(z, x), z], axis=1)
-    result[:3, 3] = at
-    return result
-
-
-def frame(
-    at: VectorLike, *, approach: VectorLike = (0.0, 1.0, 0.0), closing: VectorLike = (0.0, 0.0, 1.0)
-) -> Frame:
-    """Make the frame at which a hand takes hold or pushes.
-
-    Args:
-        at: The point between the fingers, or under the finger that pushes, in asset coordinates [m].
-        approach: Direction in which the hand comes.
-        closing: Direction along which the fingers close; made perpendicular to `approach`.
-    """
-    return Frame.record(_frame, at=at, approach=approach, closing=closing)
 
 
 def _check_name(name: str, what: str) -> None:
@@ -61,24 +28,34 @@ def _part(
     material: Material,
     name: str | None,
     grasp: tuple[Array4x4, ...],
-    grasp_width: float,
+    grasp_width: float | None,
     separate: str,
     push: tuple[Array4x4, ...],
 ) -> Tree:
     link_name = label if name is None else name
     _check_name(label, "label")
     _check_name(link_name, "link name")
-    if grasp_width <= 0.0:
+    if grasp_width is not None and grasp_width <= 0.0:
         raise ValueError(f"grasp_width must be positive, got {grasp_width:.6g} m")
     grasps = tuple(
-        Grasp(f"{link_name}_grasp{f'_{index}' if len(grasp) > 1 else ''}", pose, grasp_width)
+        Grasp(
+            f"{link_name}_grasp{f'_{index}' if len(grasp) > 1 else ''}",
+            pose,
+            _opening(solid, pose) if grasp_width is None else grasp_width,
+        )
         for index, pose in enumerate(grasp)
     )
     pushes = tuple(
-        Push(f"{link_name}_push{f'_{index}' if len(push) > 1 else ''}", pose)
+        Push(f"{link_name}_push_point{f'_{index}' if len(push) > 1 else ''}", pose)
         for index, pose in enumerate(push)
     )
     return Tree(Link(link_name, label, (Piece(label, material, solid),), grasps, separate, pushes))
+
+
+def _opening(solid: Shape, pose: Array4x4) -> float:
+    """Return the opening that fingers need around a solid; all that a gripper has if it is not there."""
+    reach = held([solid.manifold], pose)
+    return GRIPPER.stroke if reach is None else GRIPPER.opening(reach[1] - reach[0])
 
 
 def part(
@@ -88,7 +65,7 @@ def part(
     *,
     name: str | None = None,
     grasp: Frame | Sequence[Frame] = (),
-    grasp_width: Scalar = 0.08,
+    grasp_width: Scalar | None = None,
     separate: str = "",
     push: Frame | Sequence[Frame] = (),
 ) -> Body:
@@ -99,11 +76,14 @@ def part(
         label: Semantic label.
         material: What it is made of.
         name: Name of the link; by default its label.
-        grasp: Frames at which a hand takes hold, in asset coordinates.
-        grasp_width: Opening that the fingers need [m].
+        grasp: Frames at which a hand takes hold, in asset coordinates: of `frame`, or of `grasp_on`, which
+            finds them.
+        grasp_width: Opening that the fingers need, at most 0.08; by default what is between the fingers there
+            and 5 mm at either side, measured [m].
         separate: Why the solids of the link do not all hang together; checks take a gap of more than
             0.5 mm between them for a fault unless it is said.
-        push: Frames at which a finger pushes: on the surface, `approach` in the direction of the push.
+        push: Frames at which a finger pushes: on the surface, `approach` in the direction of the push, as
+            `push_on` finds them.
     """
     grasps = (grasp,) if isinstance(grasp, Frame) else grasp
     pushes = (push,) if isinstance(push, Frame) else push

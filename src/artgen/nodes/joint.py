@@ -196,6 +196,7 @@ def _joint(
     velocity: float,
     follows: values.Coupling | None,
     needs: values.Dependency | None,
+    driven: str,
 ) -> values.Joint:
     if not name.isidentifier() or not name.isascii():
         raise ValueError(f"joint name {name!r} is no identifier; use letters, digits and _")
@@ -230,6 +231,7 @@ def _joint(
         rest=rest,
         follows=follows,
         needs=needs,
+        driven=driven,
         **dynamics,
     )
 
@@ -250,6 +252,7 @@ def joint(
     velocity: Scalar = 10.0,
     follows: "Coupling | Joint | None" = None,
     needs: Condition | Dependency | None = None,
+    driven: str = "",
 ) -> Joint:
     """Make a joint of either kind; see `Revolute` and `Prismatic`."""
     return Joint.record(
@@ -268,6 +271,7 @@ def joint(
         velocity=velocity,
         follows=follows,
         needs=needs,
+        driven=driven,
     )
 
 
@@ -286,6 +290,7 @@ def Revolute(  # noqa: N802 - reads as the type of joint that it makes
     velocity: Scalar = 10.0,
     follows: "Coupling | Joint | None" = None,
     needs: Condition | Dependency | None = None,
+    driven: str = "",
 ) -> Joint:
     """Make a joint that turns about an axis, counter-clockwise seen against the axis.
 
@@ -303,6 +308,7 @@ def Revolute(  # noqa: N802 - reads as the type of joint that it makes
         velocity: Largest speed [rad/s].
         follows: Coupling to another joint, such as `4.0 * pedal + 0.02`; gives the limits.
         needs: Where the joint may leave 0, such as `handle > 0.5`, or `(handle > 0.5).until(0.06)`.
+        driven: What moves the joint where no hand does, such as `a motor`: checks then ask for no grasp.
     """
     return joint(
         name,
@@ -319,6 +325,7 @@ def Revolute(  # noqa: N802 - reads as the type of joint that it makes
         velocity=velocity,
         follows=follows,
         needs=needs,
+        driven=driven,
     )
 
 
@@ -337,6 +344,7 @@ def Prismatic(  # noqa: N802 - reads as the type of joint that it makes
     velocity: Scalar = 1.0,
     follows: "Coupling | Joint | None" = None,
     needs: Condition | Dependency | None = None,
+    driven: str = "",
 ) -> Joint:
     """Make a joint that slides along an axis.
 
@@ -354,6 +362,7 @@ def Prismatic(  # noqa: N802 - reads as the type of joint that it makes
         velocity: Largest speed [m/s].
         follows: Coupling to another joint, such as `0.02 * handle`; gives the limits.
         needs: Where the joint may leave 0, such as `door > 1.2`.
+        driven: What moves the joint where no hand does, such as `a motor`: checks then ask for no grasp.
     """
     return joint(
         name,
@@ -370,4 +379,5 @@ def Prismatic(  # noqa: N802 - reads as the type of joint that it makes
         velocity=velocity,
         follows=follows,
         needs=needs,
+        driven=driven,
     )

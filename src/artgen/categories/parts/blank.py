@@ -2,13 +2,15 @@
 
 from dataclasses import dataclass
 
-from artgen import Float, Material, Solid, box
+from artgen import Float, Frame, Material, Solid, box, frame
 from artgen.categories.parts.arch import Arch
 from artgen.categories.parts.entrance import Fittings
 from artgen.nodes.handles import Scalar
 
 EASED = 0.0008
 """Edges of boards are sanded to this radius [m]: joints show as a fine line."""
+
+_FROM_EDGE = 0.094  # from the lock edge to where hands push: beside a pull, still on a stile [m]
 
 
 @dataclass(frozen=True)
@@ -24,6 +26,7 @@ class Blank:
         cut: What the hardware needs taken out of the lock stile; None for nothing.
         finish: What the leaf is made of.
         fittings: What an entrance has besides its lock.
+        reach: Height above the floor at which hands push it [m].
     """
 
     width: Float
@@ -34,6 +37,7 @@ class Blank:
     cut: Solid | None
     finish: Material
     fittings: Fittings
+    reach: Float
 
     @property
     def straight(self) -> Scalar:
@@ -54,6 +58,12 @@ class Blank:
     def waist(self) -> Scalar:
         """The height of the middle of its edges above the floor [m]."""
         return (self.straight + self.bottom) / 2.0
+
+    @property
+    def push(self) -> Frame:
+        """Where a hand pushes it open: on its back, which faces +y, near the lock edge."""
+        at = (self.width / 2.0 - _FROM_EDGE, self.thickness / 2.0, self.reach)
+        return frame(at, approach=(0.0, -1.0, 0.0), closing=(1.0, 0.0, 0.0))
 
     def carved(self, solid: Solid) -> Solid:
         """Return a solid without what the hardware needs."""

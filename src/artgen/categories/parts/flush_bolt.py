@@ -11,13 +11,14 @@ from artgen import (
     Material,
     Prismatic,
     Solid,
+    X,
     Y,
     Z,
     box,
     cylinder,
     detail,
-    frame,
     generator,
+    grasp_on,
     part,
     union,
     weld,
@@ -59,8 +60,8 @@ def flush_bolt(*, thickness: Float, gap: Float, finish: Material) -> Body:
     face = thickness / 2.0 + _PLATE[1]
     stem = box(_STEM[0], face + 0.002, _STEM[1]).at(0.0, -(face + 0.002) / 2.0, -_BELOW)
     thumb = box(0.018, 0.010, 0.024, bevel=0.003).at(0.0, -(face + 0.0055), -_BELOW)
-    hold = frame((0.0, -(face + 0.006), -_BELOW), approach=(0.0, 1.0, 0.0), closing=(1.0, 0.0, 0.0))
-    return part(union(rod, stem, thumb), "flush_bolt", finish, grasp=hold, grasp_width=0.03)
+    hold = grasp_on(thumb, approach=Y, closing=X, depth=0.009)  # 1 mm less than it stands out
+    return part(union(rod, stem, thumb), "flush_bolt", finish, grasp=hold)
 
 
 def flush_bolt_channel(thickness: Scalar, gap: Scalar) -> Solid:

@@ -42,7 +42,10 @@ def framed(blank: Blank, stile: Float, rows: Sequence[Row]) -> Body:
     """
     upright = blank.board(stile, blank.upright)
     beside = (blank.width - stile) / 2.0
-    boards = [blank.carved(upright.at(beside, 0.0, blank.waist)), upright.at(-beside, 0.0, blank.waist)]
+    lock_stile = part(
+        blank.carved(upright.at(beside, 0.0, blank.waist)), "door", blank.finish, push=blank.push
+    )
+    boards = [upright.at(-beside, 0.0, blank.waist)]
     if blank.arch is not None:
         boards.append(extrude(blank.arch.segment(), blank.thickness, axis=Y, bevel=EASED))
     inner = blank.width - 2.0 * stile
@@ -72,7 +75,8 @@ def framed(blank: Blank, stile: Float, rows: Sequence[Row]) -> Body:
         number=top,
         looks_out=looks_out,
     )
-    return weld(*(part(board, "door", blank.finish) for board in boards), *fillings, *fittings)
+    rest = (part(board, "door", blank.finish) for board in boards)
+    return weld(lock_stile, *rest, *fillings, *fittings)
 
 
 def _columns(

@@ -18,6 +18,7 @@ from artgen import (
     frame,
     part,
     polyline,
+    push_on,
     rectangle,
     slot,
     sweep,
@@ -74,7 +75,7 @@ def grip(
     middle = side * (thickness / 2 + (depth - 0.0005) / 2)
     collar = cylinder(_CYLINDER + 0.004, 0.0040, axis=Y, bevel=0.0014).at(0.0, side * (face + 0.0008), _KEY)
     return weld(
-        part(bar | flange, "grip", casting(finish), grasp=hold, grasp_width=0.045),
+        part(bar | flange, "grip", casting(finish), grasp=hold),
         part(plate.at(0.0, middle, -0.012), "rose", casting(finish)),
         *(part(each, "rose", finish) for each in ears),
         detail(array(pin, at=ends), "rose", finish),
@@ -96,8 +97,7 @@ def thumb_piece(*, thickness: Scalar, depth: Scalar, finish: Material, side: int
     barrel = cylinder(_BARREL, _WIDE, axis=X, bevel=0.0008).at(0.0, side * pivot, 0.0)
     blade = box(0.014, 0.036, 0.0042, bevel=0.0014).at(0.0, side * (pivot + 0.016), 0.0)
     pad = cylinder(0.0125, 0.0042, axis=Z, bevel=0.0016).at(0.0, side * (pivot + 0.040), 0.0)
-    hold = frame((0.0, side * (pivot + 0.040), 0.002), approach=(0.0, 0.0, -1.0), closing=(1.0, 0.0, 0.0))
-    return part(union(barrel, blade, pad), "thumb_latch", finish, grasp=hold, grasp_width=0.03)
+    return part(union(barrel, blade, pad), "thumb_latch", finish, push=push_on(pad, direction=-Z))
 
 
 def thumb_press(

@@ -29,6 +29,10 @@ from artgen.categories.parts.roses import NECK_GAP, PIN, SIDES, Faces, spindle
 from artgen.nodes.handles import Scalar
 
 _PIN_DEPTH = 0.012  # depth of the hole of a privacy pin in a knob [m]
+_PAST_JAMB = 0.8  # at the back a hand comes from the side of the hinges, past the jamb [rad]
+_LEAN = (math.sin(0.25), 0.0, math.cos(0.25))
+_CLOSING = {"ball": _LEAN, "flat": _LEAN, "tulip": _LEAN, "egg": (0.0, 0.0, 1.0)}
+"""A hand turns a knob from leaning to one side to leaning to the other, where the knob is round."""
 
 
 @generator
@@ -65,16 +69,23 @@ def knob_handle(
     back = _one_knob(style, start, end, radius)
     for side in SIDES[faces]:
         solids += back if side > 0 else [solid.rotate(X, math.pi) for solid in back]
-        middle = (0.0, side * (end - 0.5 * radius), 0.0)
-        grasps.append(frame(middle, approach=(0.0, -side, 0.0)))
+        middle = (0.0, side * (end - _girth(style, radius)), 0.0)
+        lean = _PAST_JAMB if side > 0 else 0.0
+        towards = (math.sin(lean), -side * math.cos(lean), 0.0)
+        grasps.append(frame(middle, approach=towards, closing=_CLOSING[style]))
     solids.append(spindle(thickness, rose_depth, faces))
     solid = union(*solids)
     if lock == "none":
-        return part(solid, "handle", casting(finish), grasp=grasps, grasp_width=2 * radius + 0.01)
+        return part(solid, "handle", casting(finish), grasp=grasps)
     face = thickness / 2 + projection
     hole = bore(PIN + 0.0004, 2 * _PIN_DEPTH, axis=Y).at(0.0, lock_side * face, 0.0)
-    body = part(solid - hole, "handle", casting(finish), grasp=grasps, grasp_width=2 * radius + 0.01)
+    body = part(solid - hole, "handle", casting(finish), grasp=grasps)
     return with_button(body, lock, face=face, depth=_PIN_DEPTH, finish=finish, side=lock_side)
+
+
+def _girth(style: str, radius: Scalar) -> Scalar:
+    """Return how far behind its end a knob is widest, or flat [m]."""
+    return {"ball": 0.74 * radius, "egg": 0.74 * radius, "flat": 0.011, "tulip": 0.009}[style]
 
 
 def _one_knob(style: str, start: Scalar, end: Scalar, radius: Scalar) -> list[Solid]:

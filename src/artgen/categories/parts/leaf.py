@@ -58,7 +58,7 @@ def flush_leaf(
     else:
         outline = blank.arch.segment() | rectangle(blank.width, blank.upright).at(0.0, blank.waist)
         slab = extrude(outline, blank.thickness, axis=Y, bevel=0.0015)
-    body = weld(part(blank.carved(slab), "door", core), *_fitted(blank))
+    body = weld(part(blank.carved(slab), "door", core, push=blank.push), *_fitted(blank))
     if not inlays:
         return body
     # across, up to one that runs upright beside the lock
@@ -90,7 +90,10 @@ def plank_leaf(
     bodies: list[Body] = []
     for index in range(boards):
         placed = board.at((index - (boards - 1) / 2.0) * wide, 0.0, blank.waist)
-        bodies.append(part(blank.carved(placed) if index == boards - 1 else placed, "door", blank.finish))
+        if index == boards - 1:  # at the lock
+            bodies.append(part(blank.carved(placed), "door", blank.finish, push=blank.push))
+        else:
+            bodies.append(part(placed, "door", blank.finish))
     if blank.arch is not None:
         head = extrude(blank.arch.segment(), blank.thickness, axis=Y, bevel=EASED)
         bodies.append(part(head, "door", across(blank.finish)))

@@ -23,6 +23,7 @@ from artgen import (
     frame,
     generator,
     given,
+    grasp_on,
     part,
     polyline,
     rectangle,
@@ -36,6 +37,8 @@ from artgen.nodes.handles import Scalar, VectorLike
 
 _FLATNESS = 0.6  # thickness of a flat or oval grip over its height
 _BEND = 0.018  # radius of the bends of a bar [m]
+_HOLD = 0.62  # where hands hold a bar, as a share of its length
+_PAST_JAMB = 0.5  # at the back a hand comes from the side of the hinges, past the jamb [rad]
 _RETURN = 0.031  # how far the tip of a bent lever returns towards the leaf, so that no sleeve catches [m]
 
 
@@ -116,9 +119,14 @@ def lever_handle(
         else:
             solid += _wave(side * start, side * out, side, length, girth)
         solids += [each.rotate(X, math.pi) for each in solid] if side < sense else solid
-        grasps.append(frame((-0.62 * length, side * out, 0.0), approach=(0.0, -side, 0.0)))
+        lean = _PAST_JAMB if side > 0 else 0.0
+        towards = (math.sin(lean), -side * math.cos(lean), 0.0)
+        if level:
+            grasps.append(frame((-_HOLD * length, side * out, 0.0), approach=towards))
+        else:
+            grasps.append(_hold_on_wave(solid[-2], towards, side * out, length, girth))
     solids.append(spindle(thickness, rose_depth, faces))
-    return part(union(*solids), "handle", finish, grasp=grasps, grasp_width=2 * girth + 0.03)
+    return part(union(*solids), "handle", finish, grasp=grasps)
 
 
 def _bar(
@@ -171,3 +179,13 @@ def _wave(start: Scalar, out: Scalar, side: int, length: Scalar, girth: Scalar) 
     )
     tip = ellipsoid(thin, thin - 0.0002, girth - 0.0002).at(reach, out, -0.45 * girth)
     return [hub.at(0.0, (start + face) / 2, 0.0), sweep(ellipse(thin, girth), course), tip]
+
+
+def _hold_on_wave(
+    arm: Solid, approach: tuple[float, float, float], out: Scalar, length: Scalar, girth: Scalar
+) -> Frame:
+    """Find the frame on the last third of a wave, which falls gently; the fingers close square to it."""
+    reach = _FLATNESS * girth - length
+    run, fall = 0.32 * reach, -0.20 * girth
+    at = (0.84 * reach, out, -0.35 * girth)
+    return grasp_on(arm, approach=approach, closing=(fall, 0.0, -1.0 * run), at=at)

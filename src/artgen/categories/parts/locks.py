@@ -3,10 +3,12 @@
 A deadbolt is drawn about its own axis, in the middle of the leaf, its lock edge at x = backset.
 """
 
+import math
 from typing import Literal
 
 from artgen import (
     Body,
+    Frame,
     Joint,
     Material,
     Prismatic,
@@ -21,11 +23,14 @@ from artgen import (
     extrude,
     frame,
     frustum,
+    grasp_on,
     part,
+    push_on,
     ring,
     union,
     weld,
 )
+from artgen.asset.gripper import GRIPPER
 from artgen.categories.parts.cylinders import plug
 from artgen.categories.parts.finish import casting
 from artgen.categories.parts.latch import DEADBOLT, PLAY
@@ -45,6 +50,7 @@ _TAIL = 0.020  # what stays in the leaf when the bolt is thrown [m]
 _RECESSED = 0.0005  # a drawn bolt ends this far inside the lock edge [m]
 _ROSETTE = 0.0275  # radius of the covers [m]
 _ROSETTE_DEPTH = 0.009
+_FROM_BELOW = 0.9  # angle from which a hand comes to a button under a lever [rad]
 _GAP = 0.0005  # between a rosette and what turns on it [m]
 
 
@@ -99,8 +105,8 @@ def thumb_turn(*, thickness: Scalar, finish: Material, side: int = -1) -> Body:
     wing = enclosed(box(0.007, 0.018, 0.034, bevel=0.003)).at(0.0, side * (start + 0.012), 0.0)
     reach = start + 0.003  # from the middle of the leaf into the turn
     stem = cylinder(SPINDLE, reach, axis=Y).at(0.0, side * reach / 2, 0.0)
-    hold = frame((0.0, side * (start + 0.014), 0.0), approach=(0.0, -side, 0.0), closing=(1.0, 0.0, 0.0))
-    return part(union(base, wing, stem), "lock", finish, grasp=hold, grasp_width=0.03)
+    hold = grasp_on(wing, approach=(0.0, -side, 0.0), closing=X, depth=0.016)  # 1 mm off its base
+    return part(union(base, wing, stem), "lock", finish, grasp=hold)
 
 
 def deadbolt_cover(*, thickness: Scalar, finish: Material, side: int = -1) -> Body:
@@ -142,8 +148,22 @@ def turn_button(
     wing = box(0.0032, 0.007, 0.0105, bevel=0.0012).at(0.0, side * (face + _GAP + 0.0050), -below)
     inner, outer = face - depth + 0.0015, face + 0.002
     stem = cylinder(PIN, outer - inner, axis=Y).at(0.0, side * (inner + outer) / 2, -below)
-    hold = frame((0.0, side * (face + 0.006), -below), approach=(0.0, -side, 0.0), closing=(1.0, 0.0, 0.0))
-    return part(union(disc, wing, stem), "lock", finish, grasp=hold, grasp_width=0.02)
+    hold = (
+        _hold_from_below(face, side, below)
+        if below
+        else grasp_on(wing, approach=(0.0, -side, 0.0), closing=X, depth=0.005)
+    )
+    return part(union(disc, wing, stem), "lock", finish, grasp=hold)
+
+
+def _hold_from_below(face: Scalar, side: int, below: Scalar) -> Frame:
+    """Make the frame at which a hand holds a turn button under a lever: it comes from below."""
+    out, up = math.cos(_FROM_BELOW), math.sin(_FROM_BELOW)
+    half, tip = GRIPPER.wide / 2.0, GRIPPER.tip
+    # the nearest corner of the tips comes 0.5 mm over the disc, 4.5 mm below its middle
+    away = face + 0.0040 + tip * out + half * up
+    drop = -below - 0.0045 - tip * up + half * out
+    return frame((0.0, side * away, drop), approach=(0.0, -side * out, up), closing=X)
 
 
 def push_button(
@@ -160,9 +180,10 @@ def push_button(
     """
     inner, outer = face - depth + PIN_TRAVEL + 0.0015, face + PIN_TRAVEL + 0.0015
     pin = cylinder(PIN, outer - inner, axis=Y, bevel=0.0008)
-    hold = frame((0.0, side * outer, -below), approach=(0.0, -side, 0.0))
     pin = pin.at(0.0, side * (inner + outer) / 2, -below)
-    return part(pin, "lock", finish, grasp=hold, grasp_width=0.02)
+    # a finger presses the lower half of the pin, away from the neck of a lever above it
+    press = push_on(pin, direction=(0.0, -side, 0.0), at=(0.0, side * outer, -below - 0.002))
+    return part(pin, "lock", finish, push=press)
 
 
 def button_turn(name: str = "lock_turn", *, pivot: VectorLike = (0.0, 0.0, 0.0)) -> Joint:

@@ -6,7 +6,6 @@ from typing import Literal
 from artgen import (
     Body,
     Float,
-    Frame,
     Material,
     Solid,
     X,
@@ -64,7 +63,9 @@ def pull_handle(
     back = union(*makers[style](foot, reach, length, girth))
     for side in SIDES[faces]:
         out = side * reach
-        grasp: Frame = frame((0.0, out, 0.0), approach=(0.0, -side, 0.0), closing=(1.0, 0.0, 0.0))
+        # hands pull it in front; at the back, behind the jamb, they push it
+        press = frame((0.0, out + side * girth, 0.0), approach=(0.0, -side, 0.0))
+        grasp = frame((0.0, out, 0.0), approach=(0.0, -side, 0.0), closing=(1.0, 0.0, 0.0))
         name = "handle_front" if side < 0 else "handle_back"
         bodies.append(
             part(
@@ -72,8 +73,8 @@ def pull_handle(
                 "handle",
                 casting(finish),
                 name=name,
-                grasp=grasp,
-                grasp_width=2 * girth + 0.03,
+                grasp=grasp if side < 0 else (),
+                push=press if side > 0 else (),
             )
         )
     return weld(*bodies)

@@ -8,10 +8,10 @@ from artgen import (
     Prismatic,
     box,
     detail,
-    frame,
     generator,
     given,
     part,
+    push_on,
     weld,
 )
 from artgen.categories.parts.finish import casting, recess
@@ -89,8 +89,8 @@ def push_bar(
     back = thickness / 2 + _SHEET + _BOTTOM + travel
     front = thickness / 2 + _BAR_REACH
     bar = box(span, front - back, _BAR_HEIGHT, bevel=0.004).at(middle, side * (front + back) / 2, 0.0)
-    hold = frame((middle, side * front, 0.0), approach=(0.0, -side, 0.0))
-    return part(bar, "handle", casting(finish, _FULL), grasp=hold, grasp_width=_BAR_HEIGHT + 0.01)
+    at = (middle + 0.25 * span, side * front, 0.0)  # nearer to the lock: far from the hinges
+    return part(bar, "handle", casting(finish, _FULL), push=push_on(bar, direction=(0.0, -side, 0.0), at=at))
 
 
 def push_bar_case(*, thickness: Scalar, length: Scalar, finish: Material, side: int = 1) -> Body:

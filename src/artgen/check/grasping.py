@@ -1,0 +1,245 @@
+"""Whether hands can do what grasps and pushes promise: come near, take hold, and move the joints."""
+
+from collections.abc import Collection, Iterator
+
+import numpy as np
+from numpy.typing import NDArray
+
+from artgen.asset import Asset
+from artgen.asset.affordance import Affordance
+from artgen.asset.gripper import GRIPPER
+from artgen.check.grasp_motion import Reach, reach_of, tendency
+from artgen.check.hand_space import HandSpace, Touch
+from artgen.check.report import CheckResult, Finding
+
+Array = NDArray[np.float64]
+
+CHECK = "grasps"
+
+COMES_FROM = 0.100
+"""How far away the hand starts [m]."""
+
+_PAD_GIVES = 0.0005  # rubber pads and finger tips yield by this much [m]
+_LEAST_ROOM = 0.003  # between an open finger and what it closes on [m]
+_MOST_ROOM = 0.010  # [m]
+_OFF_CENTRE = 0.002  # of what is held, along the closing direction [m]
+_HELD = 0.002  # least length of contact on a pad, along the approach and across [m]
+_FRICTION = 0.5  # rubber on metal or wood, on the safe side
+_OFF_SURFACE = 0.001  # of the point where a finger pushes [m]
+_FOOTHOLD = 0.002  # least width of contact under a pushing finger [m]
+_ALONG = 0.5  # least cosine between a push and the way that its point can go
+_LEAST_SHARE = 0.2  # of the range of a joint that a hand has to be able to move it through
+_NEARLY_ALL = 0.999
+
+
+def check_grasps(asset: Asset) -> CheckResult:
+    """Check every grasp with a parallel gripper and every push with a finger, at rest and as joints move.
+
+    Args:
+        asset: The asset, in memory or read back.
+
+    Returns:
+        A fault for each grasp that a gripper cannot take, each push that does not push, and each free joint
+        that no hand can move; a note where the hand strikes something before a joint is at its end. An asset
+        without grasps and pushes has one note.
+    """
+    free = [joint.name for joint in asset.free_joints if not joint.driven]
+    found = asset.affordances
+    if not found:
+        note = Finding(
+            CHECK,
+            f"no grasp or push moves {', '.join(free)}",
+            hint="give parts that hands move grasp=grasp_on(...) or push=push_on(...)",
+            severity="note",
+        )
+        return CheckResult(CHECK, (note,) if free else (), "no grasps, no pushes")
+    space = HandSpace(asset)
+    findings: list[Finding] = []
+    best = dict.fromkeys((joint.name for joint in asset.free_joints), 0.0)
+    faulty: set[str] = set()
+    for affordance in found:
+        faults = list(_grasp_faults(space, affordance) if affordance.kind == "grasp" else [])
+        faults += _push_faults(space, affordance) if affordance.kind == "push" else []
+        findings += faults
+        if faults:
+            faulty |= set(affordance.joints)
+        else:
+            findings += _motion_findings(space, affordance, best)
+    findings += _joint_findings(asset, best, faulty)
+    grasps = sum(each.kind == "grasp" for each in found)
+    return CheckResult(CHECK, tuple(findings), f"{grasps} grasps, {len(found) - grasps} pushes")
+
+
+def _fault(
+    affordance: Affordance, message: str, hint: str, value: float | None = None, joint: str = ""
+) -> Finding:
+    text = f"{affordance.kind} {affordance.name}: {message}"
+    unit = "" if value is None else "m"
+    return Finding(CHECK, text, affordance.link, joint, value, unit, hint=hint)
+
+
+def _struck(touch: Touch) -> str:
+    return f"{touch.link}/{touch.label}"
+
+
+def _mm(length: float) -> str:
+    return f"{1e3 * length:.3g} mm"
+
+
+def _grasp_faults(space: HandSpace, grasp: Affordance) -> Iterator[Finding]:
+    """Yield what keeps an open gripper from coming and closing on the link; the first thing that does."""
+    if not 0.0 < grasp.width <= GRIPPER.stroke + 1e-9:
+        message = f"its width is {_mm(grasp.width)}, and the gripper opens to {_mm(GRIPPER.stroke)}"
+        yield _fault(grasp, message, "grip it where it is thinner, or along another direction", grasp.width)
+        return
+    half = grasp.width / 2.0
+    for name, box in GRIPPER.blocks(-half, half, COMES_FROM).items():
+        touch = space.first_touch(box, grasp.frame)
+        if touch is not None:
+            message = f"on its way to the grasp the {name} strikes {_struck(touch)}"
+            hint = "move the frame, come from another direction, or make the width what the thing needs"
+            yield _fault(grasp, message, hint)
+            return
+    yield from _closing_faults(space, grasp)
+
+
+def _closing_faults(space: HandSpace, grasp: Affordance) -> Iterator[Finding]:
+    between = GRIPPER.between(grasp.width / 2.0)
+    own = space.inside(between, grasp.frame, grasp.link)
+    if not len(own):
+        hint = "put its origin into the middle of what is held"
+        yield _fault(grasp, f"the fingers close on nothing of link {grasp.link}", hint)
+        return
+    low, high = float(own[:, 0].min()), float(own[:, 0].max())
+    for touch, points in space.others_inside(between, grasp.frame, grasp.link):
+        ahead = max(float(points[:, 0].max()) - high, low - float(points[:, 0].min()))
+        if ahead > -_PAD_GIVES / 10.0:
+            message = f"a closing finger touches {_struck(touch)} {_mm(max(ahead, 0.0))} before the link"
+            yield _fault(grasp, message, "move the frame away from it, or turn it", ahead)
+            return
+    yield from _width_faults(grasp, low, high)
+    yield from _contact_faults(space, grasp, low, high)
+
+
+def _width_faults(grasp: Affordance, low: float, high: float) -> Iterator[Finding]:
+    thickness, middle = high - low, (high + low) / 2.0
+    room = (grasp.width - thickness) / 2.0
+    if thickness + 2.0 * _LEAST_ROOM > GRIPPER.stroke + 1e-6:
+        message = f"what is held is {_mm(thickness)} thick, too thick for a gripper of {_mm(GRIPPER.stroke)}"
+        yield _fault(grasp, message, "grip it where it is thinner, or along another direction", thickness)
+    elif not _LEAST_ROOM - 1e-6 <= room <= _MOST_ROOM + 1e-6:
+        message = (
+            f"its width of {_mm(grasp.width)} leaves each finger {_mm(room)} beside what is held, "
+            f"{_mm(thickness)} thick; {_mm(_LEAST_ROOM)} to {_mm(_MOST_ROOM)} are right"
+        )
+        wanted = GRIPPER.opening(thickness)
+        yield _fault(grasp, message, f"make grasp_width {wanted:.4g}, or leave it out", grasp.width)
+    if abs(middle) > _OFF_CENTRE + 1e-6:
+        message = f"what is held is {_mm(abs(middle))} off the middle between the fingers"
+        yield _fault(
+            grasp, message, "move the frame along the closing direction, by at most 2 mm off", middle
+        )
+
+
+def _contact_faults(space: HandSpace, grasp: Affordance, low: float, high: float) -> Iterator[Finding]:
+    """Yield what is wrong with where the pads touch."""
+    patches = []
+    for side, at in ((1.0, high), (-1.0, low)):
+        corners = GRIPPER.between(0.0)
+        corners[:, 0] = sorted((at - side * _PAD_GIVES, at + side * _PAD_GIVES))
+        points = space.inside(corners, grasp.frame, grasp.link)[:, 1:]
+        patch = np.array([points.min(axis=0), points.max(axis=0)])
+        along = float(patch[1, 1]) - max(float(patch[0, 1]), -GRIPPER.pad / 2.0)
+        across = float(patch[1, 0] - patch[0, 0])
+        if min(along, across) < _HELD:
+            message = f"of a pad only {_mm(max(along, 0.0))} by {_mm(across)} touch the link"
+            hint = (
+                f"move the frame along the approach or across; at least {_mm(_HELD)} have to be on each pad"
+            )
+            yield _fault(grasp, message, hint, min(along, across))
+            return
+        patches.append(patch)
+    first, second = patches
+    gap = np.maximum(np.maximum(first[0] - second[1], second[0] - first[1]), 0.0)
+    slope = float(np.linalg.norm(gap)) / max(high - low, 1e-9)
+    if slope > _FRICTION:
+        message = f"the pads touch it {_mm(float(np.linalg.norm(gap)))} apart sideways: it turns out of them"
+        yield _fault(grasp, message, f"close on faces that look at each other (slope {slope:.2g} > 0.5)")
+
+
+def _push_faults(space: HandSpace, push: Affordance) -> Iterator[Finding]:
+    """Yield what keeps a finger from coming straight to the point of a push."""
+    depths = space.finger_depths(push.frame, COMES_FROM)
+    own = depths.pop(push.link, None)
+    if own is None:
+        message = f"a finger of {_mm(GRIPPER.finger)} touches nothing of link {push.link} there"
+        yield _fault(push, message, "put its origin on the surface of the link, the approach into it")
+        return
+    first = min(depths, key=lambda link: depths[link], default="")
+    if first and depths[first] < own + 1e-5:
+        message = f"the finger touches {first} {_mm(own - depths[first])} before link {push.link}"
+        yield _fault(push, message, "move the point away from it", own - depths[first])
+        return
+    if abs(own) > _OFF_SURFACE:
+        where = "before" if own < 0.0 else "behind"
+        message = f"the surface is {_mm(abs(own))} {where} its point"
+        yield _fault(push, message, "put its origin on the surface", abs(own))
+        return
+    patch = space.finger_patch(push.frame, own, _PAD_GIVES, push.link)
+    outside = max(float(patch[0].max()), float(-patch[1].min()))
+    if outside > _OFF_SURFACE or float((patch[1] - patch[0]).min()) < _FOOTHOLD:
+        message = f"the finger touches the link beside its point, {_mm(max(outside, 0.0))} off or at an edge"
+        yield _fault(push, message, "put its origin into the middle of a face that looks at the finger")
+
+
+def _motion_findings(space: HandSpace, affordance: Affordance, best: dict[str, float]) -> Iterator[Finding]:
+    """Yield what happens when the hand moves each joint; `best` keeps how far some hand moves it."""
+    asset = space.asset
+    for number, name in enumerate(affordance.joints):
+        if affordance.kind == "push":
+            along = tendency(asset, affordance, name)
+            if along < _ALONG:
+                if not number:
+                    message = "it pushes to where the joint cannot go"
+                    if along > 0.0:
+                        message = f"only {along:.2g} of its force moves the joint"
+                    hint = "turn the push towards the way that the joint opens"
+                    yield _fault(affordance, message, hint, joint=name)
+                continue
+        reach = reach_of(space, affordance, name)
+        best[name] = max(best[name], reach.share)
+        if reach.share < _NEARLY_ALL and reach.touch is not None:
+            yield _reach_finding(affordance, name, reach, first=not number)
+
+
+def _reach_finding(affordance: Affordance, joint: str, reach: Reach, *, first: bool) -> Finding:
+    assert reach.touch is not None
+    failed = first and reach.share < _LEAST_SHARE
+    return Finding(
+        CHECK,
+        f"{affordance.kind} {affordance.name}: the hand moves the joint through {100 * reach.share:.0f} % of "
+        f"its range, then the {reach.part} strikes {_struck(reach.touch)}",
+        affordance.link,
+        joint,
+        reach.share,
+        pose=reach.pose,
+        hint="turn or move the frame so that the hand stays clear of it" if failed else "",
+        severity="fault" if failed else "note",
+    )
+
+
+def _joint_findings(asset: Asset, best: dict[str, float], faulty: Collection[str]) -> Iterator[Finding]:
+    """Yield the free joints that no hand moves, but for those whose grasps and pushes have faults already."""
+    for name, share in best.items():
+        if asset.joint(name).driven:
+            continue
+        moving = [each.name for each in asset.affordances if name in each.joints]
+        if not moving:
+            message = "no grasp or push moves it"
+            child = asset.joint(name).child
+            hint = f"give {child} or what hangs on it a grasp or a push, or say what moves it: driven=..."
+            yield Finding(CHECK, message, joint=name, hint=hint)
+        elif share < _LEAST_SHARE and name not in faulty:
+            message = f"of {', '.join(moving)} none moves it through {100 * _LEAST_SHARE:.0f} % of its range"
+            hint = "mend one of them, or add another"
+            yield Finding(CHECK, message, joint=name, value=share, hint=hint)

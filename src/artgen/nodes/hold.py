@@ -1,0 +1,130 @@
+"""Frames at which hands act: written down, or found on a solid."""
+
+from typing import Annotated, Any, ClassVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from artgen.asset import Shape
+from artgen.asset.gripper import GRIPPER, block, clipped
+from artgen.graph import Handle, kernel
+from artgen.nodes.handles import Array3, Scalar, Solid, VectorLike
+from artgen.nodes.vector import unit
+
+Array4x4 = Annotated[NDArray[np.float64], "frame"]
+"""The value of a `Frame`, shape (4, 4)."""
+
+_DEEPEST = 0.030  # how far finger tips reach past the front of a deep thing, if nobody says [m]
+_FAR = 10.0  # beyond any solid [m]
+_RAY = 0.001  # half the width of the column in which a surface is looked for [m]
+_ROUNDED = 6  # decimals of what was measured [m]
+
+
+class Frame(Handle):
+    """A pose in asset coordinates."""
+
+    __slots__ = ()
+    value_type: ClassVar[Any] = Array4x4
+
+
+@kernel
+def _frame(at: Array3, approach: Array3, closing: Array3) -> Array4x4:
+    return _posed(at, approach, closing)
+
+
+def _posed(at: Array3, approach: Array3, closing: Array3) -> Array4x4:
+    z = unit(approach)
+    x = unit(closing - z * float(closing @ z))
+    result = np.eye(4)
+    result[:3, :3] = np.stack([x, np.cross(z, x), z], axis=1)
+    result[:3, 3] = at
+    return result
+
+
+def frame(
+    at: VectorLike, *, approach: VectorLike = (0.0, 1.0, 0.0), closing: VectorLike = (0.0, 0.0, 1.0)
+) -> Frame:
+    """Make the frame at which a hand takes hold or pushes.
+
+    Args:
+        at: The point between the fingers, or under the finger that pushes, in asset coordinates [m].
+        approach: Direction in which the hand comes.
+        closing: Direction along which the fingers close; made perpendicular to `approach`.
+    """
+    return Frame.record(_frame, at=at, approach=approach, closing=closing)
+
+
+@kernel
+def _grasp_on(
+    solid: Shape, approach: Array3, closing: Array3, at: Array3 | None, depth: float | None
+) -> Array4x4:
+    middle = solid.bounds().mean(axis=0) if at is None else at
+    result = _posed(middle, approach, closing)
+    half = GRIPPER.stroke / 2.0
+    column = np.array([[-half, -GRIPPER.wide / 2.0, -_FAR], [half, GRIPPER.wide / 2.0, _FAR]])
+    points = clipped([solid.manifold], block(column, result), result)
+    if not len(points):
+        raise ValueError(f"there is nothing of the solid at {_text(middle)} m; give another point: at=...")
+    front, back = float(points[:, 2].min()), float(points[:, 2].max())
+    reach = min((back - front) / 2.0 + GRIPPER.tip, _DEEPEST) if depth is None else depth
+    result[:3, 3] += result[:3, 2] * (front + reach - GRIPPER.tip)
+    points = clipped([solid.manifold], block(GRIPPER.between(half), result), result)
+    if not len(points):
+        raise ValueError(f"fingers that reach {1e3 * reach:.3g} mm deep touch nothing; make depth= larger")
+    result[:3, 3] += result[:3, 0] * (points[:, 0].min() + points[:, 0].max()) / 2.0
+    result[:3, 3] = np.round(result[:3, 3], _ROUNDED)
+    return result
+
+
+def grasp_on(
+    solid: Solid,
+    *,
+    approach: VectorLike = (0.0, 1.0, 0.0),
+    closing: VectorLike = (0.0, 0.0, 1.0),
+    at: VectorLike | None = None,
+    depth: Scalar | None = None,
+) -> Frame:
+    """Find the frame at which a parallel gripper takes hold of a solid, for `part(..., grasp=...)`.
+
+    The fingers close on the middle of what is between them, and their pads come to the middle of its depth.
+    An upright handle bar on a front wants `closing=X`, a level one `closing=Z`, a lever what lies across it.
+    A dial or a knob on a panel wants `depth`, a little less than it stands out, as does the edge of a lid.
+
+    Args:
+        solid: What is held: the bar without its feet will do.
+        approach: Direction in which the hand comes.
+        closing: Direction along which the fingers close, over at most 74 mm.
+        at: A point at which to take hold; by default the middle of the bounding box [m].
+        depth: How far the tips of the fingers reach past the front of the solid; by default 9 mm past its
+            middle, at most 30 mm [m].
+    """
+    return Frame.record(_grasp_on, solid=solid, approach=approach, closing=closing, at=at, depth=depth)
+
+
+@kernel
+def _push_on(solid: Shape, direction: Array3, at: Array3 | None) -> Array4x4:
+    middle = solid.bounds().mean(axis=0) if at is None else at
+    axis = unit(direction)
+    sideways = np.eye(3)[int(np.argmin(np.abs(axis)))]
+    result = _posed(middle, axis, sideways)
+    column = np.array([[-_RAY, -_RAY, -_FAR], [_RAY, _RAY, _FAR]])
+    points = clipped([solid.manifold], block(column, result), result)
+    if not len(points):
+        raise ValueError(f"there is nothing of the solid at {_text(middle)} m; give another point: at=...")
+    result[:3, 3] = np.round(result[:3, 3] + axis * points[:, 2].min(), _ROUNDED)
+    return result
+
+
+def push_on(solid: Solid, *, direction: VectorLike = (0.0, 1.0, 0.0), at: VectorLike | None = None) -> Frame:
+    """Find the point at which a finger pushes a solid, for `part(..., push=...)`: where it first meets it.
+
+    Args:
+        solid: What is pushed: a button, a flap, a bar, the leaf of a door.
+        direction: Direction of the push.
+        at: A point on the way of the finger; by default the middle of the bounding box [m].
+    """
+    return Frame.record(_push_on, solid=solid, direction=direction, at=at)
+
+
+def _text(point: Array3) -> str:
+    return f"({', '.join(f'{number:.4g}' for number in point)})"
