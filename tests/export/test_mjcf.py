@@ -2,6 +2,8 @@
 
 import xml.etree.ElementTree as ET
 from collections.abc import Callable, Iterator
+from dataclasses import replace
+from itertools import pairwise
 from pathlib import Path
 
 import mujoco
@@ -10,7 +12,7 @@ import pytest
 from PIL import Image
 
 from artgen import Prismatic, Z, box, cylinder, material, part
-from artgen.asset import Asset
+from artgen.asset import Asset, Push
 from artgen.asset.surface import texture_coordinates
 from artgen.export import Written, export, write_mjcf
 from artgen.export.meshes import display_color
@@ -77,7 +79,6 @@ def test_colliders_have_the_volume_of_their_pieces(cabinet: Asset) -> None:
         body.remove(body.find("inertial"))  # type: ignore[arg-type]
     files = {Path(path).name: text for path, text in write_mjcf(cabinet).files.items()}
     spec = mujoco.MjSpec.from_string(ET.tostring(root, encoding="unicode"), assets=files)
-    spec.meshdir = ""
     model = spec.compile()
     boxes = [0.02 * 0.4 * 0.6] * 2 + [0.56 * 0.02 * 0.6] + [0.56 * 0.38 * 0.02] * 2 + [0.2 * 0.01 * 0.2]
     radius, length = 0.01, 0.06
@@ -105,6 +106,66 @@ def test_grasp_is_a_site_at_its_frame(model: mujoco.MjModel, cabinet: Asset) -> 
     frame = cabinet.link("lid").grasps[0].frame
     np.testing.assert_allclose(data.site("lid_edge").xpos, frame[:3, 3], atol=1e-9)
     np.testing.assert_allclose(data.site("lid_edge").xmat.reshape(3, 3), frame[:3, :3], atol=1e-9)
+
+
+def with_push(asset: Asset) -> Asset:
+    """Return the asset with a push on its dial, which turns it by a coupling or not at all."""
+    frame = np.eye(4)
+    frame[:3, :3] = [[1, 0, 0], [0, 0, 1], [0, -1, 0]]
+    frame[:3, 3] = (-0.2, -0.225, 0.5)
+    links = (
+        replace(link, pushes=(Push("dial_push", frame),)) if link.name == "dial" else link
+        for link in asset.links
+    )
+    return replace(asset, links=tuple(links))
+
+
+def texts(model: mujoco.MjModel) -> dict[str, str]:
+    """Return every text of a model by its name."""
+    starts = [*model.text_adr, model.ntextdata]
+    return {
+        mujoco.mj_id2name(model, mujoco.mjtObj.mjOBJ_TEXT, number): model.text_data[start : end - 1].decode()
+        for number, (start, end) in enumerate(pairwise(starts))
+    }
+
+
+def tuples(model: mujoco.MjModel) -> dict[str, list[tuple[str, float]]]:
+    """Return every tuple of a model by its name: names of its elements, with their numbers."""
+    found = {}
+    for number, (start, size) in enumerate(zip(model.tuple_adr, model.tuple_size, strict=True)):
+        rows = range(start, start + size)
+        found[mujoco.mj_id2name(model, mujoco.mjtObj.mjOBJ_TUPLE, number)] = [
+            (mujoco.mj_id2name(model, int(model.tuple_objtype[row]), int(model.tuple_objid[row])),
+             float(model.tuple_objprm[row]))
+            for row in rows
+        ]  # fmt: skip
+    return found
+
+
+def test_affordances_are_sites_and_tuples_with_the_joints_that_they_move(
+    cabinet: Asset, tmp_path: Path
+) -> None:
+    asset = with_push(cabinet)
+    directory = export(asset, tmp_path / "it", formats=("mjcf",), textures=0)
+    with silence():
+        model = mujoco.MjModel.from_xml_path(str(directory / "cabinet_7.xml"))
+    data = mujoco.MjData(model)
+    mujoco.mj_kinematics(model, data)
+    assert len(asset.affordances) == 2
+    assert set(tuples(model)) == {affordance.name for affordance in asset.affordances}
+    for affordance in asset.affordances:
+        site, *joints = tuples(model)[affordance.name]
+        assert site == (affordance.name, pytest.approx(affordance.width))
+        assert [name for name, _ in joints] == list(affordance.joints)
+        assert model.site(affordance.name).user[0] == pytest.approx(affordance.width)
+        np.testing.assert_allclose(data.site(affordance.name).xpos, affordance.frame[:3, 3], atol=1e-9)
+        np.testing.assert_allclose(
+            data.site(affordance.name).xmat.reshape(3, 3), affordance.frame[:3, :3], atol=1e-9
+        )
+
+
+def test_labels_of_links_are_texts(model: mujoco.MjModel, cabinet: Asset) -> None:
+    assert texts(model) == {f"{link.name}_labels": " ".join(link.labels) for link in cabinet.links}
 
 
 def test_base_is_free_only_when_the_asset_is(cabinet: Asset, free_cabinet: Asset) -> None:
@@ -142,16 +203,74 @@ def test_heavy_tray_stops_at_its_limit(model: mujoco.MjModel) -> None:
     assert data.qpos[tray.qposadr[0]] == pytest.approx(0.2, abs=5e-4)
 
 
-def test_two_assets_attach_to_one_scene(cabinet: Asset, nested: Asset, tmp_path: Path) -> None:
-    scene = mujoco.MjSpec()
-    for asset in (cabinet, nested, cabinet):
-        directory = export(asset, tmp_path / asset.name, formats=("mjcf",))
-        child = mujoco.MjSpec.from_file(str(directory / f"{asset.name}.xml"))
-        place = scene.worldbody.add_frame(pos=[len(scene.bodies), 0, 0])
-        scene.attach(child, prefix=f"n{len(scene.bodies)}_", frame=place)
-    model = scene.compile()
-    assert model.njnt == 2 * 7 + 4
-    assert model.neq == 3
+@pytest.fixture(scope="module")
+def exported(cabinet: Asset, nested: Asset, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Two assets that share materials, and one with maps, in directories side by side."""
+    folder = tmp_path_factory.mktemp("scene")
+    for asset in (with_push(cabinet), nested):
+        export(asset, folder / asset.name, formats=("mjcf",), textures=0)
+    export(textured(), folder / "textured", formats=("mjcf",), textures=256)
+    return folder
+
+
+SCENE = ("cabinet_7", "arm_1", "cabinet_7", "textured", "textured")
+
+
+def check_scene(model: mujoco.MjModel, exported: Path, prefixes: list[str]) -> None:
+    """Check that everything of each file is in the scene, under its prefix."""
+    alone = [mujoco.MjModel.from_xml_path(str(exported / name / f"{name}.xml")) for name in SCENE]
+    for count in ("njnt", "neq", "nsite", "ngeom", "ntuple", "ntext", "nmesh", "nmat", "ntex"):
+        assert getattr(model, count) == sum(getattr(each, count) for each in alone), count
+    for prefix, each in zip(prefixes, alone, strict=True):
+        for number in range(each.nsite):
+            found = model.site(prefix + each.site(number).name)
+            np.testing.assert_array_equal(found.user, each.site(number).user)
+        mine = {name: text for name, text in texts(model).items() if name.startswith(prefix)}
+        assert mine == {prefix + name: text for name, text in texts(each).items()}
+        for name, rows in tuples(each).items():
+            assert tuples(model)[prefix + name] == [(prefix + row, number) for row, number in rows]
+
+
+def test_assets_attach_to_one_scene_twice_and_beside_others(exported: Path) -> None:
+    scene, prefixes = mujoco.MjSpec(), []
+    for number, name in enumerate(SCENE):
+        child = mujoco.MjSpec.from_file(str(exported / name / f"{name}.xml"))
+        prefixes.append(f"n{number}_")
+        scene.attach(child, prefix=prefixes[-1], frame=scene.worldbody.add_frame(pos=[2.0 * number, 0, 0]))
+    with silence():
+        model = scene.compile()
+    check_scene(model, exported, prefixes)
+
+
+def test_assets_attach_to_one_scene_in_xml(exported: Path) -> None:
+    files = "".join(f'<model name="{name}" file="{name}/{name}.xml"/>' for name in sorted(set(SCENE)))
+    bases = {"cabinet_7": "body", "arm_1": "stand", "textured": textured().links[0].name}
+    prefixes = [f"n{number}_" for number in range(len(SCENE))]
+    attached = "".join(
+        f'<frame pos="{number} 0 0"><attach model="{name}" body="{bases[name]}" prefix="n{number}_"/></frame>'
+        for number, name in enumerate(SCENE)
+    )
+    path = exported / "scene.xml"
+    path.write_text(f"<mujoco><asset>{files}</asset><worldbody>{attached}</worldbody></mujoco>")
+    with silence():
+        model = mujoco.MjModel.from_xml_path(str(path))
+    check_scene(model, exported, prefixes)
+
+
+def test_two_assets_of_the_same_materials_are_included_in_one_scene(exported: Path) -> None:
+    path = exported / "included.xml"
+    path.write_text(
+        '<mujoco><include file="cabinet_7/cabinet_7.xml"/><include file="arm_1/arm_1.xml"/></mujoco>'
+    )
+    with silence():
+        model = mujoco.MjModel.from_xml_path(str(path))
+    assert model.njnt == 7 + 4
+    assert model.neq == 2
+    names = {model.material(number).name for number in range(model.nmat)}
+    assert {"cabinet_7_oak", "arm_1_oak", "cabinet_7_rubber", "arm_1_rubber"} <= names
+    for number in range(model.ngeom):
+        if model.geom_group[number] == 3:
+            assert model.geom_solref[number] == pytest.approx([0.005, 1.0])
 
 
 @pytest.mark.parametrize(
@@ -160,8 +279,6 @@ def test_two_assets_attach_to_one_scene(cabinet: Asset, nested: Asset, tmp_path:
         ("joint velocity limit", "lid_hinge"),
         ("locked joint", "foot_lock"),
         ("joint dependency", "lid_hinge"),
-        ("width of a grasp", "lid_edge"),
-        ("semantic labels", "lid"),
     ],
 )
 def test_what_mjcf_cannot_say_is_listed(written: Written, feature: str, where: str) -> None:
@@ -195,11 +312,15 @@ LAYERS = ("rgb", "normal", "roughness", "metallic", "emissive")
 
 def layers(model: mujoco.MjModel, name: str) -> dict[str, str]:
     """Return the file of each map of a material by role; the name where it has none."""
-    textures = model.mat_texid[model.material(name).id]
+    textures = model.mat_texid[model.material(f"textured_{name}").id]
     roles = {role: getattr(ROLES, f"mjTEXROLE_{role.upper()}") for role in LAYERS}
     found = {role: int(textures[number.value]) for role, number in roles.items()}
     assert sum(number >= 0 for number in textures) == sum(number >= 0 for number in found.values())
-    return {role: model.texture(number).name for role, number in found.items() if number >= 0}
+    return {
+        role: model.texture(number).name.removeprefix("textured_")
+        for role, number in found.items()
+        if number >= 0
+    }
 
 
 @pytest.mark.parametrize("size", [0, 256])
@@ -214,15 +335,14 @@ def test_materials_have_their_maps_by_role_and_load_in_silence(size: int, tmp_pa
     assert layers(model, "lamp") == {"emissive": "lamp_emission"}
     assert len({model.texture(number).name for number in range(model.ntex)}) == model.ntex
     files = sorted((directory / "meshes/textures").glob("*.png")) if size else []
-    assert {path.stem for path in files} == {model.texture(n).name for n in range(model.ntex)} - {
-        "lamp_emission"
-    }
+    names = {model.texture(number).name for number in range(model.ntex)}
+    assert {f"textured_{path.stem}" for path in files} == names - {"textured_lamp_emission"}
     assert layers(model, "board").get("normal") == layers(model, "turned").get("normal"), "one file for both"
     for geom in range(model.ngeom):
         if model.geom_group[geom] == 2:
             link = model.body(model.geom_bodyid[geom]).name
             wanted = {"plank": "turned"}.get(link, link)
-            assert model.material(model.geom_matid[geom]).name == wanted
+            assert model.material(model.geom_matid[geom]).name == f"textured_{wanted}"
 
 
 def test_maps_are_absolute_so_that_numbers_beside_them_are_one(tmp_path: Path) -> None:
@@ -230,7 +350,7 @@ def test_maps_are_absolute_so_that_numbers_beside_them_are_one(tmp_path: Path) -
     model = mujoco.MjModel.from_xml_path(str(directory / "textured.xml"))
     expected = {BOARD: (1.0, 0.0), TURNED: (1.0, 0.0), PLATE: (1.0, 1.0), PANE: (1.0, 0.0), LAMP: (0.5, 0.0)}
     for stuff, (roughness, metallic) in expected.items():
-        found = model.material(stuff.name)
+        found = model.material(f"textured_{stuff.name}")
         color = (1.0, 1.0, 1.0) if stuff in (BOARD, TURNED) else display_color(stuff.base_color)
         np.testing.assert_allclose(found.rgba, [*color, stuff.opacity], atol=1e-6)
         assert model.mat_roughness[found.id] == roughness, stuff.name
@@ -243,9 +363,9 @@ def test_light_of_a_lamp_has_its_colour(tmp_path: Path) -> None:
     model = mujoco.MjModel.from_xml_path(
         str(export(textured(), tmp_path / "it", formats=("mjcf",), textures=0) / "textured.xml")
     )
-    texture = model.texture("lamp_emission")
+    texture = model.texture("textured_lamp_emission")
     texel = model.tex_data[int(texture.adr[0]) :][:3] / 255.0
-    np.testing.assert_allclose(texel * model.material("lamp").emission[0], LAMP.emission, atol=0.02)
+    np.testing.assert_allclose(texel * model.material("textured_lamp").emission[0], LAMP.emission, atol=0.02)
 
 
 def test_picture_is_upright_in_mujoco(tmp_path: Path) -> None:
@@ -253,14 +373,15 @@ def test_picture_is_upright_in_mujoco(tmp_path: Path) -> None:
     asset = textured()
     directory = export(asset, tmp_path / "it", formats=("mjcf",), textures=256)
     model = mujoco.MjModel.from_xml_path(str(directory / "textured.xml"))
-    mesh, texture = model.mesh("board_board_board"), model.texture(layers(model, "board")["rgb"])
+    name = layers(model, "board")["rgb"]
+    mesh, texture = model.mesh("board_board_board"), model.texture(f"textured_{name}")
     start, count = model.mesh_texcoordadr[mesh.id], model.mesh_texcoordnum[mesh.id]
     found = model.mesh_texcoord[start : start + count]
     surface = asset.link("board").surfaces[0]
     wanted = texture_coordinates(surface.mesh, surface.material) * [1.0, -1.0] + [0.0, 1.0]
     assert np.abs(found[:, None] - wanted[None]).max(axis=2).min(axis=1).max() < 1e-5
     pixels = model.tex_data[int(texture.adr[0]) :][: 256 * 256 * 3].reshape(256, 256, 3)
-    with Image.open(directory / "meshes/textures" / f"{texture.name}.png") as image:
+    with Image.open(directory / "meshes/textures" / f"{name}.png") as image:
         np.testing.assert_array_equal(pixels, np.asarray(image))
 
 

@@ -10,7 +10,7 @@ import pytest
 import trimesh
 import yourdfpy
 
-from artgen.asset import Asset, Branch, Coupling, Joint, Link, Piece, Tree
+from artgen.asset import Asset, Branch, Coupling, Joint, Link, Piece, Push, Tree
 from artgen.export import Written, export, write_urdf
 from artgen.export.meshes import display_color
 from support.readers import silence
@@ -100,6 +100,46 @@ def test_grasp_is_a_link_fixed_at_its_frame(root: ET.Element, cabinet: Asset) ->
     xyz = np.array(origin.get("xyz", "").split(), float) + cabinet.origin("lid")
     np.testing.assert_allclose(xyz, frame[:3, 3], atol=1e-9)
     assert mount.get("type") == "fixed"
+
+
+def pushed(cabinet: Asset) -> Asset:
+    """Return the cabinet with a button on its lid, named as its grasp is."""
+    frame = cabinet.link("lid").grasps[0].frame.copy()
+    frame[:3, 3] += 0.01
+    lid = replace(cabinet.link("lid"), pushes=(Push("lid_edge_", frame), Push("grasp", frame)))
+    return replace(cabinet, links=tuple(lid if link.name == "lid" else link for link in cabinet.links))
+
+
+def test_every_affordance_is_a_link_fixed_at_its_frame(cabinet: Asset) -> None:
+    asset = pushed(cabinet)
+    root = ET.fromstring(write_urdf(asset).files["cabinet_7.urdf"])
+    marks = [link.get("name") for link in root.iterfind("link")][-3:]
+    assert marks == ["grasp_lid_edge", "push_lid_edge_", "push_grasp"]
+    for mark, affordance in zip(marks, asset.affordances, strict=True):
+        mount = joint(root, f"{mark}_mount")
+        parent, child, origin = mount.find("parent"), mount.find("child"), mount.find("origin")
+        assert parent is not None
+        assert child is not None
+        assert origin is not None
+        assert (parent.get("link"), child.get("link")) == (affordance.link, mark)
+        xyz = np.array(origin.get("xyz", "").split(), float) + asset.origin(affordance.link)
+        np.testing.assert_allclose(xyz, affordance.frame[:3, 3], atol=1e-9)
+        rpy = np.array(origin.get("rpy", "").split(), float)
+        turn = trimesh.transformations.euler_matrix(*rpy, axes="sxyz")[:3, :3]
+        np.testing.assert_allclose(turn, affordance.frame[:3, :3], atol=1e-9)
+    losses = {loss.feature: loss.where for loss in write_urdf(asset).losses}
+    assert (losses["grasp frame"], losses["push frame"]) == ("lid_edge", "lid_edge_, grasp")
+
+
+def test_marks_weigh_too_little_to_be_measured_but_enough_for_clients(root: ET.Element) -> None:
+    """Newton takes moments below 1e-10 kg m^2 for errors, SAPIEN and PyBullet make up what is 0 or absent."""
+    inertial = root.find("link[@name='grasp_lid_edge']/inertial")
+    assert inertial is not None
+    mass, inertia = inertial.find("mass"), inertial.find("inertia")
+    assert mass is not None
+    assert inertia is not None
+    assert 0.0 < float(mass.get("value", "")) <= 1e-9
+    assert all(1e-10 < float(inertia.get(axis, "")) < 1e-9 for axis in ("ixx", "iyy", "izz"))
 
 
 @pytest.mark.parametrize(

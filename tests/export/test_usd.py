@@ -14,8 +14,9 @@ from numpy.typing import NDArray
 from PIL import Image
 from pxr import Gf, Usd, UsdGeom, UsdPhysics, UsdSemantics, UsdShade, UsdValidation
 
-from artgen.asset import Asset, Joint
+from artgen.asset import Asset, Joint, Push
 from artgen.asset.surface import texture_coordinates
+from artgen.asset.wikidata import THING
 from artgen.colliders import Convex
 from artgen.export.frames import chain
 from artgen.export.meshes import display_color
@@ -23,6 +24,7 @@ from artgen.export.usd import write_usd
 from artgen.export.usd_joints import _turn_from_x
 from artgen.export.usd_layer import quatf
 from artgen.materials import Material
+from artgen.materials.substance import substance_of
 from support.textured import BOARD, LAMP, PANE, PLATE, TURNED, picture, recipes, textured
 
 Array = NDArray[np.float64]
@@ -619,3 +621,85 @@ def test_joint_frames_turn_x_to_any_axis(values, flatness):
     assert turn[:, 0] == pytest.approx(axis, abs=1e-14)
     assert turn @ turn.T == pytest.approx(np.eye(3), abs=1e-14)
     assert np.linalg.det(turn) == pytest.approx(1.0)
+
+
+def test_labels_carry_wikidata_codes(stages):
+    asset, stage = stages["cabinet"]
+    root = stage.GetDefaultPrim()
+    assert list(UsdSemantics.LabelsAPI(root, "wikidata_qcode").GetLabelsAttr().Get()) == [THING]
+    for stuff in asset.materials:
+        prim = _prim(stage, f"looks/{stuff.name}")
+        substance = substance_of(stuff)
+        labels = list(UsdSemantics.LabelsAPI(prim, "material").GetLabelsAttr().Get())
+        assert labels == [substance.name, substance.code]
+
+
+def test_doors_are_wikidatas_doors(tmp_path, cabinet):
+    stage = _opened(replace(cabinet, category="door"), tmp_path)
+    labels = UsdSemantics.LabelsAPI(stage.GetDefaultPrim(), "wikidata_qcode").GetLabelsAttr().Get()
+    assert list(labels) == ["Q36794"]
+
+
+def test_sensors_know_the_materials_that_are_seen(stages):
+    asset, stage = stages["textured"]
+    for stuff in asset.materials:
+        prim = _prim(stage, f"looks/{stuff.name}")
+        said = [_value(prim, f"omni:simready:nonvisual:{key}") for key in ("base", "coating", "attributes")]
+        assert said[0] == substance_of(stuff).sensed
+        assert ("visually_transparent" in said[2]) == (stuff == PANE)
+        assert ("emissive" in said[2]) == (stuff == LAMP)
+
+
+@pytest.mark.parametrize("name", ASSETS)
+def test_viewers_without_materials_show_the_colours(stages, name):
+    asset, stage = stages[name]
+    for link in asset.links:
+        for surface in link.surfaces:
+            prim = _prim(stage, f"{link.name}/visuals/{surface.name}")
+            primvars = UsdGeom.PrimvarsAPI(prim)
+            (color,) = primvars.GetPrimvar("displayColor").Get()
+            assert color == pytest.approx(surface.material.base_color)
+            opacity = primvars.GetPrimvar("displayOpacity").Get() or [1.0]
+            assert list(opacity) == pytest.approx([surface.material.opacity])
+
+
+def test_pushes_and_grasps_say_what_they_move(tmp_path, cabinet):
+    frame = _frame(Gf.Vec3f(0.0, -0.25, 0.5), Gf.Quatf(0.6, 0.8, 0.0, 0.0)).round(6)
+    links = tuple(
+        replace(link, pushes=(Push("lid_press", frame),)) if link.name == "lid" else link
+        for link in cabinet.links
+    )
+    stage = _opened(replace(cabinet, links=links), tmp_path)
+    push, grasp = _prim(stage, "lid/pushes/lid_press"), _prim(stage, "lid/grasps/lid_edge")
+    assert _placement(push) == pytest.approx(frame, abs=1e-12)
+    for prim, kind in ((push, "push"), (grasp, "grasp")):
+        said = prim.GetCustomData()["artgen"]
+        assert (said["kind"], list(said["joints"])) == (kind, ["lid_hinge"])
+    assert "width" not in push.GetCustomData()["artgen"]
+    assert UsdGeom.Imageable(push).ComputePurpose() == "guide"
+
+
+@pytest.mark.parametrize("name", ASSETS)
+def test_articulation_and_bodies_move_as_in_mjcf(stages, name):
+    """Parts collide with each other, and nothing but joints slows them."""
+    _, stage = stages[name]
+    (root,) = (prim for prim in stage.Traverse() if prim.HasAPI(UsdPhysics.ArticulationRootAPI))
+    assert _value(root, "physxArticulation:enabledSelfCollisions") is True
+    assert _value(root, "newton:selfCollisionEnabled") is True
+    for prim in stage.Traverse():
+        if prim.HasAPI(UsdPhysics.RigidBodyAPI):
+            assert _value(prim, "physxRigidBody:angularDamping") == 0.0
+
+
+def test_mujocos_words_stand_beside_the_others_but_for_springs(stages):
+    asset, stage = stages["cabinet"]
+    joint, prim = asset.joint("lid_hinge"), _joint(stage, "lid_hinge")
+    assert _value(prim, "mjc:frictionloss") == joint.friction
+    assert _value(prim, "mjc:armature") == joint.armature
+    assert _value(prim, "mjc:actuatorfrcrange:max") == joint.effort
+    # Newton would add them to the drive
+    assert not prim.GetAttribute("mjc:stiffness")
+    assert not prim.GetAttribute("mjc:damping")
+    for collider in _prim(stage, "lid/collisions").GetChildren():
+        schemas = collider.GetMetadata("apiSchemas").GetAddedOrExplicitItems()
+        assert {"MjcCollisionAPI", "NewtonMeshCollisionAPI", "PhysicsMeshCollisionAPI"} <= set(schemas)

@@ -10,10 +10,11 @@ from typing import Any
 
 from artgen.asset import Asset
 from artgen.asset.asset import FORMAT
-from artgen.asset.files import ASSET_FILE, CERTIFICATE_FILE, previous_directory
+from artgen.asset.files import ASSET_FILE, CERTIFICATE_FILE, as_stored, previous_directory
 from artgen.asset.record import json_text
 from artgen.errors import ExportError, nearest
 from artgen.export.collision import Collision, collision_of, with_colliders
+from artgen.export.digests import digests
 from artgen.export.formats import FORMATS, TEXTURES
 from artgen.export.layouts import LAYOUTS, Layout
 from artgen.materials.textures import check_size
@@ -93,7 +94,7 @@ def encode(
         check_size(textures)
     laid_out = find_layout(layout)
     chosen = chosen_formats(laid_out, formats)
-    asset = with_colliders(asset, collision)
+    asset = as_stored(with_colliders(asset, collision))
     files: dict[str, bytes] = {}
     record: dict[str, Any] = {}
     for name in chosen:
@@ -105,7 +106,12 @@ def encode(
             "losses": [loss.to_data() for loss in written.losses],
         }
     data = asset.to_data()
-    data |= {"collision": collision_of(data["links"]), "layout": layout, "formats": record}
+    data |= {
+        "collision": collision_of(data["links"]),
+        "layout": layout,
+        "formats": record,
+        "digests": digests(files),
+    }
     files[ASSET_FILE] = json_text(data).encode()
     if asset.certificate is not None and asset.certificate.leaves is not None:
         files[CERTIFICATE_FILE] = json_text(asset.certificate.leaves).encode()

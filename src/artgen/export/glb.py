@@ -157,7 +157,8 @@ def _losses(asset: Asset, textures: int, held: Sequence[str]) -> tuple[Loss, ...
         *loss("joints", joints_where(asset, lambda joint: True), "data of the root node and animations"),
         *loss("joint dynamics", joints_where(asset, _is_driven), recorded),
         *loss("animation", held, "nothing: no way was found that its dependencies allow"),
-        *loss("grasp frame", [grasp.name for link in asset.links for grasp in link.grasps], recorded),
+        *loss("grasp frame", [each.name for each in asset.affordances if each.kind == "grasp"], recorded),
+        *loss("push frame", [each.name for each in asset.affordances if each.kind == "push"], recorded),
         *look_losses(asset, textures),
     )
 

@@ -9,6 +9,7 @@ from manifold3d import Manifold
 from numpy.typing import NDArray
 
 from artgen.asset import Asset
+from artgen.asset.record import DECIMALS
 from artgen.colliders import Convex
 
 Array = NDArray[np.float64]
@@ -35,8 +36,11 @@ class Hull:
     @staticmethod
     def of(pieces: Sequence[tuple[Convex, Array]]) -> "tuple[Hull, ...]":
         """Make the surfaces of hull colliders, each taken from asset coordinates to a frame at an origin."""
+        # first as asset.json has them, so that an asset which was read from files gives the same hulls
         meshes = [
-            Manifold.hull_points(np.round(convex.points - origin, HULL_DECIMALS)).to_mesh64()
+            Manifold.hull_points(
+                np.round(np.round(convex.points, DECIMALS) - np.round(origin, DECIMALS), HULL_DECIMALS)
+            ).to_mesh64()
             for convex, origin in pieces
         ]
         vertices = [np.asarray(mesh.vert_properties)[:, :3] for mesh in meshes]

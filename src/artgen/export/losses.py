@@ -64,6 +64,18 @@ def dependency_losses(asset: Asset) -> tuple[Loss, ...]:
     )
 
 
+def contact_losses(asset: Asset) -> tuple[Loss, ...]:
+    """List the links that touch by design: no format has a word for how deep."""
+    return tuple(
+        Loss(
+            "contact by design",
+            f"{contact.links[0]}, {contact.links[1]}",
+            "nothing: simulators push the parts apart where they touch",
+        )
+        for contact in asset.contacts
+    )
+
+
 def label_losses(asset: Asset) -> tuple[Loss, ...]:
     """List the links with semantic labels, for formats that have no word for them."""
     return loss("semantic labels", [link.name for link in asset.links], "nothing; they are in asset.json")

@@ -9,7 +9,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from artgen.asset import Asset, Mesh
-from artgen.asset.files import MESH_DIRECTORY, mesh_names
+from artgen.asset.files import (
+    MESH_DIRECTORY,
+    NORMAL_DECIMALS,
+    POSITION_DECIMALS,
+    UV_DECIMALS,
+    mesh_names,
+)
 from artgen.asset.surface import texture_coordinates
 from artgen.export.hulls import HULL_DECIMALS, Hull, hulls
 from artgen.export.lines import face_lines, lines, rounded, text
@@ -20,10 +26,6 @@ from artgen.materials.textures import Kind, displayed
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
-
-_POSITION_DECIMALS = 7  # 0.1 micrometre
-_NORMAL_DECIMALS = 5
-_UV_DECIMALS = 6
 
 
 @dataclass(frozen=True)
@@ -91,15 +93,15 @@ def surface_text(mesh: Mesh, origin: Array, library: str, material: Material) ->
         a, b, c = corners[0]
         rows = np.concatenate([rows, rows[[a, b]].mean(axis=0, keepdims=True)])
         corners = np.array([[a, 3, c], [3, b, c]])
-    uvs, uv_numbers = _distinct(rounded(rows[:, 3:5], _UV_DECIMALS))
-    normals, normal_numbers = _distinct(rounded(rows[:, 5:8], _NORMAL_DECIMALS))
+    uvs, uv_numbers = _distinct(rounded(rows[:, 3:5], UV_DECIMALS))
+    normals, normal_numbers = _distinct(rounded(rows[:, 5:8], NORMAL_DECIMALS))
     numbers = np.column_stack([np.arange(len(rows)), uv_numbers, normal_numbers]) + 1
     return b"".join(
         (
             f"mtllib {library}\nusemtl {material.name}\n".encode(),
-            text(lines(("v ", " ", " "), rounded(rows[:, :3], _POSITION_DECIMALS), _POSITION_DECIMALS)),
-            text(lines(("vt ", " "), uvs, _UV_DECIMALS)),
-            text(lines(("vn ", " ", " "), normals, _NORMAL_DECIMALS)),
+            text(lines(("v ", " ", " "), rounded(rows[:, :3], POSITION_DECIMALS), POSITION_DECIMALS)),
+            text(lines(("vt ", " "), uvs, UV_DECIMALS)),
+            text(lines(("vn ", " ", " "), normals, NORMAL_DECIMALS)),
             text(face_lines(corners, numbers)),
         )
     )

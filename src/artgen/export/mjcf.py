@@ -1,7 +1,12 @@
 """MJCF, MuJoCo's format: written to be included in, or attached to, other models.
 
-So there is no floor, light, camera or solver option, and the names of its default classes begin with its own.
+So there is no floor, light, camera or solver option, and the names of its default classes, materials and
+textures begin with its own; links, joints and meshes keep the names that they have in the other formats.
 `<exclude>` is never used: parts that touch where they should not are a fault of the asset.
+
+What MJCF has no word for is in `<custom>`: a text `<link>_labels` holds the semantic labels of a link, and a
+tuple with the name of a grasp or push holds its site, with the width that the fingers need as the number, and
+the joints that the hand moves there, the nearest first.
 """
 
 import xml.etree.ElementTree as ET
@@ -10,21 +15,20 @@ import numpy as np
 from numpy.typing import NDArray
 
 from artgen.asset import Asset, Joint, Link
-from artgen.asset.files import MESH_DIRECTORY
+from artgen.asset.hold import Grasp
 from artgen.colliders import Convex
 from artgen.export.frames import BodyFrame, BodyJoint, bodies, coupling, local, mass_in_frame, quaternion
 from artgen.export.losses import (
     Loss,
     Written,
+    contact_losses,
     dependency_losses,
     joints_where,
-    label_losses,
     look_losses,
     loss,
 )
-from artgen.export.maps import TEXTURE_DIRECTORY
 from artgen.export.meshes import MeshFiles, mesh_files
-from artgen.export.mjcf_materials import add_materials, numbers
+from artgen.export.mjcf_materials import add_materials, material_name, numbers
 
 Array = NDArray[np.float64]
 
@@ -50,10 +54,15 @@ def write_mjcf(asset: Asset, textures: int = 0) -> Written:
         The MJCF, mesh and map files, and what MJCF cannot say.
     """
     meshes = mesh_files(asset, textures)
+    root = mjcf_tree(asset, meshes)
+    return Written({f"{asset.name}.xml": mjcf_text(root), **meshes.files}, mjcf_losses(asset, textures))
+
+
+def mjcf_tree(asset: Asset, meshes: MeshFiles) -> ET.Element:
+    """Return an asset as the elements of an MJCF file that lies beside the directory of its meshes."""
     root = ET.Element("mujoco", model=asset.name)
-    compiler = ET.SubElement(root, "compiler", angle="radian", autolimits="true", meshdir=MESH_DIRECTORY)
-    if meshes.maps.files:
-        compiler.set("texturedir", TEXTURE_DIRECTORY)
+    # no directories here: in a scene that includes the file, files would no longer be found
+    ET.SubElement(root, "compiler", angle="radian", autolimits="true")
     _add_defaults(root, asset)
     _add_assets(root, asset, meshes)
     world = ET.SubElement(root, "worldbody")
@@ -62,9 +71,15 @@ def write_mjcf(asset: Asset, textures: int = 0) -> Written:
         parent = elements[frame.parent] if frame.parent else world
         elements[frame.link.name] = _add_body(parent, asset, frame, meshes)
     _add_couplings(root, asset)
+    _add_custom(root, asset)
+    return root
+
+
+def mjcf_text(root: ET.Element) -> bytes:
+    """Return the text of the elements of an MJCF file, indented."""
     ET.indent(root, " ")
-    content = ET.tostring(root, encoding="utf-8", xml_declaration=True) + b"\n"
-    return Written({f"{asset.name}.xml": content, **meshes.files}, _losses(asset, textures))
+    text: bytes = ET.tostring(root, encoding="utf-8", xml_declaration=True)
+    return text + b"\n"
 
 
 def _class(asset: Asset, what: str = "") -> str:
@@ -89,9 +104,9 @@ def _add_assets(root: ET.Element, asset: Asset, meshes: MeshFiles) -> None:
     for link in asset.links:
         for file in meshes.surfaces[link.name]:
             # its faces are seen, not weighed: a surface need not be closed
-            ET.SubElement(parent, "mesh", name=_stem(file), file=file, inertia="shell")
+            ET.SubElement(parent, "mesh", name=_stem(file), file=MeshFiles.path(file), inertia="shell")
         for file in meshes.colliders[link.name].values():
-            ET.SubElement(parent, "mesh", name=_stem(file), file=file, inertia="convex")
+            ET.SubElement(parent, "mesh", name=_stem(file), file=MeshFiles.path(file), inertia="convex")
 
 
 def _add_body(parent: ET.Element, asset: Asset, frame: BodyFrame, meshes: MeshFiles) -> ET.Element:
@@ -108,11 +123,13 @@ def _add_body(parent: ET.Element, asset: Asset, frame: BodyFrame, meshes: MeshFi
         ET.SubElement(body, "joint", _joint(joint))
     for surface, file in zip(link.surfaces, meshes.surfaces[link.name], strict=True):
         geom = {"name": _stem(file), "class": _class(asset, "visual"), "mesh": _stem(file)}
-        ET.SubElement(body, "geom", geom, material=surface.material.name)
+        ET.SubElement(body, "geom", geom, material=material_name(asset, surface.material))
     _add_colliders(body, asset, link, meshes)
-    for grasp in link.grasps:
-        placed = _placed(local(asset, link.name, grasp.frame))
-        ET.SubElement(body, "site", {"name": grasp.name, **placed})
+    for hold in (*link.grasps, *link.pushes):
+        site = {"name": hold.name, **_placed(local(asset, link.name, hold.frame))}
+        if isinstance(hold, Grasp):
+            site["user"] = numbers([hold.width])  # where `<custom>` is left behind, the site still has it
+        ET.SubElement(body, "site", site)
     return body
 
 
@@ -188,6 +205,19 @@ def _add_couplings(root: ET.Element, asset: Asset) -> None:
         )
 
 
+def _add_custom(root: ET.Element, asset: Asset) -> None:
+    """Add what MJCF has no word for, in elements that stay when the model is attached to another."""
+    custom = ET.SubElement(root, "custom")
+    for link in asset.links:
+        ET.SubElement(custom, "text", name=f"{link.name}_labels", data=" ".join(link.labels))
+    for affordance in asset.affordances:
+        element = ET.SubElement(custom, "tuple", name=affordance.name)
+        width = numbers([affordance.width])
+        ET.SubElement(element, "element", objtype="site", objname=affordance.name, prm=width)
+        for joint in affordance.joints:
+            ET.SubElement(element, "element", objtype="joint", objname=joint, prm="0")
+
+
 def _placed(matrix: Array) -> dict[str, str]:
     """Return position and orientation, without what says nothing."""
     attributes = {}
@@ -203,7 +233,9 @@ def _stem(file: str) -> str:
     return file.removesuffix(".obj")
 
 
-def _losses(asset: Asset, textures: int) -> tuple[Loss, ...]:
+def mjcf_losses(asset: Asset, textures: int) -> tuple[Loss, ...]:
+    """List what MJCF cannot say of an asset with so many texels on a side of its maps."""
+
     def moving(joint: Joint) -> bool:
         return not joint.locked
 
@@ -215,11 +247,6 @@ def _losses(asset: Asset, textures: int) -> tuple[Loss, ...]:
             "no joint: the body is fixed to its parent where the joint holds it",
         ),
         *dependency_losses(asset),
-        *loss(
-            "width of a grasp",
-            [grasp.name for link in asset.links for grasp in link.grasps],
-            "a site at the frame; the width is in asset.json",
-        ),
+        *contact_losses(asset),
         *look_losses(asset, textures, coat="the highlight of the coat, in the classic renderer"),
-        *label_losses(asset),
     )

@@ -4,7 +4,7 @@ import xml.etree.ElementTree as ET
 from collections.abc import Iterable
 
 from artgen.asset import Asset
-from artgen.export.maps import MapFiles
+from artgen.export.maps import TEXTURE_DIRECTORY, MapFiles
 from artgen.export.meshes import display_color
 from artgen.export.phong import highlight
 from artgen.materials import Material
@@ -19,30 +19,41 @@ _GREATEST = 128.0  # exponent of the classic renderer at shininess 1
 def add_materials(parent: ET.Element, asset: Asset, maps: MapFiles) -> None:
     """Add the materials of an asset, each with its maps as layers, to `<asset>`.
 
+    Their names and those of the maps begin with the asset's, since assets that are included in one scene may
+    be of the same materials.
+
     The classic renderer shows the colour map as it is only if its colour space is left to MuJoCo: it decodes
     sRGB, but does not encode again.
     """
     added: set[str] = set()
     for material in asset.materials:
         names = maps.of(material)
-        layers = {role: _stem(names[kind]) for kind, role in _ROLES.items() if kind in names}
+        layers = {
+            role: f"{asset.name}_{_stem(names[kind])}" for kind, role in _ROLES.items() if kind in names
+        }
         for name in (names[kind] for kind in _ROLES if kind in names):
             if name not in added:
-                ET.SubElement(parent, "texture", type="2d", name=_stem(name), file=name)
+                file = f"{TEXTURE_DIRECTORY}/{name}"
+                ET.SubElement(parent, "texture", type="2d", name=f"{asset.name}_{_stem(name)}", file=file)
                 added.add(name)
         if any(material.emission):
-            layers["emissive"] = _add_emission(parent, material)
-        element = ET.SubElement(parent, "material", _attributes(material, layers))
+            layers["emissive"] = _add_emission(parent, asset, material)
+        element = ET.SubElement(parent, "material", _attributes(asset, material, layers))
         for role, texture in layers.items():
             ET.SubElement(element, "layer", role=role, texture=texture)
 
 
-def _attributes(material: Material, layers: Iterable[str]) -> dict[str, str]:
+def material_name(asset: Asset, material: Material) -> str:
+    """Return the name of a material of an asset."""
+    return f"{asset.name}_{material.name}"
+
+
+def _attributes(asset: Asset, material: Material, layers: Iterable[str]) -> dict[str, str]:
     """Return a material's numbers; MuJoCo multiplies them with its maps."""
     color = (1.0, 1.0, 1.0) if "rgb" in layers else material.base_color
     specular, exponent = highlight(material, _GREATEST)
     attributes = {
-        "name": material.name,
+        "name": material_name(asset, material),
         "rgba": numbers([*display_color(color), material.opacity]),
         "specular": numbers([round(specular, 6)]),
         "shininess": numbers([round(exponent / _GREATEST, 6)]),
@@ -59,9 +70,9 @@ def _emission(material: Material) -> float:
     return max(material.emission) / max(*material.base_color, 1e-3)
 
 
-def _add_emission(parent: ET.Element, material: Material) -> str:
+def _add_emission(parent: ET.Element, asset: Asset, material: Material) -> str:
     """Add the colour of the light as a map of one texel; without it the other renderer's light is white."""
-    name = f"{material.name}_emission"
+    name = f"{material_name(asset, material)}_emission"
     color = [channel / _emission(material) for channel in material.emission]
     ET.SubElement(
         parent, "texture", type="2d", name=name, builtin="flat", rgb1=numbers(color), width="1", height="1"

@@ -4,7 +4,7 @@ The base link is the root. URDF has no word for a base that is fixed to the worl
 when it loads the file, so neither a `world` link nor a floating joint is written, which would impose one.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from io import BytesIO
 from typing import Any
 
@@ -27,6 +27,7 @@ from artgen.export.frames import (
 from artgen.export.losses import (
     Loss,
     Written,
+    contact_losses,
     dependency_losses,
     joints_where,
     label_losses,
@@ -38,9 +39,13 @@ from artgen.materials import Material
 
 Array = NDArray[np.float64]
 
-_MARKER_MASS = 1e-9  # of the link that marks a grasp [kg]; clients make up a mass where there is none
-_MARKER_INERTIA = 1e-12  # [kg m^2]
-_FAR = 1000.0  # where an unlimited slide ends, since URDF wants limits of it [m]
+# Of the link that marks a grasp or push. Where there is none, PyBullet makes up 1 kg and warns; where it is
+# 0, SAPIEN makes up a moment of 1e-6 kg m^2, and below 1e-10 kg m^2 Newton does: as much as a latch has.
+_MARKER_MASS = 1e-9  # [kg]
+_MARKER_INERTIA = 2e-10  # [kg m^2]
+FAR = 1000.0
+"""Where an unlimited slide ends, since URDF wants limits of it [m]."""
+
 _NUMERIC = (
     "origin", "axis", "limit", "dynamics", "mimic", "mass", "inertia", "box", "cylinder", "sphere", "color",
 )  # fmt: skip
@@ -67,7 +72,7 @@ def write_urdf(asset: Asset, textures: int = 0) -> Written:
         if segment.child.link is None:
             robot.links.append(_small_link(segment.child.name, INTERMEDIATE_MASS, INTERMEDIATE_INERTIA))
         robot.joints.append(_joint(segment))
-    _add_grasps(robot, asset)
+    _add_affordances(robot, asset)
     tree = _tree(robot)
     _add_couplings(tree, asset)
     _add_springs(tree, asset)
@@ -166,25 +171,24 @@ def _joint(segment: Segment) -> Any:
     result.axis = joint.axis
     result.limit = model.Limit(joint.effort, joint.velocity)
     if result.type != "continuous":
-        result.limit.lower, result.limit.upper = joint.limits or (-_FAR, _FAR)
+        result.limit.lower, result.limit.upper = joint.limits or (-FAR, FAR)
     result.dynamics = model.Dynamics(joint.damping, joint.friction)
     return result
 
 
-def _add_grasps(robot: Any, asset: Asset) -> None:
-    """Mark each grasp by a link that is fixed there, which is how URDF names a frame."""
+def _add_affordances(robot: Any, asset: Asset) -> None:
+    """Mark each grasp and push by a link that is fixed there, which is how URDF names a frame."""
     from yourdfpy import urdf as model
 
     taken = {link.name for link in robot.links} | {joint.name for joint in robot.joints}
-    for link in asset.links:
-        for grasp in link.grasps:
-            name = f"grasp_{grasp.name}"
-            while name in taken or f"{name}_mount" in taken:
-                name += "_"
-            taken |= {name, f"{name}_mount"}
-            robot.links.append(_small_link(name, _MARKER_MASS, _MARKER_INERTIA))
-            frame = local(asset, link.name, grasp.frame)
-            robot.joints.append(model.Joint(f"{name}_mount", "fixed", link.name, name, frame))
+    for affordance in asset.affordances:
+        name = f"{affordance.kind}_{affordance.name}"
+        while name in taken or f"{name}_mount" in taken:
+            name += "_"
+        taken |= {name, f"{name}_mount"}
+        robot.links.append(_small_link(name, _MARKER_MASS, _MARKER_INERTIA))
+        frame = local(asset, affordance.link, affordance.frame)
+        robot.joints.append(model.Joint(f"{name}_mount", "fixed", affordance.link, name, frame))
 
 
 def _add_couplings(tree: Any, asset: Asset) -> None:
@@ -245,19 +249,16 @@ def _losses(asset: Asset, segments: Sequence[Segment], meshes: MeshFiles, textur
                 asset,
                 lambda joint: joint.name in moving and joint.kind == "prismatic" and joint.limits is None,
             ),
-            f"limits of -{_FAR:g} m and {_FAR:g} m",
+            f"limits of -{FAR:g} m and {FAR:g} m",
         ),
         *dependency_losses(asset),
+        *contact_losses(asset),
         *loss(
             "several joints between two links",
             [segment.child.name for segment in segments if segment.child.link is None],
             f"a link of {INTERMEDIATE_MASS:g} kg after each joint but the last",
         ),
-        *loss(
-            "grasp frame",
-            [grasp.name for link in asset.links for grasp in link.grasps],
-            f"a link named grasp_... of {_MARKER_MASS:g} kg, fixed at the frame; the width is in asset.json",
-        ),
+        *_affordance_losses(asset),
         *loss(
             "contact friction",
             [link.name for link in asset.links if link.colliders],
@@ -276,3 +277,15 @@ def _losses(asset: Asset, segments: Sequence[Segment], meshes: MeshFiles, textur
         *look_losses(asset, textures),
         *label_losses(asset),
     )
+
+
+def _affordance_losses(asset: Asset) -> Iterator[Loss]:
+    for kind, besides in (
+        ("grasp", "the width and the joints that it moves"),
+        ("push", "the joints that it moves"),
+    ):
+        yield from loss(
+            f"{kind} frame",
+            [affordance.name for affordance in asset.affordances if affordance.kind == kind],
+            f"a link named {kind}_... of {_MARKER_MASS:g} kg, fixed there; {besides} are in asset.json",
+        )

@@ -11,17 +11,19 @@ from artgen.export.frames import translation
 from artgen.export.hulls import Hull
 from artgen.export.usd_layer import (
     TYPES,
+    Layers,
+    apply,
     define,
     int_array,
     place,
     relate,
+    vec3,
     vec3_array,
     write,
 )
+from artgen.export.usd_runtimes import write_runtime_collider
 
 Array = NDArray[np.float64]
-
-_COLLISION = ("PhysicsCollisionAPI", "MaterialBindingAPI")
 
 PART_LABEL = "SemanticsLabelsAPI:part"
 
@@ -44,39 +46,46 @@ def write_surface(scope: Sdf.PrimSpec, surface: Surface, origin: Array, material
     values, indices = _indexed(texture_coordinates(mesh, surface.material))
     write(prim, TYPES.TexCoord2fArray, {"primvars:st": values}, interpolation="vertex")
     write(prim, TYPES.IntArray, {"primvars:st:indices": indices})
+    # for viewers that read no materials
+    color = Vt.Vec3fArray([vec3(surface.material.base_color)])
+    write(prim, TYPES.Color3fArray, {"primvars:displayColor": color}, interpolation="constant")
+    if surface.material.opacity < 1.0:
+        opacity = Vt.FloatArray([surface.material.opacity])
+        write(prim, TYPES.FloatArray, {"primvars:displayOpacity": opacity}, interpolation="constant")
 
 
-def write_hull(scope: Sdf.PrimSpec, name: str, hull: Hull, material: Sdf.Path) -> None:
+def write_hull(layers: Layers, scope: Sdf.PrimSpec, name: str, hull: Hull, material: Sdf.Path) -> None:
     """Add a hull that simulators collide with, unseen by cameras.
 
     Args:
+        layers: Where its physics is written.
         scope: The prim that it belongs to.
         name: Its name.
         hull: Its surface, in the link's frame.
         material: The prim of its material, for friction.
     """
-    prim = define(scope, name, "Mesh", [*_COLLISION, "PhysicsMeshCollisionAPI"])
+    prim = define(scope, name, "Mesh")
     _mesh(prim, hull.vertices, hull.triangles)
     write(prim, TYPES.Normal3fArray, {"normals": vec3_array(hull.normals)}, interpolation="uniform")
-    write(prim, TYPES.Token, {"physics:approximation": "convexHull"}, uniform=True)
-    _collide(prim, material)
+    _collide(layers, prim, material, hull=True)
 
 
 def write_primitive(
-    scope: Sdf.PrimSpec, name: str, convex: Convex, origin: Array, material: Sdf.Path
+    layers: Layers, scope: Sdf.PrimSpec, name: str, convex: Convex, origin: Array, material: Sdf.Path
 ) -> None:
     """Add a box or round piece that simulators collide with, unseen by cameras.
 
     Args:
+        layers: Where its physics is written.
         scope: The prim that it belongs to.
         name: Its name.
         convex: The piece, in asset coordinates.
         origin: The origin of the link's frame, shape (3,) [m].
         material: The prim of its material, for friction.
     """
-    prim = define(scope, name, _PRIMITIVES[convex.kind], _COLLISION)
+    prim = define(scope, name, _PRIMITIVES[convex.kind])
     _primitive(prim, convex, origin)
-    _collide(prim, material)
+    _collide(layers, prim, material, hull=False)
 
 
 def write_label(prim: Sdf.PrimSpec, taxonomy: str, labels: list[str]) -> None:
@@ -91,9 +100,19 @@ def _label(prim: Sdf.PrimSpec, label: str) -> None:
     write_label(prim, "part", [label])
 
 
-def _collide(prim: Sdf.PrimSpec, material: Sdf.Path) -> None:
+def _collide(layers: Layers, prim: Sdf.PrimSpec, material: Sdf.Path, *, hull: bool) -> None:
     write(prim, TYPES.Token, {"purpose": "guide"}, uniform=True)
-    relate(prim, "material:binding:physics", material)
+    physics = layers.physical(prim)
+    apply(physics, *(_HULL if hull else _COLLISION))
+    if hull:
+        write(physics, TYPES.Token, {"physics:approximation": "convexHull"}, uniform=True)
+    relate(physics, "material:binding:physics", material)
+    write_runtime_collider(layers, prim, hull=hull)
+
+
+_COLLISION = ("PhysicsCollisionAPI", "MaterialBindingAPI")
+
+_HULL = (*_COLLISION, "PhysicsMeshCollisionAPI")
 
 
 def _primitive(prim: Sdf.PrimSpec, convex: Convex, origin: Array) -> None:

@@ -1,7 +1,7 @@
 """Joints as USD prims: frames, limits, springs, friction and couplings.
 
 Plain UsdPhysics knows frames, limits and drives. Friction, armature, largest speed and couplings are written
-with the API schemas of the simulators that read USD; whoever does not know these schemas passes over them.
+with the API schemas of the simulators that read USD, see `artgen.export.usd_runtimes`.
 """
 
 import math
@@ -11,10 +11,11 @@ import numpy as np
 from numpy.typing import NDArray
 from pxr import Gf, Sdf
 
-from artgen.asset import Asset, Coupling, Joint
+from artgen.asset import Asset, Joint
 from artgen.export.frames import INTERMEDIATE_MASS, Segment
-from artgen.export.losses import Loss, dependency_losses, loss
-from artgen.export.usd_layer import TYPES, apply, define, quatf, relate, vec3, write
+from artgen.export.losses import Loss, contact_losses, dependency_losses, loss
+from artgen.export.usd_layer import TYPES, Layers, define, quatf, relate, vec3, write
+from artgen.export.usd_runtimes import driven, instance_of, units_of, write_runtime_joint
 
 Array = NDArray[np.float64]
 
@@ -40,10 +41,11 @@ def write_fixed_joint(
     _frames(prim, frame[:3, 3], frame[:3, :3], np.eye(3))
 
 
-def write_joints(scope: Sdf.PrimSpec, asset: Asset, segments: Sequence[Segment]) -> None:
+def write_joints(layers: Layers, scope: Sdf.PrimSpec, asset: Asset, segments: Sequence[Segment]) -> None:
     """Add every joint.
 
     Args:
+        layers: Where is written what one simulator alone knows.
         scope: The prim that the joints belong to; the bodies are its siblings.
         asset: The asset.
         segments: Its joints with the frames that they join.
@@ -60,33 +62,34 @@ def write_joints(scope: Sdf.PrimSpec, asset: Asset, segments: Sequence[Segment])
         prim = _joint(scope, segment, bodies)
         bounds = limits[joint.name]
         if bounds is not None:
-            lower, upper = (_units(joint) * bound for bound in bounds)
+            lower, upper = (units_of(joint) * bound for bound in bounds)
             write(prim, TYPES.Float, {"physics:lowerLimit": lower, "physics:upperLimit": upper})
-        if _driven(joint):
+        if driven(joint):
             _drive(prim, joint)
-        _passive(prim, joint)
-        if positions[joint.name] != 0.0:
-            _state(prim, joint, positions[joint.name])
-        if joint.follows is not None:
-            _couple(prim, joint, joint.follows, asset.joint(joint.follows.leader))
+        write_runtime_joint(layers, prim, asset, joint, positions[joint.name])
 
 
-def joint_losses(asset: Asset, segments: Sequence[Segment]) -> tuple[Loss, ...]:
-    """List what plain UsdPhysics has no word for."""
+def joint_losses(asset: Asset, segments: Sequence[Segment], *, apart: bool = False) -> tuple[Loss, ...]:
+    """List what plain UsdPhysics has no word for.
+
+    Args:
+        asset: The asset.
+        segments: Its joints with the frames that they join.
+        apart: Whether each simulator's own words are in a variant of its own.
+    """
     movable = [joint for joint in asset.joints if not joint.locked]
     leading = [joint for joint in movable if joint.follows is None]
     followers = [joint for joint in movable if joint.follows is not None]
     limits = _written_limits(asset)
     positions = asset.positions()
+    own = _IN_VARIANTS if apart else ""
     return (
         *loss(
             "several joints between two links",
             [segment.child.name for segment in segments if segment.child.link is None],
             f"a body of {INTERMEDIATE_MASS:g} kg after each joint but the last",
         ),
-        *loss("joint friction", [joint.name for joint in movable if joint.friction > 0.0], _IN_EXTENSIONS),
-        *loss("joint armature", [joint.name for joint in movable if joint.armature > 0.0], _IN_EXTENSIONS),
-        *loss("joint velocity limit", [joint.name for joint in leading], _IN_EXTENSIONS),
+        *_losses_of_words(movable, own),
         *loss(
             "joint effort",
             [joint.name for joint in leading if not _effort_holds(joint)],
@@ -95,12 +98,12 @@ def joint_losses(asset: Asset, segments: Sequence[Segment]) -> tuple[Loss, ...]:
         *loss(
             "joint that does not stand at 0",
             [joint.name for joint in movable if positions[joint.name] != 0.0],
-            "bodies placed as the joint stands, and PhysicsJointStateAPI",
+            "bodies placed as the joint stands, and PhysicsJointStateAPI" + (" in PhysX's variant" * apart),
         ),
         *loss(
             "joint coupling",
             [joint.name for joint in followers],
-            "PhysxMimicJointAPI and NewtonMimicAPI, or MjcEqualityJointAPI between a rotation and a slide",
+            own + (_APART if apart else _TOGETHER),
         ),
         *loss(
             "coupling without limits",
@@ -108,10 +111,29 @@ def joint_losses(asset: Asset, segments: Sequence[Segment]) -> tuple[Loss, ...]:
             "limits a hundred thousand turns away, since PhysX couples joints with limits only",
         ),
         *dependency_losses(asset),
+        *contact_losses(asset),
     )
 
 
-_IN_EXTENSIONS = "PhysxJointAxisAPI and NewtonJointAPI, which other readers do not know"
+def _losses_of_words(movable: Sequence[Joint], own: str) -> tuple[Loss, ...]:
+    return (
+        *loss("joint friction", [joint.name for joint in movable if joint.friction > 0.0], own + _DRY),
+        *loss("joint armature", [joint.name for joint in movable if joint.armature > 0.0], own + _DRY),
+        *loss(
+            "joint velocity limit", [joint.name for joint in movable if joint.follows is None], own + _SPEED
+        ),
+    )
+
+
+_IN_VARIANTS = "in the variants of the simulators only: "
+
+_SPEED = "PhysxJointAxisAPI and NewtonJointAPI, which other readers do not know"
+
+_DRY = "PhysxJointAxisAPI, NewtonJointAPI and MjcJointAPI, which other readers do not know"
+
+_TOGETHER = "PhysxMimicJointAPI and NewtonMimicAPI, or MjcEqualityJointAPI between a rotation and a slide"
+
+_APART = "PhysxMimicJointAPI, NewtonMimicAPI and MjcEqualityJointAPI"
 
 _FAR = 2.0e5 * math.pi
 """Limits of a coupled joint without limits: a hundred thousand turns [rad or m]."""
@@ -120,9 +142,7 @@ _FAR = 2.0e5 * math.pi
 def _joint(scope: Sdf.PrimSpec, segment: Segment, bodies: tuple[Sdf.Path, Sdf.Path]) -> Sdf.PrimSpec:
     """Add the prim of a joint with its frames; it moves along or about x of both."""
     joint = segment.joint
-    schemas = [f"PhysxJointAxisAPI:{_instance(joint)}", "NewtonJointAPI"]
-    if _driven(joint):
-        schemas.insert(0, f"PhysicsDriveAPI:{_instance(joint)}")
+    schemas = [f"PhysicsDriveAPI:{instance_of(joint)}"] if driven(joint) else []
     prim = define(scope, joint.name, _TYPE_NAMES[joint.kind], schemas)
     relate(prim, "physics:body0", bodies[0])
     relate(prim, "physics:body1", bodies[1])
@@ -151,20 +171,6 @@ def _wide(asset: Asset, joint: Joint) -> tuple[float, float]:
     ends = _wide(asset, asset.joint(joint.follows.leader))
     low, high = sorted(joint.follows.ratio * end + joint.follows.offset for end in ends)
     return low, high
-
-
-def _driven(joint: Joint) -> bool:
-    """Tell whether a joint has a drive: a coupled one has none but for a spring or damper of its own."""
-    return joint.follows is None or joint.stiffness > 0.0 or joint.damping > 0.0
-
-
-def _instance(joint: Joint) -> str:
-    return "angular" if joint.kind == "revolute" else "linear"
-
-
-def _units(joint: Joint) -> float:
-    """Return USD units per SI unit of the joint's position: degrees, or metres."""
-    return 180.0 / math.pi if joint.kind == "revolute" else 1.0
 
 
 def _frames(prim: Sdf.PrimSpec, position: Array, turn0: Array, turn1: Array) -> None:
@@ -196,8 +202,8 @@ def _turn_from_x(axis: Array) -> Array:
 
 def _drive(prim: Sdf.PrimSpec, joint: Joint) -> None:
     """Write the joint's spring and damper, which are also the handle for an actuator."""
-    prefix = f"drive:{_instance(joint)}:physics:"
-    units = _units(joint)
+    prefix = f"drive:{instance_of(joint)}:physics:"
+    units = units_of(joint)
     write(prim, TYPES.Token, {prefix + "type": "force"}, uniform=True)
     values = {
         "damping": joint.damping / units,
@@ -221,53 +227,3 @@ def _effort_holds(joint: Joint) -> bool:
             return False
         strongest += joint.stiffness * max(abs(limit - joint.rest) for limit in joint.limits)
     return strongest <= joint.effort
-
-
-def _passive(prim: Sdf.PrimSpec, joint: Joint) -> None:
-    """Write friction, armature and the largest speed."""
-    physx = f"physxJointAxis:{_instance(joint)}:"
-    values = {
-        "newton:armature": joint.armature,
-        "newton:friction": joint.friction,
-        physx + "armature": joint.armature,
-        physx + "dynamicFrictionEffort": joint.friction,
-        physx + "staticFrictionEffort": joint.friction,
-    }
-    # a coupled joint has its leader's speed: a bound of its own would fight the coupling
-    if joint.follows is None:
-        speed = joint.velocity * _units(joint)
-        values |= {"newton:velocityLimit": speed, physx + "maxJointVelocity": speed}
-    write(prim, TYPES.Float, {name: values[name] for name in sorted(values)})
-
-
-def _state(prim: Sdf.PrimSpec, joint: Joint, position: float) -> None:
-    """Write where the joint stands: PhysX takes 0 unless it is told otherwise, wherever the bodies are."""
-    apply(prim, f"PhysicsJointStateAPI:{_instance(joint)}")
-    write(prim, TYPES.Float, {f"state:{_instance(joint)}:physics:position": _units(joint) * position})
-
-
-def _couple(prim: Sdf.PrimSpec, joint: Joint, coupling: Coupling, leader: Joint) -> None:
-    """Write the coupling for PhysX and for Newton.
-
-    PhysX holds `position + gearing * leader + offset = 0` in degrees and metres, and does the same for
-    `NewtonMimicAPI`, `position = coef0 + coef1 * leader`. Newton takes coef1 in radians and metres. The two
-    agree on joints of one kind only: between a rotation and a slide Newton is told by a schema that PhysX
-    passes over, MuJoCo's equality in radians and metres.
-    """
-    leader_path = prim.path.ReplaceName(leader.name)
-    offset = coupling.offset * _units(joint)
-    if joint.kind == leader.kind:
-        apply(prim, "NewtonMimicAPI")
-        relate(prim, "newton:mimicJoint", leader_path)
-        write(prim, TYPES.Float, {"newton:mimicCoef0": offset, "newton:mimicCoef1": coupling.ratio})
-    else:
-        apply(prim, "MjcEqualityJointAPI")
-        relate(prim, "mjc:target", leader_path)
-        write(prim, TYPES.Double, {"mjc:coef0": coupling.offset, "mjc:coef1": coupling.ratio})
-    # PhysX wants the name of a rotation axis for slides as well
-    apply(prim, "PhysxMimicJointAPI:rotX")
-    prefix = "physxMimicJoint:rotX:"
-    gearing = coupling.ratio * _units(joint) / _units(leader)
-    relate(prim, prefix + "referenceJoint", leader_path)
-    write(prim, TYPES.Token, {prefix + "referenceJointAxis": "rotX"}, uniform=True)
-    write(prim, TYPES.Float, {prefix + "gearing": -gearing, prefix + "offset": -offset})

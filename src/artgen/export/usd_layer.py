@@ -6,8 +6,9 @@ which takes ten times as long. What a stage would check is checked by the valida
 
 import tempfile
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,6 +23,51 @@ TYPES = Sdf.ValueTypeNames
 
 _PLACED = Vt.TokenArray(["xformOp:translate", "xformOp:orient"])
 _PLACED_AND_SCALED = Vt.TokenArray([*_PLACED, "xformOp:scale"])
+
+
+Runtime = Literal["physx", "newton", "mujoco"]
+
+RUNTIMES: tuple[Runtime, ...] = ("physx", "newton", "mujoco")
+"""The simulators that have words of their own in USD."""
+
+
+@dataclass(frozen=True, eq=False)
+class Layers:
+    """The layers that an asset is written to, each the place of one concern.
+
+    Attributes:
+        structure: Bodies, where they stand, their labels and where hands act.
+        geometry: Meshes.
+        looks: Materials.
+        physics: What every simulator knows; None leaves it on the prims that it is about.
+        runtimes: What only one simulator knows, by simulator; empty leaves it on the prims as well, so that
+            every simulator has to read past the words of the others.
+        scope: Name of the scope of the materials.
+        maps: Where the materials' maps lie, seen from the layer of the materials.
+        openpbr: Whether materials are written as OpenPBR networks as well.
+    """
+
+    structure: Sdf.Layer
+    geometry: Sdf.Layer
+    looks: Sdf.Layer
+    physics: Sdf.Layer | None = None
+    runtimes: Mapping[Runtime, Sdf.Layer] = field(default_factory=dict)
+    scope: str = "looks"
+    maps: str = ""
+    openpbr: bool = False
+
+    @property
+    def apart(self) -> bool:
+        """Whether no simulator sees the words of another."""
+        return bool(self.runtimes)
+
+    def physical(self, prim: Sdf.PrimSpec) -> Sdf.PrimSpec:
+        """Return where a prim's physics is written."""
+        return prim if self.physics is None else over(self.physics, prim.path)
+
+    def runtime(self, name: Runtime, prim: Sdf.PrimSpec) -> Sdf.PrimSpec:
+        """Return where is written what one simulator alone knows of a prim."""
+        return over(self.runtimes[name], prim.path) if self.runtimes else prim
 
 
 def new_layer(extension: str, default_prim: str) -> Sdf.Layer:
@@ -51,6 +97,11 @@ def define(
     if schemas:
         apply(prim, *schemas)
     return prim
+
+
+def over(layer: Sdf.Layer, path: Sdf.Path) -> Sdf.PrimSpec:
+    """Return the prim at a path of a layer; one that is not there yet adds to what other layers define."""
+    return layer.GetPrimAtPath(path) or Sdf.CreatePrimInLayer(layer, path)
 
 
 def apply(prim: Sdf.PrimSpec, *schemas: str) -> None:
@@ -117,7 +168,7 @@ def vec3(value: Array | Sequence[float]) -> Gf.Vec3f:
     return Gf.Vec3f(*_plain(value))
 
 
-def vec3_array(values: Array) -> Vt.Vec3fArray:
+def vec3_array(values: Array | NDArray[np.float32]) -> Vt.Vec3fArray:
     """Return vectors, shape (n, 3), in single precision."""
     return Vt.Vec3fArray.FromNumpy(np.ascontiguousarray(values, np.float32) + np.float32(0.0))
 

@@ -1,12 +1,13 @@
-"""Materials as USD prims: a preview surface with its maps for cameras, friction for contacts."""
+"""Materials as USD prims: surfaces for cameras, friction for contacts, and what other sensors see."""
 
 from collections.abc import Mapping
 
-from pxr import Gf, Sdf
+from pxr import Gf, Sdf, Vt
 
-from artgen.export.maps import TEXTURE_DIRECTORY
-from artgen.export.usd_layer import TYPES, connect, define, vec3, write
+from artgen.export.usd_layer import TYPES, Layers, apply, connect, define, vec3, write
+from artgen.export.usd_openpbr import write_openpbr
 from artgen.materials import Material
+from artgen.materials.substance import coating_of, substance_of
 from artgen.materials.textures import Kind
 
 _INPUTS: dict[Kind, str] = {
@@ -14,21 +15,55 @@ _INPUTS: dict[Kind, str] = {
 }  # fmt: skip
 
 
-def write_material(scope: Sdf.PrimSpec, material: Material, maps: Mapping[Kind, str]) -> None:
+def write_material(
+    layers: Layers, scope: Sdf.PrimSpec, material: Material, maps: Mapping[Kind, str], *, seen: bool
+) -> None:
     """Add a material.
 
     Args:
+        layers: Where its physics is written, and where its maps lie.
         scope: The prim that it belongs to.
         material: The material.
         maps: File name of each of its maps.
+        seen: Whether it is on a surface, and not on colliders alone.
     """
-    prim = define(scope, material.name, "Material", ["PhysicsMaterialAPI"])
+    prim = define(scope, material.name, "Material", ["SemanticsLabelsAPI:material"])
+    substance = substance_of(material)
+    write(
+        prim, TYPES.TokenArray, {"semantics:labels:material": Vt.TokenArray([substance.name, substance.code])}
+    )
+    physics = layers.physical(prim)
+    apply(physics, "PhysicsMaterialAPI")
     friction = material.friction
     write(
-        prim,
+        physics,
         TYPES.Float,
         {"physics:dynamicFriction": friction, "physics:restitution": 0.0, "physics:staticFriction": friction},
     )
+    if seen:
+        _sensed(prim, material)
+    files = {kind: f"{layers.maps}/{name}" for kind, name in maps.items()}
+    _preview(prim, material, files)
+    if layers.openpbr:
+        write_openpbr(prim, material, files)
+
+
+def _sensed(prim: Sdf.PrimSpec, material: Material) -> None:
+    """Write what lidar, radar and sonar models need to know, in SimReady's words."""
+    attributes = ["emissive"] if any(material.emission) else []
+    if material.transmission_weight >= 0.5 or material.opacity < 0.9:
+        attributes.append("visually_transparent")
+    prefix = "omni:simready:nonvisual:"
+    write(prim, TYPES.TokenArray, {prefix + "attributes": Vt.TokenArray(attributes or ["none"])})
+    write(
+        prim,
+        TYPES.Token,
+        {prefix + "base": substance_of(material).sensed, prefix + "coating": coating_of(material)},
+    )
+
+
+def _preview(prim: Sdf.PrimSpec, material: Material, maps: Mapping[Kind, str]) -> None:
+    """Add the surface that every reader of USD knows."""
     shader = define(prim, "surface", "Shader")
     write(shader, TYPES.Token, {"info:id": "UsdPreviewSurface"}, uniform=True)
     colors = {"diffuseColor": material.base_color, "emissiveColor": material.emission}
@@ -63,10 +98,10 @@ def _write_maps(
     write(coordinates, TYPES.Token, {"info:id": "UsdPrimvarReader_float2"}, uniform=True)
     write(coordinates, TYPES.String, {"inputs:varname": "st"})
     st = Sdf.AttributeSpec(coordinates, "outputs:result", TYPES.Float2)
-    for kind, name in maps.items():
+    for kind, file in maps.items():
         reader = define(prim, kind, "Shader")
         write(reader, TYPES.Token, {"info:id": "UsdUVTexture"}, uniform=True)
-        write(reader, TYPES.Asset, {"inputs:file": Sdf.AssetPath(f"./{TEXTURE_DIRECTORY}/{name}")})
+        write(reader, TYPES.Asset, {"inputs:file": Sdf.AssetPath(file)})
         connect(reader, "inputs:st", st.path, TYPES.Float2)
         space = "sRGB" if kind == "albedo" else "raw"
         write(

@@ -4,8 +4,13 @@ from collections.abc import Mapping
 
 from artgen.export.layouts.flat import FLAT
 from artgen.export.layouts.layout import Layout
+from artgen.export.layouts.partnet_mobility import PARTNET_MOBILITY
+from artgen.export.layouts.robocasa import ROBOCASA
+from artgen.export.layouts.simready import SIMREADY
 
-LAYOUTS: Mapping[str, Layout] = {layout.name: layout for layout in (FLAT,)}
+LAYOUTS: Mapping[str, Layout] = {
+    layout.name: layout for layout in (FLAT, SIMREADY, PARTNET_MOBILITY, ROBOCASA)
+}
 """Every layout by its name."""
 
 __all__ = ["LAYOUTS", "Layout"]

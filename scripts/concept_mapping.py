@@ -1,0 +1,9 @@
+"""Write docs/concept_mapping.md from `artgen.export.concepts`."""
+
+from pathlib import Path
+
+from artgen.export.concepts import concept_page
+
+if __name__ == "__main__":
+    page = Path(__file__).parents[1] / "docs" / "concept_mapping.md"
+    page.write_text(concept_page(), encoding="utf-8")

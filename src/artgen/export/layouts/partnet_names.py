@@ -1,0 +1,269 @@
+"""How PartNet-Mobility counts and calls the bodies, joints and parts of an asset.
+
+Its loaders look for `base`, `link_0`, `link_1`, ... by number: the number is the key between the URDF,
+`semantics.txt` and `mobility_v2.json`. The links that move come first, the asset's base is the last one.
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from artgen.asset import Asset, Joint, Link, Mesh
+from artgen.export.frames import Segment, chain, coupling
+
+Array = NDArray[np.float64]
+
+ROOT = "base"
+"""Name of the body that has no geometry and carries the asset's base, turned upright."""
+
+NAMES_FILE = "artgen_names.json"
+"""The file that says which of artgen's links and joints a number stands for."""
+
+UPRIGHT = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]])
+"""From asset coordinates (z up, front -y) to those of the dataset's bodies and meshes (y up, front z)."""
+
+_HANDLE = "handle"  # what loaders search for in the names of visuals
+_KINDS = {"prismatic": "slider", "revolute": "hinge"}
+
+
+@dataclass(frozen=True)
+class Part:
+    """The visible faces of a link that share a semantic label.
+
+    Attributes:
+        number: Its number in `result.json`.
+        name: What it is called; holds "handle" where a hand takes hold.
+        label: The label of its surfaces.
+    """
+
+    number: int
+    name: str
+    label: str
+
+
+@dataclass(frozen=True, eq=False)
+class Step:
+    """One joint of the URDF.
+
+    Attributes:
+        name: Name of the joint.
+        parent: Name of the body nearer to the base.
+        child: Name of the body that moves.
+        sign: -1 where the joint is turned round so that its lower limit is the closed end, else 1.
+        segment: The joint with its frames, in artgen's names and coordinates.
+    """
+
+    name: str
+    parent: str
+    child: str
+    sign: int
+    segment: Segment
+
+    @property
+    def limits(self) -> tuple[float, float] | None:
+        """Lowest and highest position as written [rad or m]."""
+        limits = self.segment.joint.limits
+        if limits is None or self.sign > 0:
+            return limits
+        return -limits[1], -limits[0]
+
+    @property
+    def axis(self) -> Array:
+        """Unit vector in the dataset's coordinates, shape (3,)."""
+        return np.asarray(self.sign * (UPRIGHT @ self.segment.joint.axis))
+
+
+@dataclass(frozen=True, eq=False)
+class Coupled:
+    """A joint that follows another, as written.
+
+    Attributes:
+        follower: The joint that follows.
+        leader: The joint that it follows.
+        ratio: Positions of the follower for one of the leader.
+        offset: Position of the follower where the leader is at 0 [rad or m].
+    """
+
+    follower: Step
+    leader: Step
+    ratio: float
+    offset: float
+
+    @property
+    def siblings(self) -> bool:
+        """Whether both joints start from one body."""
+        return self.follower.parent == self.leader.parent
+
+
+@dataclass(frozen=True, eq=False)
+class Naming:
+    """The names of an asset's links, joints and parts in the dataset.
+
+    Attributes:
+        links: Number of each link.
+        steps: The joints, parents before children.
+        parts: The parts of each link.
+        couplings: The joints that follow others.
+    """
+
+    links: Mapping[str, int]
+    steps: tuple[Step, ...]
+    parts: Mapping[str, tuple[Part, ...]]
+    couplings: tuple[Coupled, ...]
+
+    def body(self, link: str) -> str:
+        """Return the name of a link's body."""
+        return f"link_{self.links[link]}"
+
+    def of_link(self, link: str) -> tuple[Step, ...]:
+        """Return the joints between a link and its parent."""
+        return tuple(step for step in self.steps if step.segment.joint.child == link)
+
+    def to_data(self) -> dict[str, Any]:
+        """Return as JSON data what each number stands for."""
+        return {
+            "links": {self.body(name): name for name in self.links},
+            "joints": {
+                step.name: {"name": step.segment.joint.name, "sign": step.sign} for step in self.steps
+            },
+            "couplings": {
+                item.follower.name: [item.leader.name, item.ratio, item.offset] for item in self.couplings
+            },
+            "axes": UPRIGHT.astype(int).tolist(),
+        }
+
+
+def naming(asset: Asset) -> Naming:
+    """Give the bodies, joints and parts of an asset their numbers."""
+    base, *moving = asset.links
+    links = {link.name: number for number, link in enumerate([*moving, base])}
+    steps = _steps(asset, links)
+    return Naming(links, steps, _parts(asset, [*moving, base]), _couplings(asset, steps))
+
+
+def closed_end_first(joint: Joint) -> int:
+    """Return -1 where a joint is to be turned round, so that it is closed at its lower limit, else 1."""
+    if joint.limits is None or joint.locked:
+        return 1
+    low, high = joint.limits
+    return -1 if joint.closed == high and joint.closed != low else 1
+
+
+def kind_of(joints: Sequence[Joint], base: str = "fixed") -> str:
+    """Return what `semantics.txt` calls the motion of a link.
+
+    Args:
+        joints: The joints between the link and its parent; none for the asset's base.
+        base: Whether the asset's base is `fixed` or `free`.
+    """
+    if not joints:
+        return "static" if base == "fixed" else "free"
+    kinds = [_KINDS[joint.kind] for joint in joints if not joint.locked]
+    if "slider" in kinds and "hinge" in kinds:
+        return "slider+"
+    return kinds[-1] if kinds else "static"
+
+
+def semantic(asset: Asset, link: Link, joints: Sequence[Joint]) -> str:
+    """Return what `semantics.txt` calls a link, one word."""
+    label = link.label
+    if not joints:
+        return label if asset.category in label else f"{asset.category}_{label}"
+    if label == "door":
+        return "translation_door" if kind_of(joints) == "slider" else "rotation_door"
+    return label
+
+
+def _steps(asset: Asset, links: Mapping[str, int]) -> tuple[Step, ...]:
+    """Name the joints: `joint_3` moves `link_3`; a further joint of that pair moves `link_3_helper`."""
+    helpers: dict[str, str] = {}
+    spare = len(links)
+    result = []
+    for segment in chain(asset):
+        child = segment.child
+        if child.link is not None:
+            name, body = f"joint_{links[child.name]}", f"link_{links[child.name]}"
+        else:
+            name, spare = f"joint_{spare}", spare + 1
+            body = f"link_{links[segment.joint.child]}_helper"
+            while body in helpers.values():
+                body += "_"
+            helpers[child.name] = body
+        parent = helpers.get(segment.parent.name) or f"link_{links[segment.parent.name]}"
+        result.append(Step(name, parent, body, closed_end_first(segment.joint), segment))
+    return tuple(result)
+
+
+def _couplings(asset: Asset, steps: Sequence[Step]) -> tuple[Coupled, ...]:
+    by_name = {step.segment.joint.name: step for step in steps}
+    result = []
+    for name, step in by_name.items():
+        follows = coupling(asset, asset.joint(name))
+        if follows is not None and not step.segment.joint.locked:
+            leader = by_name[follows.leader]
+            ratio, offset = step.sign * leader.sign * follows.ratio, step.sign * follows.offset
+            result.append(Coupled(step, leader, ratio, offset))
+    return tuple(result)
+
+
+def _parts(asset: Asset, links: Sequence[Link]) -> dict[str, tuple[Part, ...]]:
+    """Number the parts of all links; 0 is the object as a whole."""
+    result, number = {}, 1
+    for link in links:
+        held = _held_label(asset, link)
+        found = []
+        for label in dict.fromkeys(surface.label for surface in link.surfaces):
+            name = f"{_HANDLE}_{label}" if label == held else label
+            found.append(Part(number, name, label))
+            number += 1
+        result[link.name] = tuple(found)
+    return result
+
+
+def _held_label(asset: Asset, link: Link) -> str:
+    """Return the label that gets "handle" into its name, empty if none needs it.
+
+    That is where a hand takes hold of the link: the label next to its grasps. A link that is moved by a
+    handle with a joint of its own, as a door leaf by its lever, has the rose or plate on which that sits.
+    """
+    labels = dict.fromkeys(surface.label for surface in link.surfaces)
+    if any(_HANDLE in label for label in labels):
+        return ""
+    points = [grasp.frame[:3, 3] for grasp in link.grasps]
+    if not points:
+        own = {joint.name for joint in asset.joints if joint.child == link.name and not joint.locked}
+        points = [
+            item.frame[:3, 3] for item in asset.affordances if item.kind == "grasp" and own & set(item.joints)
+        ]
+        labels.pop(link.label if len(labels) > 1 else "", None)
+    if not points:
+        return ""
+    meshes = {
+        label: [surface.mesh for surface in link.surfaces if surface.label == label] for label in labels
+    }
+
+    def distance(label: str) -> float:
+        return round(min(_distance(mesh, point) for mesh in meshes[label] for point in points), 6)
+
+    return min(labels, key=distance)
+
+
+def _distance(mesh: Mesh, point: Array) -> float:
+    """Return how far a point, shape (3,), is from the faces of a mesh [m]."""
+    corners = mesh.vertices[mesh.triangles] - point
+    ends = np.roll(corners, -1, axis=1)
+    sides = ends - corners
+    squares = (sides**2).sum(axis=2)
+    share = -(corners * sides).sum(axis=2) / np.where(squares > 0.0, squares, 1.0)
+    nearest = corners + np.clip(share, 0.0, 1.0)[..., None] * sides
+    to_sides = np.sqrt((nearest**2).sum(axis=2)).min(axis=1)
+    normals = np.cross(sides[:, 0], sides[:, 1])
+    lengths = np.sqrt((normals**2).sum(axis=1))
+    normals /= np.where(lengths > 0.0, lengths, 1.0)[:, None]
+    heights = np.abs((corners[:, 0] * normals).sum(axis=1))
+    # the foot of the perpendicular is on the face if the point is on the inner side of all three sides
+    above = ((np.cross(sides, -corners) * normals[:, None]).sum(axis=2) >= 0.0).all(axis=1) & (lengths > 0.0)
+    return float(np.where(above, heights, to_sides).min())

@@ -1,0 +1,144 @@
+"""Boxes of an asset that say where it is and where things go in: the regions of RoboCasa.
+
+The room inside is found on a grid, from the colliders alone: a cell is inside where solids stand on all six
+sides, the top excepted, while every joint is closed. It is room for things if some of it lies open where
+every joint is at the end of its range.
+"""
+
+from collections.abc import Iterable, Mapping
+
+import numpy as np
+from numpy.typing import NDArray
+
+from artgen.asset import Asset
+
+Array = NDArray[np.float64]
+Cells = NDArray[np.bool_]
+
+_CELLS = 128  # along the longest side
+_STEP = (0.008, 0.02)  # least and greatest side of a cell [m]: wider than the gap around a closed door
+_LEAST = 0.08  # side of a region [m]: less is the room behind a handle
+_MOST = 8  # regions
+_OFFSET = 1.37  # of the grid from the asset, in cells: faces that lie on it would be decided by rounding
+_DECIMALS = 6
+
+
+def whole(asset: Asset) -> Array:
+    """Return the corners of the bounding box of what is seen, as the asset stands, shape (2, 3) [m]."""
+    boxes = []
+    for link, matrix in asset.pose().items():
+        for surface in asset.link(link).surfaces:
+            points = surface.mesh.vertices @ matrix[:3, :3].T + matrix[:3, 3]
+            boxes.append((points.min(axis=0), points.max(axis=0)))
+    corners = np.array(boxes)
+    return np.round([corners[:, 0].min(axis=0), corners[:, 1].max(axis=0)], _DECIMALS) + 0.0
+
+
+def interiors(asset: Asset) -> list[Array]:
+    """Return boxes of free room inside a closed asset, the largest first, each of shape (2, 3) [m]."""
+    grid = _Grid(whole(asset))
+    occupied = grid.occupied(asset, {})
+    free = ~occupied & _surrounded(occupied)
+    if not free.any():
+        return []
+    opened = {joint.name: _far(joint.limits, joint.closed) for joint in asset.free_joints}
+    open_to_air = ~_surrounded(grid.occupied(asset, opened), top=True)
+    found: list[Array] = []
+    for _ in range(_MOST):
+        box = _grown(free)
+        size = grid.step * (box[1] - box[0])
+        if size.min() < _LEAST:
+            break
+        cells = tuple(slice(low, high) for low, high in box.T)
+        free[cells] = False
+        if open_to_air[cells].any():
+            found.append(np.round(grid.origin + grid.step * box, _DECIMALS) + 0.0)
+    return sorted(found, key=lambda box: -round(float(np.prod(box[1] - box[0])), _DECIMALS))
+
+
+def _far(limits: tuple[float, float] | None, closed: float) -> float:
+    """Return the end of a range that is farther from where the joint is closed."""
+    if limits is None:
+        return closed
+    return max(limits, key=lambda end: abs(end - closed))
+
+
+class _Grid:
+    """Cubic cells around a box.
+
+    Args:
+        box: Its corners, shape (2, 3) [m].
+    """
+
+    def __init__(self, box: Array) -> None:
+        longest = float((box[1] - box[0]).max())
+        self.step = min(max(longest / _CELLS, _STEP[0]), _STEP[1])
+        self.origin = box[0] - _OFFSET * self.step
+        self.shape = tuple(int(count) for count in np.ceil((box[1] - self.origin) / self.step) + 1)
+
+    def occupied(self, asset: Asset, q: Mapping[str, float]) -> Cells:
+        """Return the cells that a collider may reach into at positions of free joints."""
+        result = np.zeros(self.shape, dtype=bool)
+        for link, matrix in asset.pose(q).items():
+            for collider in asset.link(link).colliders:
+                polytope = collider.convex.faces
+                normals = polytope.planes[:, :3] @ matrix[:3, :3].T
+                distances = polytope.planes[:, 3] + normals @ matrix[:3, 3]
+                points = polytope.points @ matrix[:3, :3].T + matrix[:3, 3]
+                self._fill(result, points, normals, distances)
+        return result
+
+    def _fill(self, cells: Cells, points: Array, normals: Array, distances: Array) -> None:
+        """Mark the cells that a convex piece may reach into; a few beside its edges are marked as well."""
+        first = np.floor((points.min(axis=0) - self.origin) / self.step).astype(int)
+        last = np.floor((points.max(axis=0) - self.origin) / self.step).astype(int) + 1
+        first, last = np.clip(first, 0, self.shape), np.clip(last, 0, self.shape)
+        if (first >= last).any():
+            return
+        part = cells[tuple(slice(low, high) for low, high in zip(first, last, strict=True))]
+        axes = [
+            self.origin[axis] + self.step * (np.arange(first[axis], last[axis]) + 0.5) for axis in range(3)
+        ]
+        reached = ~part
+        for normal, distance in zip(normals, distances, strict=True):
+            reach = distance + np.abs(normal).sum() * self.step / 2.0
+            x, y, z = (normal[axis] * axes[axis] for axis in range(3))
+            reached &= x[:, None, None] + y[:, None] + z <= reach
+        part |= reached
+
+
+def _surrounded(occupied: Cells, *, top: bool = False) -> Cells:
+    """Return the cells that have occupied ones on all six sides, or on five where the top need not be."""
+    result = np.ones_like(occupied)
+    for axis, backwards in _sides(top=top):
+        view = np.flip(occupied, axis) if backwards else occupied
+        seen = np.logical_or.accumulate(view, axis=axis)
+        result &= np.flip(seen, axis) if backwards else seen
+    return result
+
+
+def _sides(*, top: bool) -> Iterable[tuple[int, bool]]:
+    return ((axis, back) for axis in range(3) for back in (False, True) if top or (axis, back) != (2, True))
+
+
+def _grown(free: Cells) -> NDArray[np.int64]:
+    """Return a box of free cells that no side can grow out of, as first and last + 1, shape (2, 3).
+
+    It grows evenly from the cell that is farthest from all others.
+    """
+    from scipy.ndimage import distance_transform_cdt
+
+    seed = np.unravel_index(int(np.argmax(distance_transform_cdt(free, "chessboard"))), free.shape)
+    box = np.array([seed, np.add(seed, 1)], dtype=np.int64)
+    growing = bool(free[seed])
+    while growing:
+        growing = False
+        for axis in range(3):
+            for end, sign in ((0, -1), (1, 1)):
+                slab = box.copy()
+                slab[1 - end, axis] = box[end, axis]
+                slab[end, axis] += sign
+                if free[tuple(slice(low, high) for low, high in slab.T)].all():
+                    box[end, axis] += sign
+                    growing = True
+    return box if free[seed] else np.zeros((2, 3), dtype=np.int64)
