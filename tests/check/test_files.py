@@ -1,13 +1,16 @@
 """The check of an export's files knows the maps: there, whole, and none that is named in vain."""
 
+import struct
+import zlib
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from PIL import Image, ImageOps
 
 from artgen.check.files import read_export
 from artgen.export import export
-from support.exports import edit_text
+from support.exports import edit_json, edit_text
 from support.textured import recipes, textured
 
 AGAIN = "export the asset again"
@@ -61,8 +64,58 @@ def test_map_that_nobody_wrote_is_a_fault_among_textures(directory: Path) -> Non
 def test_library_that_names_another_map_is_a_fault(directory: Path) -> None:
     name = a_map(directory, "normal").name
     edit_text(directory / "meshes/textured.mtl", f"norm textures/{name}", "norm textures/none.png")
-    (text,) = found(directory)
+    changed, text = found(directory)
+    assert "meshes/textured.mtl was changed after the export" in changed
     assert "meshes/textured.mtl names the map textures/none.png, which is listed by no format" in text
+
+
+def test_map_that_was_painted_anew_is_a_note(directory: Path) -> None:
+    path = a_map(directory, "albedo")
+    with Image.open(path) as image:
+        ImageOps.invert(image.convert("RGB")).save(path)
+    result = read_export(directory).result
+    (finding,) = result.findings
+    assert finding.severity == "note"
+    assert f"meshes/textures/{path.name} was changed after the export" in finding.message
+    assert "right if you meant to" in finding.hint
+    assert not result.faults
+
+
+def test_map_that_was_packed_anew_is_the_same(directory: Path) -> None:
+    """Machines differ in how they pack; the digest is of what the file says unpacked."""
+    path = a_map(directory, "albedo")
+    content = path.read_bytes()
+    start = content.index(b"IDAT")
+    (length,) = struct.unpack_from(">I", content, start - 4)
+    packed = zlib.compress(zlib.decompress(content[start + 4 : start + 4 + length]), 9)
+    chunk = b"IDAT" + packed
+    anew = struct.pack(">I", len(packed)) + chunk + struct.pack(">I", zlib.crc32(chunk))
+    path.write_bytes(content[: start - 4] + anew + content[start + 8 + length :])
+    assert path.read_bytes() != content
+    assert not found(directory)
+
+
+@pytest.mark.parametrize(
+    ("suffix", "severity"), [(".urdf", "note"), (".xml", "note"), (".usda", "note"), (".mtl", "note")]
+)
+def test_comment_in_what_other_checks_compare_is_a_note(directory: Path, suffix: str, severity: str) -> None:
+    (path,) = directory.rglob(f"*{suffix}")
+    comment = {".urdf": "<!-- mine -->", ".xml": "<!-- mine -->"}.get(suffix, "# mine")
+    path.write_text(f"{path.read_text()}{comment}\n")
+    assert [finding.severity for finding in read_export(directory).result.findings] == [severity]
+
+
+def test_mesh_that_was_changed_is_a_fault(directory: Path) -> None:
+    path = min(directory.rglob("*.obj"))
+    path.write_text(f"{path.read_text()}# mine\n")
+    (finding,) = read_export(directory).result.faults
+    assert finding.hint == "export the asset again; keep files of your own in another directory"
+
+
+def test_export_without_digests_is_as_good_as_before(directory: Path) -> None:
+    edit_json(directory / "asset.json", lambda data: data.pop("digests"))
+    a_map(directory, "albedo").write_bytes(a_map(directory, "normal").read_bytes())
+    assert not found(directory)
 
 
 def test_maps_alone_are_no_visible_faces(tmp_path: Path) -> None:

@@ -180,7 +180,10 @@ def test_another_pivot_is_found_with_the_pose_at_which_it_shows(copy):
 def test_another_collider_is_found(copy, check, suffix, pattern):
     edit(copy, suffix, pattern, r"\g<1>0.1 0.1 0.03" if suffix == "urdf" else r"\g<1>0.05 0.05 0.015")
     ((place, message),) = only(copy, check)
-    assert (place, message) == ("tray", f"its colliders have 300 cm^3 in machine.{suffix}, not 200 cm^3")
+    assert place == "tray"
+    assert message == (
+        f"its collider tray_collider_0 is off by 5 mm and has 300 cm^3 in machine.{suffix}, not 200 cm^3"
+    )
 
 
 def test_usd_is_read_from_the_disk_though_it_is_open(copy):
@@ -192,7 +195,8 @@ def test_usd_is_read_from_the_disk_though_it_is_open(copy):
 
 def test_a_collider_that_is_gone_is_found(copy):
     edit(copy, "urdf", r'<collision name="tray_collider_0">.*?</collision>', "")
-    assert only(copy, "urdf") == [("tray", "it has 0 colliders in machine.urdf, not 1")]
+    message = "it has 0 colliders in machine.urdf, not 1, without 0 (box of 'tray')"
+    assert only(copy, "urdf") == [("tray", message)]
 
 
 def test_another_kind_of_joint_is_found(copy):

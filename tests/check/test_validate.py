@@ -251,8 +251,9 @@ def test_what_was_not_exported_is_not_checked(made, tmp_path):
     assert not report.faults
     skipped = {result.check: result.skipped for result in report.results if result.skipped}
     assert skipped == {
-        "solids": "the export has no meshes: they come with urdf and mjcf",
-        "colliders": "the export has no meshes: they come with urdf and mjcf",
+        "solids": "the export has no meshes to read back: those of urdf and mjcf in the layout flat have",
+        "colliders": "the export has no meshes to read back: those of urdf and mjcf in the layout flat have",
+        "grasps": "the export has no meshes to read back: those of urdf and mjcf in the layout flat have",
         "behaviour": "the export has no mjcf",
     }
     assert [result.check for result in report.results if result.check in ("urdf", "mjcf", "usd")] == ["usd"]

@@ -4,14 +4,21 @@ import json
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path, PurePosixPath
+from typing import Any
+
+import numpy as np
 
 from artgen.asset import Asset
 from artgen.asset.files import ASSET_FILE, CERTIFICATE_FILE, MESH_DIRECTORY
+from artgen.check.contents import Contents, read_contents
+from artgen.check.references import reference_findings
 from artgen.check.report import CheckResult, Finding
 from artgen.errors import ExportError
 from artgen.export.files import REPORT_FILE
 
 _AGAIN = "export the asset again"
+_COMPARED = ("urdf", "mjcf", "usd")  # formats whose main file another check reads
+_ROUNDING = 1e-9  # of coordinates in asset.json [m]
 
 
 @dataclass(frozen=True)
@@ -51,6 +58,7 @@ def read_export(directory: str | Path) -> Exported:
         data = json.loads((directory / ASSET_FILE).read_text(encoding="utf-8"))
         formats = {name: tuple(map(str, each["files"])) for name, each in data["formats"].items()}
         certified = data.get("certificate") is not None
+        digests = dict(data.get("digests", {}))
     except (OSError, ValueError, LookupError, TypeError, AttributeError) as error:
         return _unreadable(directory, error)
     try:
@@ -60,10 +68,14 @@ def read_export(directory: str | Path) -> Exported:
         certificate = _wrong_certificate(directory, certified=certified)
         result = CheckResult("files", (*certificate, *damaged.result.findings))
         return Exported(directory, result, formats=formats)
+    compared = {data["formats"][name].get("main") for name in _COMPARED if name in formats}
+    contents = read_contents(directory, formats, digests, compared)
     findings = (
+        *_wrong_record(data, asset),
         *_wrong_certificate(directory, certified=certified),
-        *_missing(directory, formats),
-        *_unlisted_maps(directory, formats),
+        *_file_findings(contents, formats),
+        *_wrong_main_files(data, formats),
+        *reference_findings(contents.found, formats),
         *_stray(directory, formats),
     )
     listed = {path for files in formats.values() for path in files}
@@ -82,6 +94,29 @@ def _reason(error: Exception) -> str:
     return str(error) if isinstance(error, OSError | ValueError) else f"{type(error).__name__}: {error}"
 
 
+def _wrong_record(data: Mapping[str, Any], asset: Asset) -> Iterator[Finding]:
+    """Find what the record says twice, and differently."""
+    mass = data.get("mass")
+    total = sum(link.mass_properties.mass for link in asset.links)
+    if isinstance(mass, int | float) and not abs(mass - total) <= 1e-6 * total:
+        message = f"{ASSET_FILE} has a mass of {mass:.7g} kg, its links together have {total:.7g} kg"
+        yield Finding("files", message, value=float(mass), unit="kg", hint=_AGAIN)
+    stored = {each["name"]: each for each in data.get("affordances", ())}
+    wanted = {each.name: each for each in asset.affordances}
+    for name in sorted(stored.keys() ^ wanted.keys()):
+        message = (
+            f"the affordance {name!r} is in one of the lists of links and affordances of {ASSET_FILE} only"
+        )
+        yield Finding("files", message, hint=_AGAIN)
+    for name in sorted(stored.keys() & wanted.keys()):
+        away = float(np.abs(np.array(stored[name]["frame"], float) - wanted[name].frame).max())
+        if not away <= _ROUNDING or stored[name]["link"] != wanted[name].link:
+            message = (
+                f"the affordance {name!r} differs by {away:.4g} from the one of the link in {ASSET_FILE}"
+            )
+            yield Finding("files", message, wanted[name].link, value=away, hint=_AGAIN)
+
+
 def _wrong_certificate(directory: Path, *, certified: bool) -> Iterator[Finding]:
     path = directory / CERTIFICATE_FILE
     if not certified:
@@ -95,65 +130,34 @@ def _wrong_certificate(directory: Path, *, certified: bool) -> Iterator[Finding]
         yield Finding("files", f"{CERTIFICATE_FILE} cannot be read: {_reason(error)}", hint=again)
 
 
-def _missing(directory: Path, formats: Mapping[str, tuple[str, ...]]) -> Iterator[Finding]:
+def _file_findings(contents: Contents, formats: Mapping[str, tuple[str, ...]]) -> Iterator[Finding]:
+    users = users_of(formats)
+    for path in users:
+        if path in contents.faults:
+            names = users[path]
+            text = contents.faults[path]
+            if not text.startswith(ASSET_FILE):
+                text += f", which {' and '.join(names)} need{'s' * (len(names) == 1)}"
+            yield Finding("files", text, hint=_AGAIN)
+        elif path in contents.changes:
+            yield contents.changes[path]
+
+
+def users_of(formats: Mapping[str, tuple[str, ...]]) -> dict[str, list[str]]:
+    """Return the formats that need each listed file."""
     users: dict[str, list[str]] = {}
     for name, files in formats.items():
         for path in files:
             users.setdefault(path, []).append(name)
-    for path, names in users.items():
-        if PurePosixPath(path).is_absolute() or ".." in PurePosixPath(path).parts:
-            yield Finding(
-                "files", f"{ASSET_FILE} lists {path!r}, which leads out of the directory", hint=_AGAIN
-            )
-            continue
-        fault = _fault_of(directory / path)
-        if fault:
-            yield Finding(
-                "files",
-                f"{path} {fault}, which {' and '.join(names)} need{'s' * (len(names) == 1)}",
-                hint=_AGAIN,
-            )
+    return users
 
 
-def _fault_of(path: Path) -> str:
-    """Say what is wrong with a file; nothing if it can be read."""
-    try:
-        with path.open("rb") as file:
-            if not file.read(1):
-                return "is empty"
-            return _fault_of_image(path) if path.suffix == ".png" else ""
-    except FileNotFoundError:
-        return "is missing"
-    except OSError as error:
-        return f"cannot be read ({error.strerror})"
-
-
-def _fault_of_image(path: Path) -> str:
-    from PIL import Image
-
-    try:
-        with Image.open(path) as image:
-            image.load()
-    except (OSError, SyntaxError, ValueError):  # what Pillow raises at damaged PNG
-        return "is no image that can be decoded"
-    return ""
-
-
-def _unlisted_maps(directory: Path, formats: Mapping[str, tuple[str, ...]]) -> Iterator[Finding]:
-    """Find maps that a library of materials names and no format has: readers leave them out silently."""
-    listed = {path for files in formats.values() for path in files}
-    for library in sorted(path for path in listed if path.endswith(".mtl")):
-        try:
-            lines = (directory / library).read_text(encoding="utf-8").splitlines()
-        except (OSError, ValueError):
-            continue  # its absence is another finding, and so is what clients cannot read
-        words = [line.split(maxsplit=1) for line in lines]
-        maps = [word[1] for word in words if len(word) == 2 and word[0].startswith(("map_", "norm"))]
-        for name in dict.fromkeys(maps):
-            if (PurePosixPath(library).parent / name).as_posix() not in listed:
-                yield Finding(
-                    "files", f"{library} names the map {name}, which is listed by no format", hint=_AGAIN
-                )
+def _wrong_main_files(data: Mapping[str, Any], formats: Mapping[str, tuple[str, ...]]) -> Iterator[Finding]:
+    for name, files in formats.items():
+        main = data["formats"][name].get("main")
+        if main not in files:
+            message = f"the main file of {name} is {main!r}, which is not among its files in {ASSET_FILE}"
+            yield Finding("files", message, hint=_AGAIN)
 
 
 def _stray(directory: Path, formats: Mapping[str, tuple[str, ...]]) -> Iterator[Finding]:

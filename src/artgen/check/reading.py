@@ -10,6 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from artgen.asset import Asset
+from artgen.check.pieces import Piece
+from artgen.check.report import Finding
 
 Array = NDArray[np.float64]
 Frames = Callable[[Mapping[str, float]], dict[str, Array]]
@@ -30,6 +32,36 @@ class Inertial:
     inertia: Array
 
 
+@dataclass(frozen=True)
+class Said:
+    """One number of a joint's dynamics that a file states.
+
+    Attributes:
+        field: Which of `artgen.asset.joint.DYNAMICS`.
+        value: In SI units.
+        source: What the file calls it.
+    """
+
+    field: str
+    value: float
+    source: str
+
+
+@dataclass(frozen=True, eq=False)
+class Faces:
+    """Visible faces of a link as a file has them, in the link's frame.
+
+    Attributes:
+        name: What the file calls them.
+        bounds: Corners of the bounding box, shape (2, 3) [m].
+        count: Number of triangles.
+    """
+
+    name: str
+    bounds: Array
+    count: int
+
+
 @dataclass(frozen=True, eq=False)
 class Reading:
     """What one reader found in an exported asset.
@@ -37,23 +69,42 @@ class Reading:
     Attributes:
         file: Name of the file.
         frames: Gives the frame of each link, shape (4, 4), at positions of all joints.
+        standing: The frames of links as the file places them, shape (4, 4), apart from its joints.
         inertials: Mass properties of each link.
+        mass: Of everything in the file; None where it is not known [kg].
+        base: Whether the base is `fixed` or `free`; empty where the format has no word for it.
         kinds: `revolute` or `prismatic` for each joint that can move.
+        ends: Names of the parent and the child of each joint that can move.
         limits: Lowest and highest position of each joint that can move; None is unlimited [rad or m].
         axes: Axis in the child's frame, shape (3,), of the joints of which the file tells it.
+        dynamics: What the file says of the springs, dampers, friction and so on of each joint.
         couplings: Leader, ratio and offset of each joint that follows.
-        colliders: Number and total volume of the colliders of each link [m^3].
+        more_couplings: The same as the file says it once more, by the simulator that it says it to.
+        colliders: The colliders of each link.
+        faces: The visible faces of each link.
+        holds: Link, and frame in the link's frame, shape (4, 4) [m], of each grasp and push; None where the
+            layout has none.
+        findings: What is wrong with the file whatever the asset is.
         said: What the reader complained of.
     """
 
     file: str
     frames: Frames
+    standing: dict[str, Array] = field(default_factory=dict)
     inertials: dict[str, Inertial] = field(default_factory=dict)
+    mass: float | None = None
+    base: str = ""
     kinds: dict[str, str] = field(default_factory=dict)
+    ends: dict[str, tuple[str, str]] = field(default_factory=dict)
     limits: dict[str, tuple[float, float] | None] = field(default_factory=dict)
     axes: dict[str, Array] = field(default_factory=dict)
+    dynamics: dict[str, tuple[Said, ...]] = field(default_factory=dict)
     couplings: dict[str, tuple[str, float, float]] = field(default_factory=dict)
-    colliders: dict[str, tuple[int, float]] = field(default_factory=dict)
+    more_couplings: dict[str, dict[str, tuple[str, float, float]]] = field(default_factory=dict)
+    colliders: dict[str, tuple[Piece, ...]] = field(default_factory=dict)
+    faces: dict[str, tuple[Faces, ...]] = field(default_factory=dict)
+    holds: dict[str, tuple[str, Array]] | None = field(default_factory=dict)
+    findings: tuple[Finding, ...] = ()
     said: tuple[str, ...] = ()
 
 
@@ -92,9 +143,3 @@ def sampled_positions(asset: Asset, count: int) -> list[dict[str, float]]:
     spans = {joint.name: joint.limits or (-np.pi, np.pi) for joint in asset.free_joints}
     drawn = [{name: float(draw.uniform(*span)) for name, span in spans.items()} for _ in range(count)]
     return [{}, *drawn]
-
-
-def mesh_volume(vertices: Array, triangles: NDArray[np.int64]) -> float:
-    """Return the volume inside closed triangles, shape (m, 3) [m^3]."""
-    a, b, c = (vertices - vertices.mean(axis=0))[triangles.T]
-    return float(np.einsum("ij,ij->i", a, np.cross(b, c)).sum() / 6.0)

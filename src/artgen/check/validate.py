@@ -4,19 +4,23 @@ import tempfile
 from collections.abc import Callable, Collection
 from functools import cached_property
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from artgen.asset import Asset
 from artgen.check.files import Exported, read_export
 from artgen.check.report import CheckResult, Finding, Report
 from artgen.errors import ArtgenError, ParameterError, nearest
 
-CHECKS = ("files", "solids", "tree", "colliders", "urdf", "mjcf", "usd", "certificate", "behaviour")
+if TYPE_CHECKING:
+    from artgen.check.formats import FormatChecks
+
+CHECKS = ("files", "solids", "tree", "colliders", "urdf", "mjcf", "usd", "certificate", "grasps", "behaviour")
 """The checks, in the order in which they run."""
 
 FORMAT_CHECKS = ("urdf", "mjcf", "usd")
 """Those that read one exported format each."""
 
-_MESH_CHECKS = ("solids", "colliders")
+_MESH_CHECKS = ("solids", "colliders", "grasps")
 
 
 def validate(
@@ -96,7 +100,7 @@ class Examination:
         if check in FORMAT_CHECKS and check not in formats:
             return f"the export has no {check}"
         if check in _MESH_CHECKS and not self._exported.meshes:
-            return "the export has no meshes: they come with urdf and mjcf"
+            return "the export has no meshes to read back: those of urdf and mjcf in the layout flat have"
         if check == "behaviour" and not self._behaviour:
             return "not asked for"
         return "the export has no mjcf" if check == "behaviour" and "mjcf" not in formats else ""
@@ -108,7 +112,7 @@ class Examination:
         asset = self._exported.asset
         assert asset is not None
         if check in FORMAT_CHECKS:
-            return self._formats[check]
+            return self._formats.result(check)
         if check == "solids":
             from artgen.check.solids import check_solids
 
@@ -125,17 +129,21 @@ class Examination:
             from artgen.check.certified import check_certificate
 
             return check_certificate(asset, meshes=self._exported.meshes)
+        if check == "grasps":
+            from artgen.check.grasping import check_grasps
+
+            return check_grasps(asset)
         from artgen.check.behaviour import check_behaviour
 
         return check_behaviour(asset, self.directory)
 
     @cached_property
-    def _formats(self) -> dict[str, CheckResult]:
-        from artgen.check.formats import check_formats
+    def _formats(self) -> "FormatChecks":
+        from artgen.check.formats import FormatChecks
 
         asset = self._exported.asset
         assert asset is not None
-        return {result.check: result for result in check_formats(asset, self.directory)}
+        return FormatChecks(asset, self.directory)
 
 
 def guarded(check: str, run: Callable[[], CheckResult]) -> CheckResult:
