@@ -2,6 +2,9 @@
 #
 #   make demo    generate a door and a handle, check them with other people's readers, open the door
 #   make test    format, lint, types, layers, tests
+#   make clients make an environment for each simulator, validator and converter, in .clients; gigabytes
+#   make test-clients  let all of them read exports
+#   make client-table  write docs/clients.md: every client on many seeds of every category
 #   make bench   time every stage of every category, and the certificate of assets made for it
 #   make clean   remove what the other targets made
 
@@ -16,7 +19,7 @@ PYTHON ?= $(shell for name in python3.13 python3.12 python3.11 python3 python; d
 	done)
 
 .DEFAULT_GOAL := help
-.PHONY: help install demo test lint types layers pytest bench format clean
+.PHONY: help install demo test lint types layers pytest clients test-clients client-table bench format clean
 
 help:
 	@sed -n 's/^#   //p' Makefile
@@ -48,6 +51,17 @@ layers: $(STAMP)
 
 pytest: $(STAMP)
 	$(BIN)/python -m pytest $(PYTEST_FLAGS)
+
+clients test-clients client-table: export ARTGEN_CLIENTS ?= $(CURDIR)/.clients
+
+clients: $(STAMP)
+	$(BIN)/artgen clients --install all
+
+test-clients: $(STAMP)
+	$(BIN)/python -m pytest tests/clients
+
+client-table: $(STAMP)
+	$(BIN)/python scripts/client_table.py
 
 bench: $(STAMP)
 	$(BIN)/python benchmarks/bench_categories.py

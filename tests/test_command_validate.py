@@ -10,8 +10,9 @@ from typer.testing import CliRunner
 
 from artgen.check.report import CheckResult, Finding
 from artgen.check.validate import Examination
+from artgen.clients.outcome import Outcome
 from artgen.commands.validate import validate
-from artgen.errors import ExportError
+from artgen.errors import ExportError, ParameterError
 from support.exports import stand
 
 
@@ -157,4 +158,69 @@ def test_wrong_use_is_one_line_and_nothing_is_checked(run, assets, name, message
     with pytest.raises(ExportError, match=message) as raised:
         run(assets / "a", assets / name)
     assert "\n" not in str(raised.value)
+    assert not (assets / "a/report.json").exists()
+
+
+@pytest.fixture
+def asked(monkeypatch):
+    """Let clients say what a test wants, and remember how they were asked."""
+    answers = {"outcomes": [], "calls": []}
+
+    def ask_clients(directory, clients, *, by_name):
+        answers["calls"].append((directory, [client.name for client in clients], by_name))
+        return answers["outcomes"]
+
+    monkeypatch.setattr("artgen.commands.validate.ask_clients", ask_clients)
+    return answers
+
+
+GOOD = Outcome("one", "urdf", "1.5", "passed", note="3 things")
+GONE = Outcome(
+    "two", "usd", "", "absent", (Finding("two", "it is not installed", hint="buy it", severity="note"),)
+)
+BAD = Outcome(
+    "three", "mjcf", "2", "failed", (Finding("three", "it is [bad]", link="lid"), Finding("three", "worse"))
+)
+
+
+def test_without_clients_none_is_asked(run, assets, judged, asked):
+    assert run(assets / "a").exit_code == 0
+    assert asked["calls"] == []
+    assert "clients" not in json.loads((assets / "a/report.json").read_text())
+
+
+def test_clients_have_a_table_and_stand_in_the_report(run, assets, judged, asked):
+    asked["outcomes"] = [GOOD, GONE]
+    done = run(assets / "a", "--clients", "all")
+    assert done.exit_code == 0
+    assert [(directory, by_name) for directory, _, by_name in asked["calls"]] == [(assets / "a", False)]
+    lines = [" ".join(line.split()) for line in done.output.splitlines()]
+    start = lines.index("client version result first message")
+    assert lines[start + 1 : start + 3] == [
+        "one 1.5 passed 3 things",
+        "two absent it is not installed; buy it",
+    ]
+    report = json.loads((assets / "a/report.json").read_text())
+    assert report["passed"]
+    assert [each["state"] for each in report["clients"]] == ["passed", "absent"]
+
+
+def test_what_a_client_finds_is_a_fault(run, assets, judged, asked):
+    asked["outcomes"] = [GOOD, BAD]
+    done = run(assets / "a", "--clients", "mujoco,pinocchio")
+    assert done.exit_code == 1
+    assert asked["calls"] == [(assets / "a", ["mujoco", "pinocchio"], True)]
+    lines = [" ".join(line.split()) for line in done.output.splitlines()]
+    assert "three 2 failed link lid: it is [bad]" in lines
+    assert "fault three: worse" in lines
+    done = run(assets / "a", "--clients", "all", "--json")
+    assert done.exit_code == 1
+    (report,) = json.loads(done.output)
+    assert not report["passed"]
+    assert report["clients"][1]["findings"][0]["message"] == "it is [bad]"
+
+
+def test_an_unknown_client_is_named_before_anything_runs(run, assets, judged, asked):
+    with pytest.raises(ParameterError, match=r"there is no client 'mujco'\. Did you mean 'mujoco'\?"):
+        run(assets / "a", "--clients", "mujco")
     assert not (assets / "a/report.json").exists()

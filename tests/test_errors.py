@@ -18,6 +18,7 @@ TREE = {
     "AssetError": ValueError,
     "CheckError": RuntimeError,
     "ExportError": OSError,
+    "ClientError": RuntimeError,
     "RenderError": RuntimeError,
 }
 

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from artgen.asset import Asset
 from artgen.catalog import categories, find
 from artgen.graph import Cache
 
@@ -60,4 +61,13 @@ def test_what_was_cached_does_not_show(category: str, tmp_path: Path) -> None:
     find(category).generate(SEED, cache=warm, **{number: 0.999 * cold.parameters[number]})
     first = cold.export(tmp_path / "cold")
     second = find(category).generate(SEED, cache=warm).export(tmp_path / "warm")
+    assert digests(first) == digests(second)
+
+
+@pytest.mark.parametrize("category", categories())
+def test_an_asset_that_was_read_back_is_written_the_same(category: str, tmp_path: Path) -> None:
+    formats = ("urdf", "mjcf", "usd", "glb")
+    asset = find(category).generate(SEED, certify=False)
+    first = asset.export(tmp_path / "first", formats=formats, textures=256)
+    second = Asset.load(first).export(tmp_path / "second", formats=formats, textures=256)
     assert digests(first) == digests(second)

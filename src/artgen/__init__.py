@@ -16,6 +16,7 @@ from artgen.errors import (
     AssetError,
     BuildError,
     CheckError,
+    ClientError,
     EvaluationError,
     ExportError,
     GraphError,
@@ -28,11 +29,12 @@ from artgen.graph import Cache, Evaluation, Graph
 from artgen.materials import COLORS, MATERIALS, Material, coloured, material
 from artgen.nodes import details
 from artgen.nodes.arrays import array
-from artgen.nodes.body import Frame, detail, frame, part, weld
+from artgen.nodes.body import detail, part, weld
 from artgen.nodes.choose import require, switch
 from artgen.nodes.csg import enclosed, hull, intersection, shell, split, union
 from artgen.nodes.extrude import extrude
 from artgen.nodes.handles import Body, Bool, Float, Path, Points, Profile, Solid, Vector
+from artgen.nodes.hold import Frame, frame, grasp_on, push_on
 from artgen.nodes.joint import Condition, Coupling, Dependency, Joint, Prismatic, Revolute
 from artgen.nodes.loft import loft
 from artgen.nodes.path import arc, bezier, helix, line, polyline, spline
@@ -87,6 +89,7 @@ __all__ = [
     "Cache",
     "Certificate",
     "CheckError",
+    "ClientError",
     "Condition",
     "Coupling",
     "Dependency",
@@ -151,6 +154,7 @@ __all__ = [
     "generate",
     "generator",
     "given",
+    "grasp_on",
     "grid",
     "helix",
     "hull",
@@ -173,6 +177,7 @@ __all__ = [
     "polygon",
     "polyline",
     "prove_range",
+    "push_on",
     "rectangle",
     "regular_polygon",
     "require",

@@ -12,6 +12,7 @@ from rich.table import Table
 from artgen.asset.files import main_files
 from artgen.catalog import categories, find
 from artgen.commands.certify import certify as certify_category
+from artgen.commands.clients import clients
 from artgen.commands.colliders import colliders
 from artgen.commands.export import check_formats, export
 from artgen.commands.render import render
@@ -191,6 +192,7 @@ def generate(
 
 app.command(name="certify")(certify_category)
 app.command()(validate)
+app.command()(clients)
 app.command()(colliders)
 app.command()(export)
 app.command()(render)

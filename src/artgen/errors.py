@@ -9,6 +9,7 @@
     ├── AssetError(ValueError)          an asset is inconsistent, or was asked for what it has not
     ├── CheckError(RuntimeError)        a check found a fault
     ├── ExportError(OSError)            files could not be written or read
+    ├── ClientError(RuntimeError)       the environment of a client could not be made
     └── RenderError(RuntimeError)       a renderer, or a library that it needs, is not there
 
 Each is also the natural builtin, so `except ValueError` works. A message says what is wrong, where
@@ -63,6 +64,10 @@ class CheckError(ArtgenError, RuntimeError):
 
 class ExportError(ArtgenError, OSError):
     """Files could not be written or read."""
+
+
+class ClientError(ArtgenError, RuntimeError):
+    """The environment of a client could not be made."""
 
 
 class RenderError(ArtgenError, RuntimeError):

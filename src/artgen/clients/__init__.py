@@ -1,1 +1,1 @@
-"""Clients: the simulators, validators and converters that people read assets with, each in a process of its own."""
+"""Clients: simulators, validators and converters that people read assets with, each in its own process."""

@@ -19,6 +19,15 @@ class Unavoidable:
     reason: str
 
 
+MACHINE = (
+    Unavoidable(
+        r"Warp CUDA warning: Could not find or load the NVIDIA CUDA driver\..*",
+        "Warp says so on every machine without a GPU",
+    ),
+)
+"""Messages of any client about the machine, not about what it reads."""
+
+
 @dataclass(frozen=True)
 class Client:
     """A program that reads exported assets, and how to ask it what it read.
@@ -35,6 +44,8 @@ class Client:
         relative_tolerance: By which share masses, moments and gains may differ.
         unavoidable: Messages that are no fault.
         light: Whether it comes with `artgen[test]`; others need an environment of their own.
+        tells: Keys that its answer must have, so that a reader that falls silent is noticed.
+        obtain: How to get it, where no environment of artgen's brings it.
     """
 
     name: str
@@ -48,3 +59,5 @@ class Client:
     relative_tolerance: float = 1e-6
     unavoidable: tuple[Unavoidable, ...] = ()
     light: bool = False
+    tells: tuple[str, ...] = ()
+    obtain: str = ""

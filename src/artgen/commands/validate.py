@@ -16,6 +16,9 @@ from artgen.asset.files import ASSET_FILE
 from artgen.check.report import CheckResult, Finding, Report
 from artgen.check.report_file import write_report
 from artgen.check.validate import validate as run_checks
+from artgen.clients.ask import ask_clients
+from artgen.clients.outcome import ClientReport, Outcome
+from artgen.clients.registry import ALL, chosen_clients
 from artgen.errors import ExportError
 
 _FAULT = 1  # exit code
@@ -26,6 +29,9 @@ _STYLES = {
     "skipped": "yellow",
     "fault": "bold red",
     "note": "yellow",
+    "timed out": "bold red",
+    "absent": "yellow",
+    "nothing to read": "yellow",
 }
 
 
@@ -40,15 +46,27 @@ def validate(
     behaviour: Annotated[
         bool, typer.Option(help="Simulate each asset in MuJoCo; takes seconds, needs artgen[sim].")
     ] = True,
+    clients: Annotated[
+        str,
+        typer.Option(
+            metavar="NAMES",
+            help=f"Let these simulators, validators and converters read each asset as well: {ALL!r} that are "
+            "installed, or names separated by commas; `artgen clients` lists them.",
+        ),
+    ] = "",
     as_json: Annotated[
         bool, typer.Option("--json", help="Print the reports as JSON, not as tables.")
     ] = False,
 ) -> None:
     """Run all checks on exported assets, and write a report.json into each; exit code 1 on a fault."""
+    chosen, by_name = chosen_clients(clients) if clients else ((), False)
     console = Console(width=None if sys.stdout.isatty() else _PLAIN_WIDTH, highlight=False, markup=False)
     reports: list[tuple[Path, Report]] = []
     for directory in exports_in(directories):
         report = run_checks(directory, behaviour=behaviour)
+        if chosen:
+            outcomes = ask_clients(directory, chosen, by_name=by_name)
+            report = ClientReport(report.asset, report.results, tuple(outcomes))
         reports.append((directory, report))
         if not as_json:
             _show(console, directory, report)
@@ -107,7 +125,24 @@ def _show(console: Console, directory: Path, report: Report) -> None:
     console.print(table)
     for finding in (finding for result in report.results for finding in result.findings):
         console.print(_described(finding), soft_wrap=True)
+    if isinstance(report, ClientReport):
+        _show_clients(console, report.outcomes)
     console.print()
+
+
+def _show_clients(console: Console, outcomes: Sequence[Outcome]) -> None:
+    """Print a table of what clients said, and further faults below."""
+    table = Table(box=None, pad_edge=False, header_style="bold")
+    for column in ("client", "version", "result", "first message"):
+        table.add_column(column, overflow="fold")
+    for outcome in outcomes:
+        state = Text(outcome.state, "bold red" if outcome.fault else _STYLES[outcome.state])
+        table.add_row(outcome.client, outcome.version, state, Text(outcome.message))
+    console.print()
+    console.print(table)
+    for outcome in outcomes:
+        for finding in outcome.findings[1:]:
+            console.print(_described(finding), soft_wrap=True)
 
 
 def _detail(result: CheckResult) -> str:

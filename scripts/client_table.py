@@ -1,0 +1,265 @@
+"""Let every client read many seeds of every category in every layout, and write the table of docs/clients.md.
+
+What was exported and read stays in the work folder, so that an interrupted run goes on where it stopped; it
+is thrown away when the source of artgen changes. `make clients` installs the clients, `make client-table`
+runs this.
+"""
+
+import hashlib
+import json
+import os
+import shutil
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor, as_completed
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+from artgen import __version__, generate
+from artgen.catalog import categories
+from artgen.clients.client import Client
+from artgen.clients.exported import read_exported
+from artgen.clients.registry import CLIENTS, chosen_clients
+from artgen.clients.run import ask
+from artgen.export import LAYOUTS
+
+ROOT = Path(__file__).parents[1]
+SOURCE = ROOT / "src" / "artgen"
+FREE = 5  # every so manyth seed stands on a free base
+PLAIN = 4  # every so manyth seed has colours alone, no maps
+
+ELSEWHERE = (
+    ("Isaac Sim", "it needs an RTX GPU; its physics is ovphysx, its validators are the two of NVIDIA above"),
+    ("Gazebo", "Debian and PyPI have its library, but no program that loads a URDF without a display"),
+)
+"""Clients that no driver is for, and why."""
+
+
+@dataclass(frozen=True)
+class Task:
+    """All seeds of a category in a layout, for one client."""
+
+    client: Client
+    category: str
+    layout: str
+
+    @property
+    def file(self) -> str:
+        """Name of the file that keeps what the client said."""
+        return f"{self.client.name}.{self.category}.{self.layout}.json"
+
+
+def main(
+    seeds: Annotated[int, typer.Option(help="How many seeds of each category, from 0.")] = 20,
+    clients: Annotated[str, typer.Option(help="Names separated by commas.")] = "all",
+    only: Annotated[str, typer.Option(help="Categories separated by commas; all by default.")] = "",
+    work: Annotated[Path, typer.Option(help="Where exports and answers are kept.")] = Path(
+        "out/client_table"
+    ),
+    jobs: Annotated[int, typer.Option(help="How many clients run at a time.")] = max(
+        1, (os.cpu_count() or 2) // 2
+    ),
+    out: Annotated[Path, typer.Option(help="What is written.")] = ROOT / "docs" / "clients.md",
+) -> None:
+    """Write the table; exit code 1 if a client found a fault."""
+    chosen, _ = chosen_clients(clients)
+    named = [name.strip() for name in only.split(",") if name.strip()] or list(categories())
+    folder = _fresh(work.absolute())
+    exports = {
+        (category, layout): list(_exports(folder, category, layout, seeds))
+        for category in named
+        for layout in LAYOUTS
+    }
+    tasks = [
+        Task(client, category, layout)
+        for client in chosen
+        for layout in LAYOUTS
+        if layout in client.layouts and client.format in LAYOUTS[layout].formats
+        for category in named
+    ]
+    results = _results(folder, tasks, exports, jobs)
+    out.write_text("\n".join(_page(results, named, seeds)) + "\n", encoding="utf-8")
+    typer.echo(out)
+    states = Counter(outcome["state"] for found in results.values() for outcome in found)
+    typer.echo(", ".join(f"{count} {state}" for state, count in sorted(states.items())))
+    if states["failed"] or states["timed out"]:
+        raise typer.Exit(1)
+
+
+def _fresh(work: Path) -> Path:
+    """Return the work folder, emptied if the source of artgen has changed since."""
+    key = hashlib.sha256()
+    for path in sorted(SOURCE.rglob("*")):
+        if path.is_file() and "__pycache__" not in path.parts and "clients" not in path.parts:
+            key.update(path.relative_to(SOURCE).as_posix().encode() + b"\0" + path.read_bytes())
+    stamp = work / "source"
+    if not stamp.is_file() or stamp.read_text(encoding="utf-8") != key.hexdigest():
+        shutil.rmtree(work, ignore_errors=True)
+        work.mkdir(parents=True)
+        stamp.write_text(key.hexdigest(), encoding="utf-8")
+    (work / "answers").mkdir(exist_ok=True)
+    return work
+
+
+def _exports(work: Path, category: str, layout: str, seeds: int) -> Iterator[Path]:
+    """Yield the exports of a category in a layout, made where they are not there yet."""
+    for seed in range(seeds):
+        target = work / "exports" / layout / f"{category}_{seed}"
+        if not (target / "asset.json").is_file():
+            asset = generate(category, seed=seed, certify=False)
+            asset = asset.with_base("free" if seed % FREE == FREE - 1 else "fixed")
+            textures = 0 if seed % PLAIN == PLAIN - 1 else 512
+            asset.export(target, formats=LAYOUTS[layout].formats, layout=layout, textures=textures)
+            typer.echo(f"exported {target.name} {layout}", err=True)
+        yield target
+
+
+def _results(
+    work: Path, tasks: Sequence[Task], exports: dict[tuple[str, str], list[Path]], jobs: int
+) -> dict[Task, list[dict[str, Any]]]:
+    """Return what each client said of each export; answers of earlier runs are taken as they are."""
+
+    def run(task: Task) -> list[dict[str, Any]]:
+        directories = exports[task.category, task.layout]
+        outcomes = ask(task.client, [read_exported(directory) for directory in directories])
+        return [
+            {**outcome.to_data(), "asset": directory.name, "message": outcome.message}
+            for outcome, directory in zip(outcomes, directories, strict=True)
+        ]
+
+    results: dict[Task, list[dict[str, Any]]] = {}
+    with ThreadPoolExecutor(jobs) as pool:
+        running = {}
+        for task in tasks:
+            kept = _kept(work / "answers" / task.file, exports[task.category, task.layout])
+            if kept is not None:
+                results[task] = kept
+            else:
+                running[pool.submit(run, task)] = task
+        for future in as_completed(running):
+            task = running[future]
+            results[task] = future.result()
+            states = Counter(each["state"] for each in results[task])
+            if not states["absent"]:  # it may be there next time
+                (work / "answers" / task.file).write_text(json.dumps(results[task]), encoding="utf-8")
+            told = ", ".join(f"{count} {state}" for state, count in sorted(states.items()))
+            typer.echo(f"{task.client.name} {task.category} {task.layout}: {told}", err=True)
+    return {task: results[task] for task in tasks}
+
+
+def _kept(path: Path, directories: Sequence[Path]) -> list[dict[str, Any]] | None:
+    """Return the answers of an earlier run; None if there are none, or a client was not content."""
+    try:
+        kept = json.loads(path.read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return None
+    same = [each["asset"] for each in kept] == [directory.name for directory in directories]
+    return kept if same and all(each["state"] == "passed" for each in kept) else None
+
+
+def _page(results: dict[Task, list[dict[str, Any]]], named: Sequence[str], seeds: int) -> Iterator[str]:
+    """Yield the lines of the page."""
+    yield "# Clients"
+    yield ""
+    yield (
+        f"What simulators, validators and converters make of the exports of artgen {__version__}: seeds 0 to "
+        f"{seeds - 1} of every category in every layout, every fifth on a free base, every fourth without "
+        "maps. Written by `make client-table`; do not edit it."
+    )
+    yield ""
+    yield (
+        "A client passes an export if it reads it without a message that could be avoided, ends of itself, "
+        "and what it says of masses, centres, inertias, joints, limits, gains, couplings and frames of links "
+        "at five poses agrees with `asset.json`; a simulator also has to move each free joint within its "
+        "limits."
+    )
+    for layout in LAYOUTS:
+        yield from _table(layout, results, named)
+    yield from _tolerances(results)
+    yield from _tolerated(results)
+    yield from _not_run(results)
+
+
+def _table(layout: str, results: dict[Task, list[dict[str, Any]]], named: Sequence[str]) -> Iterator[str]:
+    """Yield the table of a layout: a row for each client, a column for each category."""
+    of_layout = {task: found for task, found in results.items() if task.layout == layout}
+    yield from ("", f"## Layout `{layout}`", "")
+    yield f"| client | version | reads | {' | '.join(named)} |"
+    yield f"| --- | --- | --- | {' | '.join('---' for _ in named)} |"
+    for client in dict.fromkeys(task.client for task in of_layout):
+        row = {task.category: found for task, found in of_layout.items() if task.client is client}
+        version = next((each["version"] for found in row.values() for each in found if each["version"]), "")
+        cells = " | ".join(_cell(row[category]) for category in named)
+        yield f"| {client.name} | {version} | {client.format} | {cells} |"
+
+
+def _cell(found: Sequence[dict[str, Any]]) -> str:
+    states = Counter(each["state"] for each in found)
+    if states["absent"]:
+        return "absent"
+    text = f"{states['passed']} of {len(found)}"
+    worst = next((each for each in found if each["state"] != "passed"), None)
+    return (
+        text if worst is None else f"{text}; {worst['asset']} {worst['state']}: {_escaped(worst['message'])}"
+    )
+
+
+def _tolerances(results: dict[Task, list[dict[str, Any]]]) -> Iterator[str]:
+    yield from ("", "## What is compared, and how closely", "")
+    yield "| client | must tell | positions, limits [m, rad] | masses, moments, gains, relative |"
+    yield "| --- | --- | --- | --- |"
+    for client in dict.fromkeys(task.client for task in results):
+        if client.tells:
+            told = ", ".join(client.tells)
+            yield (
+                f"| {client.name} | {told} | {client.length_tolerance:g} | {client.relative_tolerance:g} |"
+            )
+
+
+def _tolerated(results: dict[Task, list[dict[str, Any]]]) -> Iterator[str]:
+    """Yield the messages that no asset can avoid, as far as they came up."""
+    rows: dict[tuple[str, str], str] = {}
+    for task, found in results.items():
+        for each in found:
+            for message in each["tolerated"]:
+                rows.setdefault((task.client.name, message["reason"]), message["message"])
+    yield from (
+        "",
+        "## Messages that no asset can avoid",
+        "",
+        "| client | message | reason |",
+        "| --- | --- | --- |",
+    )
+    for (client, reason), message in sorted(rows.items()):
+        yield f"| {client} | {_escaped(_placeless(message))} | {reason} |"
+
+
+def _placeless(message: str) -> str:
+    """Return a message without the folders of this machine."""
+    words = [word.rpartition("/")[2] if word.count("/") > 2 else word for word in message.split()]
+    return " ".join(words)[:240]
+
+
+def _not_run(results: dict[Task, list[dict[str, Any]]]) -> Iterator[str]:
+    yield from ("", "## What did not run, and why", "")
+    absent = {
+        task.client: found[0]["message"] for task, found in results.items() if found[0]["state"] == "absent"
+    }
+    for client, message in absent.items():
+        yield f"- {client.name}: {_escaped(message)}"
+    for client in CLIENTS.values():
+        if client not in absent and not any(task.client is client for task in results):
+            yield f"- {client.name}: it was not asked for"
+    for name, reason in ELSEWHERE:
+        yield f"- {name}: {reason}"
+
+
+def _escaped(text: str) -> str:
+    return text.replace("|", r"\|").replace("\n", " ")
+
+
+if __name__ == "__main__":
+    typer.run(main)

@@ -1,0 +1,41 @@
+"""Letting clients read one export: those that are there, each on its own."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+
+from artgen.check.report import Finding
+from artgen.clients.client import Client
+from artgen.clients.exported import read_exported
+from artgen.clients.outcome import Outcome
+from artgen.clients.run import ask_all
+from artgen.errors import ArtgenError
+
+
+def ask_clients(directory: str | Path, clients: Sequence[Client], *, by_name: bool) -> list[Outcome]:
+    """Return what clients make of an export, in their order.
+
+    Args:
+        directory: The directory of the export.
+        clients: Which.
+        by_name: Whether each was asked for by its name: then one that is absent, or that has nothing to read,
+            is a fault. Otherwise an absent one is said to be so, and one with nothing to read is left out.
+    """
+    try:
+        exported = read_exported(directory)
+    except ArtgenError as error:
+        return [
+            Outcome(client.name, client.format, "", "failed", (Finding(client.name, str(error)),))
+            for client in clients
+        ]
+    if not by_name:
+        clients = [client for client in clients if exported.is_read_by(client)]
+    outcomes = ask_all(clients, exported)
+    return [_required(outcome) for outcome in outcomes] if by_name else outcomes
+
+
+def _required(outcome: Outcome) -> Outcome:
+    if outcome.state not in ("absent", "nothing to read"):
+        return outcome
+    findings = tuple(replace(finding, severity="fault") for finding in outcome.findings)
+    return replace(outcome, findings=findings)

@@ -1,0 +1,154 @@
+"""What Drake reads in a URDF or MJCF, and how its joints move."""
+
+import xml.etree.ElementTree as ET
+from typing import Any
+
+import numpy as np
+from driver_protocol import ends, free, serve
+from partnet_request import numbered
+
+_STEP = 2e-3  # [s]
+_TURN = 1.0  # how long a joint takes from one end to the other [s]
+
+
+def read(request: dict[str, Any]) -> dict[str, Any]:
+    """Return the response to a request."""
+    from importlib.metadata import version
+
+    diagram, plant, instance = _plant(request)
+    names = request["links"]
+    # a pair of links with several joints has bodies between them in URDF, which no one asks for
+    bodies = {name: plant.GetBodyByName(name, instance) for name in names}
+    joints = {
+        joint.name(): joint
+        for joint in (plant.get_joint(index) for index in plant.GetJointIndices(instance))
+        if type(joint).__name__ in _KINDS
+    }
+    poses = []
+    context = diagram.CreateDefaultContext()
+    inner = plant.GetMyMutableContextFromRoot(context)
+    for q in request["poses"]:
+        for name, joint in joints.items():
+            plant.SetPositions(inner, _with(plant, inner, joint, q[name]))
+        base = bodies[names[0]].body_frame()
+        found = {name: body.body_frame().CalcPose(inner, base) for name, body in bodies.items()}
+        poses.append({name: pose.GetAsMatrix4() for name, pose in found.items()})
+    following = sum(joint["follows"] is not None for joint in request["joints"])
+    said = []
+    # its reader of MJCF passes over couplings, and says so; not every layout of URDF has them all
+    if (request["format"], request["layout"]) == ("urdf", "flat") and plant.num_constraints() != following:
+        said.append(f"it holds {plant.num_constraints()} couplings of {following}")
+    return {
+        "version": version("drake"),
+        "links": {name: _link(body) for name, body in bodies.items()},
+        "joints": {name: _joint(joint) for name, joint in joints.items()},
+        "poses": poses,
+        "said": said,
+        **_simulate(request),
+    }
+
+
+_KINDS = {"RevoluteJoint": "revolute", "PrismaticJoint": "prismatic"}
+
+
+def _plant(request: dict[str, Any], driven: tuple[dict[str, Any], ...] = ()) -> tuple[Any, Any, Any]:
+    """Return a diagram with the asset, motors on the driven joints, its plant and the model instance."""
+    from pydrake.multibody.parsing import Parser
+    from pydrake.multibody.plant import AddMultibodyPlantSceneGraph
+    from pydrake.multibody.tree import PdControllerGains
+    from pydrake.systems.framework import DiagramBuilder
+
+    builder = DiagramBuilder()
+    plant, _ = AddMultibodyPlantSceneGraph(builder, _STEP)
+    (instance,) = Parser(plant).AddModels(request["file"])
+    if request["base"] == "fixed" and request["format"] == "urdf":
+        base = plant.GetBodyByName(_root(request["file"]), instance)
+        plant.WeldFrames(plant.world_frame(), base.body_frame())
+    for joint in driven:
+        found = plant.GetJointByName(joint["name"], instance)
+        motor = plant.AddJointActuator(f"{joint['name']}_motor", found, joint["effort"])
+        # the force stays within the effort, so that only the speed of the answer matters
+        motor.set_controller_gains(PdControllerGains(p=50.0 * joint["effort"], d=5.0 * joint["effort"]))
+    plant.Finalize()
+    return builder.Build(), plant, instance
+
+
+def _root(path: str) -> str:
+    """Return the name of the link of a URDF that is nobody's child."""
+    robot = ET.parse(path).getroot()  # noqa: S314 - Drake has read it
+    children = {child.get("link") for child in robot.iterfind("joint/child")}
+    return next(str(link.get("name")) for link in robot.iterfind("link") if link.get("name") not in children)
+
+
+def _with(plant: Any, context: Any, joint: Any, position: float) -> Any:
+    result = plant.GetPositions(context)
+    result[joint.position_start()] = position
+    return result
+
+
+def _link(body: Any) -> dict[str, Any]:
+    spatial = body.default_spatial_inertia()
+    inertia = spatial.CalcRotationalInertia().ShiftToCenterOfMass(spatial.get_mass(), spatial.get_com())
+    return {
+        "mass": spatial.get_mass(),
+        "center": spatial.get_com(),
+        "inertia": inertia.CopyToFullMatrix3(),
+    }
+
+
+def _joint(joint: Any) -> dict[str, Any]:
+    low, high = joint.position_lower_limits()[0], joint.position_upper_limits()[0]
+    return {
+        "kind": _KINDS[type(joint).__name__],
+        "limits": [low, high] if np.isfinite([low, high]).all() else None,
+        "damping": joint.default_damping(),
+    }
+
+
+def _simulate(request: dict[str, Any]) -> dict[str, Any]:
+    """Drive each free joint to both of its ends by a motor with its effort."""
+    from pydrake.systems.analysis import Simulator
+
+    joints = tuple(free(request))
+    diagram, plant, instance = _plant(request, joints)
+    simulator = Simulator(diagram)
+    context = plant.GetMyMutableContextFromRoot(simulator.get_mutable_context())
+    for joint in request["joints"]:
+        found = plant.GetJointByName(joint["name"], instance)
+        plant.SetPositions(context, _with(plant, context, found, request["poses"][0][joint["name"]]))
+    port = plant.get_desired_state_input_port(instance)
+    place = {
+        joint["name"]: plant.GetJointByName(joint["name"], instance).position_start() for joint in joints
+    }
+    wanted = np.array([request["poses"][0][joint["name"]] for joint in joints])
+    moved = {joint["name"]: [np.inf, -np.inf] for joint in joints}
+    time, finite = 0.0, True
+    for number, joint in enumerate(joints):
+        start = wanted[number]
+        low, high = ends(joint)
+        for target in (*_way(start, high), *_way(high, low), *_way(low, start)):
+            wanted[number] = target
+            if joints:
+                port.FixValue(context, np.concatenate([wanted, np.zeros(len(joints))]))
+            time += _TURN / _PARTS
+            simulator.AdvanceTo(time)
+            q = plant.GetPositions(context)
+            seen = q[place[joint["name"]]]
+            span = moved[joint["name"]]
+            span[:] = [min(span[0], seen), max(span[1], seen)]
+            finite = finite and bool(np.isfinite(q).all())
+    if not joints:
+        simulator.AdvanceTo(0.2)
+        time, finite = 0.2, bool(np.isfinite(plant.GetPositions(context)).all())
+    return {"moved": moved, "steps": round(time / _STEP), "finite": finite}
+
+
+_PARTS = 20  # of a way from one position to another
+
+
+def _way(start: float, end: float) -> Any:
+    return np.linspace(start, end, _PARTS + 1)[1:]
+
+
+if __name__ == "__main__":
+    serve(numbered(read), "pydrake")

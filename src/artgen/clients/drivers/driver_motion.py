@@ -1,0 +1,128 @@
+"""Driving joints in a simulation, for drivers whose client moves joints by torques and forces."""
+
+import itertools
+from typing import Any, Protocol
+
+import numpy as np
+from driver_protocol import ends, transform
+
+_TICK = 0.004  # between two changes of a force [s]
+_MOST = 4.0  # to one end [s]
+_GROWTH = 6.0  # of a force while its joint hardly moves [1/s]
+_LEAST = 1e-4  # share of the effort that a force begins with
+_SLOW, _FAST = 0.5, 2.5  # speeds between which a force is left as it is [ranges/s]
+_NEAR = 0.02  # share of the range that may be missing at its end
+_FIRM = 2.0  # how much stronger than to reach its end a joint is held there
+_FREED = 0.5  # share of the range beyond which a joint is not blocked any more
+_SETTLE = 1.0  # before anything is driven [s]
+
+
+class Simulation(Protocol):
+    """What a client does for driving.
+
+    Attributes:
+        steps: How many steps were simulated.
+        finite: Whether all positions stayed finite.
+    """
+
+    steps: int
+    finite: bool
+
+    def position(self, name: str) -> float:
+        """Return where a joint stands [rad or m]."""
+
+    def push(self, forces: dict[str, float]) -> None:
+        """Set the torques and forces of joints until further notice; others get none [N m or N]."""
+
+    def advance(self, seconds: float) -> None:
+        """Simulate."""
+
+
+def drive_all(simulation: Simulation, request: dict[str, Any]) -> dict[str, list[float]]:
+    """Drive each free joint to both ends, those that others block at last.
+
+    Returns:
+        The lowest and highest position that each reached [rad or m]; a joint that stays blocked wherever the
+        others stand at their ends is left out, since it may need them somewhere between.
+    """
+    simulation.advance(_SETTLE)
+    joints = [joint for joint in request["joints"] if joint["follows"] is None]
+    moved: dict[str, list[float]] = {}
+    held: dict[str, list[float]] = {}
+    for joint in joints:
+        if not joint["blocked"]:
+            low, high, forces = _drive(simulation, joint, {})
+            moved[joint["name"]] = [low, high]
+            held[joint["name"]] = forces
+    for joint in joints:
+        if joint["blocked"]:
+            low, high = _drive_blocked(simulation, joint, held)
+            if high - low > _FREED * (ends(joint)[1] - ends(joint)[0]):
+                moved[joint["name"]] = [low, high]
+    return moved
+
+
+def _drive_blocked(
+    simulation: Simulation, joint: dict[str, Any], held: dict[str, list[float]]
+) -> list[float]:
+    """Drive a joint while the others are held at their ends, in one combination after another."""
+    lower, upper = ends(joint)
+    reached = [simulation.position(joint["name"])] * 2
+    for forces in itertools.product(*(reversed(each) for each in held.values())):
+        others = dict(zip(held, forces, strict=True))
+        simulation.push(others)
+        simulation.advance(_SETTLE)
+        low, high, _ = _drive(simulation, joint, others)
+        reached = [min(reached[0], low), max(reached[1], high)]
+        if reached[1] - reached[0] > _FREED * (upper - lower) or not simulation.finite:
+            break
+    return reached
+
+
+def _drive(
+    simulation: Simulation, joint: dict[str, Any], held: dict[str, float]
+) -> tuple[float, float, list[float]]:
+    """Push a joint to one side and then to the other, by a force that grows until it moves.
+
+    Returns:
+        How far it came to both sides [rad or m], and the forces that hold it there [N m or N].
+    """
+    name = joint["name"]
+    lower, upper = ends(joint)
+    span = upper - lower
+    seen, most = [simulation.position(name)], _LEAST
+    for side in (-1.0, 1.0):
+        share = _LEAST
+        for _ in range(round(_MOST / _TICK)):
+            left = side * ((upper if side > 0.0 else lower) - seen[-1])
+            if left <= _NEAR * span or not simulation.finite:
+                break
+            simulation.push({**held, name: side * share * joint["effort"]})
+            simulation.advance(_TICK)
+            seen.append(simulation.position(name))
+            speed = side * (seen[-1] - seen[-2]) / (span * _TICK)
+            if speed < _SLOW:
+                share = min(1.0, share * (1.0 + _GROWTH * _TICK))
+            elif speed > _FAST:
+                share = max(_LEAST, 0.5 * share)
+        most = max(most, share)
+    simulation.push({})
+    hold = min(1.0, _FIRM * most) * joint["effort"]
+    return min(seen), max(seen), [-hold, hold]
+
+
+def posed(pose: Any) -> Any:
+    """Return position and quaternion (x, y, z, w) as a frame, shape (4, 4)."""
+    x, y, z, w = np.asarray(pose[3:], float) / np.linalg.norm(pose[3:])
+    turn = [
+        [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
+        [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
+        [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
+    ]
+    return transform(turn, pose[:3])
+
+
+def in_base(frames: dict[str, Any], links: list[str]) -> dict[str, Any]:
+    """Return the frames of links in the frame of the base, which is the first of them."""
+    base = np.linalg.inv(frames[links[0]])
+    return {name: base @ frames[name] for name in links if name in frames}

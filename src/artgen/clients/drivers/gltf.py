@@ -1,0 +1,62 @@
+"""What the validator of Khronos says of a GLB: errors and warnings, by node."""
+
+import json
+import os
+import shutil
+import subprocess
+from pathlib import Path
+from typing import Any
+
+from driver_protocol import missing, serve
+
+_PACKAGE = "gltf-validator"
+_SCRIPT = """
+const { readFileSync } = require("node:fs");
+const { createRequire } = require("node:module");
+const { validateBytes, version } = createRequire(process.argv[1] + "/here.js")("gltf-validator");
+validateBytes(new Uint8Array(readFileSync(process.argv[2])), { maxIssues: 100 })
+  .then(({ issues }) => console.log(JSON.stringify({ version: version(), ...issues })));
+"""
+_SEVERE = 1  # an error is 0, a warning 1, what is worth knowing 2, a hint 3
+
+
+def read(request: dict[str, Any]) -> dict[str, Any]:
+    """Return the response to a request."""
+    node = shutil.which("node")
+    modules = _modules()
+    if node is None or modules is None:
+        missing()
+    command = [str(node), "--eval", _SCRIPT, str(modules), request["file"]]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)  # noqa: S603
+    if done.returncode:
+        raise RuntimeError(f"the validator fails: {done.stderr.strip()}")
+    report = json.loads(done.stdout)
+    messages = report["messages"]
+    hints = sum(message["severity"] > _SEVERE for message in messages)
+    return {
+        "version": report["version"],
+        "said": [
+            f"{message['code']}: {message['message']} ({message.get('pointer', 'the file')})"
+            for message in messages
+            if message["severity"] <= _SEVERE
+        ],
+        "note": f"{hints} hints" if hints else "",
+    }
+
+
+def _modules() -> Path | None:
+    """Return the folder of npm packages that has the validator, if there is one."""
+    named = os.environ.get("ARTGEN_NODE_MODULES")
+    # beside the sources of artgen, where `npm ci` puts it; and where npm puts what is installed for all
+    places = [Path(named)] if named else []
+    places += [parent / "scripts" / "gltf_check" / "node_modules" for parent in Path(__file__).parents]
+    npm = shutil.which("npm")
+    if npm is not None:
+        command = [npm, "root", "--global"]
+        found = subprocess.run(command, capture_output=True, text=True, check=False).stdout  # noqa: S603
+        places.append(Path(found.strip()))
+    return next((place for place in places if (place / _PACKAGE).is_dir()), None)
+
+
+if __name__ == "__main__":
+    serve(read)

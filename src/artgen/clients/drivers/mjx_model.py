@@ -1,0 +1,71 @@
+"""What MJX reads in an MJCF: with Warp, where it is installed, as it is, and with JAX without its contacts.
+
+In JAX, MJX knows no contacts of cylinders with boxes and meshes, and makes room for every pair of colliders
+that may ever touch, which are thousands here; so there the joints alone are simulated.
+"""
+
+import importlib.metadata
+import importlib.util
+from typing import Any
+
+import numpy as np
+from driver_protocol import serve
+from mujoco_fields import Fields
+
+_STEPS = 20
+_CONTACTS = 1024  # room for contacts, and four times as much for constraints
+
+
+def read(request: dict[str, Any]) -> dict[str, Any]:
+    """Return the response to a request."""
+    import jax
+    import mujoco
+    from mujoco import mjx
+
+    model = mujoco.MjModel.from_xml_path(request["file"])
+    try:
+        mjx.put_model(model)
+        note = "JAX takes its contacts"
+    except NotImplementedError as error:
+        note = f"JAX: {error}"
+    bare = mujoco.MjModel.from_xml_path(request["file"])
+    bare.geom_contype[:] = bare.geom_conaffinity[:] = 0
+    given = mjx.put_model(bare)
+    fields = Fields(model, lambda name: getattr(given, name))
+    data, kinematics = mjx.make_data(given), jax.jit(mjx.kinematics)
+    poses = []
+    for pose in request["poses"]:
+        placed = kinematics(given, data.replace(qpos=jax.numpy.array(fields.placed(request, pose))))
+        poses.append(fields.frames(np.asarray(placed.xpos), np.asarray(placed.xmat), request["links"]))
+    states = [_stepped(given, data)]
+    if importlib.util.find_spec("warp"):
+        import warp
+
+        warp.config.log_level = warp.LOG_WARNING  # the official switch for its banner
+        whole = mjx.put_model(model, impl="warp")
+        room = mjx.make_data(model, impl="warp", naconmax=_CONTACTS, njmax=4 * _CONTACTS)
+        states.append(_stepped(whole, room))
+        note = f"Warp takes its contacts; {note}"
+    return {
+        "version": importlib.metadata.version("mujoco-mjx"),
+        **fields.read(request),
+        "poses": poses,
+        "steps": _STEPS * len(states),
+        "finite": bool(np.isfinite(states).all()),
+        "note": note,
+    }
+
+
+def _stepped(model: Any, data: Any) -> Any:
+    """Return where the joints are after some steps."""
+    import jax
+    from mujoco import mjx
+
+    step = jax.jit(mjx.step)
+    for _ in range(_STEPS):
+        data = step(model, data)
+    return np.asarray(data.qpos)
+
+
+if __name__ == "__main__":
+    serve(read, "jax", "mujoco")

@@ -1,0 +1,199 @@
+"""What Newton reads in a URDF, an MJCF or a USD, and how its joints move in MuJoCo's solver on the CPU."""
+
+import math
+import warnings
+from typing import Any
+
+import numpy as np
+from driver_motion import drive_all, in_base, posed
+from driver_protocol import serve
+from usd_runtime import enabled
+
+_STEP = 0.002  # [s]
+_UNLIMITED = 1e5  # limits, efforts and speeds beyond are none
+
+
+def read(request: dict[str, Any]) -> dict[str, Any]:
+    """Return the response to a request."""
+    import warp
+
+    # its own switch for its banner; what it warns of stays
+    warp.config.log_level = warp.LOG_WARNING
+    import newton
+
+    model = _load(newton, request).finalize(device="cpu")
+    run = _Run(newton, model)
+    return {
+        "version": newton.__version__,
+        "links": _links(model, request, run.bodies),
+        "joints": _joints(newton, model, request, run.joints),
+        "couplings": _couplings(model, run.joints),
+        "poses": [run.pose(pose, request["links"]) for pose in request["poses"]],
+        "moved": drive_all(run, request),
+        "steps": run.steps,
+        "finite": run.finite,
+    }
+
+
+def _load(newton: Any, request: dict[str, Any]) -> Any:
+    builder = newton.ModelBuilder()
+    if request["format"] == "urdf":
+        builder.add_urdf(request["file"], floating=request["base"] == "free")
+    elif request["format"] == "mjcf":
+        builder.add_mjcf(request["file"])
+    else:
+        with enabled(request, "Newton") as file:
+            builder.add_usd(file)
+    return builder
+
+
+def _links(model: Any, request: dict[str, Any], bodies: dict[str, int]) -> dict[str, Any]:
+    masses, centers, inertias = (
+        values.numpy() for values in (model.body_mass, model.body_com, model.body_inertia)
+    )
+    return {
+        name: {
+            "mass": masses[bodies[name]],
+            "center": centers[bodies[name]],
+            "inertia": inertias[bodies[name]],
+        }
+        for name in request["links"]
+        if name in bodies
+    }
+
+
+def _joints(newton: Any, model: Any, request: dict[str, Any], joints: dict[str, int]) -> dict[str, Any]:
+    kinds = {int(newton.JointType.REVOLUTE): "revolute", int(newton.JointType.PRISMATIC): "prismatic"}
+    types = model.joint_type.numpy()
+    springs = {joint["name"]: joint for joint in request["joints"]}
+    found = {}
+    for name, number in joints.items():
+        if int(types[number]) in kinds:
+            degree = _degree(model, number, request["format"])
+            if "rest" in degree and _beyond(springs.get(name)) and request["format"] == "usd":
+                # Newton puts a drive's target that lies beyond the limits into the middle of the range,
+                # and has no other word for a spring in a USD
+                del degree["rest"]
+            found[name] = {"kind": kinds[int(types[number])], **degree}
+    return found
+
+
+def _beyond(joint: dict[str, Any] | None) -> bool:
+    """Tell whether a joint's spring is at ease beyond its limits."""
+    if joint is None or joint["limits"] is None:
+        return False
+    low, high = joint["limits"]
+    return not low <= joint["rest"] <= high
+
+
+def _degree(model: Any, joint: int, form: str) -> dict[str, Any]:
+    """Return what the model has of one degree of freedom; URDF has no words for springs and armature."""
+    speed, place = (int(starts.numpy()[joint]) for starts in (model.joint_qd_start, model.joint_q_start))
+
+    def value(name: str) -> float:
+        return float(getattr(model, name).numpy()[speed])
+
+    low, high = value("joint_limit_lower"), value("joint_limit_upper")
+    limited = math.isfinite(low) and math.isfinite(high) and max(abs(low), abs(high)) < _UNLIMITED
+    # a drive pulls to its target, a spring of the joint itself to its rest: a file has one of them
+    driven, passive = value("joint_target_ke"), value("joint_stiffness")
+    result: dict[str, Any] = {
+        "limits": [low, high] if limited else None,
+        "damping": value("joint_target_kd") + value("joint_damping"),
+        "friction": value("joint_friction"),
+    }
+    if form != "urdf":
+        result |= {"stiffness": driven + passive, "armature": value("joint_armature")}
+        if driven or passive:
+            rests = model.joint_target_q if driven else model.joint_rest_q
+            result["rest"] = float(rests.numpy()[place])
+    for name in ("effort", "velocity"):
+        bound = value(f"joint_{name}_limit")
+        if bound < _UNLIMITED:
+            result[name] = bound
+    return result
+
+
+def _couplings(model: Any, joints: dict[str, int]) -> dict[str, Any]:
+    """Return couplings: a joint's own, or an equality of MuJoCo's, which Newton keeps apart."""
+    names = {number: name for name, number in joints.items()}
+    found = {}
+    leaders, coefficients = model.joint_mimic_joint.numpy(), model.joint_mimic_coeffs.numpy()
+    for number, leader in enumerate(leaders):
+        if leader >= 0:
+            offset, ratio = coefficients[number]
+            found[names[number]] = [names[int(leader)], float(ratio), float(offset)]
+    equalities = model.mujoco
+    followers, leaders = (getattr(equalities, f"equality_constraint_joint{side}").numpy() for side in (1, 2))
+    coefficients = equalities.equality_constraint_polycoef.numpy()
+    for follower, leader, (offset, ratio, *_) in zip(followers, leaders, coefficients, strict=True):
+        if follower >= 0 and leader >= 0:
+            found[names[int(follower)]] = [names[int(leader)], float(ratio), float(offset)]
+    return {name: _to_head(found, name) for name in found}
+
+
+def _to_head(found: dict[str, list[Any]], name: str) -> list[Any]:
+    """Return the coupling of a joint to the free one at the head of its chain of leaders."""
+    leader, ratio, offset = found[name]
+    if leader not in found:
+        return [leader, ratio, offset]
+    head, above, shift = _to_head(found, leader)
+    return [head, ratio * above, ratio * shift + offset]
+
+
+class _Run:
+    """A model, posed and simulated."""
+
+    def __init__(self, newton: Any, model: Any) -> None:
+        self.steps, self.finite = 0, True
+        self.joints = {_last(label): number for number, label in enumerate(model.joint_label)}
+        self.bodies = {_last(label): number for number, label in enumerate(model.body_label)}
+        self._newton, self._model = newton, model
+        self._solver = newton.solvers.SolverMuJoCo(model, use_mujoco_cpu=True)
+        self._states = [model.state(), model.state()]
+        self._control = model.control()
+        self._places, self._speeds = model.joint_q_start.numpy(), model.joint_qd_start.numpy()
+
+    def pose(self, pose: dict[str, float], links: list[str]) -> dict[str, Any]:
+        """Return the frames of links at a pose."""
+        state = self._model.state()
+        q = state.joint_q.numpy()
+        for name, position in pose.items():
+            if name in self.joints:
+                q[self._places[self.joints[name]]] = position
+        state.joint_q.assign(q)
+        self._newton.eval_fk(self._model, state.joint_q, state.joint_qd, state)
+        placed = state.body_q.numpy()
+        return in_base({name: posed(placed[number]) for name, number in self.bodies.items()}, links)
+
+    def position(self, name: str) -> float:
+        """Return where a joint stands [rad or m]."""
+        return float(self._states[0].joint_q.numpy()[self._places[self.joints[name]]])
+
+    def push(self, forces: dict[str, float]) -> None:
+        """Set the torques and forces of joints [N m or N]."""
+        values = self._control.joint_f.numpy()
+        values[:] = 0.0
+        for name, amount in forces.items():
+            values[self._speeds[self.joints[name]]] = amount
+        self._control.joint_f.assign(values)
+
+    def advance(self, seconds: float) -> None:
+        """Simulate."""
+        for _ in range(round(seconds / _STEP)):
+            self._states[0].clear_forces()
+            self._solver.step(self._states[0], self._states[1], self._control, None, _STEP)
+            self._states.reverse()
+            self.steps += 1
+        self.finite = self.finite and bool(np.isfinite(self._states[0].joint_q.numpy()).all())
+
+
+def _last(label: str) -> str:
+    """Return the last part of a label, which is the name in the file."""
+    return label.rsplit("/", 1)[-1]
+
+
+if __name__ == "__main__":
+    # one line for each warning, without the line of code that warns
+    warnings.formatwarning = lambda message, category, *_: f"{category.__name__}: {message}\n"
+    serve(read, "newton", "mujoco", "pxr")

@@ -1,0 +1,41 @@
+"""What the Omniverse Asset Validator says of a USD: every failure and every warning."""
+
+from typing import Any
+
+from driver_protocol import serve
+
+
+def read(request: dict[str, Any]) -> dict[str, Any]:
+    """Return the response to a request."""
+    import logging
+
+    # its command line logs progress to stdout at import; only what it finds is asked for
+    logging.basicConfig(level=logging.WARNING)
+    from importlib.metadata import version
+
+    from omni.asset_validator import ValidationEngine
+
+    engine = ValidationEngine(init_rules=True)
+    issues = engine.validate(request["file"]).issues()
+    return {
+        "version": version("omniverse-asset-validator"),
+        "said": [_text(issue) for issue in issues if issue.severity.name in _SEVERE],
+        "note": f"{len(engine.rules)} rules",
+    }
+
+
+_SEVERE = ("ERROR", "FAILURE", "WARNING")
+
+
+def _text(issue: Any) -> str:
+    rule = getattr(issue.rule, "__name__", "")
+    return f"{issue.severity.name.lower()}: {rule}: {issue.message} ({_place(issue.at)})"
+
+
+def _place(at: Any) -> str:
+    path = getattr(at, "path", None)
+    return str(path) if path is not None else "the stage"
+
+
+if __name__ == "__main__":
+    serve(read, "omni.asset_validator")

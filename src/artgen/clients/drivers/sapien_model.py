@@ -1,0 +1,138 @@
+"""What SAPIEN reads in a URDF, and how its joints move: physics only, which needs no graphics device."""
+
+from typing import Any
+
+import numpy as np
+from driver_protocol import about_axes, ends, free, serve
+from partnet_request import numbered
+
+_SETTLE = 1.0  # how long an asset is left alone first [s]
+_TURN = 1.0  # how long a joint takes from one end to the other [s]
+_STEP = 1.0 / 240.0  # [s]
+
+
+def read(request: dict[str, Any]) -> dict[str, Any]:
+    """Return the response to a request."""
+    from importlib.metadata import version
+
+    import sapien
+    from sapien.wrapper import urdf_loader
+
+    if request["layout"] == "flat":
+        without_graphics(urdf_loader)
+    sapien.physx.set_body_config(sleep_threshold=0.0)  # a slow drive falls asleep after 0.4 s
+    scene = sapien.Scene([sapien.physx.PhysxCpuSystem()])
+    scene.set_timestep(_STEP)
+    loader = urdf_loader.URDFLoader()
+    loader.set_scene(scene)
+    loader.fix_root_link = request["base"] == "fixed"
+    if request["layout"] == "partnet-mobility":
+        loader.load_multiple_collisions_from_file = True  # as loaders of that dataset do
+    (builder,), _, _ = loader.parse(request["file"])
+    for link in builder.link_builders:
+        link.visual_records = []
+    articulation = builder.build(build_mimic_joints=False)
+    couple(articulation, builder.mimic_joint_records)
+    told = read_articulation(articulation, builder.mimic_joint_records, request)
+    return {"version": version("sapien"), **told, **simulate(scene.step, articulation, request)}
+
+
+def without_graphics(urdf_loader: Any) -> None:
+    """Let URDF with materials be read where there is no graphics device: what is only seen is passed over."""
+    from sapien.wrapper.actor_builder import ActorBuilder
+
+    class Material:
+        """Takes what the loader sets."""
+
+    def passed_over(builder: Any, *_: Any, **__: Any) -> Any:
+        return builder
+
+    urdf_loader.RenderMaterial = Material
+    ActorBuilder.add_visual_from_file = passed_over
+
+
+def couple(articulation: Any, mimics: Any) -> None:
+    """Make couplings as URDF means them: SAPIEN 3.0 itself turns those between joints of one body round."""
+    joints = {joint.name: joint for joint in articulation.active_joints}
+    for item in mimics:
+        follower, leader = joints[item.joint], joints[item.mimic]
+        siblings = follower.parent_link == leader.parent_link
+        root = leader.parent_link if siblings else follower.parent_link.parent
+        articulation.create_fixed_tendon(
+            [root, leader.child_link, follower.child_link],
+            [0.0, -item.multiplier, 1.0],
+            [0.0, -1.0 / item.multiplier, 1.0],
+            rest_length=item.offset,
+            stiffness=1e5,
+        )
+
+
+def read_articulation(articulation: Any, mimics: Any, request: dict[str, Any]) -> dict[str, Any]:
+    """Return masses, joints, couplings and poses of an articulation, by the names in the request."""
+    links = {link.name: link for link in articulation.links}
+    joints = {joint.name: joint for joint in articulation.active_joints}
+    stand = dict.fromkeys(joints, 0.0)
+    poses = []
+    for q in request["poses"]:
+        positions = [{**stand, **q}[name] for name in joints]
+        articulation.set_qpos(np.array(positions, np.float32))
+        frames = {name: links[name].entity_pose.to_transformation_matrix() for name in request["links"]}
+        base = np.linalg.inv(frames[request["links"][0]].astype(float))
+        poses.append({name: base @ frame for name, frame in frames.items()})
+    return {
+        "links": {name: _link(links[name]) for name in request["links"]},
+        "joints": {name: _joint(joint) for name, joint in joints.items()},
+        "couplings": {item.joint: [item.mimic, item.multiplier, item.offset] for item in mimics},
+        "poses": poses,
+        "note": f"{sum(len(link.collision_shapes) for link in links.values())} colliders, "
+        f"{sum(link.mass for link in links.values()):.6g} kg",
+    }
+
+
+def _link(link: Any) -> dict[str, Any]:
+    pose = link.cmass_local_pose
+    turn = pose.to_transformation_matrix()[:3, :3]
+    return {"mass": link.mass, "center": pose.p, "inertia": about_axes(link.inertia, turn)}
+
+
+def _joint(joint: Any) -> dict[str, Any]:
+    low, high = np.asarray(joint.limit, float).reshape(-1)[:2]
+    return {
+        "kind": "prismatic" if joint.type == "prismatic" else "revolute",
+        "limits": [low, high] if np.isfinite([low, high]).all() else None,
+        "damping": joint.damping,  # SAPIEN 3.0 does not take over the friction
+    }
+
+
+def simulate(step: Any, articulation: Any, request: dict[str, Any]) -> dict[str, Any]:
+    """Let the asset settle, then drive each free joint to both of its ends."""
+    joints = {joint.name: joint for joint in articulation.active_joints}
+    order = list(joints)
+    articulation.set_qpos(np.array([request["poses"][0].get(name, 0.0) for name in order], np.float32))
+    articulation.set_qvel(np.zeros(len(order), np.float32))
+    moved: dict[str, list[float]] = {}
+    seen: list[Any] = []
+
+    def run(seconds: float) -> None:
+        for _ in range(round(seconds / _STEP)):
+            step()
+            seen.append(np.array(articulation.qpos, float))
+
+    run(_SETTLE)
+    for joint in free(request):
+        driven, number = joints[joint["name"]], order.index(joint["name"])
+        low, high = ends(joint)
+        gain = 100.0 * joint["effort"] * _TURN / (high - low)
+        driven.set_drive_properties(0.0, gain, force_limit=joint["effort"])
+        start = len(seen)
+        for speed in ((high - low) / _TURN, (low - high) / _TURN):
+            driven.set_drive_velocity_target(speed)
+            run(1.5 * _TURN)
+        driven.set_drive_velocity_target(0.0)
+        positions = [row[number] for row in seen[start:]]
+        moved[joint["name"]] = [min(positions), max(positions)]
+    return {"moved": moved, "steps": len(seen), "finite": bool(np.isfinite(seen).all())}
+
+
+if __name__ == "__main__":
+    serve(numbered(read), "sapien")

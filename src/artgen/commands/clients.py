@@ -1,0 +1,87 @@
+"""`artgen clients`: which simulators, validators and converters are here, and how to get the others."""
+
+import os
+import sys
+from pathlib import Path
+from typing import Annotated
+
+import typer
+from rich.console import Console
+from rich.table import Table
+from rich.text import Text
+
+from artgen.clients.client import Client
+from artgen.clients.environments import REQUIREMENTS
+from artgen.clients.install import install as install_environment
+from artgen.clients.place import environments_directory, how_to_get, installed, interpreters
+from artgen.clients.registry import ALL, CLIENTS, chosen_clients
+from artgen.errors import ClientError
+
+_FAULT = 1  # exit code
+_PLAIN_WIDTH = 1000  # columns where no terminal shows them: one line for each row
+
+
+def clients(
+    *,
+    install: Annotated[
+        str | None,
+        typer.Option(
+            metavar="NAMES",
+            help=f"Make the environments of these clients: {ALL!r}, or names separated by commas.",
+        ),
+    ] = None,
+    python: Annotated[
+        Path | None,
+        typer.Option(metavar="PROGRAM", help="The Python that they are made of; artgen's own by default."),
+    ] = None,
+) -> None:
+    """List the clients that read exports, or install them into environments of their own.
+
+    The environments lie in the folder that ARTGEN_CLIENTS names, or in artgen's cache.
+    """
+    if install is not None:
+        _install(install, python)
+        return
+    console = Console(width=None if sys.stdout.isatty() else _PLAIN_WIDTH, highlight=False, markup=False)
+    table = Table(box=None, pad_edge=False, header_style="bold")
+    for column in ("client", "reads", "layouts", "version", "where"):
+        table.add_column(column, overflow="fold")
+    for client in CLIENTS.values():
+        version, place = installed(client)
+        if not client.distribution:
+            place = "a program of the system, looked for when it is asked"
+        elif not version:
+            place = f"absent: {how_to_get(client)}"
+        style = "yellow" if not version and client.distribution else ""
+        table.add_row(client.name, client.format, ", ".join(client.layouts), version, Text(place, style))
+    console.print(table)
+
+
+def _install(names: str, python: Path | None) -> None:
+    """Make the environments of the named clients, as many as can be made, and say what was done."""
+    found, by_name = chosen_clients(names)
+    directory = environments_directory()
+    program = "" if python is None else os.path.abspath(python)  # noqa: PTH100 - a link stays a link
+    failed: list[ClientError] = []
+    for environment in dict.fromkeys(client.environment for client in found if _needs_one(client, by_name)):
+        typer.echo(f"{environment}: {', '.join(REQUIREMENTS[environment])}", err=True)
+        try:
+            done = install_environment(environment, directory, python=program)
+        except ClientError as error:
+            failed.append(error)
+            typer.echo(f"error: {' '.join(str(error).split())}", err=True)
+        else:
+            typer.echo(f"{directory / environment}: {done}")
+    for client in found:
+        if client.environment not in REQUIREMENTS and by_name:
+            typer.echo(f"{client.name}: artgen cannot install it; {how_to_get(client)}", err=True)
+            raise typer.Exit(_FAULT)
+    if failed:
+        raise typer.Exit(_FAULT)
+
+
+def _needs_one(client: Client, by_name: bool) -> bool:  # noqa: FBT001 - private
+    """Return whether an environment has to be made for a client: not if artgen's own has it."""
+    if client.environment not in REQUIREMENTS:
+        return False
+    return by_name or not (client.light and interpreters(None)[0] in interpreters(client))
