@@ -16,7 +16,7 @@ REQUIREMENTS: Mapping[str, tuple[str, ...]] = {
         "yourdfpy>=0.0.60",
     ),
     "mani_skill": ("mani_skill>=3.0.1",),
-    "mjx": ("jax[cpu]", "mujoco-mjx>=3.17", "mujoco>=4.0"),
+    "mjx": ("jax[cpu]", "mujoco-mjx[warp]>=3.17", "mujoco>=4.0"),
     "newton": ("newton[importers,sim]>=1.8", "trimesh"),
     "ovphysx": ("newton-usd-schemas", "ovphysx>=0.7", "physx-usd-schemas"),
     "robosuite": ("robosuite>=1.5",),

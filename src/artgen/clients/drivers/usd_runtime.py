@@ -1,19 +1,17 @@
 """Opening a USD of the SimReady layout as its metadata says: with the variant of one simulator enabled."""
 
+import re
 import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-# a layer above the asset's own, as a scene that uses the asset has one
+# a layer above the asset's own, as a scene that uses the asset has one; the units are the asset's
 _SCENE = """#usda 1.0
 (
-    defaultPrim = "{asset}"
-    kilogramsPerUnit = 1
-    metersPerUnit = 1
+    {metadata}
     subLayers = [@{file}@]
-    upAxis = "Z"
 )
 
 over "{asset}" (
@@ -24,6 +22,8 @@ over "{asset}" (
 {{
 }}
 """
+
+_METADATA = re.compile(r"^    ((?:defaultPrim|kilogramsPerUnit|metersPerUnit|upAxis) = .*)$", re.MULTILINE)
 
 
 @contextmanager
@@ -39,6 +39,8 @@ def enabled(request: dict[str, Any], runtime: str) -> Iterator[str]:
         return
     with tempfile.TemporaryDirectory() as folder:
         scene = Path(folder) / "scene.usda"
-        text = _SCENE.format(asset=request["asset"], file=Path(request["file"]).as_posix(), runtime=runtime)
+        file = Path(request["file"])
+        metadata = "\n    ".join(_METADATA.findall(file.read_text(encoding="utf-8")))
+        text = _SCENE.format(asset=request["asset"], file=file.as_posix(), metadata=metadata, runtime=runtime)
         scene.write_text(text, encoding="utf-8")
         yield str(scene)
