@@ -10,7 +10,7 @@ import json
 import os
 import shutil
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from dataclasses import dataclass
 from pathlib import Path
@@ -30,6 +30,9 @@ ROOT = Path(__file__).parents[1]
 SOURCE = ROOT / "src" / "artgen"
 FREE = 5  # every so manyth seed stands on a free base
 PLAIN = 4  # every so manyth seed has colours alone, no maps
+
+SLOW = ("mjx", "mujoco_warp")
+"""Clients that compile for each asset, for a minute or more: they read fewer seeds."""
 
 ELSEWHERE = (
     ("Isaac Sim", "it needs an RTX GPU; its physics is ovphysx, its validators are the two of NVIDIA above"),
@@ -54,6 +57,9 @@ class Task:
 
 def main(
     seeds: Annotated[int, typer.Option(help="How many seeds of each category, from 0.")] = 20,
+    slow_seeds: Annotated[
+        int, typer.Option(help=f"How many of them {' and '.join(SLOW)} read, which compile for each asset.")
+    ] = 5,
     clients: Annotated[str, typer.Option(help="Names separated by commas.")] = "all",
     only: Annotated[str, typer.Option(help="Categories separated by commas; all by default.")] = "",
     work: Annotated[Path, typer.Option(help="Where exports and answers are kept.")] = Path(
@@ -80,7 +86,11 @@ def main(
         if layout in client.layouts and client.format in LAYOUTS[layout].formats
         for category in named
     ]
-    results = _results(folder, tasks, exports, jobs)
+    read = {
+        task: exports[task.category, task.layout][: slow_seeds if task.client.name in SLOW else None]
+        for task in tasks
+    }
+    results = _results(folder, read, jobs)
     out.write_text("\n".join(_page(results, named, seeds)) + "\n", encoding="utf-8")
     typer.echo(out)
     states = Counter(outcome["state"] for found in results.values() for outcome in found)
@@ -117,13 +127,11 @@ def _exports(work: Path, category: str, layout: str, seeds: int) -> Iterator[Pat
         yield target
 
 
-def _results(
-    work: Path, tasks: Sequence[Task], exports: dict[tuple[str, str], list[Path]], jobs: int
-) -> dict[Task, list[dict[str, Any]]]:
+def _results(work: Path, read: Mapping[Task, Sequence[Path]], jobs: int) -> dict[Task, list[dict[str, Any]]]:
     """Return what each client said of each export; answers of earlier runs are taken as they are."""
 
     def run(task: Task) -> list[dict[str, Any]]:
-        directories = exports[task.category, task.layout]
+        directories = read[task]
         outcomes = ask(task.client, [read_exported(directory) for directory in directories])
         return [
             {**outcome.to_data(), "asset": directory.name, "message": outcome.message}
@@ -133,8 +141,8 @@ def _results(
     results: dict[Task, list[dict[str, Any]]] = {}
     with ThreadPoolExecutor(jobs) as pool:
         running = {}
-        for task in tasks:
-            kept = _kept(work / "answers" / task.file, exports[task.category, task.layout])
+        for task, directories in read.items():
+            kept = _kept(work / "answers" / task.file, directories)
             if kept is not None:
                 results[task] = kept
             else:
@@ -147,7 +155,7 @@ def _results(
                 (work / "answers" / task.file).write_text(json.dumps(results[task]), encoding="utf-8")
             told = ", ".join(f"{count} {state}" for state, count in sorted(states.items()))
             typer.echo(f"{task.client.name} {task.category} {task.layout}: {told}", err=True)
-    return {task: results[task] for task in tasks}
+    return {task: results[task] for task in read}
 
 
 def _kept(path: Path, directories: Sequence[Path]) -> list[dict[str, Any]] | None:
@@ -167,7 +175,8 @@ def _page(results: dict[Task, list[dict[str, Any]]], named: Sequence[str], seeds
     yield (
         f"What simulators, validators and converters make of the exports of artgen {__version__}: seeds 0 to "
         f"{seeds - 1} of every category in every layout, every fifth on a free base, every fourth without "
-        "maps. Written by `make client-table`; do not edit it."
+        f"maps; {' and '.join(SLOW)}, which compile for each asset, read the first few of them. Written by "
+        "`make client-table`; do not edit it."
     )
     yield ""
     yield (

@@ -298,6 +298,16 @@ CONCEPTS: tuple[Concept, ...] = (
         glb=_IN_JSON,
     ),
     _row(
+        "numbers of one simulator",
+        "",
+        "",
+        urdf="none",
+        mjcf="`solref=`, `solimp=`, `solreflimit=`, `solimpfriction=`",
+        usd="`mjc:solref` and the like, as in MJCF; `physxArticulation:solverPositionIterationCount`, "
+        "`physxRigidBody:angularDamping`; `newton:selfCollisionEnabled`",
+        glb="none",
+    ),
+    _row(
         "coupling",
         "rad or m",
         "joints[].follows",
