@@ -70,9 +70,10 @@ def test_wrong_input_is_one_line_and_writes_nothing(artgen_command, exported, tm
     assert not (tmp_path / "x").exists()
 
 
-def test_an_export_is_not_written_over_itself(artgen_command, exported):
+@pytest.mark.parametrize("file", ["", "asset.json"])
+def test_an_export_is_not_written_over_itself(artgen_command, exported, file):
     before = record(exported)
-    done = artgen_command("export", str(exported), "--layout", "flat", "--out", str(exported))
+    done = artgen_command("export", str(exported / file), "--layout", "flat", "--out", str(exported))
     assert done.code == 2
     assert "to itself: its surfaces are read from there; choose another --out" in done.err
     assert record(exported) == before

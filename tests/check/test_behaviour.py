@@ -533,7 +533,7 @@ def test_without_its_mjcf_the_check_is_skipped(tmp_path: Path):
     asset = made(shell().attach(part(drawer(), "drawer", OAK), slide()))
     directory = asset.export(tmp_path / "toy", formats=("urdf",))
     result = check_behaviour(asset, directory)
-    assert result.skipped == "there is no toy.xml; export with 'mjcf' among the formats"
+    assert result.skipped == "there is no MJCF; export with 'mjcf' among the formats"
     assert not result.findings
 
 

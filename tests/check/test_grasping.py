@@ -204,7 +204,7 @@ def test_a_thing_too_thick_is_refused_with_its_thickness() -> None:
         "link bar: grasp bar_grasp: what is held is 76 mm thick, too thick for a gripper of 80 mm; grip it "
         "where it is thinner"
     )
-    assert "bar_grasp: on its way" in faults(slider(thick=0.1))[0]
+    assert "its width is 110 mm, and the gripper opens to 80 mm" in faults(slider(thick=0.1))[0]
 
 
 def test_fingers_that_close_on_nothing_are_refused() -> None:

@@ -198,7 +198,7 @@ def test_many_messages_are_counted(fake, exported):
 
 def test_an_indented_line_belongs_to_the_one_before():
     lines = joined_lines("a.py:3: UserWarning: old\n  call()\n\nnext\r\n")
-    assert lines == ["a.py:3: UserWarning: old call()", "next"]
+    assert lines == ["a.py:3: UserWarning: old\ncall()", "next"]
 
 
 def test_a_driver_finds_its_package_and_works_in_an_empty_directory(fake, exported):

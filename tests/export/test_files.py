@@ -87,7 +87,9 @@ def test_asset_read_back_is_exported_to_the_same_bytes(cabinet: Asset, tmp_path:
 def test_asset_without_meshes_has_numbers_but_no_surfaces(cabinet: Asset, tmp_path: Path) -> None:
     loaded = load(export(cabinet, tmp_path / "cabinet", formats=()))
     assert loaded.to_data() == json.loads(json.dumps(cabinet.to_data()))
-    with pytest.raises(AssetError, match=r"exported without meshes.*export it with 'urdf' or 'mjcf'"):
+    with pytest.raises(
+        AssetError, match=r"there is no .*\.obj: .*'flat' or 'robocasa' with 'urdf' or 'mjcf'"
+    ):
         _ = loaded.links[0].surfaces
 
 

@@ -268,6 +268,15 @@ def test_the_handle_of_a_link_is_where_its_grasps_are() -> None:
     assert not {"handle_rose", "handle_stand", "handle_door"} & set(names)
 
 
+@pytest.mark.parametrize("seed", [3, 5, 14])
+def test_the_handle_of_a_leaf_is_the_rose_of_its_lever_and_no_pane_of_glass(seed: int) -> None:
+    asset = artgen.generate("door", seed=seed, certify=False)
+    files = encode(asset, layout=LAYOUT, textures=0)
+    names = [leaf["name"] for leaf in json.loads(files["result.json"])[0]["children"]]
+    assert "handle_rose" in names
+    assert "handle_glass" not in names
+
+
 def test_tables_speak_of_the_same_links(asset: Asset, directory: Path) -> None:
     rows = [line.split(" ") for line in (directory / "semantics.txt").read_text().splitlines()]
     assert [row[0] for row in rows] == [f"link_{number}" for number in range(len(asset.links))]

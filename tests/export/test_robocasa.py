@@ -15,8 +15,9 @@ from artgen import box, material, part
 from artgen.asset import Asset
 from artgen.errors import ExportError
 from artgen.export import export
+from artgen.export.frames import seen_box
 from artgen.export.layouts.robocasa import write_robocasa
-from artgen.export.layouts.robocasa_regions import interiors, whole
+from artgen.export.layouts.robocasa_regions import interiors
 from support.proof_fridges import evaluated, french_fridge, fridge
 from support.readers import silence
 from support.textured import recipes, textured
@@ -147,7 +148,7 @@ def test_model_is_the_one_of_the_flat_layout(
 
 
 def test_sites_tell_the_size_as_the_origin_sees_it(root: ET.Element, cabinet: Asset) -> None:
-    low, high = whole(cabinet)
+    low, high = seen_box(cabinet)
     outer = root.find("worldbody/body")
     assert outer is not None
     bottom, top, radius = (numbers(outer.find(f"site[@name='{name}']")) for name in SITES)
@@ -161,11 +162,11 @@ def test_sites_tell_the_size_as_the_origin_sees_it(root: ET.Element, cabinet: As
 def test_main_region_is_the_box_of_what_is_seen(root: ET.Element, cabinet: Asset) -> None:
     found = regions(root)
     for name in ("main", "bbox"):
-        np.testing.assert_allclose(found[name], whole(cabinet), atol=1e-6)
+        np.testing.assert_allclose(found[name], seen_box(cabinet), atol=1e-6)
     for geom in root.iterfind("worldbody//geom[@class='region']"):
         assert {"pos", "size"} <= set(geom.attrib)
         assert "quat" not in geom.attrib
-    low, high = whole(cabinet)
+    low, high = seen_box(cabinet)
     for corner, wanted in {"p0": low, "px": (high[0], *low[1:]), "pz": (*low[:2], high[2])}.items():
         np.testing.assert_allclose(numbers(root.find(f".//site[@name='ext_{corner}']")), wanted, atol=1e-6)
 

@@ -76,7 +76,13 @@ def test_fingers_that_do_not_reach_are_refused():
         frame_of(grasp_on(sphere(0.02), depth=-0.005))
 
 
-@given(radius=st.floats(0.004, 0.045))
+@pytest.mark.parametrize("closing", [Y, -2 * Y, 0 * X])
+def test_fingers_that_would_close_along_the_approach_are_refused(closing):
+    with pytest.raises(EvaluationError, match=r"closing \(.*\) must lie across the approach \(0, 1, 0\)"):
+        frame_of(grasp_on(sphere(0.02), closing=closing))
+
+
+@given(radius=st.floats(0.004, 0.040))
 def test_the_opening_is_measured_unless_it_is_given(radius):
     bar = cylinder(radius, 0.3, axis=X)
     (grasp,) = link_of(part(bar, "bar", STEEL, grasp=grasp_on(bar))).grasps
@@ -85,6 +91,12 @@ def test_the_opening_is_measured_unless_it_is_given(radius):
         assert 1.98 * radius + 0.0098 <= grasp.width <= 2 * radius + 0.0108
     (given_,) = link_of(part(bar, "bar", STEEL, grasp=grasp_on(bar), grasp_width=0.07)).grasps
     assert given_.width == 0.07
+
+
+def test_around_a_thing_too_thick_the_opening_is_more_than_a_gripper_has():
+    block = box(0.3, 0.05, 0.1)
+    (grasp,) = link_of(part(block, "block", STEEL, grasp=grasp_on(block))).grasps
+    assert grasp.width == pytest.approx(0.11)
 
 
 def test_grasps_of_one_part_have_their_own_openings():

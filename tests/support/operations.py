@@ -12,8 +12,9 @@ from artgen.asset import Curve, Outline, Shape, Tree
 from artgen.graph import OPERATIONS, Handle
 from artgen.graph.kernel import alternatives
 from artgen.materials import Material, material
-from artgen.nodes.body import Array4x4, frame, part
+from artgen.nodes.body import Array4x4, part
 from artgen.nodes.handles import Array3, ArrayN3, Float
+from artgen.nodes.hold import frame
 from artgen.nodes.joint import Revolute
 from artgen.nodes.path import line
 from artgen.nodes.points import row
@@ -75,6 +76,7 @@ OVERRIDES: dict[str, dict[str, Any]] = {
     "frame": {"closing": (1.0, 0.0, 0.0)},
     "frustum": {"bottom_radius": 0.4, "bevel": 0.0},
     "gasket_section": {"size": 0.012},
+    "grasp_on": {"closing": (1.0, 0.0, 0.0), "at": None, "depth": None},
     "helix": {"turns": 2.0},
     "icon": {"name": "power"},
     "lettering": {"leading": 1.7},

@@ -62,8 +62,9 @@ def load(directory: str | Path) -> Asset:
     try:
         data = json.loads(path.read_text(encoding="utf-8"))
     except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or error  # which does not repeat the path
         raise ExportError(
-            f"cannot read {path}: {error}; is this a directory that artgen exported?"
+            f"cannot read {path}: {reason}; is this a directory that artgen exported?"
         ) from error
     found = data.get("format") if isinstance(data, dict) else None
     if found != FORMAT:
@@ -295,8 +296,8 @@ def read_obj(path: Path, origin: Array) -> Mesh:
         lines = path.read_bytes().splitlines()
     except FileNotFoundError:
         raise AssetError(
-            f"the asset's surfaces are not in {path.parent}: it was exported without meshes, or the file "
-            f"{path.name} was removed; export it with 'urdf' or 'mjcf' among the formats"
+            f"there is no {path}: surfaces are read back from an export in the layout 'flat' or 'robocasa' "
+            "with 'urdf' or 'mjcf' among its formats; export the asset so, or generate it again"
         ) from None
     except OSError as error:
         raise ExportError(f"cannot read {path}: {error.strerror}") from error

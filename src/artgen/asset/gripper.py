@@ -45,9 +45,12 @@ class Gripper:
         return self.pad / 2.0
 
     def opening(self, thickness: float) -> float:
-        """Return the opening that the fingers need around a thing, in steps of 0.1 mm [m]."""
+        """Return the opening that the fingers need around a thing, in steps of 0.1 mm [m].
+
+        It is more than they have around a thing that they cannot take, so that checks say how much is amiss.
+        """
         wanted = np.ceil(1e4 * (thickness + 2.0 * self.clearance) - 1e-3) / 1e4
-        return float(min(wanted, self.stroke))
+        return float(wanted if thickness > self.stroke else min(wanted, self.stroke))
 
     def between(self, half: float) -> Array:
         """Return the corners of the space between open fingers, shape (2, 3) [m].

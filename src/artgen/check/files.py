@@ -6,11 +6,10 @@ from dataclasses import dataclass, field
 from pathlib import Path, PurePosixPath
 from typing import Any
 
-import numpy as np
-
 from artgen.asset import Asset
 from artgen.asset.files import ASSET_FILE, CERTIFICATE_FILE, MESH_DIRECTORY
 from artgen.check.contents import Contents, read_contents
+from artgen.check.record import record_findings
 from artgen.check.references import reference_findings
 from artgen.check.report import CheckResult, Finding
 from artgen.errors import ExportError
@@ -18,7 +17,6 @@ from artgen.export.files import REPORT_FILE
 
 _AGAIN = "export the asset again"
 _COMPARED = ("urdf", "mjcf", "usd")  # formats whose main file another check reads
-_ROUNDING = 1e-9  # of coordinates in asset.json [m]
 
 
 @dataclass(frozen=True)
@@ -71,7 +69,7 @@ def read_export(directory: str | Path) -> Exported:
     compared = {data["formats"][name].get("main") for name in _COMPARED if name in formats}
     contents = read_contents(directory, formats, digests, compared)
     findings = (
-        *_wrong_record(data, asset),
+        *record_findings(data, asset, formats, digests),
         *_wrong_certificate(directory, certified=certified),
         *_file_findings(contents, formats),
         *_wrong_main_files(data, formats),
@@ -92,29 +90,6 @@ def _unreadable(
 
 def _reason(error: Exception) -> str:
     return str(error) if isinstance(error, OSError | ValueError) else f"{type(error).__name__}: {error}"
-
-
-def _wrong_record(data: Mapping[str, Any], asset: Asset) -> Iterator[Finding]:
-    """Find what the record says twice, and differently."""
-    mass = data.get("mass")
-    total = sum(link.mass_properties.mass for link in asset.links)
-    if isinstance(mass, int | float) and not abs(mass - total) <= 1e-6 * total:
-        message = f"{ASSET_FILE} has a mass of {mass:.7g} kg, its links together have {total:.7g} kg"
-        yield Finding("files", message, value=float(mass), unit="kg", hint=_AGAIN)
-    stored = {each["name"]: each for each in data.get("affordances", ())}
-    wanted = {each.name: each for each in asset.affordances}
-    for name in sorted(stored.keys() ^ wanted.keys()):
-        message = (
-            f"the affordance {name!r} is in one of the lists of links and affordances of {ASSET_FILE} only"
-        )
-        yield Finding("files", message, hint=_AGAIN)
-    for name in sorted(stored.keys() & wanted.keys()):
-        away = float(np.abs(np.array(stored[name]["frame"], float) - wanted[name].frame).max())
-        if not away <= _ROUNDING or stored[name]["link"] != wanted[name].link:
-            message = (
-                f"the affordance {name!r} differs by {away:.4g} from the one of the link in {ASSET_FILE}"
-            )
-            yield Finding("files", message, wanted[name].link, value=away, hint=_AGAIN)
 
 
 def _wrong_certificate(directory: Path, *, certified: bool) -> Iterator[Finding]:

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from artgen.asset import Asset
 from artgen.check.pieces import Piece
 from artgen.check.reading import Faces, Inertial, Reading, Said, listening
+from artgen.check.words_mjcf import model_findings
 from artgen.colliders import Convex
 from artgen.colliders.convex import Kind
 
@@ -71,6 +72,7 @@ def read_mjcf(asset: Asset, path: Path) -> Reading:
         colliders={name: tuple(_colliders(model, body)) for name, body in bodies.items()},
         faces={name: tuple(_faces(model, body)) for name, body in bodies.items()},
         holds=_holds(asset, model),
+        findings=tuple(model_findings(model, links, asset.links[0].name, path.name)),
         said=tuple(said),
     )
 

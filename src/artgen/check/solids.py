@@ -9,6 +9,7 @@ from scipy.spatial import cKDTree
 from artgen.asset import Asset, Link
 from artgen.check.report import CheckResult, Finding
 from artgen.check.skin import Shell, Skin, point_text, skins
+from artgen.check.weights import weight_findings
 from artgen.errors import ArtgenError
 
 CHECK = "solids"
@@ -45,7 +46,8 @@ def check_solids(asset: Asset) -> CheckResult:
             hint = "export the asset again with urdf or mjcf among the formats"
             findings.append(Finding(CHECK, f"its meshes cannot be read: {error}", link.name, hint=hint))
             continue
-        findings += link_findings(link, found)
+        wrong = [*link_findings(link, found)]
+        findings += wrong or weight_findings(link)
         solids += sum(len(skin.shells) for skin in found)
         triangles += sum(skin.triangles for skin in found)
     if absent == len(asset.links):

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from artgen.check.report import Finding
+from artgen.check.words_mjcf import strange_words
 
 _CHECK = "mjcf"
 _AGAIN = "export the asset again"
@@ -45,6 +46,7 @@ def mjcf_findings(path: Path) -> Iterator[Finding]:
     for joint in root.iterfind("worldbody//joint"):
         yield from _range_findings(joint, file)
     yield from _unknown(root, file)
+    yield from strange_words(root, file)
 
 
 def _repeated(root: Any, file: str) -> Iterator[Finding]:

@@ -10,6 +10,7 @@ from artgen.errors import nearest
 
 _CHECK = "urdf"
 _AGAIN = "export the asset again"
+_OF_GAZEBO = ("springStiffness", "springReference")
 
 
 def urdf_findings(path: Path) -> Iterator[Finding]:
@@ -26,6 +27,7 @@ def urdf_findings(path: Path) -> Iterator[Finding]:
     yield from _tree_findings(robot, links)
     for joint in robot.iterfind("joint"):
         yield from _joint_findings(joint, joints)
+    yield from _strange_words(robot)
     known = {element.get("name") for element in robot.iterfind("material")}
     for link in robot.iterfind("link"):
         count = len(link.findall("inertial"))
@@ -53,6 +55,25 @@ def _repeated(robot: Any) -> Iterator[Finding]:
                 link, joint = name if kind == "link" else "", name if kind == "joint" else ""
                 message = f"{count} {kind}s are named {name!r}; readers keep one of them"
                 yield Finding(_CHECK, message, link, joint, float(count), hint=_AGAIN)
+
+
+def _strange_words(robot: Any) -> Iterator[Finding]:
+    """Yield what makes single readers take links and joints for others than the file says."""
+    for tag in ("safety_controller", "calibration"):
+        for element in robot.iterfind(f"joint/{tag}"):
+            name = element.getparent().get("name", "")
+            message = f"its <{tag}> narrows or shifts its limits for some readers"
+            yield Finding(_CHECK, message, joint=name, hint=f"remove <{tag}>")
+    for element in robot.iterfind("gazebo"):
+        said = [word.tag for word in element if isinstance(word.tag, str) and word.tag not in _OF_GAZEBO]
+        if said:
+            message = f"Gazebo is told {', '.join(said)} of {element.get('reference', 'the model')!r}"
+            hint = "put it into the scene; an asset says springs only"
+            yield Finding(_CHECK, message, hint=hint)
+    for tag in ("transmission", "mujoco"):
+        if robot.find(tag) is not None:
+            message = f"it has <{tag}>, which is no part of an asset"
+            yield Finding(_CHECK, message, hint="put it into the scene")
 
 
 def _tree_findings(robot: Any, links: list[str]) -> Iterator[Finding]:

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from pxr import Usd, UsdGeom, UsdPhysics, UsdShade
 
 from artgen.asset import Asset
+from artgen.check.opinions_usd import strange_opinions
 from artgen.check.report import Finding
 
 Array = NDArray[np.float64]
@@ -43,9 +44,12 @@ def stage_findings(stage: Any, asset: Asset) -> Iterator[Finding]:
             message = f"{count} joints are named {name!r}"
             yield Finding(_CHECK, message, joint=name, value=float(count), hint=_AGAIN)
     known = {body.GetPath() for body in bodies}
+    stand = asset.positions()
     for joint in joints:
         yield from _joint_findings(joint, known)
+        yield from _start_findings(joint, stand.get(joint.GetName(), 0.0))
     for prim in prims:
+        yield from strange_opinions(prim)
         yield from _binding_findings(prim)
         yield from _contact_findings(prim)
 
@@ -111,6 +115,16 @@ def _joint_findings(prim: Any, known: set[Any]) -> Iterator[Finding]:
         if drive and drive.HasAuthoredValue() and drive.Get() != "force":
             message = f"its drive is of the type {drive.Get()!r}, whose gains are not per newton but per mass"
             yield Finding(_CHECK, message, joint=name, hint=_AGAIN)
+
+
+def _start_findings(prim: Any, wanted: float) -> Iterator[Finding]:
+    """Yield where a joint begins elsewhere than the asset stands."""
+    for kind, unit in (("angular", np.pi / 180.0), ("linear", 1.0)):
+        said = prim.GetAttribute(f"state:{kind}:physics:position")
+        start = unit * float(said.Get()) if said and said.HasAuthoredValue() else wanted
+        if not abs(start - wanted) <= _RIGID * max(1.0, abs(wanted)):
+            message = f"it begins at {start:.7g}, not at {wanted:.7g}, where its body stands"
+            yield Finding(_CHECK, message, joint=prim.GetName(), value=start, hint=_AGAIN)
 
 
 def _binding_findings(prim: Any) -> Iterator[Finding]:

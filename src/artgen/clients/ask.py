@@ -11,6 +11,8 @@ from artgen.clients.outcome import Outcome
 from artgen.clients.run import ask_all
 from artgen.errors import ArtgenError
 
+_UNREAD = ("absent", "nothing to read")
+
 
 def ask_clients(directory: str | Path, clients: Sequence[Client], *, by_name: bool) -> list[Outcome]:
     """Return what clients make of an export, in their order.
@@ -19,7 +21,8 @@ def ask_clients(directory: str | Path, clients: Sequence[Client], *, by_name: bo
         directory: The directory of the export.
         clients: Which.
         by_name: Whether each was asked for by its name: then one that is absent, or that has nothing to read,
-            is a fault. Otherwise an absent one is said to be so, and one with nothing to read is left out.
+            is a fault. Otherwise an absent one is said to be so, and one with nothing to read is left out;
+            where none is left that reads the export, all are faults.
     """
     try:
         exported = read_exported(directory)
@@ -28,14 +31,14 @@ def ask_clients(directory: str | Path, clients: Sequence[Client], *, by_name: bo
             Outcome(client.name, client.format, "", "failed", (Finding(client.name, str(error)),))
             for client in clients
         ]
-    if not by_name:
-        clients = [client for client in clients if exported.is_read_by(client)]
-    outcomes = ask_all(clients, exported)
-    return [_required(outcome) for outcome in outcomes] if by_name else outcomes
+    readers = [client for client in clients if exported.is_read_by(client)]
+    outcomes = ask_all(clients if by_name or not readers else readers, exported)
+    none_read = all(outcome.state in _UNREAD for outcome in outcomes)
+    return [_required(outcome) for outcome in outcomes] if by_name or none_read else outcomes
 
 
 def _required(outcome: Outcome) -> Outcome:
-    if outcome.state not in ("absent", "nothing to read"):
+    if outcome.state not in _UNREAD:
         return outcome
     findings = tuple(replace(finding, severity="fault") for finding in outcome.findings)
     return replace(outcome, findings=findings)

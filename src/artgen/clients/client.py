@@ -44,7 +44,8 @@ class Client:
         relative_tolerance: By which share masses, moments and gains may differ.
         unavoidable: Messages that are no fault.
         light: Whether it comes with `artgen[test]`; others need an environment of their own.
-        tells: Keys that its answer must have, so that a reader that falls silent is noticed.
+        tells: Keys that its answer must have, so that a reader that falls silent is noticed; such as
+            `links`, or `joints.damping` for a quantity of each joint.
         obtain: How to get it, where no environment of artgen's brings it.
     """
 

@@ -11,8 +11,9 @@ from artgen.check.reading import expected_frames
 from artgen.check.report import Finding
 from artgen.clients.client import Client
 from artgen.clients.exported import Exported
+from artgen.clients.told import silences
 from artgen.export.frames import coupling
-from artgen.export.urdf import FAR
+from artgen.export.frames import FAR
 
 Array = NDArray[np.float64]
 
@@ -35,9 +36,7 @@ def differences(client: Client, exported: Exported, response: Mapping[str, Any])
         LookupError, TypeError, ValueError: The answer is damaged.
     """
     asset = exported.asset
-    missing = [key for key in client.tells if key not in response]
-    if missing:
-        yield _finding(client, f"it tells nothing of {', '.join(missing)}")
+    yield from silences(client, exported, response)
     if "links" in response:
         yield from _links(client, asset, response["links"])
     if "joints" in response:

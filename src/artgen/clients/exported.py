@@ -37,6 +37,10 @@ class Exported:
         """Return whether there is something for a client: a file of its format, in a layout that it reads."""
         return client.format in self.mains and self.layout in client.layouts
 
+    def is_blocked(self, joint: Joint) -> bool:
+        """Return whether a dependency keeps a joint from moving alone while the asset is closed."""
+        return joint.needs is not None and not joint.needs.condition.holds(self.asset.positions())
+
     def poses(self) -> list[dict[str, float]]:
         """Return some positions of every joint that can move; the first is how the asset stands."""
         moving = [joint.name for joint in self.asset.joints if not joint.locked]
@@ -53,8 +57,25 @@ class Exported:
             "asset": self.asset.name,
             "base": self.asset.base,
             "links": [link.name for link in self.asset.links],
-            "joints": [_joint(self.asset, joint) for joint in self.asset.joints if not joint.locked],
+            "joints": [self._joint(joint) for joint in self.asset.joints if not joint.locked],
             "poses": self.poses(),
+        }
+
+    def _joint(self, joint: Joint) -> dict[str, Any]:
+        return {
+            "name": joint.name,
+            "kind": joint.kind,
+            "limits": None if joint.limits is None else list(joint.limits),
+            "follows": None if joint.follows is None else head(joint, self.asset).name,
+            "damping": joint.damping,
+            "stiffness": joint.stiffness,
+            "rest": joint.rest,
+            "friction": joint.friction,
+            "armature": joint.armature,
+            "effort": joint.effort,
+            "velocity": joint.velocity,
+            "blocked": self.is_blocked(joint),
+            "mass": _moved_mass(self.asset, joint),
         }
 
 
@@ -71,25 +92,6 @@ def read_exported(directory: str | Path) -> Exported:
     if not isinstance(layout, str):
         raise ExportError(f"the layout of {folder} is {layout!r}, which is no name; export the asset again")
     return Exported(folder, asset, layout, main_files(folder))
-
-
-def _joint(asset: Asset, joint: Joint) -> dict[str, Any]:
-    needs = joint.needs
-    return {
-        "name": joint.name,
-        "kind": joint.kind,
-        "limits": None if joint.limits is None else list(joint.limits),
-        "follows": None if joint.follows is None else head(joint, asset).name,
-        "damping": joint.damping,
-        "stiffness": joint.stiffness,
-        "rest": joint.rest,
-        "friction": joint.friction,
-        "armature": joint.armature,
-        "effort": joint.effort,
-        "velocity": joint.velocity,
-        "blocked": needs is not None and not needs.condition.holds(asset.positions()),
-        "mass": _moved_mass(asset, joint),
-    }
 
 
 def _moved_mass(asset: Asset, joint: Joint) -> float:

@@ -3,7 +3,8 @@
 from artgen.clients.client import Client, Unavoidable
 
 _SINGLE = 1e-5  # what is left of numbers in single precision
-_TELLS = ("links", "joints", "couplings", "poses", "steps")
+_GAINS = ("joints.damping", "joints.friction", "joints.stiffness", "joints.armature")
+_TELLS = ("links", "joints", "couplings", "poses", "steps", *_GAINS)
 _NO_GPU = Unavoidable(
     r"Warp CUDA warning: Could not find or load the NVIDIA CUDA driver\..*",
     "Warp says so on every machine without a GPU",

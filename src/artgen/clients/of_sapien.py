@@ -3,7 +3,7 @@
 from artgen.clients.client import Client
 
 _LAYOUTS = ("flat", "partnet-mobility")
-_TELLS = ("links", "joints", "poses", "moved", "steps")
+_TELLS = ("links", "joints", "poses", "moved", "steps", "finite", "joints.damping")
 
 SAPIEN: tuple[Client, ...] = (
     Client(

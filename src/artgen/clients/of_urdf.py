@@ -3,6 +3,9 @@
 from artgen.clients.client import Client, Unavoidable
 
 _READ = ("links", "joints", "poses")
+_MOVED = ("moved", "steps", "finite")
+_DAMPED = "joints.damping"
+_RUBBED = (_DAMPED, "joints.friction")
 
 
 def _drake(message: str, reason: str) -> Unavoidable:
@@ -48,7 +51,7 @@ URDF: tuple[Client, ...] = (
         "mujoco_model",
         layouts=("flat", "robocasa"),
         light=True,
-        tells=(*_READ, "couplings", "moved"),
+        tells=(*_READ, "couplings", *_MOVED, *_RUBBED, "joints.stiffness", "joints.armature"),
     ),
     Client(
         "mujoco_urdf",
@@ -57,7 +60,7 @@ URDF: tuple[Client, ...] = (
         "light",
         "mujoco_model",
         light=True,
-        tells=(*_READ, "moved"),
+        tells=(*_READ, *_MOVED, *_RUBBED),
     ),
     Client(
         "pinocchio",
@@ -67,7 +70,7 @@ URDF: tuple[Client, ...] = (
         "pinocchio_model",
         layouts=("flat", "partnet-mobility"),
         light=True,
-        tells=_READ,
+        tells=(*_READ, *_RUBBED),
     ),
     Client(
         "yourdfpy",
@@ -77,7 +80,7 @@ URDF: tuple[Client, ...] = (
         "yourdfpy_model",
         layouts=("flat", "partnet-mobility"),
         light=True,
-        tells=_READ,
+        tells=(*_READ, *_RUBBED),
     ),
     Client(
         "check_urdf",
@@ -96,7 +99,7 @@ URDF: tuple[Client, ...] = (
         "urchin",
         "urchin_model",
         layouts=("flat", "partnet-mobility"),
-        tells=_READ,
+        tells=(*_READ, *_RUBBED),
     ),
     Client(
         "pybullet",
@@ -105,7 +108,7 @@ URDF: tuple[Client, ...] = (
         "bullet",
         "bullet",
         layouts=("flat", "partnet-mobility"),
-        tells=(*_READ, "moved"),
+        tells=(*_READ, *_MOVED, *_RUBBED),
         unavoidable=(Unavoidable("pybullet build time: .*", "it says so whenever it is imported"),),
     ),
     Client(
@@ -115,7 +118,7 @@ URDF: tuple[Client, ...] = (
         "drake",
         "drake",
         layouts=("flat", "partnet-mobility"),
-        tells=(*_READ, "moved"),
+        tells=(*_READ, *_MOVED, _DAMPED),
         unavoidable=_DRAKE_URDF,
     ),
     Client(
@@ -124,7 +127,7 @@ URDF: tuple[Client, ...] = (
         "drake",
         "drake",
         "drake",
-        tells=(*_READ, "moved"),
+        tells=(*_READ, *_MOVED, _DAMPED),
         unavoidable=_DRAKE_MJCF,
     ),
 )

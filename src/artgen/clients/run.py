@@ -2,7 +2,6 @@
 
 import json
 import os
-import re
 import tempfile
 from collections.abc import Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
@@ -11,9 +10,10 @@ from pathlib import Path
 from typing import Any
 
 from artgen.check.report import Finding
-from artgen.clients.client import MACHINE, Client
+from artgen.clients.client import Client
 from artgen.clients.compare import differences
 from artgen.clients.exported import Exported
+from artgen.clients.messages import joined_lines, sorted_messages
 from artgen.clients.outcome import Outcome, State, Tolerated
 from artgen.clients.place import how_to_get, interpreters
 from artgen.clients.process import Finished, run_process
@@ -77,8 +77,8 @@ def _ask(client: Client, exports: Sequence[Exported]) -> list[Outcome]:
         return []
     for program in interpreters(client):
         session = _session(client, program, exports)
-        if session.finished.code == _ABSENT and not any(session.answers):
-            continue
+        if session.finished.code == _ABSENT and not any(session.answers) and not session.messages:
+            continue  # a client that is there and ends so by itself says why
         if len(exports) == 1:
             return [_outcome(client, exports[0], session)]
         if session.messages or session.finished.ending or None in session.answers:
@@ -135,7 +135,10 @@ def _session(client: Client, program: Path, exports: Sequence[Exported]) -> _Ses
             ),
             *(path for pair in paths for path in pair),
         ]
-        finished = run_process(command, work, _environment(program), seconds)
+        try:
+            finished = run_process(command, work, _environment(program), seconds)
+        except OSError as error:
+            finished = Finished(1, f"{program} cannot be started: {error.strerror}", 0.0, timed_out=False)
         answers = [_answer(response) for _, response in paths]
     messages, tolerated = sorted_messages(client, joined_lines(finished.output))
     return _Session(finished, answers, messages, tolerated)
@@ -202,34 +205,3 @@ def _said(client: Client, messages: Sequence[str]) -> Iterator[Finding]:
     if len(distinct) > _SHOWN:
         more = len(distinct) - _SHOWN
         yield Finding(client.name, f"it says {more} more things", value=float(more))
-
-
-def joined_lines(output: str) -> list[str]:
-    """Return the messages of an output: an indented line belongs to the one before it."""
-    result: list[str] = []
-    for line in output.replace("\r", "\n").splitlines():
-        if not line.strip():
-            continue
-        if line[0].isspace() and result:
-            result[-1] += " " + line.strip()
-        else:
-            result.append(line.strip())
-    return result
-
-
-def sorted_messages(client: Client, messages: Sequence[str]) -> tuple[tuple[str, ...], tuple[Tolerated, ...]]:
-    """Return the messages that are faults, and those that no asset can avoid.
-
-    A pattern has to match all of a message, or all of it but what its indented lines added.
-    """
-    faults: list[str] = []
-    tolerated: dict[str, Tolerated] = {}
-    for text in messages:
-        for each in (*client.unavoidable, *MACHINE):
-            if re.match(rf"(?:{each.pattern})(?:\s.*)?\Z", text, re.DOTALL):
-                known = tolerated.get(each.pattern, Tolerated(text, 0, each.reason))
-                tolerated[each.pattern] = replace(known, count=known.count + 1)
-                break
-        else:
-            faults.append(text)
-    return tuple(faults), tuple(tolerated.values())

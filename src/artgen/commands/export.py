@@ -44,9 +44,10 @@ def export(
         check_size(textures)
     asset = Asset.load(directory)
     target = Path(f"{asset.name}_{layout.replace('-', '_')}") if out is None else out
-    if target.resolve() == directory.resolve():
+    source = directory.parent if directory.suffix == ".json" else directory  # as `Asset.load` takes it
+    if target.resolve() == source.resolve():
         raise ExportError(
-            f"cannot export {directory} to itself: its surfaces are read from there; choose another --out"
+            f"cannot export {source} to itself: its surfaces are read from there; choose another --out"
         )
     written = asset.export(target, formats=chosen, textures=textures, layout=layout)
     for path in main_files(written).values():

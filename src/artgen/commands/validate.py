@@ -47,19 +47,19 @@ def validate(
         bool, typer.Option(help="Simulate each asset in MuJoCo; takes seconds, needs artgen[sim].")
     ] = True,
     clients: Annotated[
-        str,
+        str | None,
         typer.Option(
             metavar="NAMES",
             help=f"Let these simulators, validators and converters read each asset as well: {ALL!r} that are "
             "installed, or names separated by commas; `artgen clients` lists them.",
         ),
-    ] = "",
+    ] = None,
     as_json: Annotated[
         bool, typer.Option("--json", help="Print the reports as JSON, not as tables.")
     ] = False,
 ) -> None:
     """Run all checks on exported assets, and write a report.json into each; exit code 1 on a fault."""
-    chosen, by_name = chosen_clients(clients) if clients else ((), False)
+    chosen, by_name = ((), False) if clients is None else chosen_clients(clients)
     console = Console(width=None if sys.stdout.isatty() else _PLAIN_WIDTH, highlight=False, markup=False)
     reports: list[tuple[Path, Report]] = []
     for directory in exports_in(directories):

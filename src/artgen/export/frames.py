@@ -16,6 +16,9 @@ from artgen.asset import Asset, Coupling, Joint, Link
 
 Array = NDArray[np.float64]
 
+FAR = 1000.0
+"""Where an unlimited slide ends in a format that wants limits of it [m]."""
+
 INTERMEDIATE_MASS = 1e-6
 """Mass of a body that only joins two joints [kg]; simulators refuse 0."""
 
@@ -216,3 +219,14 @@ def mass_in_frame(asset: Asset, link: Link) -> tuple[float, Array, Array]:
     inertia = properties.inertia
     real = np.abs(inertia) > 1e-12 * np.trace(inertia)
     return properties.mass, center, np.where(real, inertia, 0.0)
+
+
+def seen_box(asset: Asset) -> Array:
+    """Return the corners of the bounding box of what is seen, as the asset stands, shape (2, 3) [m]."""
+    boxes = []
+    for link, matrix in asset.pose().items():
+        for surface in asset.link(link).surfaces:
+            points = surface.mesh.vertices @ matrix[:3, :3].T + matrix[:3, 3]
+            boxes.append((points.min(axis=0), points.max(axis=0)))
+    corners = np.array(boxes)
+    return np.round([corners[:, 0].min(axis=0), corners[:, 1].max(axis=0)], 6) + 0.0

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from artgen.asset import Asset, Link
 from artgen.colliders import Convex
 from artgen.export.frames import (
+    FAR,
     INTERMEDIATE_INERTIA,
     INTERMEDIATE_MASS,
     Segment,
@@ -24,17 +25,9 @@ from artgen.export.frames import (
     mass_in_frame,
     translation,
 )
-from artgen.export.losses import (
-    Loss,
-    Written,
-    contact_losses,
-    dependency_losses,
-    joints_where,
-    label_losses,
-    look_losses,
-    loss,
-)
+from artgen.export.losses import Loss, Written, label_losses, look_losses, loss
 from artgen.export.meshes import MeshFiles, display_color, mesh_files
+from artgen.export.urdf_losses import material_losses, motion_losses
 from artgen.materials import Material
 
 Array = NDArray[np.float64]
@@ -43,9 +36,6 @@ Array = NDArray[np.float64]
 # 0, SAPIEN makes up a moment of 1e-6 kg m^2, and below 1e-10 kg m^2 Newton does: as much as a latch has.
 _MARKER_MASS = 1e-9  # [kg]
 _MARKER_INERTIA = 2e-10  # [kg m^2]
-FAR = 1000.0
-"""Where an unlimited slide ends, since URDF wants limits of it [m]."""
-
 _NUMERIC = (
     "origin", "axis", "limit", "dynamics", "mimic", "mass", "inertia", "box", "cylinder", "sphere", "color",
 )  # fmt: skip
@@ -231,44 +221,10 @@ def _text(tree: Any) -> bytes:
 
 
 def _losses(asset: Asset, segments: Sequence[Segment], meshes: MeshFiles, textures: int) -> tuple[Loss, ...]:
-    moving = {joint.name for joint in asset.joints if not joint.locked}
     return (
-        *loss(
-            "joint spring",
-            joints_where(asset, lambda joint: joint.name in moving and joint.stiffness > 0.0),
-            "Gazebo's springStiffness and springReference; other clients have no spring",
-        ),
-        *loss(
-            "joint armature",
-            joints_where(asset, lambda joint: joint.name in moving and joint.armature > 0.0),
-            "nothing",
-        ),
-        *loss(
-            "unlimited slide",
-            joints_where(
-                asset,
-                lambda joint: joint.name in moving and joint.kind == "prismatic" and joint.limits is None,
-            ),
-            f"limits of -{FAR:g} m and {FAR:g} m",
-        ),
-        *dependency_losses(asset),
-        *contact_losses(asset),
-        *loss(
-            "several joints between two links",
-            [segment.child.name for segment in segments if segment.child.link is None],
-            f"a link of {INTERMEDIATE_MASS:g} kg after each joint but the last",
-        ),
+        *motion_losses(asset, [segment.child.name for segment in segments if segment.child.link is None]),
         *_affordance_losses(asset),
-        *loss(
-            "contact friction",
-            [link.name for link in asset.links if link.colliders],
-            "nothing: clients take their own default; the coefficients are in asset.json",
-        ),
-        *loss(
-            "surface roughness, metalness and coat",
-            [material.name for material in asset.materials],
-            "Pr, Pm, Pc and norm in the MTL file, which few clients read",
-        ),
+        *material_losses(asset),
         *loss(
             "colour beside a colour map",
             [material.name for material in asset.materials if not _is_plain(material, meshes)],

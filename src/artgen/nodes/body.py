@@ -53,7 +53,7 @@ def _part(
 
 
 def _opening(solid: Shape, pose: Array4x4) -> float:
-    """Return the opening that fingers need around a solid; all that a gripper has if it is not there."""
+    """Return the opening that fingers need around a solid; all that a gripper has if nothing is there."""
     reach = held([solid.manifold], pose)
     return GRIPPER.stroke if reach is None else GRIPPER.opening(reach[1] - reach[0])
 

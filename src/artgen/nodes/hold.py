@@ -16,6 +16,7 @@ Array4x4 = Annotated[NDArray[np.float64], "frame"]
 
 _DEEPEST = 0.030  # how far finger tips reach past the front of a deep thing, if nobody says [m]
 _FAR = 10.0  # beyond any solid [m]
+_PARALLEL = 1e-6  # sine of the angle between approach and closing below which they are one direction
 _RAY = 0.001  # half the width of the column in which a surface is looked for [m]
 _ROUNDED = 6  # decimals of what was measured [m]
 
@@ -34,7 +35,13 @@ def _frame(at: Array3, approach: Array3, closing: Array3) -> Array4x4:
 
 def _posed(at: Array3, approach: Array3, closing: Array3) -> Array4x4:
     z = unit(approach)
-    x = unit(closing - z * float(closing @ z))
+    sideways = closing - z * float(closing @ z)
+    if not np.linalg.norm(sideways) > _PARALLEL * np.linalg.norm(closing):
+        raise ValueError(
+            f"closing {_text(closing)} must lie across the approach {_text(approach)}; fingers cannot close "
+            "along the way of the hand"
+        )
+    x = unit(sideways)
     result = np.eye(4)
     result[:3, :3] = np.stack([x, np.cross(z, x), z], axis=1)
     result[:3, 3] = at

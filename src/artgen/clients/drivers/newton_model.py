@@ -2,6 +2,7 @@
 
 import math
 import warnings
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -22,12 +23,12 @@ def read(request: dict[str, Any]) -> dict[str, Any]:
     import newton
 
     model = _load(newton, request).finalize(device="cpu")
-    run = _Run(newton, model)
+    run = _Run(newton, model, request)
     return {
         "version": newton.__version__,
         "links": _links(model, request, run.bodies),
-        "joints": _joints(newton, model, request, run.joints),
-        "couplings": _couplings(model, run.joints),
+        "joints": _joints(model, request, run.degrees),
+        "couplings": _couplings(model, run.degrees),
         "poses": [run.pose(pose, request["links"]) for pose in request["poses"]],
         "moved": drive_all(run, request),
         "steps": run.steps,
@@ -62,19 +63,15 @@ def _links(model: Any, request: dict[str, Any], bodies: dict[str, int]) -> dict[
     }
 
 
-def _joints(newton: Any, model: Any, request: dict[str, Any], joints: dict[str, int]) -> dict[str, Any]:
-    kinds = {int(newton.JointType.REVOLUTE): "revolute", int(newton.JointType.PRISMATIC): "prismatic"}
-    types = model.joint_type.numpy()
+def _joints(model: Any, request: dict[str, Any], degrees: dict[str, "_Degree"]) -> dict[str, Any]:
     springs = {joint["name"]: joint for joint in request["joints"]}
     found = {}
-    for name, number in joints.items():
-        if int(types[number]) in kinds:
-            degree = _degree(model, number, request["format"])
-            if "rest" in degree and _beyond(springs.get(name)) and request["format"] == "usd":
-                # Newton puts a drive's target that lies beyond the limits into the middle of the range,
-                # and has no other word for a spring in a USD
-                del degree["rest"]
-            found[name] = {"kind": kinds[int(types[number])], **degree}
+    for name, degree in degrees.items():
+        found[name] = _joint(model, degree, request["format"])
+        if "rest" in found[name] and _beyond(springs.get(name)) and request["format"] == "usd":
+            # Newton puts a drive's target that lies beyond the limits into the middle of the range, and has
+            # no other word for a spring in a USD
+            del found[name]["rest"]
     return found
 
 
@@ -86,19 +83,74 @@ def _beyond(joint: dict[str, Any] | None) -> bool:
     return not low <= joint["rest"] <= high
 
 
-def _degree(model: Any, joint: int, form: str) -> dict[str, Any]:
+@dataclass(frozen=True)
+class _Degree:
+    """One degree of freedom.
+
+    Attributes:
+        kind: `revolute` or `prismatic`.
+        place: Its index among positions.
+        speed: Its index among speeds.
+        start: Where it stands when the model has it at 0, which an MJCF may choose [rad or m].
+    """
+
+    kind: str
+    place: int
+    speed: int
+    start: float
+
+
+def _degrees(newton: Any, model: Any, request: dict[str, Any]) -> dict[str, _Degree]:
+    """Return the degrees of freedom by the names of their joints.
+
+    Newton makes one joint of several between two bodies in an MJCF: it has all their names, and its slides
+    before its turns.
+    """
+    kinds = {joint["name"]: joint["kind"] for joint in request["joints"]}
+    dimensions = model.joint_dof_dim.numpy()
+    places, speeds, types = (
+        values.numpy() for values in (model.joint_q_start, model.joint_qd_start, model.joint_type)
+    )
+    known = {int(newton.JointType.REVOLUTE), int(newton.JointType.PRISMATIC), int(newton.JointType.D6)}
+    starts = model.mujoco.dof_ref.numpy() if hasattr(model.mujoco, "dof_ref") else None
+    found = {}
+    for number, label in enumerate(model.joint_label):
+        slides, count = int(dimensions[number][0]), int(dimensions[number].sum())
+        if int(types[number]) not in known or not count:
+            continue
+        names = [_last(label)] if count == 1 else _parts(_last(label), list(kinds))
+        # the sort is stable: within their kind they keep their order
+        for index, name in enumerate(sorted(names, key=lambda each: kinds.get(each) == "revolute")):
+            speed = int(speeds[number]) + index
+            kind = "prismatic" if index < slides else "revolute"
+            start = 0.0 if starts is None else float(starts[speed])
+            found[name] = _Degree(kind, int(places[number]) + index, speed, start)
+    return found
+
+
+def _parts(text: str, names: list[str]) -> list[str]:
+    """Return the names that a text is joined of by underscores; none if it is of others."""
+    for name in names:
+        if text == name:
+            return [name]
+        if text.startswith(f"{name}_") and (rest := _parts(text[len(name) + 1 :], names)):
+            return [name, *rest]
+    return []
+
+
+def _joint(model: Any, degree: _Degree, form: str) -> dict[str, Any]:
     """Return what the model has of one degree of freedom; URDF has no words for springs and armature."""
-    speed, place = (int(starts.numpy()[joint]) for starts in (model.joint_qd_start, model.joint_q_start))
 
     def value(name: str) -> float:
-        return float(getattr(model, name).numpy()[speed])
+        return float(getattr(model, name).numpy()[degree.speed])
 
     low, high = value("joint_limit_lower"), value("joint_limit_upper")
     limited = math.isfinite(low) and math.isfinite(high) and max(abs(low), abs(high)) < _UNLIMITED
     # a drive pulls to its target, a spring of the joint itself to its rest: a file has one of them
     driven, passive = value("joint_target_ke"), value("joint_stiffness")
     result: dict[str, Any] = {
-        "limits": [low, high] if limited else None,
+        "kind": degree.kind,
+        "limits": [low + degree.start, high + degree.start] if limited else None,
         "damping": value("joint_target_kd") + value("joint_damping"),
         "friction": value("joint_friction"),
     }
@@ -106,7 +158,7 @@ def _degree(model: Any, joint: int, form: str) -> dict[str, Any]:
         result |= {"stiffness": driven + passive, "armature": value("joint_armature")}
         if driven or passive:
             rests = model.joint_target_q if driven else model.joint_rest_q
-            result["rest"] = float(rests.numpy()[place])
+            result["rest"] = float(rests.numpy()[degree.place]) + degree.start
     for name in ("effort", "velocity"):
         bound = value(f"joint_{name}_limit")
         if bound < _UNLIMITED:
@@ -114,21 +166,27 @@ def _degree(model: Any, joint: int, form: str) -> dict[str, Any]:
     return result
 
 
-def _couplings(model: Any, joints: dict[str, int]) -> dict[str, Any]:
+def _couplings(model: Any, degrees: dict[str, _Degree]) -> dict[str, Any]:
     """Return couplings: a joint's own, or an equality of MuJoCo's, which Newton keeps apart."""
-    names = {number: name for name, number in joints.items()}
-    found = {}
-    leaders, coefficients = model.joint_mimic_joint.numpy(), model.joint_mimic_coeffs.numpy()
-    for number, leader in enumerate(leaders):
-        if leader >= 0:
-            offset, ratio = coefficients[number]
-            found[names[number]] = [names[int(leader)], float(ratio), float(offset)]
+    names = [_last(label) for label in model.joint_label]
+    laws = [
+        (number, int(leader), *coefficients)
+        for number, (leader, coefficients) in enumerate(
+            zip(model.joint_mimic_joint.numpy(), model.joint_mimic_coeffs.numpy(), strict=True)
+        )
+    ]
     equalities = model.mujoco
     followers, leaders = (getattr(equalities, f"equality_constraint_joint{side}").numpy() for side in (1, 2))
-    coefficients = equalities.equality_constraint_polycoef.numpy()
-    for follower, leader, (offset, ratio, *_) in zip(followers, leaders, coefficients, strict=True):
+    for follower, leader, terms in zip(
+        followers, leaders, equalities.equality_constraint_polycoef.numpy(), strict=True
+    ):
+        laws.append((int(follower), int(leader), *terms[:2]))
+    found: dict[str, list[Any]] = {}
+    for follower, leader, offset, ratio in laws:
         if follower >= 0 and leader >= 0:
-            found[names[int(follower)]] = [names[int(leader)], float(ratio), float(offset)]
+            name, head = names[follower], names[leader]
+            shift = degrees[name].start - float(ratio) * degrees[head].start
+            found[name] = [head, float(ratio), float(offset) + shift]
     return {name: _to_head(found, name) for name in found}
 
 
@@ -144,38 +202,42 @@ def _to_head(found: dict[str, list[Any]], name: str) -> list[Any]:
 class _Run:
     """A model, posed and simulated."""
 
-    def __init__(self, newton: Any, model: Any) -> None:
+    def __init__(self, newton: Any, model: Any, request: dict[str, Any]) -> None:
         self.steps, self.finite = 0, True
-        self.joints = {_last(label): number for number, label in enumerate(model.joint_label)}
+        self.degrees = _degrees(newton, model, request)
         self.bodies = {_last(label): number for number, label in enumerate(model.body_label)}
         self._newton, self._model = newton, model
         self._solver = newton.solvers.SolverMuJoCo(model, use_mujoco_cpu=True)
         self._states = [model.state(), model.state()]
         self._control = model.control()
-        self._places, self._speeds = model.joint_q_start.numpy(), model.joint_qd_start.numpy()
+        self._place(self._states[0], request["poses"][0])
 
     def pose(self, pose: dict[str, float], links: list[str]) -> dict[str, Any]:
         """Return the frames of links at a pose."""
         state = self._model.state()
-        q = state.joint_q.numpy()
-        for name, position in pose.items():
-            if name in self.joints:
-                q[self._places[self.joints[name]]] = position
-        state.joint_q.assign(q)
-        self._newton.eval_fk(self._model, state.joint_q, state.joint_qd, state)
+        self._place(state, pose)
         placed = state.body_q.numpy()
         return in_base({name: posed(placed[number]) for name, number in self.bodies.items()}, links)
 
+    def _place(self, state: Any, pose: dict[str, float]) -> None:
+        q = state.joint_q.numpy()
+        for name, position in pose.items():
+            if name in self.degrees:
+                q[self.degrees[name].place] = position - self.degrees[name].start
+        state.joint_q.assign(q)
+        self._newton.eval_fk(self._model, state.joint_q, state.joint_qd, state)
+
     def position(self, name: str) -> float:
         """Return where a joint stands [rad or m]."""
-        return float(self._states[0].joint_q.numpy()[self._places[self.joints[name]]])
+        degree = self.degrees[name]
+        return float(self._states[0].joint_q.numpy()[degree.place]) + degree.start
 
     def push(self, forces: dict[str, float]) -> None:
         """Set the torques and forces of joints [N m or N]."""
         values = self._control.joint_f.numpy()
         values[:] = 0.0
         for name, amount in forces.items():
-            values[self._speeds[self.joints[name]]] = amount
+            values[self.degrees[name].speed] = amount
         self._control.joint_f.assign(values)
 
     def advance(self, seconds: float) -> None:

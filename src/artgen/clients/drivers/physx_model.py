@@ -1,6 +1,5 @@
 """What PhysX 5, by ovphysx on the CPU, reads in a USD, and how its joints move."""
 
-import math
 import warnings
 from functools import cache
 from typing import Any
@@ -12,6 +11,7 @@ from usd_runtime import enabled
 
 _STEP = 0.002  # [s]
 _RETURN = 2.0  # in which a spring brings its joint back [s]
+_LOOK = 0.02  # between two looks at it meanwhile [s]
 _RETURNED = 0.05  # share of the range by which a spring may miss its rest
 _FOLLOWED = 0.01  # share of the range by which a coupled joint may lag while it is driven
 _UNBOUNDED = 1e5  # a limit, effort or speed beyond is none
@@ -183,19 +183,24 @@ class _Articulation:
         return said
 
     def _left(self) -> list[str]:
-        """Tell which springs, though stronger than friction, do not bring their joints back."""
-        self.advance(_RETURN)
+        """Tell which springs, though stronger than friction, do not bring their joints back by themselves."""
+        weightless = self._binding("BODY_DISABLE_GRAVITY")
+        weightless.write(np.ones(weightless.shape, np.uint8))
+        seen = len(self._track)
+        for _ in range(round(_RETURN / _LOOK)):
+            self.advance(_LOOK)
+        track = np.array(self._track[seen:])
         said = []
         for joint in self._request["joints"]:
-            limits = joint["limits"]
-            if not joint["stiffness"] or limits is None or joint["name"] not in self._joints:
+            limits, name = joint["limits"], joint["name"]
+            if not joint["stiffness"] or limits is None or name not in self._joints:
                 continue
             rest, span = min(max(joint["rest"], limits[0]), limits[1]), limits[1] - limits[0]
             pull = joint["stiffness"] * (abs(joint["rest"] - rest) + _RETURNED * span)
-            stands = self.position(joint["name"])
-            home = math.isfinite(stands) and abs(stands - rest) <= _RETURNED * span
-            if pull > 2.0 * joint["friction"] and not home:
-                said.append(f"the spring of {joint['name']} leaves it at {stands:.4g}, not at {rest:.4g}")
+            # without damping it swings about its rest for ever
+            away = float(np.abs(track[:, self._joints[name]] - rest).min())
+            if pull > 2.0 * joint["friction"] and not away <= _RETURNED * span:
+                said.append(f"the spring of {name} leaves it {away:.4g} away from where it should rest")
         return said
 
 

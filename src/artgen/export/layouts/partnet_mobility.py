@@ -9,22 +9,13 @@ which blocks both, so those are left to the table of names.
 """
 
 from artgen.asset import Asset
-from artgen.export.frames import INTERMEDIATE_MASS
 from artgen.export.layouts.layout import Layout
 from artgen.export.layouts.partnet_meshes import object_meshes
 from artgen.export.layouts.partnet_names import NAMES_FILE, ROOT, Naming, naming
 from artgen.export.layouts.partnet_tables import tables
 from artgen.export.layouts.partnet_urdf import ROOT_MASS, urdf_text
-from artgen.export.losses import (
-    Loss,
-    Written,
-    contact_losses,
-    dependency_losses,
-    joints_where,
-    look_losses,
-    loss,
-)
-from artgen.export.urdf import FAR
+from artgen.export.losses import Loss, Written, look_losses, loss
+from artgen.export.urdf_losses import material_losses, motion_losses
 
 MAIN = "mobility.urdf"
 """The file that most loaders open."""
@@ -44,12 +35,8 @@ def write_partnet(asset: Asset, name: str, textures: int) -> Written:
 
 
 def _losses(asset: Asset, named: Naming, textures: int) -> tuple[Loss, ...]:
-    moving = {joint.name for joint in asset.joints if not joint.locked}
-    between = [
-        step.segment.joint.name
-        for step in named.steps
-        if step.segment.joint.name in moving and not _closes_at_an_end(step.segment.joint.limits)
-    ]
+    joints = [step.segment.joint for step in named.steps]
+    between = [joint.name for joint in joints if not joint.locked and not _closes_at_an_end(joint.limits)]
     return (
         *loss(
             "names of links and joints",
@@ -71,51 +58,18 @@ def _losses(asset: Asset, named: Naming, textures: int) -> tuple[Loss, ...]:
             f"nothing: SAPIEN turns it round where both joints start from one body; it is in {NAMES_FILE}",
         ),
         *loss("body without geometry", [ROOT], f"a link of {ROOT_MASS:g} kg that turns the asset upright"),
-        *loss(
-            "joint spring",
-            joints_where(asset, lambda joint: joint.name in moving and joint.stiffness > 0.0),
-            "Gazebo's springStiffness and springReference; other clients have no spring",
-        ),
-        *loss(
-            "joint armature",
-            joints_where(asset, lambda joint: joint.name in moving and joint.armature > 0.0),
-            "nothing",
-        ),
-        *loss(
-            "unlimited slide",
-            joints_where(
-                asset,
-                lambda joint: joint.name in moving and joint.kind == "prismatic" and joint.limits is None,
-            ),
-            f"limits of -{FAR:g} m and {FAR:g} m",
-        ),
-        *dependency_losses(asset),
-        *contact_losses(asset),
-        *loss(
-            "several joints between two links",
-            [step.child for step in named.steps if step.segment.child.link is None],
-            f"a link of {INTERMEDIATE_MASS:g} kg after each joint but the last",
-        ),
+        *motion_losses(asset, [step.child for step in named.steps if step.segment.child.link is None]),
         *loss(
             "grasp frame",
-            [grasp.name for link in asset.links for grasp in link.grasps],
+            [each.name for each in asset.affordances if each.kind == "grasp"],
             "the visual there has handle in its name; the frames are in asset.json",
         ),
         *loss(
-            "push point",
-            [push.name for link in asset.links for push in link.pushes],
+            "push frame",
+            [each.name for each in asset.affordances if each.kind == "push"],
             "nothing; the frames are in asset.json",
         ),
-        *loss(
-            "contact friction",
-            [link.name for link in asset.links if link.colliders],
-            "nothing: clients take their own default; the coefficients are in asset.json",
-        ),
-        *loss(
-            "surface roughness, metalness and coat",
-            [material.name for material in asset.materials],
-            "Pr, Pm, Pc and norm in the MTL file, which few clients read",
-        ),
+        *material_losses(asset),
         *look_losses(asset, textures),
     )
 

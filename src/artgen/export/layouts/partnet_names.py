@@ -233,22 +233,32 @@ def _held_label(asset: Asset, link: Link) -> str:
     if any(_HANDLE in label for label in labels):
         return ""
     points = [grasp.frame[:3, 3] for grasp in link.grasps]
-    if not points:
-        own = {joint.name for joint in asset.joints if joint.child == link.name and not joint.locked}
-        points = [
-            item.frame[:3, 3] for item in asset.affordances if item.kind == "grasp" and own & set(item.joints)
-        ]
-        labels.pop(link.label if len(labels) > 1 else "", None)
-    if not points:
+    apart = _borrowed(asset, link) if not points else []
+    if not points and not apart:
         return ""
+    if apart and len(labels) > 1:
+        labels.pop(link.label, None)
     meshes = {
         label: [surface.mesh for surface in link.surfaces if surface.label == label] for label in labels
     }
 
     def distance(label: str) -> float:
-        return round(min(_distance(mesh, point) for mesh in meshes[label] for point in points), 6)
+        if points:
+            return round(min(_distance(mesh, point) for mesh in meshes[label] for point in points), 6)
+        # readers aim at the middle of the box; a pane of glass comes near to any lever, its middle does not
+        corners = np.concatenate([mesh.vertices for mesh in meshes[label]])
+        middle = (corners.min(axis=0) + corners.max(axis=0)) / 2.0
+        return round(min(float(np.linalg.norm(middle - point)) for point in apart), 6)
 
     return min(labels, key=distance)
+
+
+def _borrowed(asset: Asset, link: Link) -> list[Array]:
+    """Return where a hand moves a link by another one, on handles alone if there are some [m]."""
+    own = {joint.name for joint in asset.joints if joint.child == link.name and not joint.locked}
+    found = [item for item in asset.affordances if item.kind == "grasp" and own & set(item.joints)]
+    handles = [item for item in found if _HANDLE in asset.link(item.link).label]
+    return [item.frame[:3, 3] for item in handles or found]
 
 
 def _distance(mesh: Mesh, point: Array) -> float:

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from artgen.asset import Asset, Link
 from artgen.colliders import Convex
 from artgen.export.frames import (
+    FAR,
     INTERMEDIATE_INERTIA,
     INTERMEDIATE_MASS,
     joint_type,
@@ -23,7 +24,6 @@ from artgen.export.frames import (
 )
 from artgen.export.layouts.partnet_meshes import COLLIDERS, VISUALS, ObjectMeshes
 from artgen.export.layouts.partnet_names import ROOT, UPRIGHT, Naming, Step
-from artgen.export.urdf import FAR
 
 Array = NDArray[np.float64]
 

@@ -16,8 +16,9 @@ from numpy.typing import NDArray
 
 from artgen.asset import Asset
 from artgen.errors import ExportError
+from artgen.export.frames import seen_box
 from artgen.export.layouts.layout import Layout
-from artgen.export.layouts.robocasa_regions import interiors, whole
+from artgen.export.layouts.robocasa_regions import interiors
 from artgen.export.losses import Loss, Written, loss
 from artgen.export.meshes import mesh_files
 from artgen.export.mjcf import mjcf_losses, mjcf_text, mjcf_tree
@@ -100,7 +101,7 @@ def _wrap(root: ET.Element, asset: Asset) -> None:
         outer.append(joint)  # which the readers leave behind, for they give the object a joint themselves
     inner = ET.SubElement(outer, "body", name=_OBJECT)
     inner.append(base)
-    box, rooms = whole(asset), interiors(asset)
+    box, rooms = seen_box(asset), interiors(asset)
     regions = {"main": box, "bbox": box, "int": rooms[0]} if rooms else {"main": box, "bbox": box}
     regions |= {f"int_{number}": room for number, room in enumerate(rooms[1:], start=1)}
     for name, region in regions.items():

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from artgen.asset import Asset
+from artgen.export.frames import seen_box
 
 Array = NDArray[np.float64]
 Cells = NDArray[np.bool_]
@@ -23,20 +24,9 @@ _OFFSET = 1.37  # of the grid from the asset, in cells: faces that lie on it wou
 _DECIMALS = 6
 
 
-def whole(asset: Asset) -> Array:
-    """Return the corners of the bounding box of what is seen, as the asset stands, shape (2, 3) [m]."""
-    boxes = []
-    for link, matrix in asset.pose().items():
-        for surface in asset.link(link).surfaces:
-            points = surface.mesh.vertices @ matrix[:3, :3].T + matrix[:3, 3]
-            boxes.append((points.min(axis=0), points.max(axis=0)))
-    corners = np.array(boxes)
-    return np.round([corners[:, 0].min(axis=0), corners[:, 1].max(axis=0)], _DECIMALS) + 0.0
-
-
 def interiors(asset: Asset) -> list[Array]:
     """Return boxes of free room inside a closed asset, the largest first, each of shape (2, 3) [m]."""
-    grid = _Grid(whole(asset))
+    grid = _Grid(seen_box(asset))
     occupied = grid.occupied(asset, {})
     free = ~occupied & _surrounded(occupied)
     if not free.any():

@@ -1,6 +1,6 @@
 """Where an asset comes from and what it is, in the words of SimReady."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -8,7 +8,7 @@ from pxr import Gf
 
 from artgen.asset import Asset
 from artgen.asset.wikidata import category_code
-from artgen.export.frames import chain
+from artgen.export.frames import chain, seen_box
 
 PROFILE = ("Robotics-Prop", "4.0.0")
 """The profile that the layout is made for, and its version."""
@@ -43,7 +43,7 @@ def _simready(asset: Asset, variants: Sequence[str]) -> dict[str, Any]:
             }
         },
         "artgen_version": asset.version,
-        "asset_extents": Gf.Vec3f(*_extents(asset)),
+        "asset_extents": Gf.Vec3f(*np.ptp(seen_box(asset), axis=0).round(6).tolist()),
         "asset_license": LICENCE,
         "asset_name": asset.name,
         "asset_type": "prop",
@@ -57,17 +57,3 @@ def _simready(asset: Asset, variants: Sequence[str]) -> dict[str, Any]:
         "usd_date_generated": UNDATED,
         "validation": {"profile": profile, "profile_version": version},
     }
-
-
-def _extents(asset: Asset) -> Iterable[float]:
-    """Return the size of the bounding box as the asset stands [m]."""
-    pose = asset.pose()
-    points = np.concatenate(
-        [
-            surface.mesh.vertices @ pose[link.name][:3, :3].T + pose[link.name][:3, 3]
-            for link in asset.links
-            for surface in link.surfaces
-        ]
-    )
-    size: list[float] = np.round(np.ptp(points, axis=0), 6).tolist()
-    return size
