@@ -31,11 +31,21 @@ SOURCE = ROOT / "src" / "artgen"
 FREE = 5  # every so manyth seed stands on a free base
 PLAIN = 4  # every so manyth seed has colours alone, no maps
 
-SLOW = ("mjx", "mujoco_warp")
+SLOW = ("mjx", "mujoco_warp", "genesis_mjcf", "genesis_urdf")
 """Clients that compile for each asset, for a minute or more: they read fewer seeds."""
 
 ELSEWHERE = (
     ("Isaac Sim", "it needs an RTX GPU; its physics is ovphysx, its validators are the two of NVIDIA above"),
+    (
+        "brax",
+        "0.14.2 merges a fixed base into its world and then refuses the world's inertia, and knows no contact "
+        "of a cylinder with a mesh, which a free base has; MJX, which it is built on, is above",
+    ),
+    (
+        "RoboCasa",
+        "it is on no package index; robosuite, which it is built on, is above, and the sites, regions and "
+        "classes that it looks for were read from its source",
+    ),
     ("Gazebo", "Debian and PyPI have its library, but no program that loads a URDF without a display"),
 )
 """Clients that no driver is for, and why."""
@@ -58,7 +68,7 @@ class Task:
 def main(
     seeds: Annotated[int, typer.Option(help="How many seeds of each category, from 0.")] = 20,
     slow_seeds: Annotated[
-        int, typer.Option(help=f"How many of them {' and '.join(SLOW)} read, which compile for each asset.")
+        int, typer.Option(help=f"How many of them {', '.join(SLOW)} read, which compile for each asset.")
     ] = 5,
     clients: Annotated[str, typer.Option(help="Names separated by commas.")] = "all",
     only: Annotated[str, typer.Option(help="Categories separated by commas; all by default.")] = "",
@@ -175,7 +185,7 @@ def _page(results: dict[Task, list[dict[str, Any]]], named: Sequence[str], seeds
     yield (
         f"What simulators, validators and converters make of the exports of artgen {__version__}: seeds 0 to "
         f"{seeds - 1} of every category in every layout, every fifth on a free base, every fourth without "
-        f"maps; {' and '.join(SLOW)}, which compile for each asset, read the first few of them. Written by "
+        f"maps; {', '.join(SLOW)}, which compile for each asset, read the first few of them. Written by "
         "`make client-table`; do not edit it."
     )
     yield ""

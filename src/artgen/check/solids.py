@@ -1,6 +1,7 @@
 """Whether the solids of an asset are solids: closed, oriented outwards, none a sliver or there twice."""
 
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from itertools import groupby
 
 import numpy as np
@@ -46,8 +47,11 @@ def check_solids(asset: Asset) -> CheckResult:
             hint = "export the asset again with urdf or mjcf among the formats"
             findings.append(Finding(CHECK, f"its meshes cannot be read: {error}", link.name, hint=hint))
             continue
-        wrong = [*link_findings(link, found)]
-        findings += wrong or weight_findings(link)
+        wrong = list(link_findings(link, found))
+        if not wrong:
+            with suppress(ArtgenError):  # labels whose meshes do not close: the check of colliders tells
+                wrong = list(weight_findings(link))
+        findings += wrong
         solids += sum(len(skin.shells) for skin in found)
         triangles += sum(skin.triangles for skin in found)
     if absent == len(asset.links):

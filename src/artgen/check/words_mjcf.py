@@ -12,6 +12,7 @@ _SCENE = "put it into the scene that attaches the asset"
 _AGAIN = "export the asset again"
 _ACTING = ("actuator", "tendon", "deformable", "extension", "include")  # they move, hold, or bring what does
 _SOFTEST, _LEAST_IMPEDANCE = 0.02, 0.9  # MuJoCo's own time constant [s] and impedance
+_SHOWN = 2  # colliders of a link
 _FREE, _BALL = 0, 1  # of mjtJoint
 _PLAIN = {"contype": 1.0, "conaffinity": 1.0, "condim": 3.0, "margin": 0.0, "gap": 0.0}
 
@@ -48,14 +49,21 @@ def model_findings(model: Any, links: list[str], base: str, file: str) -> Iterat
         base: Name of the first of them.
         file: Name of the file.
     """
+    import mujoco
+
     for body in range(model.nbody):
         name = model.body(body).name
         link = name if name in links else ""
-        yield from _geom_findings(model, body, link, file)
+        found = list(_geom_findings(model, body, link, file))
+        yield from found[:_SHOWN]
+        if len(found) > _SHOWN:
+            message = f"{len(found) - _SHOWN} more of its colliders are not plain in {file}"
+            yield Finding(_CHECK, message, link, value=float(len(found)), hint=_AGAIN)
         yield from _joint_findings(model, body, link, base, file)
     for number in range(model.neq):
         terms = model.eq_data[number, 2:5]
-        if model.eq_obj2id[number] >= 0 and np.abs(terms).max() > 0.0:
+        coupling = model.eq_type[number] == mujoco.mjtEq.mjEQ_JOINT and model.eq_obj2id[number] >= 0
+        if coupling and np.abs(terms).max() > 0.0:
             message = f"its coupling has terms of higher order, {terms}, in {file}"
             name = model.joint(int(model.eq_obj1id[number])).name
             yield Finding(_CHECK, message, joint=name, value=float(np.abs(terms).max()), hint=_AGAIN)

@@ -12,8 +12,7 @@ from artgen.check.report import Finding
 from artgen.clients.client import Client
 from artgen.clients.exported import Exported
 from artgen.clients.told import silences
-from artgen.export.frames import coupling
-from artgen.export.frames import FAR
+from artgen.export.frames import FAR, coupling
 
 Array = NDArray[np.float64]
 

@@ -75,7 +75,7 @@ _OVPHYSX = Client(
             r"\[Warning\] \[\] PhysX warning: Cooking::cookConvexMesh: GPU-compatible convex hull could not "
             r"be built because of oblong shape\..*",
             "a convex piece is more than a hundred times as long as its insphere's radius, as a moulding "
-            "along a door frame is; PhysX collides such pieces on the processor",
+            "along a door frame is; PhysX collides such pieces on the processor, also in GPU simulation",
         ),
         Unavoidable(
             r"\[Warning\] \[\] ConvexMeshCookingTask: failed to cook GPU-compatible mesh, .*",
