@@ -38,13 +38,17 @@ ELSEWHERE = (
     ("Isaac Sim", "it needs an RTX GPU; its physics is ovphysx, its validators are the two of NVIDIA above"),
     (
         "brax",
-        "0.14.2 merges a fixed base into its world and then refuses the world's inertia, and knows no contact "
-        "of a cylinder with a mesh, which a free base has; MJX, which it is built on, is above",
+        (
+            "0.14.2 merges a fixed base into its world and then refuses the world's inertia, and knows no "
+            "contact of a cylinder with a mesh, which a free base has; MJX, which it is built on, is above"
+        ),
     ),
     (
         "RoboCasa",
-        "it is on no package index; robosuite, which it is built on, is above, and the sites, regions and "
-        "classes that it looks for were read from its source",
+        (
+            "it is on no package index; robosuite, which it is built on, is above, and the sites, regions and "
+            "classes that it looks for were read from its source"
+        ),
     ),
     ("Gazebo", "Debian and PyPI have its library, but no program that loads a URDF without a display"),
 )
