@@ -46,8 +46,8 @@ ELSEWHERE = (
     (
         "RoboCasa",
         (
-            "it is on no package index; robosuite, which it is built on, is above, and the sites, regions and "
-            "classes that it looks for were read from its source"
+            "it is on no package index; robosuite, which it is built on, is above, and the sites, regions "
+            "and classes that it looks for were read from its source"
         ),
     ),
     ("Gazebo", "Debian and PyPI have its library, but no program that loads a URDF without a display"),

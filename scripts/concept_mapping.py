@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from artgen.export.concepts import concept_page
+from artgen.export.concept_page import concept_page
 
 if __name__ == "__main__":
     page = Path(__file__).parents[1] / "docs" / "concept_mapping.md"

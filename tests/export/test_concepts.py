@@ -11,7 +11,9 @@ import pytest
 from pxr import Sdf
 
 from artgen.asset import AllowedContact, Asset, Joint, Push
-from artgen.export.concepts import CONCEPTS, FORMAT_TITLES, concept_page
+from artgen.export.concept import FORMAT_TITLES
+from artgen.export.concept_page import concept_page
+from artgen.export.concepts import CONCEPTS
 from artgen.export.files import encode
 from artgen.export.formats import FORMATS
 

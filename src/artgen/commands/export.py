@@ -16,7 +16,10 @@ from artgen.materials.textures import check_size
 def export(
     directory: Annotated[
         Path,
-        typer.Argument(metavar="DIRECTORY", help="An exported asset, with urdf or mjcf among its formats."),
+        typer.Argument(
+            metavar="DIRECTORY",
+            help="An exported asset in the layout flat or robocasa, with urdf or mjcf among its formats.",
+        ),
     ],
     *,
     layout: Annotated[

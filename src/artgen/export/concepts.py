@@ -4,56 +4,12 @@ The tests hold this table against the writers: every word in backticks stands in
 and every loss that a writer reports stands in its column.
 """
 
-from collections.abc import Mapping
-from dataclasses import dataclass
-
-FORMAT_TITLES: Mapping[str, str] = {"urdf": "URDF", "mjcf": "MJCF", "usd": "USD", "glb": "GLB"}
-"""Title of the column of each format."""
-
-
-@dataclass(frozen=True)
-class Cell:
-    """How one format says a concept.
-
-    Attributes:
-        text: The words of the format in backticks, with their unit where it differs from the asset's.
-        losses: Features under which the writer reports what it cannot say; none if it says all.
-    """
-
-    text: str
-    losses: tuple[str, ...] = ()
-
-
-@dataclass(frozen=True)
-class Concept:
-    """One thing that an asset is or has.
-
-    Attributes:
-        name: What it is called.
-        unit: Its unit in artgen; empty if it has none.
-        field: Where it stands in asset.json; `[]` stands for each item of a list.
-        cells: How each format says it, by the name of the format.
-    """
-
-    name: str
-    unit: str
-    field: str
-    cells: Mapping[str, Cell]
-
-
-def _row(name: str, unit: str, field: str, **cells: str | tuple[str, ...]) -> Concept:
-    """Make a concept; a cell is its text, or its text and the losses that belong to it."""
-    found = {
-        key: Cell(value) if isinstance(value, str) else Cell(value[0], value[1:])
-        for key, value in cells.items()
-    }
-    return Concept(name, unit, field, found)
-
+from artgen.export.concept import Concept, row
 
 _IN_JSON = "not said; asset.json has it"
 
 CONCEPTS: tuple[Concept, ...] = (
-    _row(
+    row(
         "units and axes",
         "m, kg, rad, s; z up, front to -y",
         "",
@@ -62,7 +18,7 @@ CONCEPTS: tuple[Concept, ...] = (
         usd='`metersPerUnit = 1`, `kilogramsPerUnit = 1`, `upAxis = "Z"`; angles in degrees',
         glb='metres, y up: the root node has a `"rotation"`',
     ),
-    _row(
+    row(
         "name",
         "",
         "name",
@@ -71,7 +27,7 @@ CONCEPTS: tuple[Concept, ...] = (
         usd="`defaultPrim`",
         glb="root node",
     ),
-    _row(
+    row(
         "category, seed, version",
         "",
         "category, seed, version",
@@ -81,7 +37,7 @@ CONCEPTS: tuple[Concept, ...] = (
         "`semantics:labels:wikidata_qcode`",
         glb='`"extras"` of the root node',
     ),
-    _row(
+    row(
         "parameters",
         "",
         "parameters",
@@ -90,7 +46,7 @@ CONCEPTS: tuple[Concept, ...] = (
         usd="`dictionary parameters` in `customData`",
         glb=_IN_JSON,
     ),
-    _row(
+    row(
         "base: fixed or free",
         "",
         "base",
@@ -99,7 +55,7 @@ CONCEPTS: tuple[Concept, ...] = (
         usd="`root_joint` from the world, or none",
         glb='`"base"` in `"extras"`',
     ),
-    _row(
+    row(
         "link",
         "",
         "links[].name",
@@ -108,7 +64,7 @@ CONCEPTS: tuple[Concept, ...] = (
         usd="`Xform` with `PhysicsRigidBodyAPI`",
         glb='`"nodes"`',
     ),
-    _row(
+    row(
         "mass",
         "kg",
         "links[].mass",
@@ -117,7 +73,7 @@ CONCEPTS: tuple[Concept, ...] = (
         usd="`physics:mass`",
         glb=(_IN_JSON, "mass and inertia"),
     ),
-    _row(
+    row(
         "centre of mass",
         "m, in the link's frame",
         "links[].center",
@@ -126,7 +82,7 @@ CONCEPTS: tuple[Concept, ...] = (
         usd="`physics:centerOfMass`",
         glb=(_IN_JSON, "mass and inertia"),
     ),
-    _row(
+    row(
         "inertia about it",
         "kg m^2",
         "links[].inertia",
@@ -135,7 +91,7 @@ CONCEPTS: tuple[Concept, ...] = (
         usd="`physics:diagonalInertia`, `physics:principalAxes`",
         glb=(_IN_JSON, "mass and inertia"),
     ),
-    _row(
+    row(
         "visible surface",
         "m",
         "links[].surfaces",
@@ -144,7 +100,7 @@ CONCEPTS: tuple[Concept, ...] = (
         usd="a `Mesh` in `visuals`",
         glb='one of the `"primitives"` of the mesh of its node',
     ),
-    _row(
+    row(
         "collider",
         "m",
         "links[].colliders",
@@ -153,7 +109,7 @@ CONCEPTS: tuple[Concept, ...] = (
         usd="`collisions` with `PhysicsCollisionAPI`; hulls are meshes with `convexHull`",
         glb=(_IN_JSON, "colliders"),
     ),
-    _row(
+    row(
         "friction of contacts",
         "1",
         "materials[].friction",
@@ -162,7 +118,7 @@ CONCEPTS: tuple[Concept, ...] = (
         usd="`physics:dynamicFriction`, `physics:staticFriction`",
         glb=(_IN_JSON, "colliders"),
     ),
-    _row(
+    row(
         "contact by design",
         "m",
         "contacts",
@@ -171,7 +127,7 @@ CONCEPTS: tuple[Concept, ...] = (
         usd=("not said: simulators push the parts apart", "contact by design"),
         glb=_IN_JSON,
     ),
-    _row(
+    row(
         "joint that turns",
         "rad",
         "joints[].kind",
@@ -180,7 +136,7 @@ CONCEPTS: tuple[Concept, ...] = (
         usd="`PhysicsRevoluteJoint`, degrees",
         glb=('`"joints"` in `"extras"`, `"animations"`', "joints", "animation"),
     ),
-    _row(
+    row(
         "joint that slides",
         "m",
         "joints[].kind",
@@ -189,7 +145,7 @@ CONCEPTS: tuple[Concept, ...] = (
         usd="`PhysicsPrismaticJoint`",
         glb=('`"joints"` in `"extras"`, `"animations"`', "joints", "animation"),
     ),
-    _row(
+    row(
         "locked joint",
         "",
         "joints[].limits",
@@ -198,7 +154,7 @@ CONCEPTS: tuple[Concept, ...] = (
         usd="`PhysicsFixedJoint`",
         glb='`"type":"fixed"`',
     ),
-    _row(
+    row(
         "axis",
         "1",
         "joints[].axis",
@@ -207,7 +163,7 @@ CONCEPTS: tuple[Concept, ...] = (
         usd="x of `physics:localRot0` and `physics:localRot1`",
         glb='`"axis"`',
     ),
-    _row(
+    row(
         "pivot",
         "m",
         "joints[].pivot",
@@ -216,7 +172,7 @@ CONCEPTS: tuple[Concept, ...] = (
         usd="`physics:localPos0`; `physics:localPos1` is 0",
         glb='`"origin"`',
     ),
-    _row(
+    row(
         "limits",
         "rad or m",
         "joints[].limits",
@@ -225,7 +181,7 @@ CONCEPTS: tuple[Concept, ...] = (
         usd=("`physics:lowerLimit`, `physics:upperLimit`, degrees or m", "coupling without limits"),
         glb='`"lower"`, `"upper"`',
     ),
-    _row(
+    row(
         "where it stands",
         "rad or m",
         "joints[].limits",
@@ -234,7 +190,7 @@ CONCEPTS: tuple[Concept, ...] = (
         usd=("bodies placed so, and `state:linear:physics:position`", "joint that does not stand at 0"),
         glb='`"position"`',
     ),
-    _row(
+    row(
         "spring and its rest",
         "N m/rad or N/m",
         "joints[].stiffness, .rest",
@@ -243,7 +199,7 @@ CONCEPTS: tuple[Concept, ...] = (
         usd="`drive:angular:physics:stiffness` per degree, `drive:angular:physics:targetPosition`",
         glb=(_IN_JSON, "joint dynamics"),
     ),
-    _row(
+    row(
         "damping",
         "N m s/rad or N s/m",
         "joints[].damping",
@@ -252,7 +208,7 @@ CONCEPTS: tuple[Concept, ...] = (
         usd="`drive:angular:physics:damping` per degree",
         glb=(_IN_JSON, "joint dynamics"),
     ),
-    _row(
+    row(
         "dry friction",
         "N m or N",
         "joints[].friction",
@@ -264,7 +220,7 @@ CONCEPTS: tuple[Concept, ...] = (
         ),
         glb=(_IN_JSON, "joint dynamics"),
     ),
-    _row(
+    row(
         "armature",
         "kg m^2 or kg",
         "joints[].armature",
@@ -273,7 +229,7 @@ CONCEPTS: tuple[Concept, ...] = (
         usd=("`physxJointAxis:angular:armature`, `newton:armature`, `mjc:armature`", "joint armature"),
         glb=(_IN_JSON, "joint dynamics"),
     ),
-    _row(
+    row(
         "largest effort",
         "N m or N",
         "joints[].effort",
@@ -285,7 +241,7 @@ CONCEPTS: tuple[Concept, ...] = (
         ),
         glb=_IN_JSON,
     ),
-    _row(
+    row(
         "largest speed",
         "rad/s or m/s",
         "joints[].velocity",
@@ -297,7 +253,7 @@ CONCEPTS: tuple[Concept, ...] = (
         ),
         glb=_IN_JSON,
     ),
-    _row(
+    row(
         "numbers of one simulator",
         "",
         "",
@@ -307,7 +263,7 @@ CONCEPTS: tuple[Concept, ...] = (
         "`physxRigidBody:angularDamping`; `newton:selfCollisionEnabled`",
         glb="none",
     ),
-    _row(
+    row(
         "coupling",
         "rad or m",
         "joints[].follows",
@@ -320,7 +276,7 @@ CONCEPTS: tuple[Concept, ...] = (
         ),
         glb='`"mimic"`',
     ),
-    _row(
+    row(
         "dependency",
         "rad or m",
         "joints[].needs",
@@ -329,7 +285,7 @@ CONCEPTS: tuple[Concept, ...] = (
         usd=("not said: contact has to hold the part", "joint dependency"),
         glb='`"needs"`; what it needs moves first in animations',
     ),
-    _row(
+    row(
         "several joints between two links",
         "",
         "joints",
@@ -338,7 +294,7 @@ CONCEPTS: tuple[Concept, ...] = (
         usd=("a body of 1e-6 kg after each but the last", "several joints between two links"),
         glb="a node after each but the last",
     ),
-    _row(
+    row(
         "grasp: frame",
         "m; z approaches, x closes",
         "affordances[].frame",
@@ -347,7 +303,7 @@ CONCEPTS: tuple[Concept, ...] = (
         usd='an `Xform` in `grasps` with `kind = "grasp"`, and a line `grasp_identifier_lid_edge`',
         glb=(_IN_JSON, "grasp frame"),
     ),
-    _row(
+    row(
         "push: frame",
         "m; z is the way of the push",
         "affordances[].frame",
@@ -356,7 +312,7 @@ CONCEPTS: tuple[Concept, ...] = (
         usd='an `Xform` in `grasps` with `kind = "push"`',
         glb=(_IN_JSON, "push frame"),
     ),
-    _row(
+    row(
         "width and joints of a grasp",
         "m",
         "affordances[].width, .joints",
@@ -365,7 +321,7 @@ CONCEPTS: tuple[Concept, ...] = (
         usd="`customData` of its prim",
         glb=(_IN_JSON, "grasp frame", "push frame"),
     ),
-    _row(
+    row(
         "semantic labels",
         "",
         "links[].labels",
@@ -374,7 +330,7 @@ CONCEPTS: tuple[Concept, ...] = (
         usd="`semantics:labels:part`",
         glb='`"labels"` in `"extras"` of its node',
     ),
-    _row(
+    row(
         "base colour",
         "linear RGB",
         "materials[].base_color",
@@ -383,7 +339,7 @@ CONCEPTS: tuple[Concept, ...] = (
         usd="`inputs:diffuseColor`, linear",
         glb='`"baseColorFactor"`, linear',
     ),
-    _row(
+    row(
         "roughness, metalness",
         "1",
         "materials[].specular_roughness, .base_metalness",
@@ -392,7 +348,7 @@ CONCEPTS: tuple[Concept, ...] = (
         usd="`inputs:roughness`, `inputs:metallic`",
         glb='`"roughnessFactor"`, `"metallicFactor"`',
     ),
-    _row(
+    row(
         "coat",
         "1",
         "materials[].coat_weight",
@@ -401,7 +357,7 @@ CONCEPTS: tuple[Concept, ...] = (
         usd="`inputs:clearcoat`, `inputs:clearcoatRoughness`",
         glb='`"KHR_materials_clearcoat"`',
     ),
-    _row(
+    row(
         "opacity, transmission",
         "1",
         "materials[].opacity",
@@ -410,7 +366,7 @@ CONCEPTS: tuple[Concept, ...] = (
         usd=("`inputs:opacity`", "transmission"),
         glb=('`"alphaMode":"BLEND"`', "transmission"),
     ),
-    _row(
+    row(
         "texture",
         "m a repeat",
         "materials[].texture",
@@ -419,7 +375,7 @@ CONCEPTS: tuple[Concept, ...] = (
         usd=("`UsdUVTexture`, `primvars:st` in repeats", "texture"),
         glb=('`"baseColorTexture"`, `"TEXCOORD_0"` in repeats', "texture"),
     ),
-    _row(
+    row(
         "proof that nothing collides",
         "",
         "certificate",
@@ -430,29 +386,3 @@ CONCEPTS: tuple[Concept, ...] = (
     ),
 )
 """Every concept, in the order of the page."""
-
-_HEAD = """# What each format says
-
-How artgen's concepts are written in URDF, MJCF, USD and GLB, with their units, and what is lost where. The
-words in backticks stand in the files, here of an asset named `cabinet_7`. *Lost* names the entry under `formats`
-in the export's `asset.json` that tells, for each asset, which joints or links it concerns and what was written
-instead. `scripts/concept_mapping.py` writes this page from `artgen.export.concepts`, and the tests hold both
-against the writers.
-"""
-
-
-def concept_page() -> str:
-    """Return the text of docs/concept_mapping.md."""
-    titles = ["concept", "unit in artgen", "in asset.json", *FORMAT_TITLES.values()]
-    lines = [f"| {' | '.join(titles)} |", f"|{' --- |' * len(titles)}"]
-    for concept in CONCEPTS:
-        field = f"`{concept.field}`" if concept.field else ""
-        cells = [concept.name, concept.unit, field, *(_said(concept.cells[name]) for name in FORMAT_TITLES)]
-        lines.append(f"| {' | '.join(cells)} |")
-    return _HEAD + "\n" + "\n".join(lines) + "\n"
-
-
-def _said(cell: Cell) -> str:
-    if not cell.losses:
-        return cell.text
-    return f"{cell.text}. *Lost: {', '.join(cell.losses)}*"
