@@ -5,6 +5,7 @@ from typing import Any
 import numpy as np
 from driver_protocol import serve
 from partnet_request import numbered
+from urdf_words import joints_and_couplings
 
 
 def read(request: dict[str, Any]) -> dict[str, Any]:
@@ -30,23 +31,9 @@ def read(request: dict[str, Any]) -> dict[str, Any]:
     return {
         "version": version("urchin"),
         "links": links,
-        "joints": {name: _joint(joint) for name, joint in moving.items()},
-        "couplings": {
-            name: [joint.mimic.joint, joint.mimic.multiplier, joint.mimic.offset]
-            for name, joint in moving.items()
-            if joint.mimic is not None
-        },
+        **joints_and_couplings(moving, {name: joint.joint_type for name, joint in moving.items()}),
         "poses": poses,
         "note": f"{len(robot.visual_trimesh_fk())} visual meshes",
-    }
-
-
-def _joint(joint: Any) -> dict[str, Any]:
-    return {
-        "kind": "prismatic" if joint.joint_type == "prismatic" else "revolute",
-        "limits": None if joint.joint_type == "continuous" else [joint.limit.lower, joint.limit.upper],
-        "damping": joint.dynamics.damping,
-        "friction": joint.dynamics.friction,
     }
 
 

@@ -5,6 +5,7 @@ from typing import Any
 import numpy as np
 from driver_protocol import serve
 from partnet_request import numbered
+from urdf_words import joints_and_couplings
 
 
 def read(request: dict[str, Any]) -> dict[str, Any]:
@@ -33,23 +34,9 @@ def read(request: dict[str, Any]) -> dict[str, Any]:
     return {
         "version": version("yourdfpy"),
         "links": links,
-        "joints": {name: _joint(joint) for name, joint in moving.items()},
-        "couplings": {
-            name: [joint.mimic.joint, joint.mimic.multiplier, joint.mimic.offset]
-            for name, joint in moving.items()
-            if joint.mimic is not None
-        },
+        **joints_and_couplings(moving, {name: joint.type for name, joint in moving.items()}),
         "poses": poses,
         "said": said,
-    }
-
-
-def _joint(joint: Any) -> dict[str, Any]:
-    return {
-        "kind": "prismatic" if joint.type == "prismatic" else "revolute",
-        "limits": None if joint.type == "continuous" else [joint.limit.lower, joint.limit.upper],
-        "damping": joint.dynamics.damping,
-        "friction": joint.dynamics.friction,
     }
 
 
