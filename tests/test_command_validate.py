@@ -189,6 +189,12 @@ def test_without_clients_none_is_asked(run, assets, judged, asked):
     assert "clients" not in json.loads((assets / "a/report.json").read_text())
 
 
+def test_no_name_of_a_client_is_refused(run, assets, judged, asked):
+    with pytest.raises(ParameterError, match="'' names no client; give 'all' or some of: mujoco"):
+        run(assets / "a", "--clients", "")
+    assert asked["calls"] == []
+
+
 def test_clients_have_a_table_and_stand_in_the_report(run, assets, judged, asked):
     asked["outcomes"] = [GOOD, GONE]
     done = run(assets / "a", "--clients", "all")

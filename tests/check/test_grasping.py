@@ -350,3 +350,17 @@ def test_the_frames_of_holds_are_those_of_the_asset() -> None:
     assert {hold.name: type(hold) for hold in holds} == {
         name: Grasp if each.kind == "grasp" else Push for name, each in found.items()
     }
+
+
+@pytest.mark.parametrize(("height", "says"), [(0.1, ["the hand reaches 52 mm below"]), (0.3, [])])
+def test_a_hand_that_reaches_below_the_ground_is_noted(height: float, says: list[str]) -> None:
+    @artgen.generator
+    def low() -> Body:
+        wall = part(box(0.4, 0.02, height).at(0, 0.1, 0), "wall", STEEL)
+        bar = box(0.2, 0.02, 0.02)
+        moving = part(bar, "bar", STEEL, grasp=grasp_on(bar))
+        return wall.attach(moving, Prismatic("slide", axis=-Y, limits=(0.0, 0.2)))
+
+    result = check_grasps(low.generate(certify=False))
+    assert not result.faults
+    assert [each.message.split(": ")[1].split(" the lowest")[0] for each in result.findings] == says

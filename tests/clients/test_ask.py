@@ -10,6 +10,7 @@ from artgen.clients.ask import ask_clients
 from artgen.clients.outcome import ClientReport, Outcome
 from artgen.clients.registry import CLIENTS, chosen_clients
 from artgen.errors import ParameterError
+from support.exports import edit_json
 
 PASSED = Outcome("one", "urdf", "1", "passed", note="all of it")
 ABSENT = Outcome("two", "urdf", "", "absent", (Finding("two", "not there", severity="note"),))
@@ -40,6 +41,20 @@ def test_an_absent_client_is_a_fault_if_it_was_named(asked, drawer):
     outcomes = ask_clients(drawer, list(CLIENTS.values())[:2], by_name=True)
     assert [outcome.fault for outcome in outcomes] == [False, True]
     assert outcomes[1].state == "absent"
+
+
+def test_where_no_client_reads_the_export_that_is_no_pass(drawer, monkeypatch):
+    monkeypatch.setattr(module, "ask_all", lambda clients, exported: [ABSENT for _ in clients])
+    outcomes = ask_clients(drawer, list(CLIENTS.values()), by_name=False)
+    assert outcomes
+    assert all(outcome.fault and outcome.state == "absent" for outcome in outcomes)
+
+
+def test_where_no_client_knows_the_layout_all_have_failed(directory):
+    edit_json(directory / "asset.json", lambda data: data.update(layout="flatt"))
+    outcomes = ask_clients(directory, list(CLIENTS.values()), by_name=False)
+    assert {outcome.state for outcome in outcomes} == {"nothing to read"}
+    assert all(outcome.fault for outcome in outcomes)
 
 
 def test_an_export_that_cannot_be_read_fails_every_client(directory):

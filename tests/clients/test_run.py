@@ -9,7 +9,8 @@ import pytest
 from artgen.check.reading import expected_frames
 from artgen.clients import place
 from artgen.clients.client import Unavoidable
-from artgen.clients.run import ask, ask_all, joined_lines
+from artgen.clients.messages import joined_lines, sorted_messages
+from artgen.clients.run import ask, ask_all
 
 ANSWER = """
 import json, sys
@@ -133,6 +134,35 @@ def test_an_answer_without_what_the_client_has_to_tell_fails(answer, truth):
     assert outcome.message == "it tells nothing of joints, poses"
 
 
+@pytest.mark.parametrize(
+    ("way", "tells", "message"),
+    [
+        (("links", "drawer", "inertia"), ("links",), "link drawer: it does not tell its inertia"),
+        (("joints", "slide", "limits"), ("joints",), "joint slide: it does not tell its limits"),
+        (
+            ("joints", "slide", "damping"),
+            ("joints", "joints.damping"),
+            "joint slide: it does not tell its damping",
+        ),
+        (("moved", "slide"), ("moved",), "joint slide: it was not driven in simulation"),
+    ],
+)
+def test_a_client_that_falls_silent_in_part_fails(answer, truth, way, tells, message):
+    *path, last = way
+    data = truth
+    for key in path:
+        data = data[key]
+    del data[last]
+    outcome = answer(truth, tells=tells)
+    assert (outcome.state, outcome.message) == ("failed", message)
+    assert answer(truth).state == "passed"
+
+
+def test_a_simulation_without_steps_is_none(answer, truth):
+    truth["steps"] = 0
+    assert answer(truth, tells=("steps",)).message == "it simulated no steps"
+
+
 def test_tolerances_are_the_clients(answer, truth, exported):
     changed(truth, ("links", "drawer", "mass"), exported.asset.link("drawer").mass_properties.mass * 1.00001)
     assert answer(truth).state == "failed"
@@ -199,6 +229,36 @@ def test_many_messages_are_counted(fake, exported):
 def test_an_indented_line_belongs_to_the_one_before():
     lines = joined_lines("a.py:3: UserWarning: old\n  call()\n\nnext\r\n")
     assert lines == ["a.py:3: UserWarning: old\ncall()", "next"]
+
+
+def test_colours_are_no_part_of_messages():
+    assert joined_lines("\x1b[1;33m[warn]\x1b[0m old\n\x1b]0;title\x07") == ["[warn] old"]
+
+
+def test_an_error_below_a_message_that_is_no_fault_is_a_fault(fake):
+    client = fake("", unavoidable=(Unavoidable("it is Monday.*", "it always says so"),))
+    lines = joined_lines("it is Monday\n  print(day)\nit is Monday\n  Error: no such mesh\n")
+    faults, tolerated = sorted_messages(client, lines)
+    assert faults == ("it is Monday Error: no such mesh",)
+    assert [(each.message, each.count) for each in tolerated] == [("it is Monday print(day)", 1)]
+
+
+def test_a_client_that_ends_with_the_code_of_absence_and_says_why_has_failed(fake, exported):
+    (outcome,) = ask(fake("import sys; print('abort() was called'); sys.exit(3)"), [exported])
+    assert (outcome.state, outcome.message) == (
+        "failed",
+        "it ended with exit code 3: abort() was called",
+    )
+
+
+def test_a_client_whose_interpreter_does_not_start_has_failed(fake, exported, monkeypatch, tmp_path):
+    program = tmp_path / "drake/bin/python"
+    program.parent.mkdir(parents=True)
+    program.write_text("no program")
+    monkeypatch.setenv(place.VARIABLE, str(tmp_path))
+    (outcome,) = ask(fake("pass", distribution="no-such-thing", environment="drake"), [exported])
+    assert outcome.state == "failed"
+    assert outcome.message.endswith("/drake/bin/python cannot be started: Permission denied")
 
 
 def test_a_driver_finds_its_package_and_works_in_an_empty_directory(fake, exported):

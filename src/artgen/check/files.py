@@ -69,7 +69,7 @@ def read_export(directory: str | Path) -> Exported:
     compared = {data["formats"][name].get("main") for name in _COMPARED if name in formats}
     contents = read_contents(directory, formats, digests, compared)
     findings = (
-        *record_findings(data, asset, formats, digests),
+        *record_findings(data, asset, formats, digests, contents.found),
         *_wrong_certificate(directory, certified=certified),
         *_file_findings(contents, formats),
         *_wrong_main_files(data, formats),

@@ -30,6 +30,7 @@ _FOOTHOLD = 0.002  # least width of contact under a pushing finger [m]
 _ALONG = 0.5  # least cosine between a push and the way that its point can go
 _LEAST_SHARE = 0.2  # of the range of a joint that a hand has to be able to move it through
 _NEARLY_ALL = 0.999
+_GRAZES = 1e-4  # how far a hand may reach below the ground [m]
 
 
 def check_grasps(asset: Asset) -> CheckResult:
@@ -64,6 +65,7 @@ def check_grasps(asset: Asset) -> CheckResult:
         if faults:
             faulty |= set(affordance.joints)
         else:
+            findings += _floor_findings(space, affordance)
             findings += _motion_findings(space, affordance, best)
     findings += _joint_findings(asset, best, faulty)
     grasps = sum(each.kind == "grasp" for each in found)
@@ -101,6 +103,28 @@ def _grasp_faults(space: HandSpace, grasp: Affordance) -> Iterator[Finding]:
             yield _fault(grasp, message, hint)
             return
     yield from _closing_faults(space, grasp)
+
+
+def _floor_findings(space: HandSpace, grasp: Affordance) -> Iterator[Finding]:
+    """Yield how deep the hand reaches below the ground that the asset stands on, if it stands on any.
+
+    Whether it does is up to its user, so this is a note.
+    """
+    boxes = GRIPPER.blocks(-grasp.width / 2.0, grasp.width / 2.0).items() if grasp.kind == "grasp" else ()
+    for name, box in boxes:
+        corners = np.stack(np.meshgrid(*box.T), axis=-1).reshape(-1, 3)
+        below = space.lowest - float((corners @ grasp.frame[2, :3]).min() + grasp.frame[2, 3])
+        if below > _GRAZES:
+            yield Finding(
+                CHECK,
+                f"grasp {grasp.name}: the {name} reaches {_mm(below)} below the lowest point of the asset, "
+                "where the ground may be",
+                grasp.link,
+                value=below,
+                unit="m",
+                severity="note",
+            )
+            return
 
 
 def _closing_faults(space: HandSpace, grasp: Affordance) -> Iterator[Finding]:

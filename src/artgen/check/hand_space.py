@@ -48,6 +48,11 @@ class HandSpace:
             for name, parts in self._parts.items()
         }
 
+    @property
+    def lowest(self) -> float:
+        """Height of the lowest solid at rest, where the asset stands [m]."""
+        return min(float(boxes[:, 0, 2].min()) for boxes in self._boxes.values() if len(boxes))
+
     def first_touch(
         self,
         corners: Array,

@@ -1,6 +1,6 @@
 """What `asset.json` says of the export itself, and what it says twice."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from typing import Any
 
 import numpy as np
@@ -17,7 +17,11 @@ _SHOWN = 3  # files in one message
 
 
 def record_findings(
-    data: Mapping[str, Any], asset: Asset, formats: Mapping[str, tuple[str, ...]], digests: Mapping[str, str]
+    data: Mapping[str, Any],
+    asset: Asset,
+    formats: Mapping[str, tuple[str, ...]],
+    digests: Mapping[str, str],
+    there: Collection[str],
 ) -> Iterator[Finding]:
     """Yield what the record of an export says wrongly, twice and differently, or not at all.
 
@@ -26,9 +30,10 @@ def record_findings(
         asset: What it describes.
         formats: The files of each format.
         digests: Digest of each file when it was exported.
+        there: The listed files that can be read.
     """
     yield from _layout_findings(data, formats)
-    yield from _digest_findings(formats, digests)
+    yield from _digest_findings(formats, digests, there)
     yield from _mass_findings(data, asset)
     yield from _affordance_findings(data, asset)
 
@@ -48,11 +53,13 @@ def _layout_findings(data: Mapping[str, Any], formats: Mapping[str, tuple[str, .
         yield Finding("files", f"{ASSET_FILE} lists no format, so nobody can read the asset", hint=_AGAIN)
 
 
-def _digest_findings(formats: Mapping[str, tuple[str, ...]], digests: Mapping[str, str]) -> Iterator[Finding]:
+def _digest_findings(
+    formats: Mapping[str, tuple[str, ...]], digests: Mapping[str, str], there: Collection[str]
+) -> Iterator[Finding]:
     """Find files of which nobody can tell whether they were changed, and those that are listed no more."""
     listed = {path for files in formats.values() for path in files}
     for paths, says in (
-        (listed - set(digests), "has no digest of {}, so nobody can tell whether it was changed"),
+        (set(there) - set(digests), "has no digest of {}, so nobody can tell whether it was changed"),
         (set(digests) - listed, "has a digest of {}, which is in the list of no format"),
     ):
         if paths:

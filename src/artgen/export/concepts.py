@@ -270,8 +270,10 @@ CONCEPTS: tuple[Concept, ...] = (
         urdf="`<mimic`",
         mjcf="`<equality>` with `polycoef=`",
         usd=(
-            "`physxMimicJoint:rotX:gearing`, and `newton:mimicCoef1` or, between a rotation and a slide, "
-            "`mjc:coef1`",
+            (
+                "`physxMimicJoint:rotX:gearing`, and `newton:mimicCoef1` or, between a rotation and a slide, "
+                "`mjc:coef1`"
+            ),
             "joint coupling",
         ),
         glb='`"mimic"`',

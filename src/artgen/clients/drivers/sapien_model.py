@@ -28,13 +28,40 @@ def read(request: dict[str, Any]) -> dict[str, Any]:
     loader.fix_root_link = request["base"] == "fixed"
     if request["layout"] == "partnet-mobility":
         loader.load_multiple_collisions_from_file = True  # as loaders of that dataset do
-    (builder,), _, _ = loader.parse(request["file"])
+    articulations, actors, _ = loader.parse(request["file"])
+    if not articulations:
+        return {"version": version("sapien"), **_alone(scene, actors, request)}
+    (builder,) = articulations
     for link in builder.link_builders:
         link.visual_records = []
     articulation = builder.build(build_mimic_joints=False)
     couple(articulation, builder.mimic_joint_records)
     told = read_articulation(articulation, builder.mimic_joint_records, request)
     return {"version": version("sapien"), **told, **simulate(scene.step, articulation, request)}
+
+
+def _alone(scene: Any, builders: Any, request: dict[str, Any]) -> dict[str, Any]:
+    """Return what SAPIEN tells of a link without joints, of which it makes an actor."""
+    import sapien
+
+    (builder,) = builders
+    builder.visual_records = []
+    entity = builder.build()
+    body = entity.find_component_by_type(sapien.physx.PhysxRigidDynamicComponent)
+    for _ in range(round(_SETTLE / _STEP)):
+        scene.step()
+    position = entity.pose.to_transformation_matrix()
+    colliders = entity.find_component_by_type(sapien.physx.PhysxRigidBaseComponent).collision_shapes
+    (name,) = request["links"]
+    return {
+        "links": {} if body is None else {name: _link(body)},  # what is fixed has no mass
+        "joints": {},
+        "poses": [{name: np.eye(4)} for _ in request["poses"]],
+        "moved": {},
+        "steps": round(_SETTLE / _STEP),
+        "finite": bool(np.isfinite(position).all()),
+        "note": f"{len(colliders)} colliders",
+    }
 
 
 def without_graphics(urdf_loader: Any) -> None:
