@@ -34,6 +34,31 @@ PLAIN = 4  # every so manyth seed has colours alone, no maps
 SLOW = ("mjx", "mujoco_warp", "genesis_mjcf", "genesis_urdf")
 """Clients that compile for each asset, for a minute or more: they read fewer seeds."""
 
+READING = {"__pycache__", "check", "clients", "commands", "testing", "view"}
+"""Folders of artgen that take no part in an export: where they change, exports stay."""
+
+KNOWN = (
+    ("Drake", "in MJCF it passes over a joint's `ref`, its spring and dry friction, and over couplings"),
+    (
+        "MJX",
+        "on JAX it refuses contacts between cylinders and boxes: `impl='warp'` takes them",
+    ),
+    ("Newton", "a drive's target beyond a joint's limits becomes the middle of its range"),
+    ("PhysX", "on a GPU, pieces a hundred times as long as thin collide on the processor"),
+    ("pinocchio", "a coupled joint's leader has to come before it in the alphabet"),
+    ("PyBullet", "it passes over `<mimic>`"),
+    ("robosuite", "it drops an object's `<equality>`: append it to the task"),
+    (
+        "SAPIEN, ManiSkill",
+        (
+            "their loader inverts `<mimic>` between joints of one body, so that a lever sticks; the layout "
+            "`partnet-mobility` leaves such couplings out"
+        ),
+    ),
+    ("SimReady's variants", "neutral by default, without friction or couplings: enable your simulator's"),
+)
+"""What people who use a client should know of it."""
+
 ELSEWHERE = (
     ("Isaac Sim", "it needs an RTX GPU; its physics is ovphysx, its validators are the two of NVIDIA above"),
     (
@@ -117,7 +142,7 @@ def _fresh(work: Path) -> Path:
     """Return the work folder, emptied if the source of artgen has changed since."""
     key = hashlib.sha256()
     for path in sorted(SOURCE.rglob("*")):
-        if path.is_file() and "__pycache__" not in path.parts and "clients" not in path.parts:
+        if path.is_file() and not READING & set(path.parts):
             key.update(path.relative_to(SOURCE).as_posix().encode() + b"\0" + path.read_bytes())
     stamp = work / "source"
     if not stamp.is_file() or stamp.read_text(encoding="utf-8") != key.hexdigest():
@@ -203,6 +228,8 @@ def _page(results: dict[Task, list[dict[str, Any]]], named: Sequence[str], seeds
         yield from _table(layout, results, named)
     yield from _tolerances(results)
     yield from _tolerated(results)
+    yield from ("", "## What to know of a client", "")
+    yield from (f"- {name}: {text}." for name, text in KNOWN)
     yield from _not_run(results)
 
 
