@@ -2,9 +2,10 @@
 
 import os
 import sys
+import threading
 import time
 
-from artgen.clients.process import run_process
+from artgen.clients.process import run_process, stop_running
 
 
 def run(tmp_path, code, seconds=20.0):
@@ -55,3 +56,13 @@ def test_a_child_that_outlives_the_program_does_not_hold_it_up(tmp_path):
     done = run(tmp_path, code, 30.0)
     assert (done.code, done.timed_out) == (0, False)
     assert done.seconds < 10.0
+
+
+def test_what_nobody_waits_for_any_more_is_stopped(tmp_path):
+    timer = threading.Timer(1.0, stop_running)
+    timer.start()
+    start = time.monotonic()
+    done = run(tmp_path, "import time; time.sleep(60)")
+    timer.join()
+    assert time.monotonic() - start < 10.0
+    assert done.ending == "it crashed: SIGKILL"

@@ -2,12 +2,13 @@
 
 import json
 import sys
+import time
 
 import numpy as np
 import pytest
 
 from artgen.check.reading import expected_frames
-from artgen.clients import place
+from artgen.clients import place, run
 from artgen.clients.client import Unavoidable
 from artgen.clients.messages import joined_lines, sorted_messages
 from artgen.clients.run import ask, ask_all
@@ -325,6 +326,22 @@ def test_all_clients_answer_in_their_order(fake, exported):
     clients = [fake(ANSWER.format(answer="{}"), name=name) for name in ("third", "first", "second")]
     outcomes = ask_all(clients, exported)
     assert [outcome.client for outcome in outcomes] == ["third", "first", "second"]
+
+
+def test_an_interruption_does_not_wait_for_clients(fake, exported, monkeypatch):
+    slow = [fake("import time; time.sleep(60)", name=name, seconds=60.0) for name in ("first", "second")]
+
+    def interrupted(client, exports):
+        if client.name == "first":
+            time.sleep(1.0)
+            raise KeyboardInterrupt
+        return ask(client, exports)
+
+    monkeypatch.setattr(run, "ask", interrupted)
+    start = time.monotonic()
+    with pytest.raises(KeyboardInterrupt):
+        ask_all(slow, exported)
+    assert time.monotonic() - start < 20.0
 
 
 def test_requests_hold_what_drivers_are_promised(fake, exported):

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import IO
 
 _KEPT = 400_000  # bytes of output that are looked at
+_RUNNING: "set[subprocess.Popen[bytes]]" = set()
 _PATIENCE = 5.0  # how long to wait for output after the group was killed [s]
 
 
@@ -66,6 +67,7 @@ def run_process(
         stderr=subprocess.STDOUT,
         start_new_session=True,
     )
+    _RUNNING.add(process)
     assert process.stdout is not None
     kept = bytearray()
     reader = threading.Thread(target=_read, args=(process.stdout, kept), daemon=True)
@@ -79,8 +81,15 @@ def run_process(
         taken = time.monotonic() - start
         _kill_group(process)
         process.wait()
+        _RUNNING.discard(process)
         reader.join(_PATIENCE)
     return Finished(process.returncode, bytes(kept).decode(errors="replace"), taken, timed_out)
+
+
+def stop_running() -> None:
+    """Kill all programs that `run_process` runs now, in any thread: nobody waits for them any more."""
+    for process in tuple(_RUNNING):
+        _kill_group(process)
 
 
 def _read(stream: IO[bytes], kept: bytearray) -> None:

@@ -3,6 +3,7 @@
 import json
 import os
 import tempfile
+import time
 from collections.abc import Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field, replace
@@ -16,7 +17,7 @@ from artgen.clients.exported import Exported
 from artgen.clients.messages import joined_lines, sorted_messages
 from artgen.clients.outcome import Outcome, State, Tolerated
 from artgen.clients.place import how_to_get, interpreters
-from artgen.clients.process import Finished, run_process
+from artgen.clients.process import Finished, run_process, stop_running
 
 DRIVERS = Path(__file__).parent / "drivers"
 """Where the drivers are."""
@@ -30,6 +31,7 @@ _START = (
     "sys.argv = sys.argv[2:]; sys.path[0] = os.path.dirname(sys.argv[0]); sys.path.append(sys.path.pop(0)); "
     "runpy.run_path(sys.argv[0], run_name='__main__')"
 )
+_GLANCE = 0.1  # between two looks at what was stopped [s]
 _AFTER = 30.0  # when the alarm rings after the time is over [s]
 
 
@@ -37,7 +39,15 @@ def ask_all(clients: Sequence[Client], exported: Exported) -> list[Outcome]:
     """Return what clients make of an export, some of them at a time, in the order of the clients."""
     workers = max(1, (os.cpu_count() or 2) // 2)
     with ThreadPoolExecutor(workers) as pool:
-        return list(pool.map(lambda client: ask(client, [exported])[0], clients))
+        started = [pool.submit(ask, client, [exported]) for client in clients]
+        try:
+            return [each.result()[0] for each in started]
+        except BaseException:  # such as Ctrl-C: leaving the pool waits for clients, which may take minutes
+            pool.shutdown(wait=False, cancel_futures=True)
+            while not all(each.done() for each in started):  # one may be about to start its client
+                stop_running()
+                time.sleep(_GLANCE)
+            raise
 
 
 def ask(client: Client, exports: Sequence[Exported]) -> list[Outcome]:

@@ -9,7 +9,7 @@ from typing import Any
 
 from driver_protocol import serve
 from partnet_request import numbered
-from sapien_model import couple, read_articulation, simulate, without_graphics
+from sapien_model import couple, read_alone, read_articulation, simulate, without_graphics
 
 _STEP = 1.0 / 240.0  # [s]
 _ABOUT = "maniskill.json"  # what ManiSkill keeps of a model
@@ -33,6 +33,9 @@ def read(request: dict[str, Any]) -> dict[str, Any]:
     scene = ManiSkillScene([inner], device=device, backend=backend)
     builder = _builder(scene, request)
     builder.initial_pose = sapien.Pose()
+    if not hasattr(builder, "link_builders"):
+        actor = builder.build(name=request["asset"])
+        return {"version": version("mani_skill"), **read_alone(inner.step, actor._objs[0], request)}
     built = builder.build(name=request["asset"], build_mimic_joints=False)
     articulation = built._objs[0]  # what ManiSkill wraps
     for item in (*articulation.links, *articulation.joints):
@@ -64,7 +67,8 @@ def _builder(scene: Any, request: dict[str, Any]) -> Any:
     loader = scene.create_urdf_loader()
     loader.fix_root_link = fixed
     loader.name = request["asset"]
-    (builder,) = loader.parse(request["file"])["articulation_builders"]
+    found = loader.parse(request["file"])
+    (builder,) = found["articulation_builders"] or found["actor_builders"]  # without joints it is an actor
     return builder
 
 

@@ -30,7 +30,9 @@ def read(request: dict[str, Any]) -> dict[str, Any]:
         loader.load_multiple_collisions_from_file = True  # as loaders of that dataset do
     articulations, actors, _ = loader.parse(request["file"])
     if not articulations:
-        return {"version": version("sapien"), **_alone(scene, actors, request)}
+        (actor,) = actors
+        actor.visual_records = []
+        return {"version": version("sapien"), **read_alone(scene.step, actor.build(), request)}
     (builder,) = articulations
     for link in builder.link_builders:
         link.visual_records = []
@@ -40,16 +42,13 @@ def read(request: dict[str, Any]) -> dict[str, Any]:
     return {"version": version("sapien"), **told, **simulate(scene.step, articulation, request)}
 
 
-def _alone(scene: Any, builders: Any, request: dict[str, Any]) -> dict[str, Any]:
+def read_alone(step: Any, entity: Any, request: dict[str, Any]) -> dict[str, Any]:
     """Return what SAPIEN tells of a link without joints, of which it makes an actor."""
     import sapien
 
-    (builder,) = builders
-    builder.visual_records = []
-    entity = builder.build()
     body = entity.find_component_by_type(sapien.physx.PhysxRigidDynamicComponent)
     for _ in range(round(_SETTLE / _STEP)):
-        scene.step()
+        step()
     position = entity.pose.to_transformation_matrix()
     colliders = entity.find_component_by_type(sapien.physx.PhysxRigidBaseComponent).collision_shapes
     (name,) = request["links"]
