@@ -135,6 +135,14 @@ def test_an_answer_without_what_the_client_has_to_tell_fails(answer, truth):
     assert outcome.message == "it tells nothing of joints, poses"
 
 
+def test_a_client_may_have_no_word_for_something(answer, truth):
+    for joint in truth["joints"].values():
+        del joint["kind"]
+    told = answer(truth, tells=("joints",))
+    assert "joint slide: it does not tell its kind" in "\n".join(map(str, told.findings))
+    assert answer(truth, tells=("joints",), withholds=("joints.kind",)).state == "passed"
+
+
 @pytest.mark.parametrize(
     ("way", "tells", "message"),
     [

@@ -46,6 +46,7 @@ class Client:
         light: Whether it comes with `artgen[test]`; others need an environment of their own.
         tells: Keys that its answer must have, so that a reader that falls silent is noticed; such as
             `links`, or `joints.damping` for a quantity of each joint.
+        withholds: What it has no words for, of what others have to tell, such as `joints.kind`.
         obtain: How to get it, where no environment of artgen's brings it.
     """
 
@@ -61,4 +62,5 @@ class Client:
     unavoidable: tuple[Unavoidable, ...] = ()
     light: bool = False
     tells: tuple[str, ...] = ()
+    withholds: tuple[str, ...] = ()
     obtain: str = ""

@@ -13,9 +13,9 @@ _NO_GPU = Unavoidable(
     r"Warp CUDA warning: Could not find or load the NVIDIA CUDA driver\..*",
     "Warp says so on every machine without a GPU",
 )
-_ROUGHNESS = Unavoidable(
-    r"NewtonWarning: Roughness texture inputs are not yet supported; using scalar fallback\.",
-    "Newton draws roughness as one number, and the asset has maps of it",
+_MAPS = Unavoidable(
+    r"NewtonWarning: (Roughness|Metallic) texture inputs are not yet supported; using scalar fallback\.",
+    "Newton draws roughness and metalness as one number each, and the asset has maps of them",
 )
 
 
@@ -30,7 +30,7 @@ def _newton(form: FormatName, *layouts: str) -> Client:
         seconds=300.0,  # the first time on a machine it compiles its kernels
         length_tolerance=_LENGTH,
         relative_tolerance=_RELATIVE,
-        unavoidable=(_NO_GPU, _ROUGHNESS),
+        unavoidable=(_NO_GPU, _MAPS),
         tells=(*_READ, "couplings", *_MOVED),
     )
 
@@ -82,7 +82,8 @@ _OVPHYSX = Client(
             "it follows the message about an oblong shape",
         ),
     ),
-    tells=(*_READ, *_MOVED),
+    tells=(*_READ, *_MOVED, "joints.stiffness", "joints.damping"),
+    withholds=("joints.kind",),  # a wrong one shows in the poses
 )
 
 _VALIDATORS = (

@@ -31,7 +31,11 @@ def silences(client: Client, exported: Exported, response: Mapping[str, Any]) ->
         required[part].append(quantity)
     for part, quantities in required.items():
         for name, read in response.get(part, {}).items() if part in whole else ():
-            lost = [quantity for quantity in quantities if quantity not in read]
+            lost = [
+                quantity
+                for quantity in quantities
+                if quantity not in read and f"{part}.{quantity}" not in client.withholds
+            ]
             if lost:
                 where = {"link" if part == "links" else "joint": name}
                 yield Finding(client.name, f"it does not tell its {', '.join(lost)}", **where)

@@ -71,7 +71,7 @@ class _Articulation:
         start = self._read("DOF_POSITION")
         answer = {
             "links": self._links(),
-            "joints": self._kinds(),
+            "joints": self._told(),
             "poses": [self._pose(pose) for pose in self._request["poses"]],
         }
         self._place(start)
@@ -113,8 +113,7 @@ class _Articulation:
             if name in self._request["links"]
         }
 
-    def _kinds(self) -> dict[str, Any]:
-        wanted = {joint["name"]: joint["kind"] for joint in self._request["joints"]}
+    def _told(self) -> dict[str, Any]:
         limits, target = self._read("DOF_LIMIT"), self._read("DOF_POSITION_TARGET")
         values = {
             "stiffness": self._read("DOF_STIFFNESS"),
@@ -128,7 +127,7 @@ class _Articulation:
         for name, number in self._joints.items():
             bounded = bool(np.abs(limits[number]).max() < _UNBOUNDED)
             # PhysX does not tell the kind of a joint: a wrong one shows in the poses
-            found[name] = {"kind": wanted.get(name, ""), "limits": limits[number] if bounded else None}
+            found[name] = {"limits": limits[number] if bounded else None}
             found[name] |= {key: each[number] for key, each in values.items() if each[number] < _UNBOUNDED}
             if found[name]["stiffness"]:
                 found[name]["rest"] = target[number]
