@@ -20,7 +20,7 @@ from artgen.asset.joint import Joint
 from artgen.asset.link import Collider, Link, Surface
 from artgen.asset.mass import MassProperties
 from artgen.asset.shape import Mesh
-from artgen.asset.surface import metric_coordinates, texture_coordinates
+from artgen.asset.surface import joined, metric_coordinates, texture_coordinates
 from artgen.colliders import Convex
 from artgen.errors import AssetError, ExportError
 from artgen.materials import Material
@@ -266,15 +266,21 @@ class _StoredLink(Link):
 
 def _as_written(surface: Surface, origin: Array, material: Material) -> Surface:
     """Return a surface as it is read from files: rounded in the frame at `origin` [m], of that material."""
-    mesh = surface.mesh
+    mesh = _rounded_mesh(surface.mesh, origin, material)
+    # vertices that differed by less than what is written are one now; what that moves is rounded again
+    mesh = _rounded_mesh(joined([mesh]), origin, material)
+    return replace(surface, material=material, mesh=mesh)
+
+
+def _rounded_mesh(mesh: Mesh, origin: Array, material: Material) -> Mesh:
+    """Return a mesh with the decimals of mesh files of a link with that origin, shape (3,) [m]."""
     written = np.round(texture_coordinates(mesh, material), UV_DECIMALS) + 0.0
-    rounded_mesh = replace(
+    return replace(
         mesh,
         vertices=np.round(mesh.vertices - origin, POSITION_DECIMALS) + 0.0 + origin,
         normals=np.round(mesh.normals, NORMAL_DECIMALS) + 0.0,
         uvs=metric_coordinates(written, material),
     )
-    return replace(surface, material=material, mesh=rounded_mesh)
 
 
 def _convex(data: Mapping[str, Any]) -> Convex:

@@ -93,14 +93,21 @@ def joined(meshes: list[Mesh]) -> Mesh:
     used = np.zeros(len(rows), bool)
     used[corners] = True
     rows, corners = rows[used], (np.cumsum(used) - 1)[corners]
+    corners, copied = _fanned(_ordered(corners), len(rows))
+    if copied:
+        copies = rows[copied]
+        copies[:, 6] += _APART * (1 + np.arange(len(copied)) - np.searchsorted(copied, copied))
+        rows = np.concatenate([rows, copies])
+        order = np.lexsort(np.rint(rows * 1e7).astype(np.int64).T[::-1])
+        rows, corners = rows[order], _ordered(np.argsort(order)[corners])
+    return Mesh(rows[:, :3], rows[:, 3:6], rows[:, 6:8], np.zeros(len(rows), np.int64), corners)
+
+
+def _ordered(corners: NDArray[np.int64]) -> NDArray[np.int64]:
+    """Return triangles in order, each with its least corner first."""
     turned = np.argmin(corners, axis=1)[:, None] + np.arange(3)
     corners = np.take_along_axis(corners, turned % 3, axis=1)
-    corners = corners[np.lexsort(corners.T[::-1])]
-    corners, copied = _fanned(corners, len(rows))
-    copies = rows[copied]
-    copies[:, 6] += _APART * (1 + np.arange(len(copied)) - np.searchsorted(copied, copied))
-    rows = np.concatenate([rows, copies])
-    return Mesh(rows[:, :3], rows[:, 3:6], rows[:, 6:8], np.zeros(len(rows), np.int64), corners)
+    return corners[np.lexsort(corners.T[::-1])]
 
 
 def _fanned(corners: NDArray[np.int64], count: int) -> tuple[NDArray[np.int64], list[int]]:
