@@ -31,17 +31,21 @@ from artgen.nodes import details
 from artgen.nodes.arrays import array
 from artgen.nodes.body import detail, part, weld
 from artgen.nodes.choose import require, switch
+from artgen.nodes.coarse import coarse
+from artgen.nodes.condition import Condition, Dependency
 from artgen.nodes.csg import enclosed, hull, intersection, shell, split, union
 from artgen.nodes.extrude import extrude
+from artgen.nodes.half_section import half_section
 from artgen.nodes.handles import Body, Bool, Float, Path, Points, Profile, Solid, Vector
 from artgen.nodes.hold import Frame, frame, grasp_on, push_on
-from artgen.nodes.joint import Condition, Coupling, Dependency, Joint, Prismatic, Revolute
+from artgen.nodes.joint import Coupling, Joint, Prismatic, Revolute
 from artgen.nodes.loft import loft
 from artgen.nodes.path import arc, bezier, helix, line, polyline, spline
 from artgen.nodes.points import along, grid, points, ring_points, row
 from artgen.nodes.primitive import (
     bore,
     box,
+    box_between,
     capsule,
     cylinder,
     dome,
@@ -73,6 +77,7 @@ from artgen.nodes.scalar import (
 from artgen.nodes.sweep import sweep
 from artgen.nodes.text import text, text_width
 from artgen.nodes.vector import X, Y, Z, cross, dot, norm, normalize, vector
+from artgen.nodes.weigh import center_of_mass, mass
 from artgen.range_proof import prove_range
 from artgen.sampling import Distribution, by, choice, count, fixed, given, loguniform, normal, uniform
 from artgen.version import __version__
@@ -127,13 +132,16 @@ __all__ = [
     "bore",
     "bow",
     "box",
+    "box_between",
     "by",
     "capsule",
     "catalog",
     "category",
+    "center_of_mass",
     "choice",
     "circle",
     "clamp",
+    "coarse",
     "coloured",
     "cos",
     "count",
@@ -156,6 +164,7 @@ __all__ = [
     "given",
     "grasp_on",
     "grid",
+    "half_section",
     "helix",
     "hull",
     "intersection",
@@ -163,6 +172,7 @@ __all__ = [
     "line",
     "loft",
     "loguniform",
+    "mass",
     "material",
     "max_",
     "min_",

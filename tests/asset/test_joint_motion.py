@@ -138,11 +138,51 @@ def test_dependency_binds_only_between_closed_and_its_end() -> None:
     assert not Dependency(DOOR_OPEN).allows(0.5, shut)
 
 
+def test_dependency_binds_only_beyond_its_slack() -> None:
+    slack = Dependency(DOOR_OPEN, beyond=0.03)
+    shut, open_ = {"door": 0.0}, {"door": 1.3}
+    assert slack.allows(0.03, shut)
+    assert slack.allows(-0.03, shut)
+    assert not slack.allows(0.031, shut)
+    assert not slack.allows(-0.031, shut)
+    assert slack.allows(0.3, open_)
+    between = Dependency(DOOR_OPEN, until=0.1, beyond=0.03)
+    assert [between.allows(at, shut) for at in (0.02, 0.05, 0.1)] == [True, False, True]
+    assert str(slack) == "(door > 1.2).beyond(0.03)"
+    assert str(between) == "(door > 1.2).beyond(0.03).until(0.1)"
+
+
+POSITIVE = st.none() | st.floats(1e-6, 10.0)
+
+
+@given(st.floats(-2.0, 2.0), st.floats(0.0, 2.0), POSITIVE, POSITIVE)
+def test_dependency_allows_the_same_after_a_round_trip_and_on_both_sides(
+    position: float, door: float, until: float | None, beyond: float | None
+) -> None:
+    needs = Dependency(DOOR_OPEN, until, beyond)
+    read = Dependency.from_data(json.loads(json.dumps(needs.to_data())))
+    assert read == needs
+    allowed = needs.allows(position, {"door": door})
+    assert allowed == needs.allows(-position, {"door": door})
+    # slack and end only add positions to those that the condition alone allows
+    assert allowed >= Dependency(DOOR_OPEN).allows(position, {"door": door})
+    if door <= 1.2 and abs(position) > 1e-9:
+        within = beyond is not None and abs(position) <= beyond
+        after = until is not None and abs(position) >= until
+        assert allowed == (within or after)
+
+
+def test_dependency_without_slack_is_read_from_files_that_know_none() -> None:
+    data = Dependency(DOOR_OPEN, 0.1).to_data()
+    assert data == {"condition": {"kind": "above", "joint": "door", "value": 1.2}, "until": 0.1}
+    assert Dependency.from_data(data) == Dependency(DOOR_OPEN, 0.1)
+
+
 def test_joint_survives_its_data() -> None:
     original = Joint(
         "bolt", "prismatic", unit((1, 2, 3)), np.array([0.1, 0.2, 0.3]), (-0.1, 0.2),
         stiffness=1.0, damping=0.1, friction=0.2, rest=0.05, armature=0.01, effort=5.0, velocity=2.0,
-        follows=Coupling("handle", 0.02, 0.001), needs=Dependency(DOOR_OPEN, 0.1),
+        follows=Coupling("handle", 0.02, 0.001), needs=Dependency(DOOR_OPEN, 0.1, 0.02),
         parent="door", child="bolt",
     )  # fmt: skip
     data = json.loads(json.dumps(original.to_data()))

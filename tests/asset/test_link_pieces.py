@@ -111,3 +111,19 @@ def test_link_without_solids_says_so(box_shape: BoxShape) -> None:
     link = replace(Link("it", "it", (Piece("leaf", WOOD, box_shape()),)), pieces=())
     with pytest.raises(AssetError, match="'it' was read from files and has no exact solids; generate"):
         _ = link.mass_properties
+
+
+def test_details_are_recorded_part_by_part_wherever_they_are_moved(box_shape: BoxShape) -> None:
+    first, second = box_shape((1.0, 1.0, 1.0)), box_shape((1.0, 2.0, 1.0), (4.0, 0.0, 0.0))
+    letters = Shape(first.manifold + second.manifold, first.pieces)
+    link = Link("lid", "lid", (Piece("lid", WOOD, first), Piece("print", IRON, letters, visual=True)))
+    turned = np.eye(4)
+    turned[:3, :3], turned[:3, 3] = [[0.6, -0.8, 0.0], [0.8, 0.6, 0.0], [0.0, 0.0, 1.0]], (0.1, 0.2, 0.3)
+    mirrored = np.diag([-1.0, 1.0, 1.0, 1.0])
+    for matrix in (np.eye(4), turned, mirrored, mirrored @ turned):
+        moved = link.moved(matrix)
+        parts = moved.pieces[1].shape.manifold.decompose()
+        boxes = sorted(np.round(part.bounding_box(), 9).reshape(2, 3).tolist() for part in parts)
+        assert len(boxes) == 2
+        found = [item["bounds"] for item in moved.to_data()["details"]]
+        assert np.array(found) == pytest.approx(np.array(boxes), abs=2e-9)

@@ -5,7 +5,7 @@ import json
 from hypothesis import given
 from hypothesis import strategies as st
 
-from artgen.asset.record import json_text, rounded, rounded_link
+from artgen.asset.record import json_text, rounded, rounded_link, significant
 
 numbers = st.floats(allow_nan=False, allow_infinity=False)
 data = st.recursive(
@@ -23,6 +23,12 @@ def test_any_data_is_read_back(value: object) -> None:
 @given(st.lists(st.lists(numbers)) | st.dictionaries(st.text(), numbers))
 def test_rounded_twice_is_rounded_once(value: object) -> None:
     assert rounded(rounded(value)) == rounded(value)
+
+
+def test_significant_digits_are_kept_and_no_zero_is_negative() -> None:
+    assert significant(1234.5678, 6) == 1234.57
+    assert significant(-1.23456789e-9, 3) == -1.23e-9
+    assert str(significant(-0.0, 6)) == "0.0"
 
 
 @given(st.lists(st.lists(st.floats(-100.0, 100.0), min_size=3, max_size=3), max_size=5), st.floats(0.0, 1e6))

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import artgen
+from artgen.asset import surface as module
 from artgen.asset.shape import Mesh
 from artgen.asset.surface import joined
 
@@ -71,3 +72,14 @@ def test_no_vertex_of_a_door_has_two_fans(seed) -> None:
     for link in asset.links:
         for surface in link.surfaces:
             assert fans_at_most(surface.mesh) == 1, f"{link.name}: {surface.name}"
+
+
+def test_the_order_of_triangles_does_not_depend_on_how_it_is_found(monkeypatch) -> None:
+    asset = artgen.generate("handle", seed=3, certify=False)
+    meshes = [surface.mesh for link in asset.links for surface in link.surfaces]
+    packed = joined(meshes)
+    corners = packed.triangles.tolist()
+    assert corners == sorted(corners)
+    assert all(first < min(second, third) for first, second, third in corners)
+    monkeypatch.setattr(module, "_MOST_PACKED", 1)
+    assert np.array_equal(joined(meshes).triangles, packed.triangles)

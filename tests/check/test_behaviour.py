@@ -504,7 +504,7 @@ def test_states_satisfy_their_condition_and_are_found_where_there_are_any(condit
 @given(_trees())
 def test_a_comparison_that_alone_breaks_a_condition_does(condition: Condition):
     for comparison, region in isolated(condition):
-        state = state_for(FREE, [region], extreme=comparison.joint)
+        state = state_for(FREE, [region], extreme=(comparison.joint,))
         if state is None:
             continue
         q = FREE.positions(state)

@@ -3,6 +3,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from manifold3d import Manifold
+from trimesh.triangles import closest_point
 
 from artgen.check.distance import Faces
 from artgen.check.fidelity import fidelity
@@ -113,3 +114,38 @@ def test_spread_points_lie_on_the_surface_and_cover_it():
     top = np.isclose(points[36:, 2], 0.025).mean()
     assert top == pytest.approx(2 / 7, abs=0.02)
     assert np.array_equal(points, faces.spread(400))
+
+
+@given(st.integers(0, 2**32 - 1), st.integers(1, 40))
+@settings(max_examples=30, deadline=None)
+def test_the_farthest_point_is_that_of_all_triangles(seed, count):
+    draw = np.random.default_rng(seed)
+    # long and short triangles, so that the nearest one is often not that of the nearest corner
+    corners = draw.normal(size=(count, 3, 3)) * draw.choice([0.1, 1.0, 10.0], size=(count, 1, 1))
+    points = draw.normal(size=(300, 3)) * 3.0
+    away, place = Faces(corners).farthest(points)
+    each = [
+        np.linalg.norm(closest_point(corners, np.tile(point, (count, 1))) - point, axis=1).min()
+        for point in np.round(points, 8)
+    ]
+    assert away == pytest.approx(max(each), rel=1e-9)
+    assert np.abs(points[int(np.argmax(each))] - place).max() < 1e-7
+
+
+@given(st.integers(0, 2**32 - 1))
+@settings(max_examples=50, deadline=None)
+def test_what_sticks_out_does_not_depend_on_the_other_pieces(seed):
+    draw = np.random.default_rng(seed)
+    solid = Manifold.cube((0.1, 0.1, 0.1), center=True)
+    # a piece short of the solid's top, among long and thin ones below it
+    short = float(draw.uniform(0.001, 0.05))
+    pieces = [Convex.box((0.1, 0.1, 0.1 - short), placed(0.0, 0.0, -short / 2))]
+    for _ in range(6):
+        center = draw.normal(size=3) * 0.2
+        center[2] = -0.3 - abs(center[2])
+        size = draw.choice([0.01, 0.1, 0.4], size=3)
+        pieces.append(Convex.box(tuple(size), placed(*center)))
+    draw.shuffle(pieces)
+    found = fidelity(solid, pieces)
+    assert found.sticks_out == pytest.approx(short, abs=1e-7)
+    assert found.place[2] == pytest.approx(0.05)

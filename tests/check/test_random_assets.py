@@ -116,7 +116,8 @@ def bound(draw: np.random.Generator, joints: list[Joint]) -> list[Joint]:
         others = [name for name in known if name != joint.name]
         if others and draw.random() < 0.25:
             until = float(draw.uniform(0.02, 0.2)) if draw.random() < 0.4 else None
-            needs = Dependency(drawn_condition(draw, others), until)
+            beyond = float(draw.uniform(0.005, 0.015)) if draw.random() < 0.4 else None
+            needs = Dependency(drawn_condition(draw, others), until, beyond)
             result[index] = replace(joint, needs=needs)
     return result
 

@@ -56,7 +56,8 @@ def test_no_allowed_pose_lies_outside_the_boxes(seed: int) -> None:
         if draw.random() < 0.6:
             others = [other for other in NAMES if other != name]
             until = float(draw.uniform(0.1, 0.4)) if draw.random() < 0.4 else None
-            fields[name] = {"needs": Dependency(condition(draw, others), until)}
+            beyond = float(draw.uniform(0.01, 0.09)) if draw.random() < 0.4 else None
+            fields[name] = {"needs": Dependency(condition(draw, others), until, beyond)}
     asset = changed(star(), **fields)
     try:
         space = Space(asset)
@@ -85,6 +86,18 @@ def test_a_dependency_of_two_joints_on_a_way_cuts_off_what_it_forbids() -> None:
     assert total == pytest.approx(2.0 * 0.5, rel=1e-6)  # a moves where b is within 1.0 to 1.5
     (whole,) = Space(asset).way("hub", "a").boxes  # b does not move this pair: it may stand anywhere
     np.testing.assert_allclose(whole, [[-0.5, 1.5]])
+
+
+def test_the_slack_of_a_dependency_adds_a_strip_in_which_the_other_may_stand_anywhere() -> None:
+    asset = changed(star(), a={"needs": Dependency(Condition("above", "b", 1.0), beyond=0.1)})
+    boxes = Space(asset).way("a", "b").boxes
+    q = {"a": np.linspace(-0.5, 1.5, 401), "b": np.linspace(-0.5, 1.5, 401)}
+    found = np.zeros((401, 401), bool)
+    for low, high in (each.T for each in boxes):
+        inside = [(low[n] - 1e-9 <= q[name]) & (q[name] <= high[n] + 1e-9) for n, name in enumerate("ab")]
+        found |= inside[0][:, None] & inside[1][None]
+    wanted = (np.abs(q["a"]) <= 0.1 + 1e-9)[:, None] | (q["b"] >= 1.0 - 1e-9)[None]
+    np.testing.assert_array_equal(found, wanted)
 
 
 def test_coupled_joints_become_their_leader() -> None:

@@ -146,7 +146,7 @@ def test_every_client_can_be_got_and_has_its_driver():
     drivers = Path(module.__file__).parent / "drivers"
     for client in CLIENTS.values():
         assert client.environment in REQUIREMENTS or client.obtain, client.name
-        assert (drivers / f"{client.driver.removesuffix('.py')}.py").is_file(), client.name
+        assert (drivers / f"{client.driver}.py").is_file(), client.name
         for each in client.unavoidable:
             assert each.reason
             re.compile(each.pattern)

@@ -29,7 +29,7 @@ def driver(monkeypatch):
     monkeypatch.syspath_prepend(str(DRIVERS))
 
     def load(name):
-        for each in ("driver_protocol", "driver_motion", "usd_runtime", name):
+        for each in ("driver_protocol", "driver_motion", "usd_runtime", "validator_words", name):
             monkeypatch.delitem(sys.modules, each, raising=False)
         return importlib.import_module(name)
 

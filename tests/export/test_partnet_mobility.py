@@ -14,7 +14,7 @@ import pytest
 import trimesh
 
 import artgen
-from artgen.asset import Asset, Coupling
+from artgen.asset import Asset, Coupling, JointKind
 from artgen.clients.client import Client
 from artgen.clients.exported import read_exported
 from artgen.clients.of_sapien import SAPIEN
@@ -23,6 +23,7 @@ from artgen.clients.run import ask
 from artgen.errors import ExportError
 from artgen.export import export
 from artgen.export.files import encode
+from artgen.export.layouts.partnet_names import semantic
 from support.exports import edit_text
 from support.partnet import TO_BASE, TO_MESH, pose_errors, robot, table
 from support.textured import recipes, textured
@@ -436,3 +437,33 @@ def test_mani_skill_opens_a_door_as_a_cabinet(seed: int, openings: int, tmp_path
         grasps = [item.frame[:3, 3] for item in asset.affordances if item.kind == "grasp"]
         near = min(np.linalg.norm(TO_BASE @ grasp - run["handle"][0]) for grasp in grasps)
         assert near < 0.15, run["link"]
+
+
+@pytest.mark.parametrize(
+    ("category", "label", "kind", "word"),
+    [
+        ("door", "door", "revolute", "rotation_door"),
+        ("door", "door", "prismatic", "translation_door"),
+        ("refrigerator", "door", "revolute", "door"),
+        ("refrigerator", "freezer_door", "revolute", "door"),
+        ("refrigerator", "outer_drawer", "prismatic", "drawer"),
+        ("toaster", "lever", "prismatic", "slider"),
+        ("toaster", "button", "prismatic", "button"),
+        ("lamp", "lever", "revolute", "lever"),
+        ("trashcan", "lid", "revolute", "lid"),
+        ("trashcan", "pedal", "revolute", "foot_pad"),
+    ],
+)
+def test_links_are_called_what_the_dataset_calls_them(
+    nested: Asset, category: str, label: str, kind: JointKind, word: str
+) -> None:
+    asset, link = replace(nested, category=category), replace(nested.links[1], label=label)
+    assert semantic(asset, link, [replace(nested.joints[0], kind=kind)]) == word
+
+
+@pytest.mark.parametrize(
+    ("category", "name"), [("trashcan", "TrashCan"), ("dishwasher", "Dishwasher"), ("toaster", "Toaster")]
+)
+def test_the_dataset_has_categories_of_its_own(nested: Asset, category: str, name: str) -> None:
+    files = encode(replace(nested, category=category), layout=LAYOUT, textures=0)
+    assert json.loads(files["meta.json"])["model_cat"] == name

@@ -27,7 +27,7 @@ def door():
     frame = part(box(width, 0.1, 0.1).at(0.0, 0.0, -2.0), "frame", material("oak"))
     handle = part(box(0.1, 0.02, 0.02), "handle", material("steel"))
     turn = Revolute("turn", axis=-Z, limits=(0.0, width), stiffness=1.2)
-    hinge = Revolute("hinge", axis=Z, limits=(0.0, 1.5), needs=(turn > 0.5).until(0.06))
+    hinge = Revolute("hinge", axis=Z, limits=(0.0, 1.5), needs=(turn > 0.5).until(0.06).beyond(0.01))
     return Graph(frame.attach(leaf.repeat(handle, turn, at=points((0, 0, 0))).suffixed("_a"), hinge))
 
 

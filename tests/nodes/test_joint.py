@@ -10,13 +10,15 @@ from artgen.errors import AssetError, BuildError, EvaluationError
 from artgen.graph import evaluate
 from artgen.materials import material
 from artgen.nodes.body import part
+from artgen.nodes.condition import Condition
 from artgen.nodes.handles import Float
-from artgen.nodes.joint import Condition, Coupling, Prismatic, Revolute
+from artgen.nodes.joint import Coupling, Prismatic, Revolute
 from artgen.nodes.primitive import box
 from artgen.nodes.vector import X, Z
 from support.lines import place_of
 
 STEEL = material("steel")
+KNOB = Revolute("knob", axis=Z)
 
 
 def block(name):
@@ -81,7 +83,16 @@ def test_limits_have_no_sentinels():
             "joint 'turn' follows 'knob', which gives it its range; leave its limits out",
         ),
         ({"follows": 0.0 * Revolute("knob", axis=Z)}, "a coupling to 'knob' with ratio 0 would not move"),
-        ({"needs": (Revolute("knob", axis=Z) > 0.5).until(0.0)}, "until must be positive, got 0"),
+        ({"needs": (KNOB > 0.5).until(0.0)}, "until must be positive, got 0"),
+        ({"needs": (KNOB > 0.5).beyond(0.0)}, "beyond must be positive, got 0: leave it out where"),
+        ({"needs": (KNOB > 0.5).beyond(0.2).until(0.1)}, "beyond 0.2 must be below until 0.1"),
+        ({"needs": (KNOB > 0.5).until(0.1).beyond(0.2)}, "beyond 0.2 must be below until 0.1"),
+        ({"needs": (KNOB > 0.5).until(0.1).until(0.2)}, "until is said twice: 0.1 and 0.2"),
+        ({"needs": (KNOB > 0.5).beyond(0.1).beyond(0.2)}, "beyond is said twice: 0.1 and 0.2"),
+        (
+            {"needs": (KNOB > 0.5).beyond(0.4), "limits": (-0.3, 0.4)},
+            "joint 'turn' has limits -0.3 to 0.4: it never needs anything beyond 0.4",
+        ),
     ],
 )
 def test_impossible_joints_are_refused(given, message):
@@ -149,6 +160,15 @@ def test_a_condition_is_a_dependency_that_always_counts():
     assert not always.allows(0.1, {"handle": 0.0})
     assert latched.allows(0.1, {"handle": 0.0})
     assert not latched.allows(0.05, {"handle": 0.0})
+
+
+def test_a_joint_may_need_a_condition_only_beyond_a_position():
+    door = Revolute("door", axis=Z)
+    slack = value(Prismatic("drawer", axis=X, needs=(door > 1.2).beyond(0.03), limits=(0.0, 0.4))).needs
+    assert (slack.until, slack.beyond) == (None, 0.03)
+    orders = [(door > 1.2).beyond(0.03).until(0.3), (door > 1.2).until(0.3).beyond(0.03)]
+    first, second = (value(Prismatic("drawer", axis=X, needs=needs)).needs for needs in orders)
+    assert first == second == Dependency(slack.condition, until=0.3, beyond=0.03)
 
 
 def test_what_a_joint_depends_on_is_checked_while_building():

@@ -9,6 +9,7 @@ import pytest
 from artgen.asset import Curve, Outline, Shape, Tree
 from artgen.graph import OPERATIONS, Graph
 from artgen.nodes import joint as joints
+from artgen.nodes.condition import Condition, Dependency
 from artgen.nodes.handles import Array3, ArrayN3, Body, Float, Points, Vector
 from support.operations import OVERRIDES, PARAMETERS, sample
 
@@ -30,9 +31,11 @@ METHODS = {
     "coupling_scale": joints.Coupling.__mul__,
     "joint_above": joints.Joint.__gt__,
     "joint_below": joints.Joint.__lt__,
-    "condition_all": joints.Condition.__and__,
-    "condition_any": joints.Condition.__or__,
-    "dependency": joints.Condition.until,
+    "condition_all": Condition.__and__,
+    "condition_any": Condition.__or__,
+    "dependency": Condition.until,
+    "dependency_beyond": Dependency.beyond,
+    "dependency_until": Dependency.until,
 }
 """The handles' methods that record operations without a constructor of their own."""
 

@@ -142,8 +142,9 @@ def _special_positions(asset: Asset) -> dict[str, list[float]]:
     for joint in asset.joints:
         if joint.needs is not None:
             conditions.append(joint.needs.condition)
-            if joint.needs.until is not None:
-                add(joint.name, joint.needs.until)
+            for position in (joint.needs.until, joint.needs.beyond):
+                if position is not None:
+                    add(joint.name, position)
     for condition in conditions:
         for term in _terms(condition):
             add(term.joint, term.value)

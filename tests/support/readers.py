@@ -225,7 +225,7 @@ def read_usd(asset: Asset, directory: Path) -> Reading:
     for link in asset.links:
         api = UsdPhysics.MassAPI(bodies[link.name])
         quaternion = api.GetPrincipalAxesAttr().Get()
-        rotation = np.array(Gf.Matrix3d(Gf.Rotation(Gf.Quatd(quaternion)))).T
+        rotation = np.array(Gf.Matrix3d(Gf.Quatd(quaternion).GetNormalized())).T
         masses[link.name] = api.GetMassAttr().Get()
         centers[link.name] = np.array(api.GetCenterOfMassAttr().Get())
         diagonal = np.array(api.GetDiagonalInertiaAttr().Get())
@@ -311,7 +311,7 @@ def _usd_couplings(stage: Usd.Stage) -> dict[str, tuple[str, float, float]]:
 
 def _pose(position: Gf.Vec3f, rotation: Gf.Quatf) -> Array:
     result = np.eye(4)
-    result[:3, :3] = np.array(Gf.Matrix3d(Gf.Rotation(Gf.Quatd(rotation)))).T
+    result[:3, :3] = np.array(Gf.Matrix3d(Gf.Quatd(rotation).GetNormalized())).T
     result[:3, 3] = position
     return result
 

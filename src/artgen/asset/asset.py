@@ -15,7 +15,7 @@ from artgen.asset.contact import AllowedContact
 from artgen.asset.joint import Joint, is_number, positions_of_followers
 from artgen.asset.link import Link
 from artgen.asset.mass import MassProperties, total
-from artgen.asset.record import json_text, rounded, rounded_link
+from artgen.asset.record import json_text, rounded
 from artgen.asset.tree import Tree, check_contact
 from artgen.errors import AssetError, nearest
 from artgen.materials import Material
@@ -357,7 +357,7 @@ class Asset:
 
         Numbers have 12 significant digits; poses and points of colliders have 12 decimals.
         """
-        links = [rounded_link(link.to_data()) for link in self.links]
+        links = [link.rounded_data() for link in self.links]
         data: dict[str, Any] = {
             "format": FORMAT,
             "name": self.name,

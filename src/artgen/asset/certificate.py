@@ -143,7 +143,8 @@ class PairResult:
         place = ""
         for cell in self.open_cells[:1]:
             first, second = cell.labels
-            place = f", such as {_region(cell.region)}, where {first} is {_mm(cell.distance)} from {second}"
+            where = f"where {first} is {_mm(cell.distance)} from {second}"
+            place = f", such as {spelled_region(cell.region)}, {where}"
         which = "not proven" if self.verdict != "proven" else "not proven for the colliders"
         return f"{names}: {which} in {100 * self.open_fraction:.3g} % of their joint space{place}"
 
@@ -258,5 +259,6 @@ def _pose(pose: Mapping[str, float]) -> str:
     return ", ".join(f"{name}={position:.4g}" for name, position in pose.items()) or "rest"
 
 
-def _region(region: Region) -> str:
+def spelled_region(region: Region) -> str:
+    """Spell a box in joint space."""
     return ", ".join(f"{name} in {low:.4g}..{high:.4g}" for name, (low, high) in region.items())

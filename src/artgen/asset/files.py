@@ -252,6 +252,10 @@ class _StoredLink(Link):
     def to_data(self) -> dict[str, Any]:
         return dict(self.data)
 
+    def rounded_data(self) -> dict[str, Any]:
+        # files may have been edited; the data of a link that is about to be written were rounded before
+        return super().rounded_data() if self.source is None else self.to_data()
+
     def moved(self, matrix: Array) -> NoReturn:
         self._refuse()
 
@@ -267,20 +271,24 @@ class _StoredLink(Link):
 def _as_written(surface: Surface, origin: Array, material: Material) -> Surface:
     """Return a surface as it is read from files: rounded in the frame at `origin` [m], of that material."""
     mesh = _rounded_mesh(surface.mesh, origin, material)
-    # vertices that differed by less than what is written are one now; what that moves is rounded again
-    mesh = _rounded_mesh(joined([mesh]), origin, material)
-    return replace(surface, material=material, mesh=mesh)
+    # vertices that differed by less than what is written are one now, and some of them move on the maps
+    mesh = joined([mesh])
+    return replace(surface, material=material, mesh=replace(mesh, uvs=_rounded_uvs(mesh, material)))
 
 
 def _rounded_mesh(mesh: Mesh, origin: Array, material: Material) -> Mesh:
     """Return a mesh with the decimals of mesh files of a link with that origin, shape (3,) [m]."""
-    written = np.round(texture_coordinates(mesh, material), UV_DECIMALS) + 0.0
     return replace(
         mesh,
         vertices=np.round(mesh.vertices - origin, POSITION_DECIMALS) + 0.0 + origin,
         normals=np.round(mesh.normals, NORMAL_DECIMALS) + 0.0,
-        uvs=metric_coordinates(written, material),
+        uvs=_rounded_uvs(mesh, material),
     )
+
+
+def _rounded_uvs(mesh: Mesh, material: Material) -> Array:
+    written = np.round(texture_coordinates(mesh, material), UV_DECIMALS) + 0.0
+    return metric_coordinates(written, material)
 
 
 def _convex(data: Mapping[str, Any]) -> Convex:

@@ -89,35 +89,43 @@ class Condition:
 
 @dataclass(frozen=True)
 class Dependency:
-    """A joint may leave its closed position (0) only where a condition holds.
+    """A joint may stand away from its closed position (0) only where a condition holds.
 
     Attributes:
         condition: The region of the other joints in which the joint may move.
         until: The joint needs the condition only below this position; beyond it the joint is free, as a
-            door is once its latch has left the strike. None: the condition is always needed [rad or m].
+            door is once its latch has left the strike. None: however far it is away [rad or m].
+        beyond: The joint needs the condition only beyond this position; up to it the joint is free, as a
+            drawer is until it strikes the closed door before it. None: already where it leaves 0 [rad or m].
     """
 
     condition: Condition
     until: float | None = None
+    beyond: float | None = None
 
     def allows(self, position: float, q: Mapping[str, float]) -> bool:
         """Tell whether the joint may stand at `position` while the others stand at `q`."""
-        closed = abs(position) <= 1e-9
-        free = self.until is not None and abs(position) >= self.until
-        return closed or free or self.condition.holds(q)
+        near = abs(position) <= max(self.beyond or 0.0, 1e-9)
+        far = self.until is not None and abs(position) >= self.until
+        return near or far or self.condition.holds(q)
 
     def __str__(self) -> str:
         """Spell the dependency as its author would."""
-        return str(self.condition) if self.until is None else f"({self.condition}).until({self.until:.6g})"
+        if self.until is None and self.beyond is None:
+            return str(self.condition)
+        beyond = "" if self.beyond is None else f".beyond({self.beyond:.6g})"
+        until = "" if self.until is None else f".until({self.until:.6g})"
+        return f"({self.condition}){beyond}{until}"
 
     def to_data(self) -> dict[str, Any]:
-        """Return the dependency as JSON data."""
-        return {"condition": self.condition.to_data(), "until": self.until}
+        """Return the dependency as JSON data; `beyond` is left out where there is none."""
+        beyond = {} if self.beyond is None else {"beyond": self.beyond}
+        return {"condition": self.condition.to_data(), "until": self.until, **beyond}
 
     @staticmethod
     def from_data(data: Mapping[str, Any]) -> "Dependency":
         """Read what `to_data` wrote."""
-        return Dependency(Condition.from_data(data["condition"]), data["until"])
+        return Dependency(Condition.from_data(data["condition"]), data["until"], data.get("beyond"))
 
 
 @dataclass(frozen=True, eq=False)

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from artgen.asset.hold import Grasp, Push
 from artgen.asset.mass import MassProperties, Moments, polyhedron_moments, total
+from artgen.asset.record import rounded_link
 from artgen.asset.shape import Mesh, Shape
 from artgen.asset.surface import by_paint, joined, shifted
 from artgen.colliders import Convex, budgeted_together
@@ -143,7 +144,7 @@ class Link:
         done: list[tuple[Shape, Array]] = []
         for piece in self._solid_pieces():
             shape, bounds = piece.shape, piece.shape.bounds()
-            near = [other.manifold for other, box in done if _overlap(box, bounds)]
+            near = [other.manifold for other, box in done if boxes_overlap(box, bounds)]
             done.append((shape, bounds))
             vertices, triangles = shape.mesh.vertices, shape.mesh.triangles
             if near:
@@ -246,13 +247,17 @@ class Link:
             "separate": self.separate,
         }
 
+    def rounded_data(self) -> dict[str, Any]:
+        """Return the JSON data with as many digits as files keep."""
+        return rounded_link(self.to_data())
+
     def _details(self) -> list[dict[str, Any]]:
         """Return label and bounding box of each connected part that is only seen, as JSON data."""
         boxes = [
-            (piece.label, np.round(solid.bounding_box(), 9).reshape(2, 3).tolist())
+            (piece.label, np.round([points.min(axis=0), points.max(axis=0)], 9).tolist())
             for piece in self.pieces
             if piece.visual
-            for solid in piece.shape.manifold.decompose()
+            for points in piece.shape.parts
         ]
         return [{"label": label, "bounds": bounds} for label, bounds in sorted(boxes)]
 
@@ -264,7 +269,8 @@ class Link:
         return [piece for piece in self.pieces if not piece.visual]
 
 
-def _overlap(a: Array, b: Array) -> bool:
+def boxes_overlap(a: Array, b: Array) -> bool:
+    """Tell whether two boxes, shape (2, 3), have more in common than faces."""
     return bool((a[0] < b[1]).all() and (b[0] < a[1]).all())
 
 

@@ -19,10 +19,15 @@ def rounded(data: Any) -> Any:
     The digits beyond differ between machines, whose libraries round differently.
     """
     if isinstance(data, float):
-        return float(f"{data:.12g}") + 0.0
+        return significant(data, 12)
     if isinstance(data, dict):
         return {key: rounded(value) for key, value in data.items()}
     return [rounded(item) for item in data] if isinstance(data, list | tuple) else data
+
+
+def significant(number: float, digits: int) -> float:
+    """Round a number to some significant digits; no zero is negative."""
+    return float(f"{number:.{digits}g}") + 0.0
 
 
 def rounded_link(data: dict[str, Any]) -> dict[str, Any]:
@@ -36,7 +41,7 @@ def rounded_link(data: dict[str, Any]) -> dict[str, Any]:
     ]
     details = [{**item, "bounds": _coordinates(item["bounds"])} for item in data.get("details", ())]
     exact = {"colliders": colliders, "details": details}
-    return {key: exact.get(key, rounded(value)) for key, value in data.items()}
+    return {key: exact[key] if key in exact else rounded(value) for key, value in data.items()}
 
 
 def _coordinates(rows: Any) -> Any:

@@ -157,6 +157,13 @@ class Shape:
             triangles,
         )
 
+    @cached_property
+    def parts(self) -> tuple[Array, ...]:
+        """The vertices of each connected part of the surface, shape (n, 3) [m]."""
+        return tuple(
+            np.asarray(part.to_mesh64().vert_properties)[:, :3] for part in self.manifold.decompose()
+        )
+
     def transformed(self, matrix: Array) -> "Shape":
         """Return the shape moved by an affine matrix, shape (4, 4)."""
         linear = matrix[:3, :3]
@@ -217,6 +224,12 @@ class MovedShape(Shape):
     def mesh(self) -> Mesh:
         """The triangles of the source, moved."""
         return self.source.mesh.moved(self.matrix)
+
+    @cached_property
+    def parts(self) -> tuple[Array, ...]:
+        """The vertices of each connected part of the source, moved."""
+        rotation, offset = self.matrix[:3, :3], self.matrix[:3, 3]
+        return tuple(points @ rotation.T + offset for points in self.source.parts)
 
 
 def _moved(manifold: Manifold, matrix: Array) -> Manifold:

@@ -11,9 +11,13 @@ from artgen.materials import Material
 from artgen.materials.textures import shifts_of, tile_of
 
 Array = NDArray[np.float64]
+Corners = NDArray[np.int64]
+"""The corners of triangles, shape (3, m): in rows, which NumPy adds up and compares much faster."""
 
 _SHIFTS = 64  # places in a tile, in each direction, at which the pattern of a part may begin
 _APART = 1e-5  # by how much texture coordinates of vertices differ that have to stay two [m]
+_STEPS = 1e7  # per metre, and per unit of a normal: values closer than this are one
+_MOST_PACKED = 2**21  # vertices of which three numbers have room in one of 64 bits
 
 
 def shifted(mesh: Mesh, material: Material, key: str) -> Mesh:
@@ -75,52 +79,65 @@ def joined(meshes: list[Mesh]) -> Mesh:
     rows = np.concatenate(
         [np.concatenate([mesh.vertices, mesh.normals, mesh.uvs], axis=1) for mesh in meshes]
     )
-    triangles = np.concatenate(
-        [mesh.triangles + offset for mesh, offset in zip(meshes, offsets, strict=True)]
+    corners = np.concatenate(
+        [(mesh.triangles + offset).T for mesh, offset in zip(meshes, offsets, strict=True)], axis=1
     )
-    quantised = np.rint(rows * 1e7).astype(np.int64)
-    order = np.lexsort(quantised.T[::-1])
-    ordered = quantised[order]
-    new = np.ones(len(order), bool)
-    new[1:] = (ordered[1:] != ordered[:-1]).any(axis=1)
+    quantised = _quantised(rows)
+    order = np.lexsort(quantised[::-1])
+    ordered = quantised[:, order]
+    steps = ordered[:, 1:] != ordered[:, :-1]
+    new, elsewhere = (np.append(True, each.any(axis=0)) for each in (steps, steps[:3]))
     number = np.empty(len(order), np.int64)
     number[order] = np.cumsum(new) - 1
-    rows = rows[order[new]]
-    corners = number[triangles]
+    rows, place = rows[order[new]], np.cumsum(elsewhere)[new]
+    corners = number[corners]
     # a triangle between corners at one place has no area, though their normals or textures may differ
-    places = ordered[new][:, :3][corners]
-    corners = corners[(places != np.roll(places, 1, axis=1)).any(axis=2).all(axis=1)]
+    a, b, c = place[corners]
+    corners = corners[:, (a != b) & (b != c) & (c != a)]
     used = np.zeros(len(rows), bool)
     used[corners] = True
     rows, corners = rows[used], (np.cumsum(used) - 1)[corners]
-    corners, copied = _fanned(_ordered(corners), len(rows))
+    corners, copied = _fanned(_ordered(corners, len(rows)), len(rows))
     if copied:
         copies = rows[copied]
         copies[:, 6] += _APART * (1 + np.arange(len(copied)) - np.searchsorted(copied, copied))
         rows = np.concatenate([rows, copies])
-        order = np.lexsort(np.rint(rows * 1e7).astype(np.int64).T[::-1])
-        rows, corners = rows[order], _ordered(np.argsort(order)[corners])
-    return Mesh(rows[:, :3], rows[:, 3:6], rows[:, 6:8], np.zeros(len(rows), np.int64), corners)
+        order = np.lexsort(_quantised(rows)[::-1])
+        rows, corners = rows[order], _ordered(np.argsort(order)[corners], len(rows))
+    triangles = np.ascontiguousarray(corners.T)
+    return Mesh(rows[:, :3], rows[:, 3:6], rows[:, 6:8], np.zeros(len(rows), np.int64), triangles)
 
 
-def _ordered(corners: NDArray[np.int64]) -> NDArray[np.int64]:
-    """Return triangles in order, each with its least corner first."""
-    turned = np.argmin(corners, axis=1)[:, None] + np.arange(3)
-    corners = np.take_along_axis(corners, turned % 3, axis=1)
-    return corners[np.lexsort(corners.T[::-1])]
+def _quantised(rows: Array) -> Corners:
+    """Return the columns of rows in whole steps that tell values apart."""
+    return np.rint(np.ascontiguousarray(rows.T) * _STEPS).astype(np.int64)
 
 
-def _fanned(corners: NDArray[np.int64], count: int) -> tuple[NDArray[np.int64], list[int]]:
+def _ordered(corners: Corners, count: int) -> Corners:
+    """Return triangles among `count` vertices in order, each with its least corner first."""
+    a, b, c = corners
+    if count >= _MOST_PACKED:
+        turned = np.where((a < b) & (a < c), (a, b, c), np.where((b < c) & (b < a), (b, c, a), (c, a, b)))
+        return turned[:, np.lexsort(turned[::-1])]
+    # one number for each way to begin a triangle: the least of them begins with the least corner
+    least = np.minimum(
+        np.minimum((a * count + b) * count + c, (b * count + c) * count + a), (c * count + a) * count + b
+    )
+    ahead, last = np.divmod(np.sort(least), count)
+    return np.stack([*np.divmod(ahead, count), last])
+
+
+def _fanned(corners: Corners, count: int) -> tuple[Corners, list[int]]:
     """Give open fans of triangles vertices of their own where they touch in one point.
 
     Args:
-        corners: Triangles among `count` vertices, shape (m, 3).
+        corners: Triangles among `count` vertices, shape (3, m).
         count: How many vertices there are.
 
     Returns:
         The triangles, and of which vertices those from `count` on are copies.
     """
-    following = np.roll(corners, -1, axis=1)
+    following = corners[[1, 2, 0]]
     keys = np.sort((np.minimum(corners, following) * count + np.maximum(corners, following)).ravel())
     sides = keys[np.append(True, keys[1:] != keys[:-1])]
     neighbours = np.bincount(sides // count, minlength=count) + np.bincount(sides % count, minlength=count)
@@ -128,14 +145,14 @@ def _fanned(corners: NDArray[np.int64], count: int) -> tuple[NDArray[np.int64], 
     fans = neighbours - np.bincount(corners.ravel(), minlength=count)
     copied: list[int] = []
     for vertex in np.flatnonzero(fans > 1).tolist():
-        rows, places = np.nonzero(corners == vertex)
-        ahead, behind = corners[rows, (places + 1) % 3].tolist(), corners[rows, places - 1].tolist()
+        numbers, places = np.nonzero(np.equal(corners.T, vertex))
+        ahead, behind = corners[(places + 1) % 3, numbers].tolist(), corners[places - 1, numbers].tolist()
         after = {corner: number for number, corner in enumerate(ahead)}
         starts = [number for number, corner in enumerate(ahead) if corner not in behind]
         for start in starts[1:]:
             number: int | None = start
             while number is not None:
-                corners[rows[number], places[number]] = count + len(copied)
+                corners[places[number], numbers[number]] = count + len(copied)
                 number = after.pop(behind[number], None)
             copied.append(vertex)
     return corners, copied

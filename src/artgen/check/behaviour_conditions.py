@@ -1,7 +1,7 @@
 """Finding joint positions in which conditions of dependencies hold, or in which one part of them fails."""
 
 import math
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from itertools import product
 from typing import Literal
 
@@ -12,7 +12,7 @@ _OPEN_TRAVEL = 0.5  # how far inside a region that has no end a position is chos
 
 
 def state_for(
-    asset: Asset, conditions: Iterable[Condition], *, ignore: str = "", extreme: str = ""
+    asset: Asset, conditions: Iterable[Condition], *, ignore: str = "", extreme: Collection[str] = ()
 ) -> dict[str, float] | None:
     """Find positions of free joints in which conditions hold and no other joint is blocked.
 
@@ -20,17 +20,18 @@ def state_for(
         asset: The asset.
         conditions: What has to hold.
         ignore: A free joint that cannot be asked for: it is the one that is moved.
-        extreme: A joint that shall stand at the end of its range, if it cannot stay closed.
+        extreme: Joints that shall stand at the end of their range, if they cannot stay closed.
 
     Returns:
         Positions of the joints that the conditions speak of, by name; None if there are no such positions.
     """
     wanted = list(conditions)
+    far = {leader_of(asset, asset.joint(name))[0] for name in extreme}
     for _ in range(len(asset.joints) + 1):
-        found = next(_states(asset, wanted, ignore, _leader(asset, extreme)), None)
+        found = next(_states(asset, wanted, ignore, far), None)
         if found is None:
             return None
-        blocked = [name for name in asset.blocked(found) if _leader(asset, name) != ignore]
+        blocked = [name for name in asset.blocked(found) if leader_of(asset, asset.joint(name))[0] != ignore]
         needed = [joint.needs.condition for joint in map(asset.joint, blocked) if joint.needs is not None]
         if not needed:
             return found
@@ -64,18 +65,14 @@ def negation(condition: Condition) -> Condition:
     return Condition(kinds[condition.kind], condition.joint, condition.value + border, terms)
 
 
-def _leader(asset: Asset, name: str) -> str:
-    return leader_of(asset, asset.joint(name))[0] if name else ""
-
-
 def _states(
-    asset: Asset, conditions: list[Condition], ignore: str, extreme: str
+    asset: Asset, conditions: list[Condition], ignore: str, extreme: Collection[str]
 ) -> Iterator[dict[str, float]]:
     for boxes in product(*(regions(asset, condition) for condition in conditions)):
         region = intersection(boxes)
         region.pop(ignore, None)
         chosen = {
-            name: _choose(asset.joint(name), interval, extreme=name == extreme)
+            name: _choose(asset.joint(name), interval, extreme=name in extreme)
             for name, interval in region.items()
         }
         if all(position is not None for position in chosen.values()):

@@ -8,7 +8,7 @@ from artgen.asset import Condition, Dependency, Joint
 from artgen.check.behaviour_conditions import isolated, state_for
 from artgen.check.behaviour_drive import Held
 from artgen.check.behaviour_model import CHECK, Simulation, UnstableError
-from artgen.check.behaviour_motion import Motion, force, length, unit
+from artgen.check.behaviour_motion import Motion, force, length, place, unit
 from artgen.check.report import Finding
 
 _PUSHES = {"revolute": 20.0, "prismatic": 50.0}  # [N m or N]
@@ -70,7 +70,7 @@ def _states(
     for comparison, region in isolated(condition):
         if comparison.joint in {member.name for member in motion.members}:
             continue
-        state = state_for(simulation.asset, [region], ignore=motion.name, extreme=comparison.joint)
+        state = state_for(simulation.asset, [region], ignore=motion.name, extreme=(comparison.joint,))
         if state is None:
             continue
         positions = simulation.asset.positions(state)
@@ -122,8 +122,25 @@ class _Push:
         return {
             name: positions[name]
             for name, other in self.simulation.motions.items()
-            if other.stiffness == 0.0 and self._breaks(other)
+            if self._breaks(other) and not self._returns(other, positions[name])
         }
+
+    def _returns(self, motion: Motion, position: float) -> bool:
+        """Tell whether a spring brings a joint back to a position from all of its range, as that of a latch.
+
+        One that only balances the weight of a door does not.
+        """
+        if motion.stiffness == 0.0:
+            return False
+        low, high = motion.limits
+        far = high if high - position >= position - low else low
+        for share in (0.5, 1.0):
+            away = position + share * (far - position)
+            self.simulation.begin({**self.state, motion.name: away}, "", jammed=True)
+            pull = self.simulation.load(motion) * math.copysign(1.0, position - away)
+            if pull <= motion.friction:
+                return False
+        return True
 
     def _breaks(self, motion: Motion) -> bool:
         return bool(self.broken & {member.name for member in motion.members})
@@ -141,7 +158,8 @@ class _Push:
             UnstableError: The simulation exploded.
         """
         simulation, motions = self.simulation, self.simulation.motions
-        simulation.begin(self.state, f"{self.joint.name} is pushed", jammed=True)
+        begun = {**self.state, **self._end_of_slack(way)}
+        simulation.begin(begun, f"{self.joint.name} is pushed", jammed=True)
         kept = {name: at for name, at in self.state.items() if not self._breaks(motions[name])}
         held = Held(simulation, {**kept, **loose})
         at = simulation.model.joint(self.joint.name).qposadr[0]
@@ -156,18 +174,33 @@ class _Push:
             furthest = max(furthest, abs(position - start))
         return furthest
 
+    def _end_of_slack(self, way: int) -> dict[str, float]:
+        """Return where the free joint is pushed from: where its slack ends, if it has some [rad or m]."""
+        motion, slack = self.motion, self.needs.beyond
+        if slack is None:
+            return {}
+        number = motion.members.index(self.joint)
+        ratio, offset = float(motion.ratios[number]), float(motion.offsets[number])
+        closed = motion.joint.closed
+        ends = [way * ((side * slack - offset) / ratio - closed) for side in (-1.0, 1.0)]
+        low, high = motion.joint.limits or (-math.inf, math.inf)
+        end = closed + way * min((end for end in ends if end > 0.0), default=0.0)
+        return {motion.name: min(max(end, low), high)}
+
     @property
     def _force(self) -> float:
         return min(self.motion.joint.effort, _PUSHES[self.motion.joint.kind])
 
     def _play(self) -> float:
-        """Return how far a blocked joint may move [rad or m]."""
+        """Return how far a blocked joint may move, from the end of its slack on [rad or m]."""
         joint = self.joint
         if joint.limits is None:
             return _PLAYS[joint.kind]
         most = joint.limits[1] - joint.limits[0]
         play = max(_GIVES * most, min(_PLAYS[joint.kind], _MOST_PLAY * most))
-        return play if self.needs.until is None else min(play, self.needs.until)
+        if self.needs.until is None:
+            return play
+        return min(play, self.needs.until - (self.needs.beyond or 0.0))
 
     def _fault(self, furthest: float) -> Finding:
         simulation, joint = self.simulation, self.joint
@@ -201,7 +234,9 @@ class _Push:
 
     def _moves(self, furthest: float) -> str:
         states = ", ".join(f"{name} at {position:.4g}" for name, position in self.state.items())
+        slack = self.needs.beyond
+        start = "" if slack is None else f"from {place(self.joint, slack)} on "
         return (
-            f"moves by {length(self.joint, furthest)} under {force(self.motion.joint, self._force)} "
+            f"moves {start}by {length(self.joint, furthest)} under {force(self.motion.joint, self._force)} "
             f"with {states or 'all closed'}"
         )

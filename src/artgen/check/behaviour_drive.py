@@ -14,7 +14,8 @@ from artgen.check.report import Finding
 _TRAVEL_TIME = 1.5  # for the whole range [s]
 _STUCK_TIME = 0.4  # without progress under full force [s]
 _MOST_TIME = 12.0  # for the whole range, where damping makes it slow [s]
-_RAMP_TIME = 0.4  # in which a force grows to its bound while nothing moves [s]
+_RAMP_TIME = 0.4  # in which a force grows by as much as it is while nothing moves [s]
+_FAINT = 1e-3  # share of its bound that a force grows by in that time at least
 _REACHED = 0.01  # share of the range by which an end may be missed
 _RETURNED = 0.02  # share of the range by which a spring may miss its rest
 _PROGRESS = 0.002  # share of the range that counts as progress
@@ -35,7 +36,8 @@ class Servo:
     def __init__(self, simulation: Simulation, motion: Motion, bound: float) -> None:
         self.motion, self.bound = motion, bound
         self._simulation = simulation
-        self.force = self._bounded(-simulation.load(motion))
+        self._load = simulation.load(motion)
+        self.force = self._bounded(-self._load)
         self._error = 0.0
         self._inertia, self._steps = 0.0, 0
 
@@ -50,11 +52,24 @@ class Servo:
         change = _FIRM * error + _QUICK * (error - self._error)
         change *= self._inertia / simulation.step_time
         if abs(moving) < 0.05 * abs(speed):
-            least = self.bound * simulation.step_time / _RAMP_TIME
-            change = math.copysign(max(abs(change), least), speed)
+            change = math.copysign(max(abs(change), self._growth(speed)), speed)
         self._error = error
+        # what springs and gravity change on the way is known; a light thing would wait long for the gains
+        load = simulation.load(motion)
+        change, self._load = change + self._load - load, load
         self.force = self._bounded(self.force + change)
         simulation.data.qfrc_applied[motion.speeds[0]] = self.force
+
+    def _growth(self, speed: float) -> float:
+        """Return by how much the force grows in a time step while nothing moves [N m or N].
+
+        It grows by a share of itself: a small part would fly off once a large force that grows evenly
+        overcomes its friction.
+        """
+        motion, step = self.motion, self._simulation.step_time
+        needed = motion.friction + self._inertia * abs(speed) / step
+        least = max(needed, abs(self.force), _FAINT * self.bound)
+        return min(least, self.bound) * step / _RAMP_TIME
 
     def hold(self, position: float) -> None:
         """Set the force of the next time step so that the joint stays at a position [rad or m]."""
@@ -157,6 +172,9 @@ class _Travel:
     def _fault(self, begun: float) -> Finding:
         simulation, motion = self.simulation, self.motion
         joint, here = motion.joint, simulation.position(motion)
+        beyond = (here - self.end) * math.copysign(1.0, self.end - begun)
+        if beyond > _REACHED * motion.range:
+            return self._overspeed(here, begun)
         touching = simulation.touching(motion)
         way = abs(here - begun) if abs(self.end - here) < abs(self.end - begun) else 0.0
         message = (
@@ -175,6 +193,18 @@ class _Travel:
             )
             hint = "give the joint more effort, or weaken its spring, friction or damping"
         return _finding(motion, message, hint, value=here, pose=simulation.pose())
+
+    def _overspeed(self, here: float, begun: float) -> Finding:
+        joint = self.motion.joint
+        message = (
+            f"driven with {force(joint, joint.effort)} from {place(joint, begun)} to "
+            f"{place(joint, self.end)}, it flies through that limit to {place(joint, here)}"
+        )
+        hint = (
+            "give it a smaller effort=, about 60 N times the lever arm of a hand, or more armature: "
+            "simulators yield where a force is large for what it moves"
+        )
+        return _finding(self.motion, message, hint, value=here, pose=self.simulation.pose())
 
 
 def release(simulation: Simulation, motion: Motion) -> list[Finding]:
@@ -240,13 +270,16 @@ class _Return:
             return None
         return self._stopped(here)
 
-    def _stopped(self, here: float) -> Finding:
+    def _stopped(self, here: float) -> Finding | None:
         simulation, motion = self.simulation, self.motion
         joint = motion.joint
         missing = f"stands at {place(joint, here)} {SETTLE_TIME:g} s after its spring should have taken it "
         missing += f"to {place(joint, self.target)}"
         spring = motion.stiffness * (motion.rest - here)
         weight = simulation.weight(motion)
+        carried = -weight * math.copysign(1.0, spring)
+        if abs(spring + weight) <= motion.friction and carried > 0.5 * abs(spring):
+            return None  # it balances the weight, as that of a door which stays where it is left
         towards = math.copysign(1.0, spring) * (spring + weight)
         if towards <= motion.friction + 0.02 * abs(spring) and abs(spring) > motion.friction:
             finding = self._finding(

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -140,19 +141,24 @@ class Simulation:
 
     def inertia(self, motion: Motion) -> float:
         """Return the inertia that a force at a free joint moves while the others are free [kg m^2 or kg]."""
-        full = np.zeros((self.model.nv, self.model.nv))
+        full, columns = np.zeros((self.model.nv, self.model.nv)), self._columns
         self._mujoco.mj_fullM(self.model, self.data, full)
-        fixed = [dof for dof in range(self.model.nv) if dof not in self._moved_speeds()]
-        columns = np.zeros((self.model.nv, len(self.motions) + len(fixed)))
-        for number, each in enumerate(self.motions.values()):
-            columns[each.speeds, number] = each.ratios
-        for number, dof in enumerate(fixed):
-            columns[dof, len(self.motions) + number] = 1.0
         index = list(self.motions).index(motion.name)
-        return 1.0 / float(np.linalg.inv(columns.T @ full @ columns)[index, index])
+        alone = np.zeros(columns.shape[1])
+        alone[index] = 1.0
+        return 1.0 / float(np.linalg.solve(columns.T @ full @ columns, alone)[index])
 
-    def _moved_speeds(self) -> set[int]:
-        return {int(dof) for motion in self.motions.values() for dof in motion.speeds}
+    @cached_property
+    def _columns(self) -> Array:
+        """What moves with each free joint, and then with each other degree of freedom, shape (nv, n)."""
+        free = list(self.motions.values())
+        moved = {int(dof) for motion in free for dof in motion.speeds}
+        fixed = [dof for dof in range(self.model.nv) if dof not in moved]
+        columns = np.zeros((self.model.nv, len(free) + len(fixed)))
+        for number, each in enumerate(free):
+            columns[each.speeds, number] = each.ratios
+        columns[fixed, np.arange(len(free), columns.shape[1])] = 1.0
+        return columns
 
     def geom(self, number: int) -> tuple[str, str]:
         """Return link and label of a collider; the label is empty where the file says nothing of it."""

@@ -1,12 +1,13 @@
 """Settling: an asset that is let go stays as it is, unless gravity or a spring moves it."""
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from artgen.asset import Asset
+from artgen.asset import Asset, Condition
+from artgen.check.behaviour_conditions import state_for
 from artgen.check.behaviour_model import CHECK, Pieces, Simulation, UnstableError, piece
 from artgen.check.behaviour_motion import Motion, force, length, unit
 from artgen.check.report import Finding
@@ -56,8 +57,7 @@ def settle(simulation: Simulation, *, stands: bool = False) -> Settled:
     """
     result = Settled()
     seen: list[dict[str, float]] = []
-    for share in (0.0, 0.5, 1.0):
-        q = start_pose(simulation.asset, simulation.motions, share)
+    for q in start_poses(simulation.asset, simulation.motions):
         if q in seen:
             continue
         seen.append(q)
@@ -69,13 +69,44 @@ def settle(simulation: Simulation, *, stands: bool = False) -> Settled:
     return result
 
 
-def start_pose(asset: Asset, motions: Mapping[str, Motion], share: float) -> dict[str, float]:
+def start_poses(asset: Asset, motions: Mapping[str, Motion]) -> Iterator[dict[str, float]]:
+    """Yield where an asset is let go: closed, halfway and open.
+
+    What is blocked halfway or open stays closed; then it is also let go where that may stand there, such as
+    with racks halfway out over an open door.
+    """
+    for share in (0.0, 0.5, 1.0):
+        q = start_pose(asset, motions, share)
+        yield q
+        stays = [motion for name, motion in motions.items() if q[name] == motion.joint.closed]
+        freed = _freed(asset, stays) if share else {}
+        if freed:
+            yield start_pose(asset, motions, share, freed)
+
+
+def _freed(asset: Asset, motions: Sequence[Motion]) -> dict[str, float]:
+    """Return where others have to stand so that as many as possible of some joints may leave 0."""
+    found: dict[str, float] = {}
+    conditions: list[Condition] = []
+    for member in (member for motion in motions for member in motion.members):
+        if member.needs is not None:
+            state = state_for(asset, [*conditions, member.needs.condition])
+            if state is not None:
+                conditions.append(member.needs.condition)
+                found = state
+    return found
+
+
+def start_pose(
+    asset: Asset, motions: Mapping[str, Motion], share: float, given: Mapping[str, float] | None = None
+) -> dict[str, float]:
     """Put each free joint at a share of its way from closed to open, but those that are blocked there.
 
     Args:
         asset: The asset.
         motions: Its free joints.
         share: 0 for closed, 0.5 for the middle of the range, 1 for open.
+        given: Where some of them stand instead, by name [rad or m].
 
     Returns:
         Positions by joint name [rad or m].
@@ -86,6 +117,7 @@ def start_pose(asset: Asset, motions: Mapping[str, Motion], share: float) -> dic
         closed = motion.joint.closed
         far = high if high - closed >= closed - low else low
         q[name] = {0.0: closed, 0.5: (low + high) / 2.0, 1.0: far}[share]
+    q |= given or {}
     for _ in motions:
         blocked = set(asset.blocked(q))
         for name, motion in motions.items():

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 
 from artgen.asset import Asset
-from artgen.asset.certificate import Certificate, PairResult, Region
+from artgen.asset.certificate import Certificate, PairResult, spelled_region
 from artgen.check.report import CheckResult, Finding
 
 _CHECK = "certificate"
@@ -102,9 +102,8 @@ def _open(pair: PairResult) -> Finding:
     if pair.open_cells:
         cell = pair.open_cells[0]
         first, second = cell.labels
-        message += (
-            f", such as {_spelled(cell.region)}, where {first} is {1e3 * cell.distance:.3f} mm from {second}"
-        )
+        where = f"where {first} is {1e3 * cell.distance:.3f} mm from {second}"
+        message += f", such as {spelled_region(cell.region)}, {where}"
         pose = {name: (low + high) / 2 for name, (low, high) in cell.region.items()}
     return Finding(
         _CHECK,
@@ -114,10 +113,6 @@ def _open(pair: PairResult) -> Finding:
         pose=pose,
         hint=_MEND_OPEN,
     )
-
-
-def _spelled(region: Region) -> str:
-    return ", ".join(f"{name} in {low:.4g}..{high:.4g}" for name, (low, high) in region.items())
 
 
 def _undeclared_contacts(asset: Asset, certificate: Certificate) -> Iterator[Finding]:

@@ -8,6 +8,7 @@ from typing import Any
 from manifold3d import Manifold, OpType
 
 from artgen.asset import Asset
+from artgen.asset.record import significant
 from artgen.check.fidelity import Fidelity, fidelity
 from artgen.check.stored_solids import link_parts
 from artgen.export.collision import COLLISIONS, Part, collision_of, made_colliders, replace_colliders
@@ -60,17 +61,17 @@ class ColliderRow:
             "stored": self.stored,
             "pieces": self.pieces,
             "vertices": self.vertices,
-            "volume_error": _rounded(self.volume_error),
-            "surface_error": _rounded(self.surface_error),
-            "interior_kept": _rounded(self.interior_kept),
+            "volume_error": significant(self.volume_error, _DIGITS),
+            "surface_error": significant(self.surface_error, _DIGITS),
+            "interior_kept": significant(self.interior_kept, _DIGITS),
             "steps_per_second": None if speed is None else round(speed),
             "links": {
                 name: {
                     "pieces": link.pieces,
                     "vertices": link.vertices,
-                    "volume_error": _rounded(link.volume_error),
-                    "surface_error": _rounded(link.surface_error),
-                    "interior_kept": _rounded(link.interior_kept),
+                    "volume_error": significant(link.volume_error, _DIGITS),
+                    "surface_error": significant(link.surface_error, _DIGITS),
+                    "interior_kept": significant(link.interior_kept, _DIGITS),
                 }
                 for name, link in self.links.items()
             },
@@ -157,7 +158,3 @@ def _mean(values: Mapping[str, float], weights: Mapping[str, float]) -> float:
     """Return the mean of the links' values; without any weight nothing was lost: 1."""
     total = sum(weights.values())
     return sum(values[name] * weight for name, weight in weights.items()) / total if total else 1.0
-
-
-def _rounded(number: float) -> float:
-    return float(f"{number:.{_DIGITS}g}") + 0.0

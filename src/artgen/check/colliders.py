@@ -12,7 +12,7 @@ from artgen.asset.link import MOST_COLLIDERS
 from artgen.check.fidelity import Fidelity, fidelity
 from artgen.check.report import CheckResult, Finding, Severity
 from artgen.check.skin import point_text, skins
-from artgen.check.stored_solids import is_detail
+from artgen.check.stored_solids import Details
 from artgen.errors import ArtgenError, AssetError
 
 Array = NDArray[np.float64]
@@ -92,12 +92,13 @@ def solid_of(link: Link) -> Manifold:
             raise AssetError(
                 f"the file of link {link.name!r} does not tell which solids are only seen; export again"
             )
+        seen = Details.of(details)
         covered = {collider.label for collider in link.colliders}
         parts = [
             shell.manifold
             for skin in skins(link)
             for shell in skin.solids
-            if shell.label in covered and not is_detail(details, shell.label, shell.bounds)
+            if shell.label in covered and not seen.have(shell.label, shell.bounds)
         ]
     return Manifold.batch_boolean(parts, OpType.Add)
 

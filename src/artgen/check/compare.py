@@ -8,8 +8,16 @@ import numpy as np
 from artgen.asset import Asset, Joint, Link
 from artgen.asset.joint import DYNAMICS
 from artgen.check.pieces import Piece, expected_pieces, piece_findings
-from artgen.check.reading import Array, Faces, Reading, expected_frames, sampled_positions
-from artgen.check.report import Finding
+from artgen.check.reading import (
+    Array,
+    Faces,
+    Reading,
+    expected_frames,
+    expected_limits,
+    sampled_positions,
+    spelled_limits,
+)
+from artgen.check.report import CHANGED, Finding
 from artgen.check.structure_mjcf import moments_fault
 from artgen.errors import ArtgenError
 from artgen.export.frames import local
@@ -20,9 +28,6 @@ EXACT = 1e-6
 POSES = 5
 """Poses drawn at random in which frames are compared, beside the one in which the asset stands."""
 
-AGAIN = "the file was changed, or is of another asset: export the asset again"
-
-_FAR = 1000.0  # [m]: where an unlimited slide ends in URDF, which wants limits of it
 _FACES = 1e-5  # [m] by which the bounds of visible faces may differ: files have 0.1 micrometre
 _LIGHT = 1e-4  # relative, of the whole mass: bodies between joints and marks of grasps weigh a little
 _STATED = {
@@ -118,7 +123,7 @@ def _whole_findings(check: str, asset: Asset, reading: Reading) -> Iterator[Find
     base = asset.links[0].name
     if reading.base and reading.base != asset.base:
         yield Finding(
-            check, f"the base is {reading.base} in {reading.file}, not {asset.base}", base, hint=AGAIN
+            check, f"the base is {reading.base} in {reading.file}, not {asset.base}", base, hint=CHANGED
         )
     wanted = sum(link.mass_properties.mass for link in asset.links)
     named = sum(found.mass for found in reading.inertials.values())
@@ -126,27 +131,28 @@ def _whole_findings(check: str, asset: Asset, reading: Reading) -> Iterator[Find
         message = (
             f"bodies that are no links of the asset weigh {reading.mass - named:.4g} kg in {reading.file}"
         )
-        yield Finding(check, message, value=reading.mass - named, unit="kg", hint=AGAIN)
+        yield Finding(check, message, value=reading.mass - named, unit="kg", hint=CHANGED)
 
 
 def _mass_findings(check: str, asset: Asset, link: Link, reading: Reading) -> Iterator[Finding]:
     found, wanted, file = reading.inertials.get(link.name), link.mass_properties, reading.file
     if found is None:
-        yield Finding(check, f"{file} has no such link with a mass", link.name, hint=AGAIN)
+        yield Finding(check, f"{file} has no such link with a mass", link.name, hint=CHANGED)
         return
     if not abs(found.mass - wanted.mass) <= EXACT * wanted.mass:
         message = f"its mass is {found.mass:.7g} kg in {file}, not {wanted.mass:.7g} kg"
-        yield Finding(check, message, link.name, value=found.mass, unit="kg", hint=AGAIN)
+        yield Finding(check, message, link.name, value=found.mass, unit="kg", hint=CHANGED)
     away = float(np.abs(found.center - (wanted.center - asset.origin(link.name))).max())
     if not away <= EXACT:
         message = f"its centre of mass is {1e3 * away:.4g} mm away in {file}"
-        yield Finding(check, message, link.name, value=away, unit="m", hint=AGAIN)
+        yield Finding(check, message, link.name, value=away, unit="m", hint=CHANGED)
     scale = max(float(np.abs(wanted.inertia).max()), 1e-9)
     error = float(np.abs(found.inertia - wanted.inertia).max()) / scale
     if not error <= 2.0 * EXACT:
         message = f"its inertia differs by {100.0 * error:.4g} % in {file}"
         fault = moments_fault(np.linalg.eigvalsh(found.inertia)) if np.isfinite(found.inertia).all() else ""
-        yield Finding(check, f"{message}; {fault}" if fault else message, link.name, value=error, hint=AGAIN)
+        message = f"{message}; {fault}" if fault else message
+        yield Finding(check, message, link.name, value=error, hint=CHANGED)
 
 
 def _face_findings(
@@ -162,14 +168,14 @@ def _face_findings(
         away = _apart(faces, nearest)
         if not away <= _FACES:
             message = f"its visible faces {nearest.name} are off by {1e3 * away:.4g} mm in {file}"
-            yield Finding(check, message, link.name, value=away, unit="m", hint=AGAIN)
+            yield Finding(check, message, link.name, value=away, unit="m", hint=CHANGED)
         elif nearest.count != faces.count:
             counts = f"{nearest.count} triangles in {file}, not {faces.count}"
             message = f"its visible faces {nearest.name} have {counts}"
-            yield Finding(check, message, link.name, value=float(nearest.count), hint=AGAIN)
+            yield Finding(check, message, link.name, value=float(nearest.count), hint=CHANGED)
     if len(found) != len(wanted):
         message = f"it has {len(found)} meshes of visible faces in {file}, not {len(wanted)}"
-        yield Finding(check, message, link.name, value=float(len(found)), hint=AGAIN)
+        yield Finding(check, message, link.name, value=float(len(found)), hint=CHANGED)
 
 
 def _apart(first: Faces, second: Faces) -> float:
@@ -181,21 +187,21 @@ def _joint_findings(check: str, asset: Asset, reading: Reading) -> Iterator[Find
     for name in reading.kinds:
         if name not in moving:
             message = f"it can move in {reading.file}, but is no moving joint of the asset"
-            yield Finding(check, message, joint=name, hint=AGAIN)
+            yield Finding(check, message, joint=name, hint=CHANGED)
     for name, joint in moving.items():
         if name not in reading.kinds:
-            yield Finding(check, f"{reading.file} has no such joint that can move", joint=name, hint=AGAIN)
+            yield Finding(check, f"{reading.file} has no such joint that can move", joint=name, hint=CHANGED)
             continue
         yield from _end_findings(check, asset, joint, reading)
         if reading.kinds[name] != joint.kind:
             message = f"it is {reading.kinds[name]} in {reading.file}, not {joint.kind}"
-            yield Finding(check, message, joint=name, hint=AGAIN)
+            yield Finding(check, message, joint=name, hint=CHANGED)
             continue
         if name in reading.axes:
             error = float(np.abs(reading.axes[name] - joint.axis).max())
             if not error <= EXACT:
                 message = f"its axis differs by {error:.4g} in {reading.file}"
-                yield Finding(check, message, joint=name, value=error, hint=AGAIN)
+                yield Finding(check, message, joint=name, value=error, hint=CHANGED)
         yield from _limit_findings(check, joint, reading)
         yield from _dynamics_findings(check, joint, reading)
 
@@ -212,13 +218,11 @@ def _end_findings(check: str, asset: Asset, joint: Joint, reading: Reading) -> I
         message = (
             f"it joins {found[1]!r} to {found[0]!r} in {reading.file}, not {wanted[1]!r} to {wanted[0]!r}"
         )
-        yield Finding(check, message, joint=joint.name, hint=AGAIN)
+        yield Finding(check, message, joint=joint.name, hint=CHANGED)
 
 
 def _limit_findings(check: str, joint: Joint, reading: Reading) -> Iterator[Finding]:
-    found, wanted = reading.limits[joint.name], joint.limits
-    if check == "urdf" and joint.kind == "prismatic" and wanted is None:
-        wanted = (-_FAR, _FAR)
+    found, wanted = reading.limits[joint.name], expected_limits(check, joint)
     same = (found is None) == (wanted is None)
     error = None
     if found is not None and wanted is not None:
@@ -226,12 +230,9 @@ def _limit_findings(check: str, joint: Joint, reading: Reading) -> Iterator[Find
         same = error <= EXACT * max(1.0, *map(abs, wanted))
     if not same:
         unit = "rad" if joint.kind == "revolute" else "m"
-        message = f"its limits are {_span(found, unit)} in {reading.file}, not {_span(wanted, unit)}"
-        yield Finding(check, message, joint=joint.name, value=error, unit=unit, hint=AGAIN)
-
-
-def _span(limits: tuple[float, float] | None, unit: str) -> str:
-    return "none" if limits is None else f"{limits[0]:.7g} to {limits[1]:.7g} {unit}"
+        said, right = spelled_limits(found, unit), spelled_limits(wanted, unit)
+        message = f"its limits are {said} in {reading.file}, not {right}"
+        yield Finding(check, message, joint=joint.name, value=error, unit=unit, hint=CHANGED)
 
 
 def _dynamics_findings(check: str, joint: Joint, reading: Reading) -> Iterator[Finding]:
@@ -245,7 +246,7 @@ def _dynamics_findings(check: str, joint: Joint, reading: Reading) -> Iterator[F
         unit = _UNITS[field][joint.kind == "prismatic"]
         if field in missing and wanted != 0.0:
             message = f"{reading.file} does not say its {field}, which is {wanted:.7g} {unit}"
-            yield Finding(check, message, joint=joint.name, value=0.0, unit=unit, hint=AGAIN)
+            yield Finding(check, message, joint=joint.name, value=0.0, unit=unit, hint=CHANGED)
         for item in said:
             if item.field != field or (field == "rest" and not joint.stiffness):
                 continue  # without a spring it does not matter where it would be at ease
@@ -254,7 +255,7 @@ def _dynamics_findings(check: str, joint: Joint, reading: Reading) -> Iterator[F
                     f"its {field} is {item.value:.7g} {unit} in {reading.file} ({item.source}), not "
                     f"{wanted:.7g} {unit}"
                 )
-                yield Finding(check, message, joint=joint.name, value=item.value, unit=unit, hint=AGAIN)
+                yield Finding(check, message, joint=joint.name, value=item.value, unit=unit, hint=CHANGED)
 
 
 def _coupling_findings(check: str, asset: Asset, reading: Reading) -> Iterator[Finding]:
@@ -268,7 +269,7 @@ def _coupling_findings(check: str, asset: Asset, reading: Reading) -> Iterator[F
                 if name in following
                 else f"it follows {laws[name][0]!r} in {file}, but not in the asset"
             )
-            yield Finding(check, message, joint=name, hint=AGAIN)
+            yield Finding(check, message, joint=name, hint=CHANGED)
         for name in sorted(following & set(laws)):
             yield from _law_findings(check, asset, name, laws[name], file)
 
@@ -280,13 +281,13 @@ def _law_findings(
     wanted = _law(asset, name, leader) if leader in {joint.name for joint in asset.joints} else None
     if wanted is None:
         message = f"it follows {leader!r} in {file}, which does not lead it"
-        yield Finding(check, message, joint=name, hint=AGAIN)
+        yield Finding(check, message, joint=name, hint=CHANGED)
     elif not np.allclose((ratio, offset), wanted, rtol=EXACT, atol=EXACT):
         message = (
             f"it is {ratio:.7g} * {leader} + {offset:.7g} in {file}, "
             f"not {wanted[0]:.7g} * {leader} + {wanted[1]:.7g}"
         )
-        yield Finding(check, message, joint=name, value=ratio, hint=AGAIN)
+        yield Finding(check, message, joint=name, value=ratio, hint=CHANGED)
 
 
 def _law(asset: Asset, name: str, leader: str) -> tuple[float, float] | None:
@@ -307,14 +308,14 @@ def _hold_findings(check: str, asset: Asset, reading: Reading) -> Iterator[Findi
         found = reading.holds.get(hold.name)
         if found is None:
             message = f"{reading.file} has no frame of the {hold.kind} {hold.name!r}"
-            yield Finding(check, message, hold.link, hint=AGAIN)
+            yield Finding(check, message, hold.link, hint=CHANGED)
             continue
         link, frame = found
         away = float(np.abs(frame - local(asset, hold.link, hold.frame)).max())
         if link != hold.link or not away <= 2.0 * EXACT:
             off = f"is off by {away:.4g} (m or radians) on {link!r} in {reading.file}"
             message = f"its {hold.kind} {hold.name!r} {off}"
-            yield Finding(check, message, hold.link, value=away, hint=AGAIN)
+            yield Finding(check, message, hold.link, value=away, hint=CHANGED)
 
 
 def _pose_findings(check: str, expected: Expected, reading: Reading) -> Iterator[Finding]:
@@ -330,9 +331,9 @@ def _pose_findings(check: str, expected: Expected, reading: Reading) -> Iterator
                 worst[name] = (error, q)
     for name, (error, q) in worst.items():
         message = f"its frame is off by {error:.4g} (m or radians) in {reading.file}"
-        yield Finding(check, message, name, value=error, pose=q, hint=AGAIN)
+        yield Finding(check, message, name, value=error, pose=q, hint=CHANGED)
     for name in sorted(lost):
-        yield Finding(check, f"no joints lead to it from the base in {reading.file}", name, hint=AGAIN)
+        yield Finding(check, f"no joints lead to it from the base in {reading.file}", name, hint=CHANGED)
     _, _, standing = expected.poses[0]
     for name, frame in reading.standing.items():
         error = float(np.abs(frame - standing[name]).max())
@@ -340,4 +341,4 @@ def _pose_findings(check: str, expected: Expected, reading: Reading) -> Iterator
             message = (
                 f"its body stands {error:.4g} (m or radians) off in {reading.file}, wherever its joints lead"
             )
-            yield Finding(check, message, name, value=error, hint=AGAIN)
+            yield Finding(check, message, name, value=error, hint=CHANGED)

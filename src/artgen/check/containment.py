@@ -1,6 +1,6 @@
 """How far solids stick out of the convex pieces around them, by booleans with pieces grown a little."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -12,7 +12,10 @@ from artgen.check.stored_solids import link_parts
 from artgen.colliders.polytope import Polytope
 
 Array = NDArray[np.float64]
+Indices = NDArray[np.int64]
 
+_ROUNDING = 1e-9  # of the vertices of a solid and the faces of its piece [m]
+_EXACT = 1e-6  # what sticks out of a piece then at most, at edges of a tenth of a degree [m]
 _FILM = 2e-6  # pieces are grown by this at first; films of 1 micrometre between them are usual [m]
 _MORE = (2e-6, 2e-5, 1e-4)  # and then all around by these, which makes more faces and takes longer [m]
 _FARTHEST = 3.0  # corners of sharp edges move no farther than that many growths
@@ -30,13 +33,16 @@ def excess(link: Link, pieces: Sequence[Polytope], labels: Sequence[str]) -> flo
         pieces: Convex pieces, at rest in asset coordinates.
         labels: Label of each: the solids of that label are most likely in it.
     """
-    parts = list(_parts(link))
+    around = _Pieces.of(pieces, labels)
+    parts = [(label, solid) for label, solid in _parts(link) if not around.enclose(label, solid)]
+    if not parts:
+        return _EXACT
     ways = ((_with_moved_faces, _FILM), *((_with_margin, margin) for margin in _MORE))
     for grow, length in ways:
-        around = _Grown.of([grow(piece, length) for piece in pieces], labels)
-        parts = [(label, solid) for label, solid in parts if not around.contain(label, solid)]
+        grown = _Grown(around, grow, length)
+        parts = [(label, solid) for label, solid in parts if not grown.contain(label, solid)]
         if not parts:
-            return around.farthest
+            return grown.farthest
     return None
 
 
@@ -50,53 +56,98 @@ def _parts(link: Link) -> Iterator[tuple[str, Manifold]]:
 
 
 @dataclass(frozen=True, eq=False)
-class _Grown:
-    """Pieces that are grown, with their boxes, so that few of them are looked at for a solid.
+class _Pieces:
+    """Convex pieces with their boxes, so that few of them are looked at for a solid.
 
     Attributes:
-        points: Vertices of each piece [m].
+        pieces: The pieces.
         labels: Label of each, shape (n,).
         low: Lowest corner of each one's box, shape (n, 3) [m].
         high: Highest corner, shape (n, 3) [m].
-        farthest: How far a vertex was moved at most [m].
     """
 
-    points: Sequence[Array]
+    pieces: Sequence[Polytope]
     labels: NDArray[np.str_]
     low: Array
     high: Array
-    farthest: float
 
     @staticmethod
-    def of(pieces: Sequence[tuple[Array, float]], labels: Sequence[str]) -> "_Grown":
-        """Collect pieces and how far their vertices were moved."""
-        points, moved = zip(*pieces, strict=True)
-        low, high = (np.array([end(each, axis=0) for each in points]) for end in (np.min, np.max))
-        return _Grown(points, np.array(labels), low, high, max(moved))
+    def of(pieces: Sequence[Polytope], labels: Sequence[str]) -> "_Pieces":
+        """Collect pieces."""
+        low, high = (np.array([end(each.points, axis=0) for each in pieces]) for end in (np.min, np.max))
+        return _Pieces(pieces, np.array(labels), low, high)
+
+    def enclose(self, label: str, solid: Manifold) -> bool:
+        """Tell whether all vertices of a solid lie in one piece, which then contains it."""
+        around = self.around(label, solid, _ROUNDING)
+        if not len(around):
+            return False
+        points = np.asarray(solid.to_mesh64().vert_properties)[:, :3]
+        return any(
+            float((points @ planes[:, :3].T - planes[:, 3]).max()) <= _ROUNDING
+            for planes in (self.pieces[index].planes for index in around)
+        )
+
+    def around(self, label: str, solid: Manifold, length: float) -> Indices:
+        """Return the pieces of a label whose boxes, grown by a length [m], contain that of a solid."""
+        least, most = _box(solid)
+        # a piece of another label may be allowed to touch what this must not
+        inside = (self.low - length <= least).all(axis=1) & (self.high + length >= most).all(axis=1)
+        return np.flatnonzero((self.labels == label) & inside)
+
+    def near(self, label: str, solid: Manifold, length: float) -> Indices:
+        """Return the pieces of a label whose boxes, grown by a length [m], meet that of a solid."""
+        least, most = _box(solid)
+        meets = (self.low - length < most).all(axis=1) & (self.high + length > least).all(axis=1)
+        return np.flatnonzero((self.labels == label) & meets)
+
+
+def _box(solid: Manifold) -> Array:
+    return np.array(solid.bounding_box()).reshape(2, 3)
+
+
+class _Grown:
+    """Pieces that are grown when they are needed.
+
+    Attributes:
+        farthest: How far a vertex was moved at most so far [m].
+    """
+
+    def __init__(
+        self, around: _Pieces, grow: Callable[[Polytope, float], tuple[Array, float]], length: float
+    ) -> None:
+        self.farthest = 0.0
+        self._around, self._grow, self._length = around, grow, length
+        self._solids: dict[int, Manifold] = {}
 
     def contain(self, label: str, solid: Manifold) -> bool:
         """Tell whether the pieces contain a solid."""
-        least, most = np.array(solid.bounding_box()).reshape(2, 3)
-        own = self.labels == label  # a piece of another label may be allowed to touch what this must not
-        whole = own & (self.low <= least).all(axis=1) & (self.high >= most).all(axis=1)
-        if any(self._cover(solid, [int(index)]) for index in np.flatnonzero(whole)[:_MOST_WHOLE]):
+        whole = self._around.around(label, solid, self._length)
+        if any(self._cover(solid, [int(index)]) for index in whole[:_MOST_WHOLE]):
             return True
-        near = own & (self.low < most).all(axis=1) & (self.high > least).all(axis=1)
-        return self._cover(solid, np.flatnonzero(near).tolist())
+        return self._cover(solid, self._around.near(label, solid, _FARTHEST * self._length).tolist())
 
     def _cover(self, solid: Manifold, chosen: Sequence[int]) -> bool:
         """Tell whether nothing is left of a solid without some of the pieces."""
         rest = solid
         for group in self._apart(chosen):
             # pieces that are apart need no boolean among themselves
-            rest -= Manifold.compose([Manifold.hull_points(self.points[index]) for index in group])
+            rest -= Manifold.compose([self._solid(index) for index in group])
             if rest.is_empty() or rest.volume() < _DUST:
                 return True
         return False
 
+    def _solid(self, index: int) -> Manifold:
+        if index not in self._solids:
+            points, moved = self._grow(self._around.pieces[index], self._length)
+            self._solids[index] = Manifold.hull_points(points)
+            self.farthest = max(self.farthest, moved)
+        return self._solids[index]
+
     def _apart(self, chosen: Sequence[int]) -> Iterator[list[int]]:
         """Yield groups of pieces whose boxes do not meet."""
-        low, high = self.low[chosen], self.high[chosen]
+        margin = _FARTHEST * self._length
+        low, high = self._around.low[chosen] - margin, self._around.high[chosen] + margin
         meets: NDArray[np.bool_] = np.all((low[:, None] <= high[None]) & (low[None] <= high[:, None]), axis=2)
         left = list(range(len(chosen)))
         while left:

@@ -9,10 +9,13 @@ from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 from trimesh.triangles import closest_point
 
+from artgen.check.rows import distinct_rows
+
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
 _CHUNK = 128  # points that are compared with all triangles at once
+_TRIED = 8  # points of a surface whose triangles are tried first: around a corner there are some six
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,9 +45,14 @@ class Faces:
 
         The same triangles give the same points.
         """
+        return self._sampled(count)[0]
+
+    def _sampled(self, count: int) -> tuple[Array, Indices]:
+        """Return what `spread` does, and the triangle of each point, shape (n,)."""
+        corners, owners = self.corners.reshape(-1, 3), np.repeat(np.arange(len(self.corners)), 3)
         ends = np.cumsum(self.areas)
         if not len(ends) or ends[-1] <= 0.0:
-            return self.corners.reshape(-1, 3)
+            return corners, owners
         step = ends[-1] / count
         at = (np.arange(count) + 0.5) * step
         index = np.minimum(np.searchsorted(ends, at), len(ends) - 1)
@@ -53,11 +61,12 @@ class Faces:
         u, v = np.where(u + v > 1.0, 1.0 - u, u), np.where(u + v > 1.0, 1.0 - v, v)
         a, b, c = (self.corners[index, corner] for corner in range(3))
         inner = a + u[:, None] * (b - a) + v[:, None] * (c - a)
-        return np.concatenate([self.corners.reshape(-1, 3), inner])
+        return np.concatenate([corners, inner]), np.concatenate([owners, index])
 
     @cached_property
-    def _tree(self) -> cKDTree:
-        return cKDTree(self.spread(2000))
+    def _tree(self) -> tuple[cKDTree, Indices]:
+        points, owners = self._sampled(2000)
+        return cKDTree(points), owners
 
     def farthest(self, points: Array) -> tuple[float, Array]:
         """Return the largest distance of points to the surface [m], and the point.
@@ -65,19 +74,28 @@ class Faces:
         Args:
             points: Shape (n, 3) [m]; at least one.
         """
-        points = np.unique(np.round(points, 8), axis=0)
-        bound = self._tree.query(points)[0]
+        points, _, _ = distinct_rows(np.round(points, 8))
+        bound = self._near(points)
         order = np.argsort(-bound, kind="stable")
         points, bound = points[order], bound[order]
         best, place = -1.0, points[0]
         for start in range(0, len(points), _CHUNK):
             if bound[start] <= best:
-                break  # no later point is farther: each lies near a point of the surface
+                break  # no later point is farther: each lies as near to some triangle
             distances = self._distances(points[start : start + _CHUNK], bound[start : start + _CHUNK])
             number = int(np.argmax(distances))
             if distances[number] > best:
                 best, place = float(distances[number]), points[start + number]
         return best, place
+
+    def _near(self, points: Array) -> Array:
+        """Return how far each point is from a few triangles, shape (n,): mostly its distance, never less."""
+        tree, owners = self._tree
+        samples = tree.query(points, k=np.arange(1, min(_TRIED, tree.n) + 1))[1].T
+        distances = [
+            np.linalg.norm(_closest(self.corners[owners[each]], points) - points, axis=1) for each in samples
+        ]
+        return np.asarray(np.min(distances, axis=0))
 
     def _distances(self, points: Array, bound: Array) -> Array:
         """Return the distance of each point, no larger than its bound, to the surface, shape (n,)."""

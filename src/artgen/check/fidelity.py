@@ -8,6 +8,7 @@ from manifold3d import Manifold, OpType
 from numpy.typing import NDArray
 
 from artgen.check.distance import Faces
+from artgen.check.rows import distinct_rows
 from artgen.colliders import Convex
 from artgen.colliders.polytope import Polytope
 
@@ -87,13 +88,27 @@ def _sticking_out(missing: Manifold, polytopes: Sequence[Polytope]) -> tuple[flo
     """
     if missing.is_empty():
         return 0.0, np.zeros(3)
-    points = np.unique(np.round(Faces.of(missing).spread(_SPREAD), 8), axis=0)
+    points, _, _ = distinct_rows(np.round(Faces.of(missing).spread(_SPREAD), 8))
     outside = np.full(len(points), np.inf)
     for polytope in polytopes:
-        height = (polytope.planes[:, :3] @ points.T - polytope.planes[:, 3:]).max(axis=0)
-        outside = np.minimum(outside, height)
+        near = np.flatnonzero(_least_height(polytope, points) < outside)
+        if len(near):
+            height = (polytope.planes[:, :3] @ points[near].T - polytope.planes[:, 3:]).max(axis=0)
+            outside[near] = np.minimum(outside[near], height)
     worst = int(np.argmax(outside))
     return max(float(outside[worst]), 0.0), points[worst]
+
+
+def _least_height(polytope: Polytope, points: Array) -> Array:
+    """Return a height above the faces that points outside a polytope have at least, shape (n,) [m].
+
+    A ray from the middle to a point leaves the polytope within the ball around it, through a face that is
+    no nearer to the middle than the ball within it. Of points inside it is 0 at most.
+    """
+    middle = polytope.points.mean(axis=0)
+    within = (polytope.planes[:, 3] - polytope.planes[:, :3] @ middle).min()
+    around = np.linalg.norm(polytope.points - middle, axis=1).max()
+    return np.asarray(within * (np.linalg.norm(points - middle, axis=1) / around - 1.0))
 
 
 def _triple(point: Array) -> tuple[float, float, float]:

@@ -11,12 +11,13 @@ from artgen.asset.files import ASSET_FILE, CERTIFICATE_FILE, MESH_DIRECTORY
 from artgen.check.contents import Contents, read_contents
 from artgen.check.record import record_findings
 from artgen.check.references import reference_findings
-from artgen.check.report import CheckResult, Finding
+from artgen.check.report import AGAIN, CheckResult, Finding
 from artgen.errors import ExportError
 from artgen.export.files import REPORT_FILE
+from artgen.export.formats import DEFAULT_FORMATS
 
-_AGAIN = "export the asset again"
-_COMPARED = ("urdf", "mjcf", "usd")  # formats whose main file another check reads
+FORMAT_CHECKS = DEFAULT_FORMATS
+"""The checks that read the main file of one format each: what simulators read is read back."""
 
 
 @dataclass(frozen=True)
@@ -66,7 +67,7 @@ def read_export(directory: str | Path) -> Exported:
         certificate = _wrong_certificate(directory, certified=certified)
         result = CheckResult("files", (*certificate, *damaged.result.findings))
         return Exported(directory, result, formats=formats)
-    compared = {data["formats"][name].get("main") for name in _COMPARED if name in formats}
+    compared = {data["formats"][name].get("main") for name in FORMAT_CHECKS if name in formats}
     contents = read_contents(directory, formats, digests, compared)
     findings = (
         *record_findings(data, asset, formats, digests, contents.found),
@@ -84,7 +85,7 @@ def read_export(directory: str | Path) -> Exported:
 def _unreadable(
     directory: Path, error: Exception, formats: Mapping[str, tuple[str, ...]] | None = None
 ) -> Exported:
-    finding = Finding("files", f"{ASSET_FILE} cannot be read: {_reason(error)}", hint=_AGAIN)
+    finding = Finding("files", f"{ASSET_FILE} cannot be read: {_reason(error)}", hint=AGAIN)
     return Exported(directory, CheckResult("files", (finding,)), formats=formats or {})
 
 
@@ -113,7 +114,7 @@ def _file_findings(contents: Contents, formats: Mapping[str, tuple[str, ...]]) -
             text = contents.faults[path]
             if not text.startswith(ASSET_FILE):
                 text += f", which {' and '.join(names)} need{'s' * (len(names) == 1)}"
-            yield Finding("files", text, hint=_AGAIN)
+            yield Finding("files", text, hint=AGAIN)
         elif path in contents.changes:
             yield contents.changes[path]
 
@@ -132,7 +133,7 @@ def _wrong_main_files(data: Mapping[str, Any], formats: Mapping[str, tuple[str, 
         main = data["formats"][name].get("main")
         if main not in files:
             message = f"the main file of {name} is {main!r}, which is not among its files in {ASSET_FILE}"
-            yield Finding("files", message, hint=_AGAIN)
+            yield Finding("files", message, hint=AGAIN)
 
 
 def _stray(directory: Path, formats: Mapping[str, tuple[str, ...]]) -> Iterator[Finding]:

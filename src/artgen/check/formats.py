@@ -6,9 +6,9 @@ from pathlib import Path
 
 from artgen.asset import Asset
 from artgen.asset.files import main_files
-from artgen.check.compare import AGAIN, POSES, Expected, differences
+from artgen.check.compare import POSES, Expected, differences
 from artgen.check.reading import Reading
-from artgen.check.report import CheckResult, Finding
+from artgen.check.report import CHANGED, CheckResult, Finding
 
 _SHOWN = 5  # complaints of one reader
 
@@ -36,7 +36,7 @@ class FormatChecks:
     def result(self, check: str) -> CheckResult:
         """Compare the main file of a format with the asset."""
         if check not in self._files:
-            finding = Finding(check, "its main file is missing", hint=AGAIN)
+            finding = Finding(check, "its main file is missing", hint=CHANGED)
             return CheckResult(check, (finding,))
         return _checked(check, self._expected, self._files[check], _READERS[check])
 
@@ -116,13 +116,13 @@ def _unreadable(check: str, asset: Asset, error: Exception) -> Finding:
     link = next((link.name for link in asset.links if f"'{link.name}'" in reason), "")
     joint = next((joint.name for joint in asset.joints if joint.name in words), "")
     message = f"it cannot be read: {type(error).__name__}: {reason}"
-    return Finding(check, message, link, "" if link else joint, hint=AGAIN)
+    return Finding(check, message, link, "" if link else joint, hint=CHANGED)
 
 
 def _complaints(check: str, reading: Reading) -> Iterator[Finding]:
     said = list(dict.fromkeys(" ".join(text.split()) for text in reading.said))
     for text in said[:_SHOWN]:
-        yield Finding(check, f"its reader complains: {text}", hint=AGAIN)
+        yield Finding(check, f"its reader complains: {text}", hint=CHANGED)
     if len(said) > _SHOWN:
         message = f"its reader has {len(said) - _SHOWN} more complaints"
-        yield Finding(check, message, value=float(len(said)), hint=AGAIN)
+        yield Finding(check, message, value=float(len(said)), hint=CHANGED)

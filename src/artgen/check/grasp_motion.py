@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from artgen.asset import Asset
 from artgen.asset.affordance import Affordance
 from artgen.asset.gripper import GRIPPER
-from artgen.check.behaviour_conditions import state_for
+from artgen.check.grasp_states import Opened, standing
 from artgen.check.hand_space import HandSpace, Touch
 
 Array = NDArray[np.float64]
@@ -38,16 +38,17 @@ class Reach:
     pose: Mapping[str, float] = field(default_factory=dict)
 
 
-def reach_of(space: HandSpace, affordance: Affordance, joint: str) -> Reach:
+def reach_of(space: HandSpace, affordance: Affordance, joint: str, opened: Opened) -> Reach:
     """Return how far a hand moves a joint, its other joints held where it is free to move.
 
     Args:
         space: The solids.
         affordance: What the hand does; it moves along with the link.
         joint: Name of a free joint.
+        opened: What was opened for the hand to come.
     """
     asset = space.asset
-    held = _held(asset, joint)
+    held = standing(asset, joint, opened)
     if held is None:
         return Reach(0.0)
     boxes = _closed_hand(space, affordance)
@@ -90,13 +91,6 @@ def _point(asset: Asset, push: Affordance, q: Mapping[str, float]) -> Array:
 
 def _range(asset: Asset, joint: str) -> tuple[float, float]:
     return asset.joint(joint).limits or (-_TURN, _TURN)
-
-
-def _held(asset: Asset, joint: str) -> dict[str, float] | None:
-    """Return where the other joints have to stand for a joint to move; None if there is no such place."""
-    needs = asset.joint(joint).needs
-    found = {} if needs is None else state_for(asset, [needs.condition], ignore=joint)
-    return None if found is None else {name: at for name, at in found.items() if name != joint}
 
 
 def _closed_hand(space: HandSpace, affordance: Affordance) -> dict[str, Array]:

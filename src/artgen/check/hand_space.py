@@ -57,7 +57,7 @@ class HandSpace:
         self,
         corners: Array,
         frame: Array,
-        pose: Mapping[str, Array] | None = None,
+        pose: Mapping[str, Array],
         ignore: str = "",
     ) -> Touch | None:
         """Return something that a box overlaps; None if it is free.
@@ -65,7 +65,7 @@ class HandSpace:
         Args:
             corners: Opposite corners of the box in the frame, shape (2, 3) [m].
             frame: Pose of the box in asset coordinates, shape (4, 4).
-            pose: Displacement of each link from rest, shape (4, 4) each; by default all are at rest.
+            pose: Displacement of each link from rest, shape (4, 4) each.
             ignore: Name of a link that it may overlap.
         """
         shrunk = np.array([corners[0] + _SLACK, corners[1] - _SLACK])
@@ -84,13 +84,13 @@ class HandSpace:
         solid: Manifold,
         corners: Array,
         frame: Array,
-        pose: Mapping[str, Array] | None,
+        pose: Mapping[str, Array],
         ignore: str,
     ) -> Touch | None:
         for link in self._parts:
             if link == ignore:
                 continue
-            local = frame if pose is None else _inverse(pose[link]) @ frame
+            local = _inverse(pose[link]) @ frame
             near = self._near(link, corners, local)
             if not len(near):
                 continue
@@ -117,23 +117,44 @@ class HandSpace:
         near = self._near(link, corners, frame)
         return clipped([part.solid for part in near], block(corners, frame), frame)
 
-    def others_inside(self, corners: Array, frame: Array, link: str) -> Iterator[tuple[Touch, Array]]:
-        """Yield what other links at rest have inside a box: corners in the frame, shape (n, 3) [m]."""
-        region = block(corners, frame)
+    def others_inside(
+        self, corners: Array, frame: Array, pose: Mapping[str, Array], link: str
+    ) -> Iterator[tuple[Touch, Array]]:
+        """Yield what links but one have inside a box: corners in its frame, shape (n, 3) [m].
+
+        Args:
+            corners: Opposite corners of the box in the frame, shape (2, 3) [m].
+            frame: Pose of the box in asset coordinates, shape (4, 4).
+            pose: Displacement of each link from rest, shape (4, 4) each.
+            link: Name of the link that is left out.
+        """
         for other in self._parts:
-            for part in self._near(other, corners, frame) if other != link else ():
-                points = clipped([part.solid], region, frame)
+            if other == link:
+                continue
+            local = _inverse(pose[other]) @ frame
+            for part in self._near(other, corners, local):
+                points = clipped([part.solid], block(corners, local), local)
                 if len(points):
                     yield Touch(other, part.label), points
 
-    def finger_depths(self, frame: Array, back: float) -> dict[str, float]:
-        """Return where a finger that comes along z first touches each link that it would touch, z [m]."""
+    def finger_depths(self, frame: Array, pose: Mapping[str, Array], back: float) -> dict[str, float]:
+        """Return where a finger that comes along z first touches each link that it would touch, z [m].
+
+        Args:
+            frame: Frame of the push in asset coordinates, shape (4, 4).
+            pose: Displacement of each link from rest, shape (4, 4) each.
+            back: How far away the finger starts [m].
+        """
         radius = GRIPPER.finger / 2.0
         corners = np.array([[-radius, -radius, -back], [radius, radius, _BEHIND]])
-        region = _rod(radius, -back, _BEHIND).transform(frame[:3])
+        rod = _rod(radius, -back, _BEHIND)
         found = {}
         for link in self._parts:
-            points = clipped((part.solid for part in self._near(link, corners, frame)), region, frame)
+            local = _inverse(pose[link]) @ frame
+            near = self._near(link, corners, local)
+            if not near:
+                continue
+            points = clipped((part.solid for part in near), rod.transform(local[:3]), local)
             if len(points):
                 found[link] = float(points[:, 2].min())
         return found

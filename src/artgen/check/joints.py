@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 
 import numpy as np
 
-from artgen.asset import Asset, Condition, Joint
+from artgen.asset import Asset, Condition, Dependency, Joint
 from artgen.check.report import Finding
 from artgen.errors import ArtgenError, nearest
 
@@ -182,6 +182,7 @@ def _dependency_findings(joints: Mapping[str, Joint]) -> Iterator[Finding]:
         assert joint.needs is not None
         condition = joint.needs.condition
         where = ", ".join(f"{name} {_limits(ranges[name])}" for name in condition.joints())
+        yield from _slack_findings(joint, joint.needs, ranges[joint.name])
         if not _possible(condition, joints, ranges):
             message = f"it needs {condition}, which its joints never reach: {where}"
             yield _fault(joint, message, "turn the comparison round, or move the threshold into the limits")
@@ -195,14 +196,30 @@ def _dependency_findings(joints: Mapping[str, Joint]) -> Iterator[Finding]:
         yield _fault(joint, message, "let one of them move freely")
 
 
+def _slack_findings(joint: Joint, needs: Dependency, limits: Interval) -> Iterator[Finding]:
+    """Yield why the positions between which a joint needs its condition make no sense."""
+    low, high = needs.beyond, needs.until
+    first, last = 0.0 if low is None else low, math.inf if high is None else high
+    bounds = f"it needs {needs.condition} beyond {first:.6g} and until {last:.6g} {_unit(joint)}"
+    if (low is not None and not low > 0.0) or not first < last:
+        hint = "give positive positions, beyond below until, or leave them out"
+        yield _fault(joint, f"{bounds}, where nothing lies between", hint)
+    elif low is not None and low >= max(abs(limits[0]), abs(limits[1])):
+        message = f"{bounds}, which it never reaches: {joint.name} {_limits(limits)}"
+        yield _fault(joint, message, "leave needs out, or take a position within the limits")
+
+
 def _stuck(
     dependent: list[Joint], joints: Mapping[str, Joint], ranges: Mapping[str, Interval]
 ) -> list[Joint]:
-    """Return the joints that can never leave their closed position, started with all closed."""
+    """Return the joints that can never leave their closed position or slack, started with all closed."""
     waiting = list(dependent)
     while True:
-        heads = {_led(joint.name, joints)[0] for joint in waiting}
-        held = {name: (joints[name].closed, joints[name].closed) for name in heads}
+        held: dict[str, Interval] = {}
+        for joint in waiting:
+            head, low, high = _slack(joint, joints)
+            before = held.get(head, ranges[head])
+            held[head] = (max(low, before[0]), min(high, before[1]))
         released = [
             joint
             for joint in waiting
@@ -211,6 +228,16 @@ def _stuck(
         if not released:
             return waiting
         waiting = [joint for joint in waiting if joint not in released]
+
+
+def _slack(joint: Joint, joints: Mapping[str, Joint]) -> tuple[str, float, float]:
+    """Return the joint that leads a joint, and between where it may move while the joint needs nothing."""
+    head, ratio, offset = _led(joint.name, joints)
+    closed = joints[head].closed
+    if joint.needs is None or joint.needs.beyond is None or not ratio:
+        return head, closed, closed
+    ends = [(side * joint.needs.beyond - offset) / ratio for side in (-1.0, 1.0)]
+    return head, min(*ends, closed), max(*ends, closed)
 
 
 def _range(joint: Joint) -> Interval:

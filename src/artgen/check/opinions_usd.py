@@ -43,7 +43,7 @@ def strange_opinions(prim: Any) -> Iterator[Finding]:
     if known is None:
         return
     name = prim.GetName()
-    where = {"joint": name} if joint else {"link": name if body else _body_of(prim)}
+    where = {"joint": name} if joint else {"link": name if body else body_of(prim)}
     text = "it" if joint or body else f"its collider {name}"
     for attribute in prim.GetAuthoredAttributes():
         said = attribute.GetName()
@@ -59,7 +59,8 @@ def strange_opinions(prim: Any) -> Iterator[Finding]:
         yield Finding(_CHECK, "it is invisible", **where, hint=_HINT)
 
 
-def _body_of(prim: Any) -> str:
+def body_of(prim: Any) -> str:
+    """Return the name of the rigid body that a prim belongs to; empty if to none."""
     while prim and not prim.HasAPI(UsdPhysics.RigidBodyAPI):
         prim = prim.GetParent()
     return str(prim.GetName()) if prim else ""

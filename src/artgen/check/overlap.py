@@ -48,10 +48,10 @@ class Links:
 
     def __init__(self, links: Sequence[Link]) -> None:
         self._links = {link.name: link for link in links}
-        self._parts: dict[str, list[Part]] = {}
+        self._parts: dict[str, tuple[Part, ...]] = {}
         self._boxes: dict[str, Array] = {}
 
-    def parts(self, link: str) -> list[Part]:
+    def parts(self, link: str) -> tuple[Part, ...]:
         """Return the solids of a link at rest."""
         if link not in self._parts:
             self._parts[link] = link_parts(self._links[link])

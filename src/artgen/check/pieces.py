@@ -8,10 +8,11 @@ from numpy.typing import NDArray
 
 from artgen.asset import Asset
 from artgen.asset.link import Link
-from artgen.check.report import Finding
+from artgen.check.report import CHANGED, Finding
 from artgen.colliders import Convex
 from artgen.export.frames import translation
 from artgen.export.hulls import hulls
+from artgen.export.urdf_words import primitives
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
@@ -24,7 +25,6 @@ _VOLUME = 1e-3  # relative, for the same reason: pieces are thin
 _FRICTION = 1e-6
 _INSIDE = 1e-6  # [m] by which a vertex may lie inside the hull of the others
 _SHOWN = 3  # colliders of a link
-_AGAIN = "the file was changed, or is of another asset: export the asset again"
 
 
 @dataclass(frozen=True, eq=False)
@@ -119,17 +119,10 @@ def expected_pieces(asset: Asset, *, capsules: bool) -> dict[str, tuple[Piece, .
                 pieces.append(Piece.mesh(name, hull.vertices, hull.triangles, friction))
                 continue
             placed = Convex(convex.kind, away @ convex.pose, convex.size)
-            split = _without_capsule(placed) if convex.kind == "capsule" and not capsules else (placed,)
+            split = [placed] if capsules else [piece for _, piece in primitives(placed)]
             pieces += [Piece.primitive(name, each, friction) for each in split]
         result[link.name] = tuple(pieces)
     return result
-
-
-def _without_capsule(convex: Convex) -> tuple[Convex, ...]:
-    radius, length = convex.size
-    ends = [convex.pose @ translation(np.array([0.0, 0.0, end])) for end in (-length / 2, length / 2)]
-    cylinder = Convex("cylinder", convex.pose, (radius, length))
-    return (cylinder, *(Convex("sphere", end, (radius,)) for end in ends))
 
 
 def piece_findings(
@@ -159,10 +152,10 @@ def piece_findings(
             for text in _differences(want, piece, away, file)
         ]
     for message, value in complaints[:_SHOWN]:
-        yield Finding(check, message, link.name, value=value, hint=_AGAIN)
+        yield Finding(check, message, link.name, value=value, hint=CHANGED)
     if len(complaints) > _SHOWN:
         message = f"{len(complaints) - _SHOWN} more of its colliders differ in {file}"
-        yield Finding(check, message, link.name, value=float(len(complaints)), hint=_AGAIN)
+        yield Finding(check, message, link.name, value=float(len(complaints)), hint=CHANGED)
 
 
 def _paired(wanted: Sequence[Piece], found: Sequence[Piece]) -> list[tuple[int, int, float]]:
@@ -196,7 +189,7 @@ def _count_finding(
     for what, names in (("without", lost), ("but also", more)):
         if names:
             message += f", {what} {', '.join(names[:_SHOWN])}"
-    return Finding(check, message, link.name, value=float(len(found)), hint=_AGAIN)
+    return Finding(check, message, link.name, value=float(len(found)), hint=CHANGED)
 
 
 def _differences(wanted: Piece, found: Piece, away: float, file: str) -> Iterator[tuple[str, float | None]]:

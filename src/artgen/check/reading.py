@@ -2,16 +2,17 @@
 
 import logging
 import warnings
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
 
-from artgen.asset import Asset
+from artgen.asset import Asset, Joint
 from artgen.check.pieces import Piece
 from artgen.check.report import Finding
+from artgen.export.frames import FAR
 
 Array = NDArray[np.float64]
 Frames = Callable[[Mapping[str, float]], dict[str, Array]]
@@ -135,6 +136,18 @@ def expected_frames(asset: Asset, q: Mapping[str, float]) -> dict[str, Array]:
         result[name] = displacement.copy()
         result[name][:3, 3] += displacement[:3, :3] @ asset.origin(name)
     return result
+
+
+def expected_limits(form: str, joint: Joint) -> tuple[float, float] | None:
+    """Return the limits of a joint in a format: URDF wants some of a slide that has none [rad or m]."""
+    if form == "urdf" and joint.kind == "prismatic" and joint.limits is None:
+        return -FAR, FAR
+    return joint.limits
+
+
+def spelled_limits(limits: Sequence[float] | None, unit: str) -> str:
+    """Spell the limits of a joint."""
+    return "none" if limits is None else f"{limits[0]:.7g} to {limits[1]:.7g} {unit}"
 
 
 def sampled_positions(asset: Asset, count: int) -> list[dict[str, float]]:

@@ -7,11 +7,10 @@ import numpy as np
 
 from artgen.asset import Asset
 from artgen.asset.files import ASSET_FILE
-from artgen.check.report import Finding
+from artgen.check.report import AGAIN, Finding
 from artgen.errors import nearest
 from artgen.export.layouts import LAYOUTS
 
-_AGAIN = "export the asset again"
 _ROUNDING = 1e-9  # of numbers in asset.json [m or rad]
 _SHOWN = 3  # files in one message
 
@@ -43,14 +42,14 @@ def _layout_findings(data: Mapping[str, Any], formats: Mapping[str, tuple[str, .
     name = str(data.get("layout", "flat"))
     if name not in LAYOUTS:
         message = f"{ASSET_FILE} says the layout {name!r}, which no client reads.{nearest(name, LAYOUTS)}"
-        yield Finding("files", message, hint=_AGAIN)
+        yield Finding("files", message, hint=AGAIN)
         return
     strange = [each for each in formats if each not in LAYOUTS[name].formats]
     if strange:
         message = f"{ASSET_FILE} says the layout {name!r}, which has no {', '.join(strange)}"
-        yield Finding("files", message, hint=_AGAIN)
+        yield Finding("files", message, hint=AGAIN)
     if not formats:
-        yield Finding("files", f"{ASSET_FILE} lists no format, so nobody can read the asset", hint=_AGAIN)
+        yield Finding("files", f"{ASSET_FILE} lists no format, so nobody can read the asset", hint=AGAIN)
 
 
 def _digest_findings(
@@ -66,7 +65,7 @@ def _digest_findings(
             named = ", ".join(sorted(paths)[:_SHOWN])
             named += f" and {len(paths) - _SHOWN} more" if len(paths) > _SHOWN else ""
             message = f"{ASSET_FILE} {says.format(named)}"
-            yield Finding("files", message, value=float(len(paths)), hint=_AGAIN)
+            yield Finding("files", message, value=float(len(paths)), hint=AGAIN)
 
 
 def _mass_findings(data: Mapping[str, Any], asset: Asset) -> Iterator[Finding]:
@@ -74,7 +73,7 @@ def _mass_findings(data: Mapping[str, Any], asset: Asset) -> Iterator[Finding]:
     total = sum(link.mass_properties.mass for link in asset.links)
     if isinstance(mass, int | float) and not abs(mass - total) <= 1e-6 * total:
         message = f"{ASSET_FILE} has a mass of {mass:.7g} kg, its links together have {total:.7g} kg"
-        yield Finding("files", message, value=float(mass), unit="kg", hint=_AGAIN)
+        yield Finding("files", message, value=float(mass), unit="kg", hint=AGAIN)
 
 
 def _affordance_findings(data: Mapping[str, Any], asset: Asset) -> Iterator[Finding]:
@@ -85,14 +84,14 @@ def _affordance_findings(data: Mapping[str, Any], asset: Asset) -> Iterator[Find
         message = (
             f"the affordance {name!r} is in one of the lists of links and affordances of {ASSET_FILE} only"
         )
-        yield Finding("files", message, hint=_AGAIN)
+        yield Finding("files", message, hint=AGAIN)
     for name in sorted(stored.keys() & wanted.keys()):
         away = float(np.abs(np.array(stored[name]["frame"], float) - wanted[name].frame).max())
         if not away <= _ROUNDING or stored[name]["link"] != wanted[name].link:
             message = (
                 f"the affordance {name!r} differs by {away:.4g} from the one of the link in {ASSET_FILE}"
             )
-            yield Finding("files", message, wanted[name].link, value=away, hint=_AGAIN)
+            yield Finding("files", message, wanted[name].link, value=away, hint=AGAIN)
             continue
         own = wanted[name].to_data(asset)
         differing = [key for key in own if not _same(stored[name].get(key), own[key])]
@@ -101,7 +100,7 @@ def _affordance_findings(data: Mapping[str, Any], asset: Asset) -> Iterator[Find
                 f"the affordance {name!r} has another {' and '.join(differing)} than links and joints in "
                 f"{ASSET_FILE} give it"
             )
-            yield Finding("files", message, wanted[name].link, hint=_AGAIN)
+            yield Finding("files", message, wanted[name].link, hint=AGAIN)
 
 
 def _same(found: Any, wanted: Any) -> bool:

@@ -5,7 +5,16 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, Literal
 
+from artgen.asset.record import significant
+
 Severity = Literal["fault", "note"]
+
+AGAIN = "export the asset again"
+"""The hint where a file is not as artgen writes it."""
+
+CHANGED = f"the file was changed, or is of another asset: {AGAIN}"
+"""The hint where a file does not say what the asset is."""
+
 _DIGITS = 9  # significant digits of numbers in a report
 
 
@@ -53,9 +62,9 @@ class Finding:
             "message": self.message,
             "link": self.link,
             "joint": self.joint,
-            "value": None if self.value is None else _rounded(self.value),
+            "value": None if self.value is None else significant(self.value, _DIGITS),
             "unit": self.unit,
-            "pose": {name: _rounded(position) for name, position in self.pose.items()},
+            "pose": {name: significant(position, _DIGITS) for name, position in self.pose.items()},
             "hint": self.hint,
         }
 
@@ -136,7 +145,3 @@ class Report:
     def to_json(self) -> str:
         """Return the report as JSON text."""
         return json.dumps(self.to_data(), indent=1, ensure_ascii=False, allow_nan=False) + "\n"
-
-
-def _rounded(number: float) -> float:
-    return float(f"{number:.{_DIGITS}g}") + 0.0

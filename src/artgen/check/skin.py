@@ -12,6 +12,8 @@ from scipy.sparse.csgraph import connected_components
 from scipy.spatial import cKDTree
 
 from artgen.asset import Link, Mesh
+from artgen.check.once import once_per_link
+from artgen.check.rows import distinct_rows
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
@@ -173,20 +175,23 @@ _JUDGED = 2e-5  # [m]: lower triangles have no normal to speak of in mesh files
 _AGAINST = 0.5  # cosine between a face and the normal at a corner, below which it leans away: 60 degrees
 
 
-def skins(link: Link) -> Iterator[Skin]:
-    """Yield the surface of each piece of a link, or of the whole link if it was read from files.
+@once_per_link
+def skins(link: Link) -> tuple[Skin, ...]:
+    """Return the surface of each piece of a link, or of the whole link if it was read from files.
 
     Raises:
         AssetError: The mesh files of the link are missing or damaged.
     """
-    for number, piece in enumerate(link.pieces):
-        mesh = piece.shape.mesh
-        labels = np.zeros(len(mesh.triangles), np.int64)
-        yield _skin(mesh, labels, [piece.label], _WELD_MEMORY, number, detail=piece.visual)
-    if not link.pieces and link.surfaces:
-        meshes = [surface.mesh for surface in link.surfaces]
-        labels = np.repeat(np.arange(len(meshes)), [len(mesh.triangles) for mesh in meshes])
-        yield _skin(_together(meshes), labels, [surface.label for surface in link.surfaces], _WELD_FILES)
+    if link.pieces:
+        return tuple(
+            _skin(piece.shape.mesh, None, [piece.label], _WELD_MEMORY, number, detail=piece.visual)
+            for number, piece in enumerate(link.pieces)
+        )
+    if not link.surfaces:
+        return ()
+    meshes = [surface.mesh for surface in link.surfaces]
+    labels = np.repeat(np.arange(len(meshes)), [len(mesh.triangles) for mesh in meshes])
+    return (_skin(_together(meshes), labels, [surface.label for surface in link.surfaces], _WELD_FILES),)
 
 
 def _together(meshes: list[Mesh]) -> Mesh:
@@ -203,19 +208,27 @@ def _together(meshes: list[Mesh]) -> Mesh:
 
 
 def _skin(
-    mesh: Mesh, labels: Indices, names: list[str], reach: float, piece: int = 0, *, detail: bool | None = None
+    mesh: Mesh,
+    labels: Indices | None,
+    names: list[str],
+    reach: float,
+    piece: int = 0,
+    *,
+    detail: bool | None = None,
 ) -> Skin:
     """Weld corners at one place, count the faults and take the surface apart."""
     label = names[0] if detail is not None else ""
     if not np.isfinite(mesh.vertices).all():
         return Skin(label, detail=detail, finite=False, triangles=len(mesh.triangles))
+    if labels is None:
+        labels = np.zeros(len(mesh.triangles), np.int64)
     points, number = _welded(mesh.vertices, reach)
     faces = number[mesh.triangles]
     proper = (faces[:, 0] != faces[:, 1]) & (faces[:, 1] != faces[:, 2]) & (faces[:, 2] != faces[:, 0])
     against = _against(mesh)
     faces, labels, corners = faces[proper], labels[proper], mesh.vertices[mesh.triangles]
     turned = np.argmin(faces, axis=1)[:, None] + np.arange(3)
-    _, first = np.unique(np.take_along_axis(faces, turned % 3, axis=1), axis=0, return_index=True)
+    _, first, _ = distinct_rows(np.take_along_axis(faces, turned % 3, axis=1))
     doubled = len(faces) - len(first)
     first.sort()
     faces, labels = faces[first], labels[first]
@@ -243,9 +256,8 @@ def point_text(point: Iterable[float]) -> str:
 
 def _welded(vertices: Array, reach: float) -> tuple[Array, Indices]:
     """Return points and the point of each vertex; vertices within reach of each other are one."""
-    distinct, number = np.unique(vertices, axis=0, return_inverse=True)
+    distinct, _, number = distinct_rows(vertices)
     pairs = cKDTree(distinct).query_pairs(reach, output_type="ndarray")
-    number = number.ravel().astype(np.int64)
     if not len(pairs):
         return distinct, number
     graph = coo_array((np.ones(len(pairs)), pairs.T), shape=(len(distinct), len(distinct)))
@@ -289,8 +301,7 @@ class _Edges:
     def of(faces: Indices) -> "_Edges":
         directed = np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]])
         forward = np.where(directed[:, 0] < directed[:, 1], 1, -1)
-        ends, edge = np.unique(np.sort(directed, axis=1), axis=0, return_inverse=True)
-        edge = edge.ravel()
+        ends, _, edge = distinct_rows(np.sort(directed, axis=1))
         count = np.bincount(edge, minlength=len(ends))
         balance = np.bincount(edge, forward, minlength=len(ends))
         order = np.argsort(edge, kind="stable")

@@ -41,7 +41,7 @@ def check_solids(asset: Asset) -> CheckResult:
     solids = triangles = absent = 0
     for link in asset.links:
         try:
-            found = list(skins(link))
+            found = skins(link)
         except ArtgenError as error:
             absent += isinstance(error.__context__, FileNotFoundError)
             hint = "export the asset again with urdf or mjcf among the formats"

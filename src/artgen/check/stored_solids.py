@@ -1,6 +1,7 @@
 """The solids of a link that was read from files, made of the meshes that are seen."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -8,6 +9,7 @@ from manifold3d import Error, Manifold, Mesh64
 from numpy.typing import NDArray
 
 from artgen.asset import Link, Surface
+from artgen.check.once import once_per_link
 from artgen.colliders.connected import connected_parts
 from artgen.errors import AssetError
 from artgen.export.collision import Part, solid_parts
@@ -18,7 +20,32 @@ _ONE_POINT = 3e-7  # [m]: vertices of a file nearer than this are one; it has se
 _ONE_BOX = 1e-6  # [m] that a bounding box may be off in a file
 
 
-def link_parts(link: Link) -> list[Part]:
+@dataclass(frozen=True, eq=False)
+class Details:
+    """What the data of a link that was read from files records as only seen.
+
+    Attributes:
+        boxes: Bounding boxes by label, shape (n, 2, 3) [m].
+    """
+
+    boxes: Mapping[str, Array] = field(default_factory=dict)
+
+    @staticmethod
+    def of(data: Sequence[Mapping[str, Any]]) -> "Details":
+        """Read the record."""
+        boxes: dict[str, list[Any]] = {}
+        for each in data:
+            boxes.setdefault(each["label"], []).append(each["bounds"])
+        return Details({label: np.array(of_label, float) for label, of_label in boxes.items()})
+
+    def have(self, label: str, bounds: Array) -> bool:
+        """Tell whether a closed part of the meshes is one of them, by its label and its box, shape (2, 3)."""
+        known = self.boxes.get(label)
+        return known is not None and bool((np.abs(known - bounds).max(axis=(1, 2)) <= _ONE_BOX).any())
+
+
+@once_per_link
+def link_parts(link: Link) -> tuple[Part, ...]:
     """Return the solids of a link; where it was read from files, the closed parts of its meshes.
 
     What has neither mass nor collider, such as the head of a screw, is told by its label and bounding box.
@@ -27,32 +54,18 @@ def link_parts(link: Link) -> list[Part]:
         AssetError: The meshes of a label do not close.
     """
     if link.pieces:
-        return solid_parts(link)
+        return tuple(solid_parts(link))
     groups: dict[str, list[Surface]] = {}
     for surface in link.surfaces:
         groups.setdefault(surface.label, []).append(surface)
     known = {collider.label: collider.material for collider in link.colliders}
     closed = {label: _closed(link, label, surfaces) for label, surfaces in groups.items()}
-    details = link.to_data().get("details", ())
-    return [
+    details = Details.of(link.to_data().get("details", ()))
+    return tuple(
         Part(label, known.get(label, groups[label][0].material), part)
         for label, parts in closed.items()
         for part in parts
-        if not is_detail(details, label, np.reshape(part.bounding_box(), (2, 3)))
-    ]
-
-
-def is_detail(details: Iterable[Mapping[str, Any]], label: str, bounds: Array) -> bool:
-    """Tell whether a closed part of the meshes is only seen, by its label and bounding box.
-
-    Args:
-        details: What the link's data records of its details.
-        label: Label of the part.
-        bounds: Corners of its bounding box, shape (2, 3) [m].
-    """
-    return any(
-        each["label"] == label and bool(np.abs(bounds - np.array(each["bounds"])).max() <= _ONE_BOX)
-        for each in details
+        if not details.have(label, np.reshape(part.bounding_box(), (2, 3)))
     )
 
 

@@ -7,11 +7,10 @@ from typing import Any
 
 import numpy as np
 
-from artgen.check.report import Finding
+from artgen.check.report import AGAIN, Finding
 from artgen.check.words_mjcf import strange_words
 
 _CHECK = "mjcf"
-_AGAIN = "export the asset again"
 _NAMED = ("body", "joint", "geom", "site", "mesh", "material", "texture")
 _ROUNDING = 1e-6  # relative, of moments of inertia
 
@@ -57,7 +56,7 @@ def _repeated(root: Any, file: str) -> Iterator[Finding]:
             if count > 1:
                 link, joint = name if kind == "body" else "", name if kind == "joint" else ""
                 message = f"{count} {kind} elements are named {name!r} in {file}"
-                yield Finding(_CHECK, message, link, joint, float(count), hint=_AGAIN)
+                yield Finding(_CHECK, message, link, joint, float(count), hint=AGAIN)
 
 
 def _body_findings(body: Any, file: str) -> Iterator[Finding]:
@@ -69,7 +68,7 @@ def _body_findings(body: Any, file: str) -> Iterator[Finding]:
         mass = _numbers(inertial.get("mass", "0"))[0]
         if not mass > 0.0:
             yield Finding(
-                _CHECK, f"its mass is {mass:.4g} kg in {file}", name, value=mass, unit="kg", hint=_AGAIN
+                _CHECK, f"its mass is {mass:.4g} kg in {file}", name, value=mass, unit="kg", hint=AGAIN
             )
         six, three = (_numbers(inertial.get(key, "")) for key in ("fullinertia", "diaginertia"))
         if len(six) == 6:
@@ -77,7 +76,7 @@ def _body_findings(body: Any, file: str) -> Iterator[Finding]:
             three = np.linalg.eigvalsh([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]).tolist()
         text = moments_fault(three)
         if text:
-            yield Finding(_CHECK, f"{text} in {file}", name, value=min(three), unit="kg m^2", hint=_AGAIN)
+            yield Finding(_CHECK, f"{text} in {file}", name, value=min(three), unit="kg m^2", hint=AGAIN)
 
 
 def moments_fault(moments: Any) -> str:
@@ -97,7 +96,7 @@ def _range_findings(joint: Any, file: str) -> Iterator[Finding]:
     low, high = ([*_numbers(joint.get("range", "0 1")), 0.0, 0.0])[:2]
     if not low < high:
         message = f"its limits are inverted or empty in {file}: from {low:.7g} to {high:.7g}"
-        yield Finding(_CHECK, message, joint=joint.get("name", ""), value=high - low, hint=_AGAIN)
+        yield Finding(_CHECK, message, joint=joint.get("name", ""), value=high - low, hint=AGAIN)
 
 
 def _unknown(root: Any, file: str) -> Iterator[Finding]:
@@ -111,14 +110,14 @@ def _unknown(root: Any, file: str) -> Iterator[Finding]:
                 message = (
                     f"its geom {geom.get('name')!r} names the {kind} {name!r}, which {file} does not have"
                 )
-                yield Finding(_CHECK, message, geom.getparent().get("name", ""), hint=_AGAIN)
+                yield Finding(_CHECK, message, geom.getparent().get("name", ""), hint=AGAIN)
     joints = {element.get("name") for element in root.iterfind("worldbody//joint")}
     for equality in root.iterfind("equality/joint"):
         for key in ("joint1", "joint2"):
             name = equality.get(key)
             if name and name not in joints:
                 message = f"its coupling names the joint {name!r}, which {file} does not have"
-                yield Finding(_CHECK, message, joint=equality.get("joint1", ""), hint=_AGAIN)
+                yield Finding(_CHECK, message, joint=equality.get("joint1", ""), hint=AGAIN)
 
 
 def _numbers(text: str) -> list[float]:

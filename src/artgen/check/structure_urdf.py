@@ -5,11 +5,10 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from artgen.check.report import Finding
+from artgen.check.report import AGAIN, Finding
 from artgen.errors import nearest
 
 _CHECK = "urdf"
-_AGAIN = "export the asset again"
 _OF_GAZEBO = ("springStiffness", "springReference")
 
 
@@ -33,14 +32,14 @@ def urdf_findings(path: Path) -> Iterator[Finding]:
         count = len(link.findall("inertial"))
         if count > 1:
             message = f"it has {count} inertials in {path.name}; readers take any of them"
-            yield Finding(_CHECK, message, link.get("name"), value=float(count), hint=_AGAIN)
+            yield Finding(_CHECK, message, link.get("name"), value=float(count), hint=AGAIN)
         for material in link.iterfind("visual/material"):
             if not len(material) and material.get("name") not in known:
                 name = str(material.get("name"))
                 message = (
                     f"it is of the material {name!r}, which the file does not define.{nearest(name, known)}"
                 )
-                yield Finding(_CHECK, message, link.get("name"), hint=_AGAIN)
+                yield Finding(_CHECK, message, link.get("name"), hint=AGAIN)
 
 
 def _names(robot: Any, tag: str) -> list[str]:
@@ -54,7 +53,7 @@ def _repeated(robot: Any) -> Iterator[Finding]:
             if count > 1 and name:
                 link, joint = name if kind == "link" else "", name if kind == "joint" else ""
                 message = f"{count} {kind}s are named {name!r}; readers keep one of them"
-                yield Finding(_CHECK, message, link, joint, float(count), hint=_AGAIN)
+                yield Finding(_CHECK, message, link, joint, float(count), hint=AGAIN)
 
 
 def _strange_words(robot: Any) -> Iterator[Finding]:
@@ -85,16 +84,16 @@ def _tree_findings(robot: Any, links: list[str]) -> Iterator[Finding]:
             end = "" if element is None else element.get("link", "")
             if end not in links:
                 message = f"its {tag} {end!r} is no link of the file.{nearest(end, links)}"
-                yield Finding(_CHECK, message, joint=name, hint=_AGAIN)
+                yield Finding(_CHECK, message, joint=name, hint=AGAIN)
             elif tag == "child" and end in above:
                 message = f"two joints hold it: {above[end]!r} and {name!r}"
-                yield Finding(_CHECK, message, end, name, hint=_AGAIN)
+                yield Finding(_CHECK, message, end, name, hint=AGAIN)
             elif tag == "child":
                 above[end] = name
     roots = [name for name in links if name not in above]
     if len(roots) != 1:
         message = f"it has {len(roots)} links that hang on no joint ({', '.join(roots)}); 1 is right"
-        yield Finding(_CHECK, message, value=float(len(roots)), hint=_AGAIN)
+        yield Finding(_CHECK, message, value=float(len(roots)), hint=AGAIN)
 
 
 def _joint_findings(joint: Any, joints: list[str]) -> Iterator[Finding]:
@@ -104,15 +103,15 @@ def _joint_findings(joint: Any, joints: list[str]) -> Iterator[Finding]:
             value = _number(limit.get(what))
             if not value > 0.0:
                 message = f"its {what} limit is {value:.4g}; simulators take it for a joint that cannot move"
-                yield Finding(_CHECK, message, joint=name, value=value, hint=_AGAIN)
+                yield Finding(_CHECK, message, joint=name, value=value, hint=AGAIN)
         low, high = _number(limit.get("lower")), _number(limit.get("upper"))
         if joint.get("type") != "continuous" and not low < high:
             message = f"its limits are inverted or empty: from {low:.7g} to {high:.7g}"
-            yield Finding(_CHECK, message, joint=name, value=high - low, hint=_AGAIN)
+            yield Finding(_CHECK, message, joint=name, value=high - low, hint=AGAIN)
     if mimic is not None and mimic.get("joint") not in joints:
         leader = str(mimic.get("joint"))
         message = f"it follows {leader!r}, which is no joint of the file.{nearest(leader, joints)}"
-        yield Finding(_CHECK, message, joint=name, hint=_AGAIN)
+        yield Finding(_CHECK, message, joint=name, hint=AGAIN)
 
 
 def _number(text: str | None) -> float:

@@ -9,13 +9,12 @@ from numpy.typing import NDArray
 from pxr import Usd, UsdGeom, UsdPhysics, UsdShade
 
 from artgen.asset import Asset
-from artgen.check.opinions_usd import strange_opinions
-from artgen.check.report import Finding
+from artgen.check.opinions_usd import body_of, strange_opinions
+from artgen.check.report import AGAIN, Finding
 
 Array = NDArray[np.float64]
 
 _CHECK = "usd"
-_AGAIN = "export the asset again"
 _RIGID = 1e-6  # error of a body's axes
 
 
@@ -35,14 +34,14 @@ def stage_findings(stage: Any, asset: Asset) -> Iterator[Finding]:
     for name, count in Counter(prim.GetName() for prim in bodies).items():
         if count > 1:
             message = f"{count} rigid bodies are named {name!r}"
-            yield Finding(_CHECK, message, name if name in links else "", value=float(count), hint=_AGAIN)
+            yield Finding(_CHECK, message, name if name in links else "", value=float(count), hint=AGAIN)
     for body in bodies:
         yield from _body_findings(body)
     joints = [prim for prim in prims if prim.IsA(UsdPhysics.Joint)]
     for name, count in Counter(prim.GetName() for prim in joints).items():
         if count > 1:
             message = f"{count} joints are named {name!r}"
-            yield Finding(_CHECK, message, joint=name, value=float(count), hint=_AGAIN)
+            yield Finding(_CHECK, message, joint=name, value=float(count), hint=AGAIN)
     known = {body.GetPath() for body in bodies}
     stand = asset.positions()
     for joint in joints:
@@ -61,9 +60,9 @@ def _unit_findings(stage: Any) -> Iterator[Finding]:
             said = "is missing" if found is None else f"is {found}"
             value = float(found) if isinstance(found, int | float) else None
             message = f"{name} {said}, not {wanted}: simulators take lengths, masses or directions for others"
-            yield Finding(_CHECK, message, value=value, hint=_AGAIN)
+            yield Finding(_CHECK, message, value=value, hint=AGAIN)
     if not stage.GetDefaultPrim():
-        yield Finding(_CHECK, "it has no default prim, so nothing comes where it is referenced", hint=_AGAIN)
+        yield Finding(_CHECK, "it has no default prim, so nothing comes where it is referenced", hint=AGAIN)
 
 
 def _root_findings(prims: list[Any], asset: Asset) -> Iterator[Finding]:
@@ -71,7 +70,7 @@ def _root_findings(prims: list[Any], asset: Asset) -> Iterator[Finding]:
     if len(roots) != 1:
         where = ", ".join(str(prim.GetPath()) for prim in roots) or "none"
         message = f"it has {len(roots)} articulation roots ({where}); simulators need exactly one"
-        yield Finding(_CHECK, message, asset.links[0].name, value=float(len(roots)), hint=_AGAIN)
+        yield Finding(_CHECK, message, asset.links[0].name, value=float(len(roots)), hint=AGAIN)
 
 
 def _body_findings(body: Any) -> Iterator[Finding]:
@@ -85,12 +84,12 @@ def _body_findings(body: Any) -> Iterator[Finding]:
     error = float(np.abs(turn.T @ turn - np.eye(3)).max())
     if not (error <= _RIGID and np.linalg.det(turn) > 0.0):
         scales = ", ".join(f"{scale:.6g}" for scale in np.linalg.norm(turn, axis=0))
-        yield Finding(_CHECK, f"its rigid body is scaled by {scales}", name, value=error, hint=_AGAIN)
+        yield Finding(_CHECK, f"its rigid body is scaled by {scales}", name, value=error, hint=AGAIN)
     api = UsdPhysics.RigidBodyAPI(body)
     if api.GetRigidBodyEnabledAttr().Get() is False:
-        yield Finding(_CHECK, "its rigid body is disabled", name, hint=_AGAIN)
+        yield Finding(_CHECK, "its rigid body is disabled", name, hint=AGAIN)
     if api.GetKinematicEnabledAttr().Get():
-        yield Finding(_CHECK, "its rigid body is kinematic, so nothing moves it", name, hint=_AGAIN)
+        yield Finding(_CHECK, "its rigid body is kinematic, so nothing moves it", name, hint=AGAIN)
 
 
 def _joint_findings(prim: Any, known: set[Any]) -> Iterator[Finding]:
@@ -99,22 +98,22 @@ def _joint_findings(prim: Any, known: set[Any]) -> Iterator[Finding]:
         for target in relation.GetTargets():
             if target not in known:
                 message = f"its {what} is {target}, which is no rigid body"
-                yield Finding(_CHECK, message, joint=name, hint=_AGAIN)
+                yield Finding(_CHECK, message, joint=name, hint=AGAIN)
     if joint.GetJointEnabledAttr().Get() is False:
-        yield Finding(_CHECK, "it is disabled", joint=name, hint=_AGAIN)
+        yield Finding(_CHECK, "it is disabled", joint=name, hint=AGAIN)
     if joint.GetExcludeFromArticulationAttr().Get():
-        yield Finding(_CHECK, "it is excluded from the articulation", joint=name, hint=_AGAIN)
+        yield Finding(_CHECK, "it is excluded from the articulation", joint=name, hint=AGAIN)
     if not (prim.IsA(UsdPhysics.RevoluteJoint) or prim.IsA(UsdPhysics.PrismaticJoint)):
         return
     low, high = (prim.GetAttribute(f"physics:{end}Limit").Get() for end in ("lower", "upper"))
     if low is not None and high is not None and low > high:
         message = f"its limits are inverted: from {low:.7g} to {high:.7g}"
-        yield Finding(_CHECK, message, joint=name, value=float(high - low), hint=_AGAIN)
+        yield Finding(_CHECK, message, joint=name, value=float(high - low), hint=AGAIN)
     for kind in ("angular", "linear"):
         drive = prim.GetAttribute(f"drive:{kind}:physics:type")
         if drive and drive.HasAuthoredValue() and drive.Get() != "force":
             message = f"its drive is of the type {drive.Get()!r}, whose gains are not per newton but per mass"
-            yield Finding(_CHECK, message, joint=name, hint=_AGAIN)
+            yield Finding(_CHECK, message, joint=name, hint=AGAIN)
 
 
 def _start_findings(prim: Any, wanted: float) -> Iterator[Finding]:
@@ -124,7 +123,7 @@ def _start_findings(prim: Any, wanted: float) -> Iterator[Finding]:
         start = unit * float(said.Get()) if said and said.HasAuthoredValue() else wanted
         if not abs(start - wanted) <= _RIGID * max(1.0, abs(wanted)):
             message = f"it begins at {start:.7g}, not at {wanted:.7g}, where its body stands"
-            yield Finding(_CHECK, message, joint=prim.GetName(), value=start, hint=_AGAIN)
+            yield Finding(_CHECK, message, joint=prim.GetName(), value=start, hint=AGAIN)
 
 
 def _binding_findings(prim: Any) -> Iterator[Finding]:
@@ -135,7 +134,7 @@ def _binding_findings(prim: Any) -> Iterator[Finding]:
             material = prim.GetStage().GetPrimAtPath(target)
             if not material or not material.IsA(UsdShade.Material):
                 message = f"{prim.GetPath()} is bound to the material {target}, which is not there"
-                yield Finding(_CHECK, message, _owner(prim), hint=_AGAIN)
+                yield Finding(_CHECK, message, body_of(prim), hint=AGAIN)
 
 
 def _contact_findings(prim: Any) -> Iterator[Finding]:
@@ -144,15 +143,8 @@ def _contact_findings(prim: Any) -> Iterator[Finding]:
         and UsdPhysics.FilteredPairsAPI(prim).GetFilteredPairsRel().GetTargets()
     ):
         message = f"{prim.GetPath()} filters contacts, which hides parts that go through each other"
-        yield Finding(_CHECK, message, _owner(prim), hint="remove PhysicsFilteredPairsAPI")
+        yield Finding(_CHECK, message, body_of(prim), hint="remove PhysicsFilteredPairsAPI")
     collides = UsdPhysics.CollisionAPI(prim).GetCollisionEnabledAttr()
     if prim.HasAPI(UsdPhysics.CollisionAPI) and collides.Get() is False:
         message = f"its collider {prim.GetName()} is disabled"
-        yield Finding(_CHECK, message, _owner(prim), hint=_AGAIN)
-
-
-def _owner(prim: Any) -> str:
-    """Return the name of the rigid body that a prim belongs to; empty if to none."""
-    while prim and not prim.HasAPI(UsdPhysics.RigidBodyAPI):
-        prim = prim.GetParent()
-    return str(prim.GetName()) if prim else ""
+        yield Finding(_CHECK, message, body_of(prim), hint=AGAIN)

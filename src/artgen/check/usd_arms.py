@@ -92,7 +92,8 @@ def _limits(joint: Any, unit: float) -> tuple[float, float] | None:
 def pose(position: Any, rotation: Any) -> Array:
     """Return position and quaternion of OpenUSD as a transform, shape (4, 4)."""
     result = np.eye(4)
-    result[:3, :3] = np.array(Gf.Matrix3d(Gf.Rotation(Gf.Quatd(rotation)))).T
+    # not by way of Gf.Rotation: its angle, an arccosine, is inexact near 0
+    result[:3, :3] = np.array(Gf.Matrix3d(Gf.Quatd(rotation).GetNormalized())).T
     result[:3, 3] = position
     return result
 

@@ -7,18 +7,15 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from artgen.asset import Asset
-from artgen.check.files import Exported, read_export
+from artgen.check.files import FORMAT_CHECKS, Exported, read_export
 from artgen.check.report import CheckResult, Finding, Report
 from artgen.errors import ArtgenError, ParameterError, nearest
 
 if TYPE_CHECKING:
     from artgen.check.formats import FormatChecks
 
-CHECKS = ("files", "solids", "tree", "colliders", "urdf", "mjcf", "usd", "certificate", "grasps", "behaviour")
+CHECKS = ("files", "solids", "tree", "colliders", *FORMAT_CHECKS, "certificate", "grasps", "behaviour")
 """The checks, in the order in which they run."""
-
-FORMAT_CHECKS = ("urdf", "mjcf", "usd")
-"""Those that read one exported format each."""
 
 _MESH_CHECKS = ("solids", "colliders", "grasps")
 

@@ -196,7 +196,8 @@ class Space:
         """Return the boxes, one of which a joint's dependency asks for; None if it says nothing here."""
         if joint.needs is None:
             return None
-        alternatives = [self._where(joint.name, -_CLOSED, _CLOSED)]
+        free = joint.needs.beyond or _CLOSED
+        alternatives = [self._where(joint.name, -free, free)]
         if joint.needs.until is not None:
             alternatives.append(self._where(joint.name, joint.needs.until, math.inf))
             alternatives.append(self._where(joint.name, -math.inf, -joint.needs.until))

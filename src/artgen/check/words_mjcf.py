@@ -5,11 +5,10 @@ from typing import Any
 
 import numpy as np
 
-from artgen.check.report import Finding
+from artgen.check.report import AGAIN, Finding
 
 _CHECK = "mjcf"
 _SCENE = "put it into the scene that attaches the asset"
-_AGAIN = "export the asset again"
 _ACTING = ("actuator", "tendon", "deformable", "extension", "include")  # they move, hold, or bring what does
 _SOFTEST, _LEAST_IMPEDANCE = 0.02, 0.9  # MuJoCo's own time constant [s] and impedance
 _SHOWN = 2  # colliders of a link
@@ -58,7 +57,7 @@ def model_findings(model: Any, links: list[str], base: str, file: str) -> Iterat
         yield from found[:_SHOWN]
         if len(found) > _SHOWN:
             message = f"{len(found) - _SHOWN} more of its colliders are not plain in {file}"
-            yield Finding(_CHECK, message, link, value=float(len(found)), hint=_AGAIN)
+            yield Finding(_CHECK, message, link, value=float(len(found)), hint=AGAIN)
         yield from _joint_findings(model, body, link, base, file)
     for number in range(model.neq):
         terms = model.eq_data[number, 2:5]
@@ -66,7 +65,7 @@ def model_findings(model: Any, links: list[str], base: str, file: str) -> Iterat
         if coupling and np.abs(terms).max() > 0.0:
             message = f"its coupling has terms of higher order, {terms}, in {file}"
             name = model.joint(int(model.eq_obj1id[number])).name
-            yield Finding(_CHECK, message, joint=name, value=float(np.abs(terms).max()), hint=_AGAIN)
+            yield Finding(_CHECK, message, joint=name, value=float(np.abs(terms).max()), hint=AGAIN)
 
 
 def _geom_findings(model: Any, body: int, link: str, file: str) -> Iterator[Finding]:
@@ -86,10 +85,10 @@ def _geom_findings(model: Any, body: int, link: str, file: str) -> Iterator[Find
         if strange:
             text = ", ".join(f"{key} {float(getattr(model, f'geom_{key}')[geom]):.4g}" for key in strange)
             usual = ", ".join(f"{_PLAIN[key]:g}" for key in strange)
-            yield Finding(_CHECK, f"its collider {name} has {text} in {file}, not {usual}", link, hint=_AGAIN)
+            yield Finding(_CHECK, f"its collider {name} has {text} in {file}, not {usual}", link, hint=AGAIN)
         if _is_soft(model.geom_solref[geom], model.geom_solimp[geom]):
             yield Finding(
-                _CHECK, f"its collider {name} is softer than MuJoCo's own in {file}", link, hint=_AGAIN
+                _CHECK, f"its collider {name} is softer than MuJoCo's own in {file}", link, hint=AGAIN
             )
 
 
@@ -100,10 +99,10 @@ def _joint_findings(model: Any, body: int, link: str, base: str, file: str) -> I
         if kind == _BALL or (kind == _FREE and not _holds(model, body, base)):
             what = "as a ball" if kind == _BALL else "freely"
             message = f"the body {model.body(body).name!r} moves {what} in {file}"
-            yield Finding(_CHECK, message, link, hint=_AGAIN)
+            yield Finding(_CHECK, message, link, hint=AGAIN)
         elif kind != _FREE and _is_soft(model.jnt_solref[joint], model.jnt_solimp[joint]):
             message = f"its limits are softer than MuJoCo's own in {file}"
-            yield Finding(_CHECK, message, joint=name, hint=_AGAIN)
+            yield Finding(_CHECK, message, joint=name, hint=AGAIN)
 
 
 def _holds(model: Any, body: int, base: str) -> bool:

@@ -5,6 +5,12 @@ from typing import Literal
 
 FormatName = Literal["urdf", "mjcf", "usd", "glb"]
 
+READ = ("links", "joints", "poses")
+"""What a client tells of a model that it read, see `Client.tells`."""
+
+MOVED = ("moved", "steps", "finite")
+"""What a client tells that simulates the model as well."""
+
 
 @dataclass(frozen=True)
 class Unavoidable:

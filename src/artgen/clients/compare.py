@@ -7,12 +7,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from artgen.asset import Asset, Joint
-from artgen.check.reading import expected_frames
+from artgen.check.reading import expected_frames, expected_limits, spelled_limits
 from artgen.check.report import Finding
 from artgen.clients.client import Client
 from artgen.clients.exported import Exported
 from artgen.clients.told import silences
-from artgen.export.frames import FAR, coupling
+from artgen.export.frames import coupling
 
 Array = NDArray[np.float64]
 
@@ -103,9 +103,7 @@ def _joints(client: Client, asset: Asset, found: Mapping[str, Any]) -> Iterator[
 
 
 def _limits(client: Client, joint: Joint, found: Any) -> Iterator[Finding]:
-    wanted = joint.limits
-    if client.format == "urdf" and joint.kind == "prismatic" and wanted is None:
-        wanted = (-FAR, FAR)
+    wanted = expected_limits(client.format, joint)
     if found is None or wanted is None:
         same, error = found is None and wanted is None, None
     else:
@@ -113,12 +111,8 @@ def _limits(client: Client, joint: Joint, found: Any) -> Iterator[Finding]:
         same = error <= client.length_tolerance * max(1.0, *map(abs, wanted))
     if not same:
         unit = "rad" if joint.kind == "revolute" else "m"
-        message = f"its limits are {_span(found, unit)}, not {_span(wanted, unit)}"
+        message = f"its limits are {spelled_limits(found, unit)}, not {spelled_limits(wanted, unit)}"
         yield _finding(client, message, joint=joint.name, value=error, unit=unit)
-
-
-def _span(limits: Any, unit: str) -> str:
-    return "none" if limits is None else f"{limits[0]:.7g} to {limits[1]:.7g} {unit}"
 
 
 def _gains(client: Client, joint: Joint, read: Mapping[str, Any]) -> Iterator[Finding]:

@@ -1,14 +1,10 @@
 """MuJoCo's relatives: robosuite, which puts objects into tasks, and MJX and MuJoCo Warp, for many worlds."""
 
-from artgen.clients.client import Client, Unavoidable
+from artgen.clients.client import READ, Client, Unavoidable
 
 _SINGLE = 1e-5  # what is left of numbers in single precision
 _GAINS = ("joints.damping", "joints.friction", "joints.stiffness", "joints.armature")
-_TELLS = ("links", "joints", "couplings", "poses", "steps", *_GAINS)
-_NO_GPU = Unavoidable(
-    r"Warp CUDA warning: Could not find or load the NVIDIA CUDA driver\..*",
-    "Warp says so on every machine without a GPU",
-)
+_TELLS = (*READ, "couplings", "steps", *_GAINS)
 _ADVICE = "advice on the installation of robosuite, whatever is loaded"
 
 ROBOSUITE: tuple[Client, ...] = (
@@ -17,7 +13,7 @@ ROBOSUITE: tuple[Client, ...] = (
         format="mjcf",
         distribution="robosuite",
         environment="robosuite",
-        driver="robosuite_model.py",
+        driver="robosuite_model",
         layouts=("robocasa",),
         tells=(*_TELLS, "moved"),
         unavoidable=(
@@ -33,7 +29,7 @@ ROBOSUITE: tuple[Client, ...] = (
         format="mjcf",
         distribution="mujoco-mjx",
         environment="mjx",
-        driver="mjx_model.py",
+        driver="mjx_model",
         seconds=600.0,  # it compiles each model anew
         tells=_TELLS,
         unavoidable=(
@@ -50,10 +46,9 @@ ROBOSUITE: tuple[Client, ...] = (
         format="mjcf",
         distribution="mujoco-warp",
         environment="newton",
-        driver="mujoco_warp_model.py",
+        driver="mujoco_warp_model",
         seconds=600.0,  # the first time on a machine it compiles its kernels
         tells=_TELLS,
-        unavoidable=(_NO_GPU,),
         length_tolerance=_SINGLE,
         relative_tolerance=_SINGLE,
     ),

@@ -1,9 +1,9 @@
 """SAPIEN and ManiSkill, which is built on it."""
 
-from artgen.clients.client import Client
+from artgen.clients.client import MOVED, READ, Client
 
 _LAYOUTS = ("flat", "partnet-mobility")
-_TELLS = ("links", "joints", "poses", "moved", "steps", "finite", "joints.damping")
+_TELLS = (*READ, *MOVED, "joints.damping")
 
 SAPIEN: tuple[Client, ...] = (
     Client(

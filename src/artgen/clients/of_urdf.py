@@ -1,9 +1,7 @@
 """The clients that read URDF, and those that read MJCF beside it."""
 
-from artgen.clients.client import Client, Unavoidable
+from artgen.clients.client import MOVED, READ, Client, Unavoidable
 
-_READ = ("links", "joints", "poses")
-_MOVED = ("moved", "steps", "finite")
 _DAMPED = "joints.damping"
 _RUBBED = (_DAMPED, "joints.friction")
 
@@ -51,7 +49,7 @@ URDF: tuple[Client, ...] = (
         "mujoco_model",
         layouts=("flat", "robocasa"),
         light=True,
-        tells=(*_READ, "couplings", *_MOVED, *_RUBBED, "joints.stiffness", "joints.armature"),
+        tells=(*READ, "couplings", *MOVED, *_RUBBED, "joints.stiffness", "joints.armature"),
     ),
     Client(
         "mujoco_urdf",
@@ -60,7 +58,7 @@ URDF: tuple[Client, ...] = (
         "light",
         "mujoco_model",
         light=True,
-        tells=(*_READ, *_MOVED, *_RUBBED),
+        tells=(*READ, *MOVED, *_RUBBED),
     ),
     Client(
         "pinocchio",
@@ -70,7 +68,7 @@ URDF: tuple[Client, ...] = (
         "pinocchio_model",
         layouts=("flat", "partnet-mobility"),
         light=True,
-        tells=(*_READ, *_RUBBED),
+        tells=(*READ, *_RUBBED),
     ),
     Client(
         "yourdfpy",
@@ -80,7 +78,7 @@ URDF: tuple[Client, ...] = (
         "yourdfpy_model",
         layouts=("flat", "partnet-mobility"),
         light=True,
-        tells=(*_READ, *_RUBBED),
+        tells=(*READ, *_RUBBED),
     ),
     Client(
         "check_urdf",
@@ -99,7 +97,7 @@ URDF: tuple[Client, ...] = (
         "urchin",
         "urchin_model",
         layouts=("flat", "partnet-mobility"),
-        tells=(*_READ, *_RUBBED),
+        tells=(*READ, *_RUBBED),
     ),
     Client(
         "pybullet",
@@ -108,7 +106,7 @@ URDF: tuple[Client, ...] = (
         "bullet",
         "bullet",
         layouts=("flat", "partnet-mobility"),
-        tells=(*_READ, *_MOVED, *_RUBBED),
+        tells=(*READ, *MOVED, *_RUBBED),
         unavoidable=(Unavoidable("pybullet build time: .*", "it says so whenever it is imported"),),
     ),
     Client(
@@ -118,7 +116,7 @@ URDF: tuple[Client, ...] = (
         "drake",
         "drake",
         layouts=("flat", "partnet-mobility"),
-        tells=(*_READ, *_MOVED, _DAMPED),
+        tells=(*READ, *MOVED, _DAMPED),
         unavoidable=_DRAKE_URDF,
     ),
     Client(
@@ -127,7 +125,7 @@ URDF: tuple[Client, ...] = (
         "drake",
         "drake",
         "drake",
-        tells=(*_READ, *_MOVED, _DAMPED),
+        tells=(*READ, *MOVED, _DAMPED),
         unavoidable=_DRAKE_MJCF,
     ),
 )

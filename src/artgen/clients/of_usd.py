@@ -1,18 +1,12 @@
 """Newton, PhysX and Genesis, the validators of USD and GLB, and the converters to USD."""
 
-from artgen.clients.client import Client, FormatName, Unavoidable
+from artgen.clients.client import MOVED, READ, Client, FormatName, Unavoidable
 
-_READ = ("links", "joints", "poses")
-_MOVED = ("moved", "steps", "finite")
 _USD = ("flat", "simready")
 
 # USD and these simulators hold single precision: seven digits of metres, and of sums of a few such numbers
 _LENGTH, _RELATIVE = 3e-6, 1e-6
 
-_NO_GPU = Unavoidable(
-    r"Warp CUDA warning: Could not find or load the NVIDIA CUDA driver\..*",
-    "Warp says so on every machine without a GPU",
-)
 _MAPS = Unavoidable(
     r"NewtonWarning: (Roughness|Metallic) texture inputs are not yet supported; using scalar fallback\.",
     "Newton draws roughness and metalness as one number each, and the asset has maps of them",
@@ -30,8 +24,8 @@ def _newton(form: FormatName, *layouts: str) -> Client:
         seconds=300.0,  # the first time on a machine it compiles its kernels
         length_tolerance=_LENGTH,
         relative_tolerance=_RELATIVE,
-        unavoidable=(_NO_GPU, _MAPS),
-        tells=(*_READ, "couplings", *_MOVED),
+        unavoidable=(_MAPS,),
+        tells=(*READ, "couplings", *MOVED),
     )
 
 
@@ -51,7 +45,7 @@ def _genesis(form: FormatName) -> Client:
                 "Genesis says so of its own kernels while it compiles them",
             ),
         ),
-        tells=(*_READ, "couplings", *_MOVED),
+        tells=(*READ, "couplings", *MOVED),
     )
 
 
@@ -66,7 +60,6 @@ _OVPHYSX = Client(
     length_tolerance=_LENGTH,
     relative_tolerance=_RELATIVE,
     unavoidable=(
-        _NO_GPU,
         Unavoidable(
             r"\[Warning\] \[omni\.physx\] GPU broadphase requires a CUDA context manager; .*",
             "PhysX says so of every stage that leaves the choice of a processor to its user",
@@ -82,7 +75,7 @@ _OVPHYSX = Client(
             "it follows the message about an oblong shape",
         ),
     ),
-    tells=(*_READ, *_MOVED, "joints.stiffness", "joints.damping"),
+    tells=(*READ, *MOVED, "joints.stiffness", "joints.damping"),
     withholds=("joints.kind",),  # a wrong one shows in the poses
 )
 
@@ -158,7 +151,7 @@ _CONVERTERS = (
                 "the material has maps, but none of colour, which is all that the converter knows",
             ),
         ),
-        tells=(*_READ, "couplings"),
+        tells=(*READ, "couplings"),
     ),
     Client(
         "urdf_usd_converter",
@@ -168,7 +161,7 @@ _CONVERTERS = (
         "usd_converters",
         layouts=("flat",),
         unavoidable=(_DEPRECATED,),
-        tells=(*_READ, "couplings"),
+        tells=(*READ, "couplings"),
     ),
 )
 

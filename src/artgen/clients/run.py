@@ -141,7 +141,7 @@ def _session(client: Client, program: Path, exports: Sequence[Exported]) -> _Ses
                 "-c",
                 _START,
                 str(int(seconds + _AFTER)),
-                DRIVERS / f"{client.driver.removesuffix('.py')}.py",
+                DRIVERS / f"{client.driver}.py",
             ),
             *(path for pair in paths for path in pair),
         ]

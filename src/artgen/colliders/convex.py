@@ -2,7 +2,7 @@
 
 import math
 from dataclasses import dataclass, field
-from functools import cached_property
+from functools import cached_property, lru_cache
 from typing import Literal
 
 import numpy as np
@@ -111,7 +111,7 @@ class Convex:
         if self.kind == "cylinder":
             sides = circle_sides(radius, tolerance)
             return self._prism(circumscribed_circle(radius, sides))
-        return self._rounded(sphere_points(radius, tolerance))
+        return self._rounded(tolerance, inscribed=False)
 
     def inner_polytope(self, tolerance: float) -> Polytope:
         """Return a polytope within the piece, falling short by the tolerance [m] at most."""
@@ -120,17 +120,15 @@ class Convex:
         radius = self.size[0]
         if self.kind == "cylinder":
             return self._prism(inscribed_circle(radius, circle_sides(radius, tolerance)))
-        return self._rounded(sphere_points(radius, tolerance, inscribed=True))
+        return self._rounded(tolerance, inscribed=True)
 
     def _prism(self, polygon: Array) -> Polytope:
         half = self.size[1] / 2.0
         return Polytope.prism(polygon, -half, half).transformed(self.pose)
 
-    def _rounded(self, ball: Array) -> Polytope:
-        if self.kind == "capsule":
-            end = np.array([0.0, 0.0, self.size[1] / 2.0])
-            ball = np.concatenate((ball + end, ball - end))
-        return Polytope.hull(ball).transformed(self.pose)
+    def _rounded(self, tolerance: float, *, inscribed: bool) -> Polytope:
+        length = self.size[1] if self.kind == "capsule" else 0.0
+        return _ball(self.size[0], length, tolerance, inscribed=inscribed).transformed(self.pose)
 
     def outer_points(self, tolerance: float = TOLERANCE) -> Array:
         """Return vertices of a polytope around the piece, exceeding it by the tolerance [m] at most."""
@@ -226,6 +224,16 @@ class Convex:
         if _mirrors(matrix):
             pose[:3, 0] *= -1.0  # all primitives are their own mirror image
         return Convex(self.kind, pose, self.size)
+
+
+@lru_cache(maxsize=64)  # an asset's knobs and screws are alike
+def _ball(radius: float, length: float, tolerance: float, *, inscribed: bool) -> Polytope:
+    """Return a polytope around or within a ball at the origin, drawn out along z by a length [m]."""
+    points = sphere_points(radius, tolerance, inscribed=inscribed)
+    if length:
+        end = np.array([0.0, 0.0, length / 2.0])
+        points = np.concatenate((points + end, points - end))
+    return Polytope.hull(points)
 
 
 def _mirrors(matrix: Array) -> bool:

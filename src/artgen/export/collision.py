@@ -10,7 +10,7 @@ from manifold3d import Manifold, OpType
 from numpy.typing import NDArray
 
 from artgen.asset import Asset, Collider, Link, Surface
-from artgen.asset.link import MOST_COLLIDERS
+from artgen.asset.link import MOST_COLLIDERS, boxes_overlap
 from artgen.asset.mass import MassProperties
 from artgen.colliders import Convex
 from artgen.colliders.coacd import coacd_pieces
@@ -139,7 +139,7 @@ def _unions(parts: Sequence[Part]) -> list[Manifold]:
 
 
 def _overlapping(first: Manifold, second: Manifold) -> bool:
-    if not _overlap(_bounds(first), _bounds(second)):
+    if not boxes_overlap(_bounds(first), _bounds(second)):
         return False
     common = first ^ second
     return bool(2.0 * common.volume() > _TOUCHING * common.surface_area())  # of a film: its thickness
@@ -173,7 +173,8 @@ def _named(convex: Convex, parts: Sequence[Part]) -> Collider:
     """Give a piece the label and the material of the solid that fills most of it."""
     manifold, bounds = convex.manifold(), convex.bounds()
     filled = [
-        (manifold ^ part.solid).volume() if _overlap(bounds, _bounds(part.solid)) else 0.0 for part in parts
+        (manifold ^ part.solid).volume() if boxes_overlap(bounds, _bounds(part.solid)) else 0.0
+        for part in parts
     ]
     part = parts[int(np.argmax(filled))]
     return Collider(convex, part.label, part.material)
@@ -181,10 +182,6 @@ def _named(convex: Convex, parts: Sequence[Part]) -> Collider:
 
 def _bounds(solid: Manifold) -> Array:
     return np.array(solid.bounding_box(), np.float64).reshape(2, 3)
-
-
-def _overlap(a: Array, b: Array) -> bool:
-    return bool((a[0] < b[1]).all() and (b[0] < a[1]).all())
 
 
 @dataclass(frozen=True, eq=False)

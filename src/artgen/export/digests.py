@@ -4,7 +4,12 @@ import hashlib
 import zlib
 from collections.abc import Mapping
 
+from artgen.materials.textures.keep import Memory
+
 _PNG = b"\x89PNG\r\n\x1a\n"
+
+_MEMORY = Memory(64 * 2**20)
+"""Digests of the last PNG files, by their bytes: those of the library are in every other export."""
 
 
 def digests(files: Mapping[str, bytes]) -> dict[str, str]:
@@ -18,7 +23,13 @@ def digest(content: bytes) -> str:
     Machines differ in how they pack the same texels, so the bytes of a PNG file would make `asset.json`
     differ as well.
     """
-    unpacked = _unpacked(content) if content.startswith(_PNG) else None
+    if not content.startswith(_PNG):
+        return hashlib.sha256(content).hexdigest()
+    return _MEMORY.get(content, lambda: _of_texels(content), lambda _: len(content))
+
+
+def _of_texels(content: bytes) -> str:
+    unpacked = _unpacked(content)
     return hashlib.sha256(content if unpacked is None else unpacked).hexdigest()
 
 

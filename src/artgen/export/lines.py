@@ -5,6 +5,7 @@ four at a time; characters that are not shown are NUL until the end.
 """
 
 from collections.abc import Sequence
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -38,15 +39,14 @@ def lines(heads: Sequence[str], scaled: Indices, decimals: int = 0) -> Bytes:
     words = _whole(whole)
     if decimals:
         words += _fraction(magnitude - whole * 10**decimals, decimals)
-    first = _words([head.ljust(4, "\0") for head in heads])
-    signed = _words([f"{head}-".ljust(4, "\0") for head in heads])
+    first, signed = _words(*heads), _words(*(f"{head}-" for head in heads))
     rows, columns = scaled.shape
     cells = 1 + len(words)
     line = np.empty((rows, columns * cells + 1), np.uint32)
     line[:, :-1:cells] = np.where(scaled < 0, signed, first)
     for number, word in enumerate(words, start=1):
         line[:, number:-1:cells] = word
-    line[:, -1] = _words(["\n\0\0\0"])
+    line[:, -1] = _words("\n")
     return line.view(np.uint8)
 
 
@@ -61,10 +61,7 @@ def face_lines(corners: Indices, numbers: Indices) -> Bytes:
     Returns:
         Characters, those that are not shown NUL, shape (m, width).
     """
-    words = np.array(text(lines(("", "/", "/"), numbers)).split())
-    each = np.empty((len(words), 1 + words.itemsize), np.uint8)
-    each[:, 0] = ord(" ")
-    each[:, 1:] = words.view(np.uint8).reshape(len(words), -1)
+    each = np.ascontiguousarray(lines((" ", "/", "/"), numbers)[:, :-4])  # without the ends of the lines
     row = np.empty((len(corners), 2 + 3 * each.shape[1]), np.uint8)
     row[:, 0] = ord("f")
     # taking items is many times faster than taking rows
@@ -79,9 +76,10 @@ def text(rows: Bytes) -> bytes:
     return rows.tobytes().translate(None, b"\0")
 
 
-def _words(characters: Sequence[str]) -> Words:
-    """Return strings of four characters as one number each, whose bytes they are."""
-    return np.frombuffer("".join(characters).encode("ascii"), np.uint32)
+@lru_cache(maxsize=64)
+def _words(*characters: str) -> Words:
+    """Return strings of at most four characters as one number each, whose bytes they are."""
+    return np.frombuffer("".join(each.ljust(4, "\0") for each in characters).encode("ascii"), np.uint32)
 
 
 def _whole(numbers: Indices) -> list[Words]:

@@ -123,19 +123,19 @@ def hull_texts(found: Sequence[Hull]) -> list[bytes]:
 
 def _distinct(values: Indices) -> tuple[Indices, Indices]:
     """Return the distinct rows of integers, shape (n, k), in order, and the number of each row's own."""
-    lowest = values.min(axis=0)
-    spans = [int(span) + 1 for span in values.max(axis=0) - lowest]
+    columns = np.ascontiguousarray(values.T)
+    lowest = columns.min(axis=1)
+    spans = [int(span) + 1 for span in columns.max(axis=1) - lowest]
     if math.prod(spans) >= 2**63:  # too wide for one key per row: coordinates of kilometres
         return values, np.arange(len(values))
-    keys = np.zeros(len(values), np.int64)
-    for column, span in zip((values - lowest).T, spans, strict=True):
-        keys = keys * span + column
+    keys = columns[0] - lowest[0]
+    for column, least, span in zip(columns[1:], lowest[1:], spans[1:], strict=True):
+        keys = keys * span + (column - least)
     found, numbers = np.unique(keys, return_inverse=True)
-    columns: list[Indices] = []
-    for span in reversed(spans):
-        columns.insert(0, found % span)
-        found = found // span
-    return np.column_stack(columns) + lowest, numbers
+    distinct = np.empty((len(found), len(spans)), np.int64)
+    for number in reversed(range(len(spans))):
+        found, distinct[:, number] = np.divmod(found, spans[number])
+    return distinct + lowest, numbers
 
 
 def mtl_text(materials: Sequence[Material], maps: MapFiles) -> bytes:

@@ -28,6 +28,7 @@ from artgen.export.frames import (
 from artgen.export.losses import Loss, Written, label_losses, look_losses, loss
 from artgen.export.meshes import MeshFiles, display_color, mesh_files
 from artgen.export.urdf_losses import material_losses, motion_losses
+from artgen.export.urdf_words import add, add_spring, digits, primitives
 from artgen.materials import Material
 
 Array = NDArray[np.float64]
@@ -65,7 +66,8 @@ def write_urdf(asset: Asset, textures: int = 0) -> Written:
     _add_affordances(robot, asset)
     tree = _tree(robot)
     _add_couplings(tree, asset)
-    _add_springs(tree, asset)
+    for joint in asset.joints:
+        add_spring(tree.getroot(), joint.name, joint, joint.rest)
     return Written(
         {f"{asset.name}.urdf": _text(tree), **meshes.files}, _losses(asset, segments, meshes, textures)
     )
@@ -115,8 +117,8 @@ def _link(asset: Asset, link: Link, meshes: MeshFiles) -> Any:
             result.collisions.append(model.Collision(name, np.eye(4), geometry))
         else:
             result.collisions += [
-                model.Collision(name + suffix, local(asset, link.name, pose), geometry)
-                for suffix, pose, geometry in _primitives(collider.convex)
+                model.Collision(name + suffix, local(asset, link.name, piece.pose), _geometry(piece))
+                for suffix, piece in primitives(collider.convex)
             ]
     return result
 
@@ -128,25 +130,14 @@ def _small_link(name: str, mass: float, moment: float) -> Any:
     return model.Link(name, model.Inertial(np.eye(4), mass, moment * np.eye(3)))
 
 
-def _primitives(convex: Convex) -> list[tuple[str, Array, Any]]:
-    """Return the primitives that a piece is made of, each with a suffix for its name and its pose."""
+def _geometry(convex: Convex) -> Any:
     from yourdfpy import urdf as model
 
     if convex.kind == "box":
-        return [("", convex.pose, model.Geometry(box=model.Box(np.array(convex.size))))]
+        return model.Geometry(box=model.Box(np.array(convex.size)))
     if convex.kind == "sphere":
-        return [("", convex.pose, model.Geometry(sphere=model.Sphere(convex.size[0])))]
-    radius, length = convex.size
-    cylinder = ("", convex.pose, model.Geometry(cylinder=model.Cylinder(radius, length)))
-    if convex.kind == "cylinder":
-        return [cylinder]
-    # URDF has no capsule: a cylinder between two balls is the same solid
-    ends = [convex.pose @ translation(np.array([0.0, 0.0, end])) for end in (-length / 2, length / 2)]
-    balls = [
-        (f"_end_{number}", end, model.Geometry(sphere=model.Sphere(radius)))
-        for number, end in enumerate(ends)
-    ]
-    return [cylinder, *balls]
+        return model.Geometry(sphere=model.Sphere(convex.size[0]))
+    return model.Geometry(cylinder=model.Cylinder(*convex.size))
 
 
 def _joint(segment: Segment) -> Any:
@@ -188,22 +179,7 @@ def _add_couplings(tree: Any, asset: Asset) -> None:
         follows = coupling(asset, joint)
         if follows is not None and not joint.locked:
             numbers = {"multiplier": repr(follows.ratio), "offset": repr(follows.offset)}
-            _add(elements[joint.name], "mimic", joint=follows.leader, **numbers)
-
-
-def _add_springs(tree: Any, asset: Asset) -> None:
-    """Add Gazebo's word for a spring, which other clients pass over."""
-    for joint in asset.joints:
-        if joint.stiffness and not joint.locked:
-            spring = _add(tree.getroot(), "gazebo", reference=joint.name)
-            _add(spring, "springStiffness").text = f"{joint.stiffness:.12g}"
-            _add(spring, "springReference").text = f"{joint.rest:.12g}"
-
-
-def _add(parent: Any, tag: str, **attributes: str) -> Any:
-    element = parent.makeelement(tag, attributes)
-    parent.append(element)
-    return element
+            add(elements[joint.name], "mimic", joint=follows.leader, **numbers)
 
 
 def _text(tree: Any) -> bytes:
@@ -214,7 +190,7 @@ def _text(tree: Any) -> bytes:
             if key == "joint":
                 continue
             numbers = [round(float(word), 12) if lengths else float(word) for word in value.split()]
-            element.set(key, " ".join(f"{number + 0.0:.12g}" for number in numbers))
+            element.set(key, " ".join(map(digits, numbers)))
     text = BytesIO()
     tree.write(text, xml_declaration=True, encoding="utf-8", pretty_print=True)
     return text.getvalue()

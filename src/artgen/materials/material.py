@@ -3,7 +3,7 @@
 import math
 import re
 import zlib
-from dataclasses import asdict, dataclass, fields, replace
+from dataclasses import dataclass, fields, replace
 from typing import Any
 
 from artgen.errors import ParameterError, nearest
@@ -124,11 +124,14 @@ class Material:
 
     def to_data(self) -> dict[str, Any]:
         """Return the fields as JSON data."""
-        return {
-            name: list(value) if isinstance(value, tuple) else value for name, value in asdict(self).items()
-        }
+        # all values are plain: asdict, which copies them deeply, takes ten times as long
+        values = {name: getattr(self, name) for name in _FIELDS}
+        return {name: list(value) if isinstance(value, tuple) else value for name, value in values.items()}
 
     @staticmethod
     def from_data(data: dict[str, Any]) -> "Material":
         """Read what `to_data` wrote."""
         return Material(**data)
+
+
+_FIELDS = tuple(field.name for field in fields(Material))

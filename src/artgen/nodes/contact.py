@@ -7,9 +7,9 @@ from artgen.asset import AllowedContact, Link, Tree
 from artgen.asset.link import MovedLink
 from artgen.errors import nearest
 from artgen.graph import kernel
+from artgen.nodes.condition import Condition
 from artgen.nodes.handles import Body, Scalar
 from artgen.nodes.inputs import finite
-from artgen.nodes.joint import Condition
 
 Place = tuple[str, str]
 """A link and a label of solid pieces on it."""

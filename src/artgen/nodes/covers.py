@@ -127,15 +127,16 @@ def around_round(primitive: Convex, vertices: Array) -> Pieces:
     return lazily(lambda: colliders.round_pieces(primitive, vertices))
 
 
-def around_lathe(contours: Sequence[Contour], angle: float = math.tau) -> Pieces:
+def around_lathe(contours: Sequence[Contour], angle: float = math.tau, sides: int | None = None) -> Pieces:
     """Return the pieces of a lathe solid about z.
 
     Args:
         contours: Borders and holes in (r, z), as the lathe got them.
         angle: How far they are turned, from x on [rad].
+        sides: Facets of the full circle, as the lathe got them.
     """
     borders = [contour.points for contour in contours]
-    steps, turn = lathe_steps(contours, angle)
+    steps, turn = lathe_steps(contours, angle, sides)
     return lazily(lambda: colliders.revolve_pieces(borders, 0.0, turn, steps))
 
 

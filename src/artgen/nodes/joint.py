@@ -1,4 +1,4 @@
-"""Joints, couplings and dependencies."""
+"""Joints, and couplings between them."""
 
 from typing import Any, ClassVar, Literal
 
@@ -6,6 +6,7 @@ import numpy as np
 
 from artgen import asset as values
 from artgen.graph import Handle, kernel
+from artgen.nodes.condition import Condition, Dependency
 from artgen.nodes.handles import Array3, Float, Scalar, VectorLike
 from artgen.nodes.vector import unit
 
@@ -48,39 +49,6 @@ class Coupling(Handle):
         return self * -1.0
 
     __radd__, __rmul__ = __add__, __mul__
-
-
-class Condition(Handle):
-    """A region of joint space."""
-
-    __slots__ = ()
-    value_type: ClassVar[Any] = values.Condition
-
-    def __and__(self, other: "Condition") -> "Condition":
-        """Intersect two regions."""
-        return Condition.record("condition_all", a=self, b=other)
-
-    def __or__(self, other: "Condition") -> "Condition":
-        """Unite two regions."""
-        return Condition.record("condition_any", a=self, b=other)
-
-    def until(self, position: Scalar) -> "Dependency":
-        """Ask for the condition only while the dependent joint stands below a position [rad or m]."""
-        return Dependency.record("dependency", condition=self, until=position)
-
-
-class Dependency(Handle):
-    """Where a joint may leave its closed position."""
-
-    __slots__ = ()
-    value_type: ClassVar[Any] = values.Dependency
-
-    @classmethod
-    def lift(cls, value: Any) -> Any:
-        """Accept a Dependency, or a Condition that is always needed."""
-        if isinstance(value, Condition):
-            return Dependency.record("dependency", condition=value, until=None).node
-        return super().lift(value)
 
 
 class Joint(Handle):
@@ -149,33 +117,6 @@ def _coupling_scale(coupling: values.Coupling, factor: float) -> values.Coupling
     return _coupling(coupling.leader, coupling.ratio * factor, coupling.offset * factor)
 
 
-@kernel
-def _joint_above(joint: str, position: float) -> values.Condition:
-    return values.Condition("above", joint, position)
-
-
-@kernel
-def _joint_below(joint: str, position: float) -> values.Condition:
-    return values.Condition("below", joint, position)
-
-
-@kernel(spelling="({a} & {b})")
-def _condition_all(a: values.Condition, b: values.Condition) -> values.Condition:
-    return values.Condition("all", terms=(a, b))
-
-
-@kernel(spelling="({a} | {b})")
-def _condition_any(a: values.Condition, b: values.Condition) -> values.Condition:
-    return values.Condition("any", terms=(a, b))
-
-
-@kernel
-def _dependency(condition: values.Condition, until: float | None) -> values.Dependency:
-    if until is not None and until <= 0.0:
-        raise ValueError(f"until must be positive, got {until:.6g}: a joint needs nothing at 0")
-    return values.Dependency(condition, until)
-
-
 _NOT_NEGATIVE = ("stiffness", "damping", "friction", "armature")
 _POSITIVE = ("effort", "velocity")
 
@@ -207,6 +148,12 @@ def _joint(
     if follows is not None and limits is not None:
         raise ValueError(
             f"joint {name!r} follows {follows.leader!r}, which gives it its range; leave its limits out"
+        )
+    beyond = None if needs is None else needs.beyond
+    if limits is not None and beyond is not None and beyond >= max(map(abs, limits)):
+        raise ValueError(
+            f"joint {name!r} has limits {limits[0]:.6g} to {limits[1]:.6g}: it never needs anything beyond "
+            f"{beyond:.6g}; leave needs out, or take a position within the limits"
         )
     dynamics: dict[str, Any] = {
         "stiffness": stiffness,
@@ -307,7 +254,8 @@ def Revolute(  # noqa: N802 - reads as the type of joint that it makes
         effort: Largest torque that an actuator may apply [N m].
         velocity: Largest speed [rad/s].
         follows: Coupling to another joint, such as `4.0 * pedal + 0.02`; gives the limits.
-        needs: Where the joint may leave 0, such as `handle > 0.5`, or `(handle > 0.5).until(0.06)`.
+        needs: Where the joint may leave 0, such as `handle > 0.5`; `(handle > 0.5).until(0.06)` asks for it
+            only below 0.06, `(door > 1.2).beyond(0.03)` only beyond 0.03.
         driven: What moves the joint where no hand does, such as `a motor`: checks then ask for no grasp.
     """
     return joint(
@@ -361,7 +309,8 @@ def Prismatic(  # noqa: N802 - reads as the type of joint that it makes
         effort: Largest force that an actuator may apply [N].
         velocity: Largest speed [m/s].
         follows: Coupling to another joint, such as `0.02 * handle`; gives the limits.
-        needs: Where the joint may leave 0, such as `door > 1.2`.
+        needs: Where the joint may leave 0, such as `door > 1.2`; `(door > 1.2).beyond(0.03)` asks for it
+            only beyond 0.03, `(door > 1.2).until(0.3)` only below 0.3.
         driven: What moves the joint where no hand does, such as `a motor`: checks then ask for no grasp.
     """
     return joint(

@@ -52,6 +52,28 @@ def box(x: Scalar, y: Scalar, z: Scalar, *, bevel: Scalar = 0.0) -> Solid:
     return Solid.record(_box, x=x, y=y, z=z, bevel=bevel)
 
 
+@kernel
+def _box_between(low: Array3, high: Array3, bevel: float) -> Shape:
+    size = inputs.vector("high", high) - inputs.vector("low", low)
+    for name, length in zip("xyz", size, strict=True):
+        if length <= 0.0:
+            raise ValueError(f"the corners are {length:.6g} m apart along {name}: the lowest one comes first")
+    return _box(float(size[0]), float(size[1]), float(size[2]), bevel).transformed(
+        inputs.pose(np.eye(3), 0.5 * (low + high))
+    )
+
+
+def box_between(low: VectorLike, high: VectorLike, *, bevel: Scalar = 0.0) -> Solid:
+    """Make a box of its lowest and its highest corner: a board of a carcass, from plane to plane.
+
+    Args:
+        low: The corner where x, y and z are least [m].
+        high: The opposite corner [m].
+        bevel: Radius to which all edges are rounded [m], at most half the shortest side.
+    """
+    return Solid.record(_box_between, low=low, high=high, bevel=bevel)
+
+
 def _axial(radius: float, half: float, bevel: float, top_radius: float | None = None) -> Contour:
     """Return the (r, z) half section of a cylinder or frustum, its rims rounded."""
     top = radius if top_radius is None else top_radius

@@ -155,6 +155,11 @@ def _sweep(profile: Outline, path: Curve) -> Shape:
     return _swept_skin(profile.contours, stations, path.closed).shape(pieces)
 
 
+def swept_skin(profile: Outline, path: Curve) -> Skin:
+    """Return the surface of a profile drawn along a path, which is known not to bend too tightly for it."""
+    return _swept_skin(profile.contours, _Stations(path), path.closed)
+
+
 def sweep(profile: Profile, path: Path) -> Solid:
     """Draw a profile along a path; corners of the path are mitred.
 

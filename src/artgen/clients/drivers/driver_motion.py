@@ -14,6 +14,7 @@ _SLOW, _FAST = 0.5, 2.5  # speeds between which a force is left as it is [ranges
 _NEAR = 0.02  # share of the range that may be missing at its end
 _FIRM = 2.0  # how much stronger than to reach its end a joint is held there
 _FREED = 0.5  # share of the range beyond which a joint is not blocked any more
+_COMBINATIONS = 16  # of the ends of other joints that are tried for one that they block; of four, all
 _SETTLE = 1.0  # before anything is driven [s]
 
 
@@ -68,7 +69,8 @@ def _drive_blocked(
     """Drive a joint while the others are held at their ends, in one combination after another."""
     lower, upper = ends(joint)
     reached = [simulation.position(joint["name"])] * 2
-    for forces in itertools.product(*(reversed(each) for each in held.values())):
+    combinations = itertools.product(*(reversed(each) for each in held.values()))
+    for forces in itertools.islice(combinations, _COMBINATIONS):  # the first one has everything open
         others = dict(zip(held, forces, strict=True))
         simulation.push(others)
         simulation.advance(_SETTLE)

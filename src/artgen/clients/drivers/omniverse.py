@@ -3,6 +3,7 @@
 from typing import Any
 
 from driver_protocol import serve
+from validator_words import place
 
 
 def read(request: dict[str, Any]) -> dict[str, Any]:
@@ -29,12 +30,7 @@ _SEVERE = ("ERROR", "FAILURE", "WARNING")
 
 def _text(issue: Any) -> str:
     rule = getattr(issue.rule, "__name__", "")
-    return f"{issue.severity.name.lower()}: {rule}: {issue.message} ({_place(issue.at)})"
-
-
-def _place(at: Any) -> str:
-    path = getattr(at, "path", None)
-    return str(path) if path is not None else "the stage"
+    return f"{issue.severity.name.lower()}: {rule}: {issue.message} ({place(issue.at)})"
 
 
 if __name__ == "__main__":

@@ -5,6 +5,7 @@ from functools import cache
 from typing import Any
 
 from driver_protocol import serve
+from validator_words import place
 
 _PROFILE, _VERSION = "Robotics-Prop", "4.0.0"
 
@@ -23,7 +24,7 @@ def read(request: dict[str, Any]) -> dict[str, Any]:
     features = result.features_summary
     met = [name for name, feature in features.items() if feature["passed"]]
     optional = sorted({code for feature in features.values() for code in _codes(feature)})
-    said = {f"{_code(issue)}: {issue.message} ({_place(issue.at)})": None for issue in result.issues}
+    said = {f"{_code(issue)}: {issue.message} ({place(issue.at)})": None for issue in result.issues}
     blocked = [name for name, feature in features.items() if validate.is_blocking_failure(feature)]
     said |= {f"the feature {name} is required, and fails": None for name in blocked}
     return {
@@ -57,11 +58,6 @@ def _note(met: int, every: int, optional: list[str]) -> str:
 def _code(issue: Any) -> str:
     code = issue.requirement.code if issue.requirement is not None else getattr(issue.rule, "__name__", "")
     return str(code).removeprefix("com.nvidia.simready.")
-
-
-def _place(at: Any) -> str:
-    path = getattr(at, "path", None)
-    return str(path) if path is not None else "the stage"
 
 
 if __name__ == "__main__":

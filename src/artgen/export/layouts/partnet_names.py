@@ -26,6 +26,22 @@ UPRIGHT = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]])
 """From asset coordinates (z up, front -y) to those of the dataset's bodies and meshes (y up, front z)."""
 
 _HANDLE = "handle"  # what loaders search for in the names of visuals
+_DOORS = ("door", "freezer_door")  # a refrigerator or an oven has a `door`, a door a `rotation_door`
+_WORDS: Mapping[tuple[str, str], str] = {
+    ("dishwasher", "rack"): "shelf",
+    ("lamp", "arm_lower"): "rotation_bar",
+    ("lamp", "arm_upper"): "rotation_bar",
+    ("lamp", "rocker"): "switch",
+    ("lamp", "dial"): "knob",
+    ("refrigerator", "inner_drawer"): "drawer",
+    ("refrigerator", "outer_drawer"): "drawer",
+    ("toaster", "crumb_tray"): "translation_tray",
+    ("toaster", "lever"): "slider",
+    ("trashcan", "bucket"): "container",
+    ("trashcan", "pedal"): "foot_pad",
+}
+"""The dataset's words for moving links, by category and label, where they are not artgen's labels."""
+
 _KINDS = {"prismatic": "slider", "revolute": "hinge"}
 
 
@@ -172,9 +188,11 @@ def semantic(asset: Asset, link: Link, joints: Sequence[Joint]) -> str:
     label = link.label
     if not joints:
         return label if asset.category in label else f"{asset.category}_{label}"
-    if label == "door":
-        return "translation_door" if kind_of(joints) == "slider" else "rotation_door"
-    return label
+    if label in _DOORS:
+        if kind_of(joints) == "slider":
+            return "translation_door"
+        return "rotation_door" if asset.category == "door" else "door"
+    return _WORDS.get((asset.category, label), label)
 
 
 def _steps(asset: Asset, links: Mapping[str, int]) -> tuple[Step, ...]:

@@ -19,6 +19,7 @@ CATEGORIES: Mapping[str, str] = {
     "soap_dispenser": "Dispenser",
     "trash": "TrashCan",
     "trash_can": "TrashCan",
+    "trashcan": "TrashCan",
 }
 """The dataset's categories that are not artgen's names in camel case."""
 

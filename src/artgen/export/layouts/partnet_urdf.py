@@ -7,7 +7,7 @@ where its body's frame lies.
 
 import math
 import xml.etree.ElementTree as ET
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,6 +24,7 @@ from artgen.export.frames import (
 )
 from artgen.export.layouts.partnet_meshes import COLLIDERS, VISUALS, ObjectMeshes
 from artgen.export.layouts.partnet_names import ROOT, UPRIGHT, Naming, Step
+from artgen.export.urdf_words import add_spring, digits, primitives
 
 Array = NDArray[np.float64]
 
@@ -48,7 +49,9 @@ def urdf_text(asset: Asset, named: Naming, meshes: ObjectMeshes) -> bytes:
     ET.SubElement(upright, "origin", _TURN)
     ET.SubElement(upright, "child", link=named.body(base.name))
     ET.SubElement(upright, "parent", link=ROOT)
-    _add_springs(robot, named)
+    for step in named.steps:
+        joint = step.segment.joint
+        add_spring(robot, step.name, joint, step.sign * joint.rest)
     ET.indent(robot)
     text: bytes = ET.tostring(robot, encoding="utf-8", xml_declaration=True)
     return text + b"\n"
@@ -71,21 +74,21 @@ def _add_link(robot: ET.Element, asset: Asset, named: Naming, link: Link, meshes
             path = f"{COLLIDERS}/{meshes.colliders[link.name][number]}"
             _mesh(ET.SubElement(element, "collision", name=name), origin, path)
             continue
-        for suffix, pose, tag, size in _primitives(collider.convex):
+        for suffix, piece in primitives(collider.convex):
             collision = ET.SubElement(element, "collision", name=name + suffix)
             turned = origin.copy()
-            turned[:3, 3] += UPRIGHT @ pose[:3, 3]
-            turned[:3, :3] = UPRIGHT @ pose[:3, :3]
+            turned[:3, 3] += UPRIGHT @ piece.pose[:3, 3]
+            turned[:3, :3] = UPRIGHT @ piece.pose[:3, :3]
             _origin(collision, turned)
-            ET.SubElement(ET.SubElement(collision, "geometry"), tag, size)
+            ET.SubElement(ET.SubElement(collision, "geometry"), piece.kind, _size(piece))
 
 
 def _inertial(link: ET.Element, mass: float, center: Array, inertia: Array) -> None:
     element = ET.SubElement(link, "inertial")
     _origin(element, translation(center))
-    ET.SubElement(element, "mass", value=_number(mass))
+    ET.SubElement(element, "mass", value=digits(mass))
     moments = {
-        f"i{'xyz'[row]}{'xyz'[column]}": _number(inertia[row, column])
+        f"i{'xyz'[row]}{'xyz'[column]}": digits(inertia[row, column])
         for row in range(3)
         for column in range(row, 3)
     }
@@ -97,20 +100,10 @@ def _mesh(parent: ET.Element, origin: Array, path: str) -> None:
     ET.SubElement(ET.SubElement(parent, "geometry"), "mesh", filename=path)
 
 
-def _primitives(convex: Convex) -> Iterator[tuple[str, Array, str, dict[str, str]]]:
-    """Yield the primitives of a piece: a suffix of its name, its pose, its tag and its size."""
+def _size(convex: Convex) -> dict[str, str]:
     if convex.kind == "box":
-        yield "", convex.pose, "box", {"size": _numbers(convex.size)}
-        return
-    ball = {"radius": _number(convex.size[0])}
-    if convex.kind == "sphere":
-        yield "", convex.pose, "sphere", ball
-        return
-    length = convex.size[1]
-    yield "", convex.pose, "cylinder", ball | {"length": _number(length)}
-    if convex.kind == "capsule":  # URDF has none: a cylinder between two balls is the same solid
-        for number, end in enumerate((-length / 2.0, length / 2.0)):
-            yield f"_end_{number}", convex.pose @ translation(np.array([0.0, 0.0, end])), "sphere", ball
+        return {"size": _numbers(convex.size)}
+    return dict(zip(("radius", "length"), map(digits, convex.size), strict=False))
 
 
 def _add_joint(robot: ET.Element, named: Naming, step: Step) -> None:
@@ -127,26 +120,16 @@ def _add_joint(robot: ET.Element, named: Naming, step: Step) -> None:
     ET.SubElement(element, "parent", link=step.parent)
     if kind == "fixed":
         return
-    limit = {"effort": _number(joint.effort), "velocity": _number(joint.velocity)}
+    limit = {"effort": digits(joint.effort), "velocity": digits(joint.velocity)}
     if kind != "continuous":
         low, high = step.limits or (-FAR, FAR)
-        limit = {"lower": _number(low), "upper": _number(high)} | limit
+        limit = {"lower": digits(low), "upper": digits(high)} | limit
     ET.SubElement(element, "limit", limit)
-    ET.SubElement(element, "dynamics", damping=_number(joint.damping), friction=_number(joint.friction))
+    ET.SubElement(element, "dynamics", damping=digits(joint.damping), friction=digits(joint.friction))
     for item in named.couplings:
         if item.follower is step and not item.siblings:
-            numbers = {"multiplier": _number(item.ratio), "offset": _number(item.offset)}
+            numbers = {"multiplier": digits(item.ratio), "offset": digits(item.offset)}
             ET.SubElement(element, "mimic", {"joint": item.leader.name} | numbers)
-
-
-def _add_springs(robot: ET.Element, named: Naming) -> None:
-    """Add Gazebo's word for a spring, which other clients pass over."""
-    for step in named.steps:
-        joint = step.segment.joint
-        if joint.stiffness and not joint.locked:
-            spring = ET.SubElement(robot, "gazebo", reference=step.name)
-            ET.SubElement(spring, "springStiffness").text = _number(joint.stiffness)
-            ET.SubElement(spring, "springReference").text = _number(step.sign * joint.rest)
 
 
 def _origin(parent: ET.Element, pose: Array) -> None:
@@ -168,12 +151,8 @@ def roll_pitch_yaw(pose: Array) -> tuple[float, float, float]:
 
 def _lengths(values: Sequence[float] | Array) -> str:
     """Write lengths, angles or directions with 12 decimals: the digits beyond differ between machines."""
-    return " ".join(_number(round(float(value), 12)) for value in values)
+    return " ".join(digits(round(float(value), 12)) for value in values)
 
 
 def _numbers(values: Sequence[float] | Array) -> str:
-    return " ".join(_number(float(value)) for value in values)
-
-
-def _number(value: float) -> str:
-    return f"{value + 0.0:.12g}"
+    return " ".join(digits(float(value)) for value in values)

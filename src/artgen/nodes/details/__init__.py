@@ -11,7 +11,7 @@ from artgen.nodes.details.icons import ICONS, icon
 from artgen.nodes.details.lettering import BRANDS, emblem, lettering, lettering_width, logo
 from artgen.nodes.details.plates import rating_plate
 from artgen.nodes.details.pointers import dial_band, pointer
-from artgen.nodes.details.racks import tine_row, wire_rack
+from artgen.nodes.details.racks import bent_wires, tine_row, wire_rack
 from artgen.nodes.details.relief import engraved, printed, raised, relief
 from artgen.nodes.details.screws import drive_recess, rivet, screw, screw_head
 from artgen.nodes.details.seals import foot, gasket, gasket_section, seam
@@ -21,6 +21,7 @@ from artgen.nodes.details.vents import louvre_section, louvres, perforation, ven
 __all__ = [
     "BRANDS",
     "ICONS",
+    "bent_wires",
     "dial_band",
     "dial_icons",
     "dial_scale",

@@ -13,20 +13,24 @@ from manifold3d import Manifold
 from numpy.typing import NDArray
 
 from artgen import colliders
+from artgen.asset.outline import Contour, Curve, Outline
 from artgen.asset.shape import Shape
+from artgen.colliders.pieces import Pieces
 from artgen.graph import kernel
 from artgen.nodes import inputs
-from artgen.nodes.handles import Scalar, Solid
+from artgen.nodes.covers import lazily
+from artgen.nodes.handles import ArrayN3, Path, PointsLike, Scalar, Solid
 from artgen.nodes.path import _polyline
 from artgen.nodes.primitive import _capsule
 from artgen.nodes.profile import _circle
-from artgen.nodes.sweep import _sweep
+from artgen.nodes.sweep import _sweep, swept_skin
 from artgen.nodes.transform import rotation_about
 
 Array = NDArray[np.float64]
 
 _GAP = 2e-6  # [m]
 _MOST_WIRES = 200
+_SIDES = 6  # of a bent wire, whose shading is round
 _AXES = {"depth": np.array([0.0, 1.0, 0.0]), "width": np.array([1.0, 0.0, 0.0])}
 
 
@@ -177,3 +181,42 @@ def tine_row(
         lean: How far they are turned about X, towards the front [rad].
     """
     return Solid.record(_tine_row, count=count, pitch=pitch, height=height, wire=wire, rail=rail, lean=lean)
+
+
+@kernel
+def _bent_wires(path: Curve, radius: float, at: ArrayN3) -> Shape:
+    inputs.positive("radius", radius)
+    places = inputs.points("at", at, 3, 1)
+    around = math.tau * np.arange(_SIDES) / _SIDES
+    outward = np.column_stack([np.cos(around), np.sin(around)])
+    round_ = Outline((Contour(radius * outward, outward, outward),))
+    skin = swept_skin(round_, path)
+    count, copies = len(skin.vertices), len(places)
+    offsets = count * np.arange(copies)
+    pieces = lazily(lambda: colliders.union(*_moved_pieces(round_, path, places)))
+    return Shape.from_mesh(
+        (skin.vertices[None] + places[:, None, :]).reshape(-1, 3),
+        np.tile(skin.normals, (copies, 1)),
+        np.tile(skin.uvs, (copies, 1)),
+        (skin.triangles[None] + offsets[:, None, None]).reshape(-1, 3),
+        pieces,
+        targets=(skin.targets[None] + offsets[:, None]).ravel(),
+    )
+
+
+def _moved_pieces(profile: Outline, path: Curve, places: Array) -> list[Pieces]:
+    pieces = _sweep(profile, path).pieces
+    return [pieces.transformed(inputs.pose(np.eye(3), place)) for place in places]
+
+
+def bent_wires(path: Path, radius: Scalar, *, at: PointsLike) -> Solid:
+    """Make thin wires of one form at several places, with few faces: for racks, where there are many.
+
+    They are one solid without a boolean, so places have to be far enough apart that wires do not meet.
+
+    Args:
+        path: The middle line of a wire.
+        radius: Radius of the wires [m].
+        at: By how much each wire is moved [m].
+    """
+    return Solid.record(_bent_wires, path=path, radius=radius, at=at)

@@ -1,0 +1,116 @@
+"""Conditions on where joints stand, and dependencies of joints on them."""
+
+from dataclasses import replace
+from typing import Any, ClassVar
+
+from artgen import asset as values
+from artgen.graph import Handle, kernel
+from artgen.nodes.handles import Scalar
+
+
+class Condition(Handle):
+    """A region of joint space."""
+
+    __slots__ = ()
+    value_type: ClassVar[Any] = values.Condition
+
+    def __and__(self, other: "Condition") -> "Condition":
+        """Intersect two regions."""
+        return Condition.record("condition_all", a=self, b=other)
+
+    def __or__(self, other: "Condition") -> "Condition":
+        """Unite two regions."""
+        return Condition.record("condition_any", a=self, b=other)
+
+    def until(self, position: Scalar) -> "Dependency":
+        """Ask for the condition only while the dependent joint stands below a position [rad or m]."""
+        return Dependency.record("dependency", condition=self, until=position)
+
+    def beyond(self, position: Scalar) -> "Dependency":
+        """Ask for the condition only while the dependent joint stands beyond a position [rad or m].
+
+        Up to there it is free, as a drawer behind a door that stands a finger's breadth before it.
+        """
+        return Dependency.record("dependency_beyond", needs=self, position=position)
+
+
+class Dependency(Handle):
+    """Where a joint may leave its closed position."""
+
+    __slots__ = ()
+    value_type: ClassVar[Any] = values.Dependency
+
+    def until(self, position: Scalar) -> "Dependency":
+        """Ask for the condition only while the dependent joint stands below a position [rad or m]."""
+        return Dependency.record("dependency_until", needs=self, position=position)
+
+    def beyond(self, position: Scalar) -> "Dependency":
+        """Ask for the condition only while the dependent joint stands beyond a position [rad or m]."""
+        return Dependency.record("dependency_beyond", needs=self, position=position)
+
+    @classmethod
+    def lift(cls, value: Any) -> Any:
+        """Accept a Dependency, or a Condition that is always needed."""
+        if isinstance(value, Condition):
+            return Dependency.record("dependency", condition=value, until=None).node
+        return super().lift(value)
+
+
+@kernel
+def _joint_above(joint: str, position: float) -> values.Condition:
+    return values.Condition("above", joint, position)
+
+
+@kernel
+def _joint_below(joint: str, position: float) -> values.Condition:
+    return values.Condition("below", joint, position)
+
+
+@kernel(spelling="({a} & {b})")
+def _condition_all(a: values.Condition, b: values.Condition) -> values.Condition:
+    return values.Condition("all", terms=(a, b))
+
+
+@kernel(spelling="({a} | {b})")
+def _condition_any(a: values.Condition, b: values.Condition) -> values.Condition:
+    return values.Condition("any", terms=(a, b))
+
+
+@kernel
+def _dependency(condition: values.Condition, until: float | None) -> values.Dependency:
+    return _checked(values.Dependency(condition, until))
+
+
+@kernel(spelling="{needs}.until({position})")
+def _dependency_until(needs: values.Dependency, position: float) -> values.Dependency:
+    if needs.until is not None:
+        raise ValueError(f"until is said twice: {needs.until:.6g} and {position:.6g}")
+    return _checked(replace(needs, until=position))
+
+
+@kernel(spelling="{needs}.beyond({position})")
+def _dependency_beyond(needs: values.Dependency, position: float) -> values.Dependency:
+    if needs.beyond is not None:
+        raise ValueError(f"beyond is said twice: {needs.beyond:.6g} and {position:.6g}")
+    return _checked(replace(needs, beyond=position))
+
+
+def _checked(needs: values.Dependency) -> values.Dependency:
+    """Return a dependency whose positions make sense.
+
+    Raises:
+        ValueError: They do not.
+    """
+    if needs.until is not None and needs.until <= 0.0:
+        raise ValueError(f"until must be positive, got {needs.until:.6g}: a joint needs nothing at 0")
+    if needs.beyond is not None and needs.beyond <= 0.0:
+        raise ValueError(
+            f"beyond must be positive, got {needs.beyond:.6g}: leave it out where the condition is needed "
+            "from 0 on"
+        )
+    if needs.until is not None and needs.beyond is not None and needs.until <= needs.beyond:
+        raise ValueError(
+            f"beyond {needs.beyond:.6g} must be below until {needs.until:.6g}: the condition is needed "
+            "between them"
+        )
+    return needs

@@ -1,0 +1,94 @@
+"""Half sections of turned things: what a lathe turns, drawn as the line of its outside."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from artgen.asset.outline import Contour, Curve, Outline
+from artgen.graph import kernel
+from artgen.nodes import inputs
+from artgen.nodes.contours import estimated, is_disjoint, side_normals, without_repeats
+from artgen.nodes.handles import Path, Profile, Scalar
+
+Array = NDArray[np.float64]
+
+_ON_AXIS = 1e-6  # [m]: points nearer to the axis lie on it
+_FLAT = 0.01  # [m]: how far a line runs off the plane before it is no half section
+
+
+@kernel
+def _half_section(path: Curve, wall: float | None, inset: float) -> Outline:
+    if path.closed:
+        raise ValueError("the line of a half section must be open: from its lower end to its upper one")
+    if np.abs(path.points[:, 1]).max() > _FLAT * max(1.0, float(np.abs(path.points).max())):
+        raise ValueError("the line of a half section must lie in the plane y = 0: x is the radius")
+    line = path.points[:, [0, 2]]
+    if line[:, 0].min() < -_ON_AXIS:
+        raise ValueError(f"the line reaches x = {line[:, 0].min():g} m; x is the radius, so it starts at 0")
+    outward, corners = _normals(path, line)
+    outer = _on_axis(line - inputs.finite("inset", inset) * corners)
+    if wall is None:
+        made = _solid(outer, outward)
+    else:
+        inner = _on_axis(line - (inset + inputs.positive("wall", wall)) * corners)
+        made = _shell(outer, inner, outward, smooth=path.tangents is not None)
+    made = without_repeats(made)
+    if not is_disjoint([made.points]):
+        raise ValueError("the half section crosses itself: bend its line less, or make its wall thinner")
+    return Outline((made,))
+
+
+def half_section(path: Path, *, wall: Scalar | None = None, inset: Scalar = 0.0) -> Profile:
+    """Make the profile that `revolve` turns, from the line of its outside.
+
+    Args:
+        path: The outside from the lower end to the upper one, in the plane y = 0: x is the radius, z becomes
+            the profile's y. A spline makes a smooth thing.
+        wall: Thickness of a shell inside of the line, open at both ends; a solid by default [m].
+        inset: How far the outside is moved inward [m].
+    """
+    return Profile.record(_half_section, path=path, wall=wall, inset=inset)
+
+
+def _normals(path: Curve, line: Array) -> tuple[Array, Array]:
+    """Return the unit normals of the outside, and how its points move for 1 m of inset, both shape (n, 2)."""
+    if path.tangents is not None:
+        along = path.tangents[:, [0, 2]]
+        outward = np.column_stack([along[:, 1], -along[:, 0]])
+        outward /= np.linalg.norm(outward, axis=1, keepdims=True)
+        for end in (0, -1):
+            if line[end, 0] <= _ON_AXIS:  # a pole looks along the axis
+                outward[end] = (0.0, np.sign(outward[end, 1]) or 1.0)
+        return outward, outward
+    sides = side_normals(line)[:-1]
+    before, after = np.vstack([sides[:1], sides]), np.vstack([sides, sides[-1:]])
+    # the corner between two sides moves along their bisector, farther than the sides do
+    mitred = (before + after) / (1.0 + np.einsum("ij,ij->i", before, after))[:, None]
+    return mitred / np.linalg.norm(mitred, axis=1, keepdims=True), mitred
+
+
+def _on_axis(points: Array) -> Array:
+    points = points.copy()
+    points[points[:, 0] < _ON_AXIS, 0] = 0.0
+    return points
+
+
+def _solid(outer: Array, outward: Array) -> Contour:
+    first = [] if outer[0, 0] == 0.0 else [[0.0, outer[0, 1]]]
+    last = [] if outer[-1, 0] == 0.0 else [[0.0, outer[-1, 1]]]
+    points = np.concatenate([np.array(part, float).reshape(-1, 2) for part in (first, outer, last)])
+    return _with_normals(points, outward, len(first))
+
+
+def _shell(outer: Array, inner: Array, outward: Array, *, smooth: bool) -> Contour:
+    points = np.concatenate([outer, inner[::-1]])
+    made = _with_normals(points, outward, 0)
+    return _with_normals(points, -outward[::-1], len(outer), made) if smooth else estimated(points)
+
+
+def _with_normals(points: Array, outward: Array, start: int, rest: Contour | None = None) -> Contour:
+    """Return a contour whose points from `start` on have those normals; the others are estimated."""
+    known = rest or estimated(points)
+    arriving, leaving = known.normals_in.copy(), known.normals_out.copy()
+    end = start + len(outward)
+    arriving[start + 1 : end], leaving[start : end - 1] = outward[1:], outward[:-1]
+    return Contour(points, arriving, leaving)
