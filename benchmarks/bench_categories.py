@@ -25,11 +25,13 @@ from rich.table import Table
 
 import artgen
 from artgen.asset import Asset
-from artgen.export import FORMATS
+from artgen.export.formats import FORMATS, TEXTURES
 from artgen.export.meshes import mesh_files
 from artgen.generator import Generator
+from artgen.survey.summary import MEDIAN_SECONDS
 
 STAGES = (
+    "seed to asset",
     "sample, build",
     "evaluate",
     "surfaces",
@@ -68,6 +70,8 @@ def stages(category: Generator, seed: int) -> dict[str, float]:
     """Time each stage of one asset [s]."""
     times: dict[str, float] = {}
     asset, _ = category.evaluate(seed, cache=artgen.Cache())  # the attempt that is feasible
+    with timed(times, "seed to asset"):
+        category.generate(seed, cache=artgen.Cache(), certify=False)
     with timed(times, "sample, build"):
         values = category.sample(seed, attempt=asset.attempt)
         graph = artgen.Graph(category.build(values))
@@ -87,7 +91,7 @@ def stages(category: Generator, seed: int) -> dict[str, float]:
         mesh_files(asset)  # URDF and MJCF share them
     for name, write in FORMATS.items():
         with timed(times, name):
-            write(asset)
+            write(asset, TEXTURES)
     with tempfile.TemporaryDirectory() as directory, timed(times, "all, to disk"):
         category.generate(seed, cache=artgen.Cache()).export(Path(directory) / "asset")
     return times
@@ -180,8 +184,11 @@ def show(result: dict[str, Any]) -> None:
     table = Table(title="milliseconds, median over seeds")
     for column in ("category", *STAGES, "all / baseline"):
         table.add_column(column, justify="left" if column == "category" else "right")
+    table.add_row("at most", f"{1e3 * MEDIAN_SECONDS:g}", end_section=True)
     for name, found in result["categories"].items():
         cells = [f"{1e3 * found['seconds'][stage]:.1f}" for stage in STAGES]
+        if found["seconds"]["seed to asset"] > MEDIAN_SECONDS:
+            cells[0] = f"[bold red]{cells[0]}[/]"
         table.add_row(name, *cells, f"{found['ratios to the baseline']['all, to disk']:.2f}")
     console.print(table)
     console.print(f"baseline: {1e3 * result['baseline']:.1f} ms")

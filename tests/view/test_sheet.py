@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 from pathlib import Path
+from typing import Literal
 
 import numpy as np
 import pytest
@@ -18,7 +19,7 @@ from artgen.nodes.primitive import box
 from artgen.nodes.vector import X, Y, Z
 from artgen.view import opened
 from artgen.view import sheet as sheets
-from artgen.view.sheet import save_sheet, sheet, words
+from artgen.view.sheet import save_sheet, sheet, shots, words
 
 OAK = material("oak")
 DRAW = {"backend": "classic", "textures": 0, "samples": 1, "size": 48}
@@ -55,6 +56,21 @@ def drawer_and_wheel() -> Body:
     )
 
 
+@generator
+def fridge(*, swing: Float = 2.2, needs: Float = 1.3, hand: Literal["left", "right"] = "left") -> Body:
+    """A door before two drawers and a freezer drawer; the drawers need the door open."""
+    side = -1.0 if hand == "left" else 1.0
+    hinge = Revolute("door_hinge", pivot=(0.4 * side, -0.35, 0), axis=side * Z, limits=(0, swing))
+    body = part(box(0.8, 0.6, 1.8).at(z=0.9), "body", OAK)
+    body = body.attach(part(box(0.8, 0.05, 1.4).at(0, -0.35, 1.0), "door", OAK), hinge)
+    for number, height in enumerate((0.5, 0.8)):
+        slide = Prismatic(f"drawer_slide_{number}", axis=-Y, limits=(0, 0.3), needs=hinge > needs)
+        drawer = part(box(0.7, 0.5, 0.2).at(z=height), f"drawer_{number}", OAK)
+        body = body.attach(drawer, slide)
+    slide = Prismatic("freezer_slide", axis=-Y, limits=(0, 0.4))
+    return body.attach(part(box(0.7, 0.6, 0.2).at(0, -0.05, 0.15), "freezer", OAK), slide)
+
+
 def test_a_door_opens_two_thirds_and_its_lever_rests() -> None:
     assert opened(locked_door.generate()) == pytest.approx({"door_hinge": 0.45 * 1.8})
     assert opened(locked_door.generate(swing=1.0)) == pytest.approx({"door_hinge": 1.0})
@@ -78,6 +94,81 @@ def test_every_share_is_allowed_by_dependencies() -> None:
         for share in np.linspace(0, 1, 21):
             assert not asset.blocked(opened(asset, float(share)))
     assert opened(drawer_and_wheel.generate()) == pytest.approx({"slide": 0.1, "spin": 0.8})
+
+
+def test_a_door_stands_open_as_far_as_what_is_behind_it_needs() -> None:
+    asset = fridge.generate(certify=False)
+    q = opened(asset)
+    assert q["door_hinge"] == pytest.approx((1.3 + 2.2) / 2.0)
+    assert set(q) == {"door_hinge", "drawer_slide_0", "drawer_slide_1", "freezer_slide"}
+    assert not asset.blocked(q)
+    # a door of which less is asked opens as doors do
+    assert opened(fridge.generate(certify=False, needs=0.8))["door_hinge"] == pytest.approx(0.45 * 2.2)
+
+
+def test_drawers_above_each_other_come_out_like_stairs() -> None:
+    q = opened(fridge.generate(certify=False))
+    assert q["freezer_slide"] == pytest.approx(0.4)
+    assert q["drawer_slide_0"] == pytest.approx(0.7 * 0.3)
+    assert q["drawer_slide_1"] == pytest.approx(0.4 * 0.3)
+
+
+def test_what_is_lifted_goes_up_by_half() -> None:
+    @generator
+    def lift() -> Body:
+        up, down = Prismatic("up", axis=Z, limits=(0, 0.3)), Prismatic("down", axis=-Z, limits=(0, 0.3))
+        base = part(box(0.2, 0.2, 0.2).at(z=1.0), "base", OAK)
+        base = base.attach(part(box(0.2, 0.2, 0.2).at(z=1.3), "bucket", OAK), up)
+        return base.attach(part(box(0.2, 0.2, 0.2).at(z=0.7), "blind", OAK), down)
+
+    assert opened(lift.generate(certify=False)) == pytest.approx({"up": 0.15, "down": 0.3})
+
+
+def test_what_is_behind_a_door_stays_in_until_the_door_is_open() -> None:
+    asset = fridge.generate(certify=False)
+    half = opened(asset, 0.5)
+    assert half == pytest.approx({"door_hinge": 0.5 * (1.3 + 2.2) / 2.0, "freezer_slide": 0.2})
+    for share in np.linspace(0, 1, 21):
+        assert not asset.blocked(opened(asset, float(share)))
+
+
+def test_a_door_that_cannot_open_far_enough_leaves_the_drawers_in() -> None:
+    asset = fridge.generate(certify=False, swing=1.1)
+    assert set(opened(asset)) == {"door_hinge", "freezer_slide"}
+
+
+@pytest.mark.parametrize(("hand", "side"), [("left", 1.0), ("right", -1.0)])
+def test_one_looks_past_the_edge_of_a_door(hand, side) -> None:
+    closed, open_, behind = shots(fridge.generate(certify=False, hand=hand))
+    assert closed[0] == behind[0] == {}
+    assert open_[0]
+    assert closed[1] == open_[1]
+    assert np.sign(closed[1].azimuth) == side
+    assert behind[1].azimuth == pytest.approx(closed[1].azimuth + np.pi)
+
+
+def test_one_looks_between_doors_from_nearer_the_middle() -> None:
+    @generator
+    def pair() -> Body:
+        body = part(box(0.8, 0.6, 1.8).at(z=0.9), "body", OAK)
+        for side, name in ((-1.0, "left"), (1.0, "right")):
+            hinge = Revolute(f"hinge_{name}", pivot=(0.4 * side, -0.35, 0), axis=side * Z, limits=(0, 2.0))
+            leaf = box(0.39, 0.05, 1.6).at(0.2 * side, -0.35, 0.9)
+            body = body.attach(part(leaf, f"door_{name}", OAK), hinge)
+        return body
+
+    alone = abs(shots(fridge.generate(certify=False))[0][1].azimuth)
+    assert abs(shots(pair.generate(certify=False))[0][1].azimuth) == pytest.approx(alone / 2.0)
+
+
+def test_one_looks_down_on_what_is_small() -> None:
+    heights = [shots(asset)[0][1].elevation for asset in (lone_lever.generate(), locked_door.generate())]
+    assert heights[0] > heights[1] + 0.1
+
+
+def test_pictures_are_as_wide_as_what_they_show() -> None:
+    assert sheets._aspect(locked_door.generate()) < 0.7
+    assert sheets._aspect(drawer_and_wheel.generate()) > 0.8
 
 
 @pytest.mark.parametrize("share", [-0.1, 1.5, float("nan")])
@@ -133,10 +224,17 @@ def test_words_tell_size_and_structure() -> None:
     assert words(asset) == f"{size} cm, flat panel, oak, left"
 
 
+def test_a_caption_that_is_too_long_says_so() -> None:
+    lines = sheets._wrapped("oak, " * 60, 300)
+    assert len(lines) == 2
+    assert lines[1].endswith("oak ...")
+    assert sheets._wrapped("oak, brass", 300) == ["oak, brass"]
+
+
 def test_a_jpeg_sheet_is_small_and_as_good_as_can_be(tmp_path, monkeypatch) -> None:
     pixels = np.random.default_rng(0).integers(0, 256, (400, 600, 3)).astype(np.uint8)
     path = save_sheet(pixels, tmp_path / "noise.jpg")
-    assert 100_000 < path.stat().st_size <= 300_000
+    assert 100_000 < path.stat().st_size <= 350_000
     monkeypatch.setattr(sheets, "_BYTES", 60_000)
     assert save_sheet(pixels, tmp_path / "less.jpg").stat().st_size < path.stat().st_size
     with Image.open(save_sheet(pixels, tmp_path / "noise.png")) as image:
@@ -186,7 +284,7 @@ class TestCommands:
             "sheet", "handle", "--seeds", "2", "--first-seed", "5", "--size", "64", "--backend", "classic"
         )
         assert (done.code, done.out, done.err) == (0, "handle.jpg\n", "")
-        assert Path("handle.jpg").stat().st_size <= 300_000
+        assert Path("handle.jpg").stat().st_size <= 350_000
 
 
 @pytest.mark.parametrize(

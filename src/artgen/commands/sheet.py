@@ -22,8 +22,8 @@ def sheet(
         list[str] | None,
         typer.Option("--set", metavar="NAME=VALUE", help="A value or distribution for a parameter."),
     ] = None,
-    views: Annotated[int, typer.Option(help="From how many sides, 1 or 2.")] = 2,
-    size: Annotated[int, typer.Option(metavar="PIXELS", help="Height of one picture.")] = 200,
+    views: Annotated[int, typer.Option(help="1 from in front, 2 from behind as well.")] = 2,
+    size: Annotated[int, typer.Option(metavar="PIXELS", help="Height of one picture.")] = 240,
     columns: Annotated[
         int | None, typer.Option(help="Samples side by side; as many as make a good page by default.")
     ] = None,

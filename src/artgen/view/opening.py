@@ -1,19 +1,30 @@
 """How an asset stands open: what a person would open to show what is inside."""
 
-from artgen.asset import Asset, Joint
+from collections.abc import Iterable, Mapping
+from collections.abc import Set as AbstractSet
+
+import numpy as np
+
+from artgen.asset import Asset, Condition, Joint
 from artgen.errors import ParameterError
+from artgen.export.regions import leader_of, regions
 
 _WIDE = 1.2  # a swing that is wider shows more from in front when it is not opened fully [rad]
 _SHARE = 0.45  # of a wide swing about an upright axis: farther, a door is seen edge on
-_LAID = 0.7  # a hinge whose axis leans less than this lets its part swing down, as an oven's door does
+_UPRIGHT = 0.7  # vertical part of an axis, beyond which a hinge is a door's and a slide a lift
+_LIFT = (0.1, 0.5)  # what is lifted by more shows more when it is not lifted all the way [m, share]
 _TURN = 0.8  # of a joint without limits [rad or m]
+_DOOR = 0.4  # size of a part, as a share of what it lets move, from which it is a door or lid and no lock
+_TOP = 0.4  # how far the highest of drawers above each other is pulled, that all can be looked into
+_STACKED = 0.5  # share of the narrower of two drawers that the other one has below it
 
 
 def opened(asset: Asset, share: float = 1.0) -> dict[str, float]:
     """Return joint positions in which an asset is open [rad or m].
 
-    Doors that swing wide are opened by half, other joints up to their limits. What only unlocks another
-    joint, as a lever does, stays at rest unless the other one could not stand open otherwise.
+    Doors that swing wide are opened by half, or as far as what is behind them needs to come out; other joints
+    are opened up to their limits, lifts by half, and drawers above each other like stairs. What only unlocks
+    another joint, as a lever does, stays at rest unless the other one could not stand open otherwise.
 
     Args:
         asset: The asset.
@@ -25,25 +36,121 @@ def opened(asset: Asset, share: float = 1.0) -> dict[str, float]:
     if not 0.0 <= share <= 1.0:
         raise ParameterError(f"open {share!r} must be in 0..1")
     free = {joint.name: joint for joint in asset.free_joints}
-    keys = {
-        name for joint in asset.joints if joint.needs is not None for name in joint.needs.condition.joints()
+    moved = {name: _moved(asset, name) for name in free}
+    keys = _keys(asset)
+    doors = {name for name, held in keys.items() if _is_door(asset, moved, name, held)}
+    leaders = {name for name in free if name not in keys or name in doors} or set(free)
+    ends = {name: _end(joint) for name, joint in free.items()}
+    ends |= _wide_enough(asset, ends, doors)
+    stairs = _stairs(asset, [joint for name, joint in free.items() if name in leaders])
+    q = {
+        name: joint.closed + share * stairs.get(name, 1.0) * (ends[name] - joint.closed) * (name in leaders)
+        for name, joint in free.items()
     }
-    leaders = {joint.name for joint in free.values() if joint.name not in keys} or set(free)
-    q = {name: _target(joint, share if name in leaders else 0.0) for name, joint in free.items()}
     if asset.blocked(q):
-        q |= {name: _target(free[name], 1.0) for name in keys if name in free}
+        q |= {name: ends[name] for name in keys if name not in doors}
     # what still may not stand there stays closed; the rest may depend on it, so again until nothing changes
     while blocked := [name for name in asset.blocked(q) if name in q and q[name] != free[name].closed]:
         q |= {name: free[name].closed for name in blocked}
     return {name: position for name, position in q.items() if position != free[name].closed}
 
 
-def _target(joint: Joint, share: float) -> float:
+def _end(joint: Joint) -> float:
+    """Return where a joint stands when it is open by itself."""
     if joint.limits is None:
-        return share * _TURN
+        return _TURN
     low, high = joint.limits
     end = high if high - joint.closed >= joint.closed - low else low
     way = end - joint.closed
-    if joint.kind == "revolute" and abs(way) > _WIDE and abs(joint.axis[2]) > _LAID:
+    if joint.kind == "revolute" and abs(way) > _WIDE and _upright(joint):
         way *= _SHARE
-    return joint.closed + share * way
+    if joint.kind == "prismatic" and way * joint.axis[2] > _LIFT[0] * _UPRIGHT and _upright(joint):
+        way *= _LIFT[1]
+    return joint.closed + way
+
+
+def _upright(joint: Joint) -> bool:
+    return bool(abs(joint.axis[2]) > _UPRIGHT)
+
+
+def _keys(asset: Asset) -> dict[str, set[str]]:
+    """Return the free joints that conditions speak of, each with the free joints that wait for it."""
+    found: dict[str, set[str]] = {}
+    for joint in asset.joints:
+        for name in joint.needs.condition.joints() if joint.needs is not None else ():
+            key = leader_of(asset, asset.joint(name))[0]
+            if not asset.joint(key).locked:
+                found.setdefault(key, set()).add(leader_of(asset, joint)[0])
+    return found
+
+
+def _moved(asset: Asset, name: str) -> set[str]:
+    """Return the links that a free joint moves, with all that hangs on them and on what is coupled to it."""
+    found = {joint.child for joint in asset.joints if leader_of(asset, joint)[0] == name}
+    for parent, child, _ in asset.pairs():
+        if parent in found:
+            found.add(child)
+    return found
+
+
+def _is_door(asset: Asset, moved: Mapping[str, AbstractSet[str]], key: str, held: Iterable[str]) -> bool:
+    """Tell whether a part that others wait for is worth opening by itself, as a lock is not."""
+    size = _size(asset, moved[key])
+    return any(size >= _DOOR * _size(asset, moved[other]) for other in held if moved.get(other))
+
+
+def _size(asset: Asset, links: Iterable[str]) -> float:
+    boxes = np.array([asset.link(name).bounds() for name in links])
+    return float(np.linalg.norm(boxes[:, 1].max(axis=0) - boxes[:, 0].min(axis=0)))
+
+
+def _wide_enough(asset: Asset, ends: Mapping[str, float], doors: AbstractSet[str]) -> dict[str, float]:
+    """Return where doors stand that have to be open farther for what is behind them to come out."""
+    found: dict[str, float] = {}
+    for joint in asset.joints:
+        if joint.needs is not None and joint.needs.until is None:
+            found |= _meeting(asset, joint.needs.condition, {**ends, **found}, doors)
+    return found
+
+
+def _meeting(
+    asset: Asset, condition: Condition, ends: Mapping[str, float], doors: AbstractSet[str]
+) -> dict[str, float]:
+    """Return positions of doors that meet a condition; nothing if there are none."""
+    for region in regions(asset, condition):
+        found = {}
+        for name, (low, high) in region.items():
+            if name not in doors or low < ends[name] < high:
+                continue
+            limits = asset.joint(name).limits or (-np.inf, np.inf)
+            least, most = max(low, limits[0]), min(high, limits[1])
+            if not -np.inf < least < most < np.inf:
+                break
+            found[name] = (least + most) / 2.0
+        else:
+            return found
+    return {}
+
+
+def _stairs(asset: Asset, joints: Iterable[Joint]) -> dict[str, float]:
+    """Return by how much of their way drawers are pulled that have another one below them."""
+    slides = [joint for joint in joints if joint.kind == "prismatic" and not _upright(joint)]
+    slides.sort(key=lambda joint: float(asset.link(joint.child).bounds()[:, 2].mean()))
+    level: dict[str, int] = {}
+    for number, joint in enumerate(slides):
+        below = [level[other.name] for other in slides[:number] if _stands_on(asset, joint, other)]
+        level[joint.name] = max(below) + 1 if below else 0
+    highest = max(level.values(), default=0)
+    return {name: 1.0 - (1.0 - _TOP) * number / highest for name, number in level.items() if number}
+
+
+def _stands_on(asset: Asset, upper: Joint, lower: Joint) -> bool:
+    """Tell whether a drawer would be pulled over another one of the same piece of furniture."""
+    if upper.parent != lower.parent or upper.axis @ lower.axis < _UPRIGHT:
+        return False
+    above, below = asset.link(upper.child).bounds(), asset.link(lower.child).bounds()
+    across = np.array([-upper.axis[1], upper.axis[0]])  # in plan, at right angles to the pull
+    spans = [np.sort((box[:, :2] * np.abs(across)).sum(axis=1)) for box in (above, below)]
+    common = min(spans[0][1], spans[1][1]) - max(spans[0][0], spans[1][0])
+    narrower = min(span[1] - span[0] for span in spans)
+    return bool(above[0, 2] > below[:, 2].mean() and common > _STACKED * narrower)

@@ -1,8 +1,10 @@
 """Contact sheets: many samples of a category on one page, each closed and open, with what tells it apart."""
 
 import io
+import math
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
 from typing import Any
@@ -18,14 +20,21 @@ from artgen.view.rendering import Backend, close, render
 
 Pixels = NDArray[np.uint8]
 
-SIDES = (View(-0.5, 0.22), View(np.pi - 0.5, 0.22))
-"""From where the samples of a sheet are seen: from in front, and from behind."""
+ASIDE = 0.5
+"""How far from straight in front a sample of a sheet is seen, and from straight behind [rad]."""
 
 _SHADE = re.compile("_[0-9a-f]{6}$")  # ends the name of a material in a shade of its own
 _TITLE, _TEXT, _GAP = 15, 12, 12  # sizes of type, and what stays free around an asset [pixels]
+_LINES = 2  # of a caption
 _INK, _GREY = (30, 30, 32), (110, 110, 114)
 _PAGE = 1.5  # width of a page over its height
-_BYTES = 300_000  # what a sheet may take on a page of documentation
+_BYTES = 350_000  # what a sheet may take on a page of documentation
+_HEIGHTS, _ABOVE = (0.25, 2.0), (0.42, 0.2)  # of assets, and from how far above they are seen [m, rad]
+_UPRIGHT = 0.7  # vertical part of an axis from which a hinge is that of a door
+_EVEN, _MIDDLE = 0.3, 0.5  # doors at both sides are as large but for this; how far aside is enough then
+_MARGIN = 0.05  # share of a picture that stays free along its edges
+_MEASURED = 12  # so many of the first assets decide about the shape of all pictures
+_NARROW, _WIDE = 0.5, 2.0  # pictures' width over their height, at least and at most
 _QUALITIES = (90, 85, 80, 75, 70, 62, 54, 46, 38, 30, 22)
 
 
@@ -40,11 +49,14 @@ def sheet(
     samples: int = 16,
     progress: Callable[[int, int], None] | None = None,
 ) -> Pixels:
-    """Return a page of pictures: a cell for each asset, closed and open from each side, shape (h, w, 3).
+    """Return a page of pictures: a cell for each asset, closed and open, and from behind, shape (h, w, 3).
+
+    Each asset fills its pictures, whose shape suits most of the first ones. It is seen from the side from
+    which one looks into it when it is open, and from the higher the smaller it is.
 
     Args:
         assets: Makers of the assets, each called when its turn comes.
-        views: How many sides, 1 or 2.
+        views: 1 for what is seen from in front, 2 for a picture from behind as well.
         size: Height of one picture [pixels].
         columns: Cells in a row; by default the page is about one and a half times as wide as high.
         backend: As of `render`.
@@ -56,28 +68,27 @@ def sheet(
         ParameterError: There are no assets, or a number is not allowed.
         RenderError: A renderer or its library is missing.
     """
-    if not assets or not 1 <= views <= len(SIDES) or (columns is not None and columns < 1):
+    if not assets or views not in (1, 2) or (columns is not None and columns < 1):
         raise ParameterError(
-            f"a sheet has at least 1 asset and 1 column, and 1 or {len(SIDES)} views; "
+            f"a sheet has at least 1 asset and 1 column, and 1 or 2 views; "
             f"these are {len(assets)} assets, {columns} columns, {views} views"
         )
+    first = [make() for make in assets[:_MEASURED]]
+    picture = (round(size * float(np.median([_aspect(asset) for asset in first]))), size)
     cells: list[Pixels] = []
-    picture: tuple[int, int] | None = None
     for number, make in enumerate(assets):
-        asset = make()
-        picture = picture or (round(size * _aspect(asset)), size)  # all cells have one size
+        asset = first[number] if number < len(first) else make()
         shown = [
             render(
                 asset,
                 q,
-                camera=side,
+                camera=view,
                 size=picture,
                 backend=backend,
                 textures=textures,
                 samples=samples,
             ).color
-            for side in SIDES[:views]
-            for q in ({}, opened(asset))
+            for q, view in shots(asset)[: views + 1]
         ]
         close()  # a sheet may be long, and no asset is drawn again
         cells.append(_cell(asset, shown, words(asset)))
@@ -88,11 +99,54 @@ def sheet(
     return _page(cells, min(columns or fitting, len(cells)))
 
 
-def _aspect(asset: Asset) -> float:
-    """Return width divided by height of pictures of assets like one."""
+def shots(asset: Asset) -> tuple[tuple[Mapping[str, float], View], ...]:
+    """Return what a sheet shows of an asset: positions of joints, and a view, for each picture.
+
+    It is closed, open, and closed from behind.
+    """
     low, high = asset.bounds()
-    wide, deep, tall = high - low
-    return float(np.clip(1.05 * (wide + 0.5 * deep) / max(tall, 1e-9), 0.65, 1.5))
+    above = float(np.interp(high[2] - low[2], _HEIGHTS, _ABOVE))
+    q = opened(asset)
+    front = View(_side(asset, q) * ASIDE, above, margin=_MARGIN)
+    return ({}, front), (q, front), ({}, replace(front, azimuth=front.azimuth + math.pi))
+
+
+def _side(asset: Asset, q: Mapping[str, float]) -> float:
+    """Return from which side one looks into an open asset, and how far from there.
+
+    It is 1 for the right, where most of what swings towards the viewer hinges at the left; between doors at
+    both sides one looks from nearer the middle.
+    """
+    poses, right, doors = asset.pose(q), 0.0, 0.0
+    for joint in map(asset.joint, q):
+        low, high = asset.link(joint.child).bounds()
+        middle, wide = (low + high) / 2.0, high[0] - low[0]
+        off = middle[0] - joint.pivot[0]
+        if joint.kind == "revolute" and abs(joint.axis[2]) > _UPRIGHT and abs(off) > wide / 4.0:
+            pose = poses[joint.child]
+            nearer = middle[1] - (pose[:3, :3] @ middle + pose[:3, 3])[1]
+            size = wide * (high[2] - low[2])
+            doors += size
+            right += math.copysign(size, off * nearer)
+    between = doors > 0.0 and abs(right) < _EVEN * doors
+    return math.copysign(_MIDDLE if between else 1.0, right or -1.0)
+
+
+def _aspect(asset: Asset) -> float:
+    """Return width divided by height of pictures that an asset fills."""
+    found = []
+    for q, view in shots(asset):
+        poses = asset.pose(q)
+        corners = [
+            np.array(np.meshgrid(*link.bounds().T)).reshape(3, -1).T @ poses[link.name][:3, :3].T
+            + poses[link.name][:3, 3]
+            for link in asset.links
+        ]
+        points = np.concatenate(corners)
+        seen = view.camera(points).pixels(points, (1000, 1000))
+        wide, high = np.ptp(seen, axis=0)
+        found.append(wide / high)
+    return float(np.clip(np.mean(found), _NARROW, _WIDE))
 
 
 def words(asset: Asset) -> str:
@@ -108,7 +162,7 @@ def words(asset: Asset) -> str:
 
 
 def save_sheet(pixels: Pixels, path: str | Path) -> Path:
-    """Write a sheet to a PNG file, or to a JPEG file of at most 300 kB where any quality allows it.
+    """Write a sheet to a PNG file, or to a JPEG file of at most 350 kB where any quality allows it.
 
     Raises:
         ExportError: The name ends otherwise, or the file cannot be written.
@@ -141,25 +195,27 @@ def _cell(asset: Asset, shown: Sequence[Pixels], text: str) -> Pixels:
 
     pictures = np.hstack(list(shown))
     lines = _wrapped(text, pictures.shape[1])
-    height = _TITLE + 6 + 2 * (_TEXT + 4)
+    height = _TITLE + 6 + _LINES * (_TEXT + 4)
     cell = Image.new("RGB", (pictures.shape[1], pictures.shape[0] + height), "white")
     cell.paste(Image.fromarray(pictures), (0, 0))
     draw = ImageDraw.Draw(cell)
     title = asset.name if asset.seed is None else f"{asset.category} {asset.seed}"
     draw.text((4, pictures.shape[0]), title, fill=_INK, font=_font(_TITLE, "Bold"))
-    for number, line in enumerate(lines[:2]):
+    for number, line in enumerate(lines):
         place = (4, pictures.shape[0] + _TITLE + 5 + number * (_TEXT + 4))
         draw.text(place, line, fill=_GREY, font=_font(_TEXT, "Regular"))
     return np.asarray(cell)
 
 
 def _wrapped(text: str, width: int) -> list[str]:
-    """Break a text into lines that are no wider than a number of pixels."""
+    """Break a text into lines that are no wider than a number of pixels, as many as a caption has."""
     font = _font(_TEXT, "Regular")
     lines = [""]
     for word in text.split():
         longer = f"{lines[-1]} {word}".strip()
-        if lines[-1] and font.getlength(longer) > width - 8:
+        if lines[-1] and font.getlength(longer) > width - 24:
+            if len(lines) == _LINES:
+                return [*lines[:-1], lines[-1].rstrip(",") + " ..."]
             lines.append(word)
         else:
             lines[-1] = longer

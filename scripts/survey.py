@@ -1,0 +1,112 @@
+"""Measure many samples of categories, and say what fails. `make survey` runs this for all of them.
+
+python scripts/survey.py toaster --seeds 60 --fast
+python scripts/survey.py refrigerator --seeds 500 --jobs 2 --out out/refrigerator.jsonl
+python scripts/survey.py lamp --alike 24
+
+What was measured stays in the file, so that an interrupted run goes on where it stopped; --fresh begins anew,
+as it has to be where the category has changed.
+"""
+
+import os
+import sys
+from pathlib import Path
+from typing import Annotated
+
+import typer
+from rich.console import Console
+from rich.table import Table
+
+from artgen.catalog import categories as all_categories
+from artgen.catalog import find
+from artgen.commands.progress import progress_bar
+from artgen.survey.alike import SAME, likenesses, same_neighbours
+from artgen.survey.run import survey
+from artgen.survey.summary import Criterion, criteria, failures, figures, listed
+
+for _name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"):
+    os.environ.setdefault(_name, "1")  # of the processes that measure: each has one core
+
+_PAIRS = 8  # most alike ones that are shown
+_STATES = {True: "[green]yes[/]", False: "[bold red]no[/]", None: "[yellow]?[/]"}
+
+
+def main(
+    categories: Annotated[list[str] | None, typer.Argument(help="Names; all by default.")] = None,
+    *,
+    seeds: Annotated[int, typer.Option(min=1, help="How many seeds of each.")] = 500,
+    first_seed: Annotated[int, typer.Option(min=0, help="The first of them.")] = 0,
+    jobs: Annotated[int, typer.Option(min=1, help="How many processes measure.")] = 1,
+    fast: Annotated[bool, typer.Option("--fast", help="Leave out behaviour, hands and speed.")] = False,
+    limit: Annotated[float, typer.Option(min=1.0, help="How long a seed may take [s].")] = 120.0,
+    fresh: Annotated[bool, typer.Option("--fresh", help="Throw away what was measured before.")] = False,
+    alike: Annotated[
+        int,
+        typer.Option(min=0, help="Show which of so many seeds look most alike, and measure nothing else."),
+    ] = 0,
+    out: Annotated[
+        Path | None, typer.Option(help="The file of records; by default out/survey/<category>.jsonl.")
+    ] = None,
+) -> None:
+    """Measure samples and judge them; exit code 1 if a criterion is not met."""
+    console = Console(width=None if sys.stdout.isatty() else 160, highlight=False)
+    met = True
+    for name in categories or all_categories():
+        if alike:
+            met &= _alike(console, name, range(first_seed, first_seed + alike))
+            continue
+        path = out or Path("out/survey") / f"{name}.jsonl"
+        path.parent.mkdir(parents=True, exist_ok=True)
+        find(name)
+        if fresh:
+            path.unlink(missing_ok=True)
+        with progress_bar() as bar:
+            task = bar.add_task(name, total=seeds)
+            records = survey(
+                name,
+                range(first_seed, first_seed + seeds),
+                path,
+                fast=fast,
+                jobs=jobs,
+                limit=limit,
+                progress=lambda bar=bar, task=task: bar.advance(task),  # type: ignore[misc]
+            )
+        asked = criteria(records)
+        _show(console, name, asked)
+        for what, text in figures(records).items():
+            console.print(f"{what}: {text}", markup=False, soft_wrap=True)
+        for failure in failures(records):
+            console.print(str(failure), markup=False, soft_wrap=True)
+        console.print()
+        met &= all(each.passed is not False for each in asked)
+    if not met:
+        raise typer.Exit(1)
+
+
+def _show(console: Console, name: str, asked: list[Criterion]) -> None:
+    table = Table(title=name, title_justify="left", box=None, pad_edge=False, header_style="bold")
+    for column in ("asked", "found", "met", "seeds that do not"):
+        table.add_column(column)
+    for each in asked:
+        table.add_row(each.name, each.found, _STATES[each.passed], listed(each.seeds) if each.seeds else "")
+    console.print(table)
+
+
+def _alike(console: Console, name: str, seeds: range) -> bool:
+    """Show the pairs of seeds that look most alike; False if neighbours on a sheet look the same."""
+    pairs = likenesses(find(name), seeds)
+    table = Table(title=f"{name}: most alike", title_justify="left", box=None, pad_edge=False)
+    for column in ("seeds", "difference", "in a row"):
+        table.add_column(column)
+    for pair in pairs[:_PAIRS]:
+        table.add_row(
+            f"{pair.seeds[0]}, {pair.seeds[1]}", f"{pair.difference:.3f}", "yes" if pair.near else ""
+        )
+    console.print(table)
+    same = same_neighbours(pairs)
+    console.print(f"neighbours that look the same (difference below {SAME:g}): {len(same)}\n", markup=False)
+    return not same
+
+
+if __name__ == "__main__":
+    typer.run(main)
