@@ -14,6 +14,8 @@ import pytest
 from artgen.asset import Asset
 from artgen.catalog import categories, find
 from artgen.graph import Cache, Graph
+from artgen.survey.coverage import coverage
+from artgen.survey.products import misfits
 from support.agreement import check_formats_agree
 from support.geometry import check_collider_pieces, check_colliders_cover, check_mass, check_solids
 
@@ -67,6 +69,11 @@ def test_an_asset_stands_on_the_ground_about_its_centre(category: str, seed: int
 
 
 @cases
+def test_size_and_mass_are_those_of_a_product(category: str, seed: int) -> None:
+    assert misfits(asset_of(category, seed)) == []
+
+
+@cases
 def test_an_asset_read_back_is_the_asset(category: str, seed: int, tmp_path: Path) -> None:
     asset = asset_of(category, seed)
     read = Asset.load(asset.export(tmp_path / asset.name, formats=("urdf",)))
@@ -106,6 +113,11 @@ def test_the_proof_leaves_no_pair_out(category: str, seed: int) -> None:
     assert certificate.proven, str(certificate)
     moving = {frozenset((a.name, b.name)) for a, b in combinations(asset.links, 2)}
     assert {frozenset(pair.links) for pair in certificate.pairs} == moving  # no link is locked to another
+
+
+@pytest.mark.parametrize("category", categories())
+def test_five_hundred_draws_have_every_option_and_fill_every_range(category: str) -> None:
+    assert coverage(find(category), 500).faults == ()
 
 
 @pytest.mark.parametrize("category", categories())

@@ -1,5 +1,5 @@
 """The categories: importing this package enters them all in the catalog."""
 
-from artgen.categories import door, handle
+from artgen.categories import dishwasher, door, handle, lamp, refrigerator, toaster, trashcan
 
-__all__ = ["door", "handle"]
+__all__ = ["dishwasher", "door", "handle", "lamp", "refrigerator", "toaster", "trashcan"]

@@ -132,7 +132,7 @@ def _motion(axis: int, position: float) -> Any:
 def _frame(position: Any, quaternion: Any) -> Any:
     from pxr import Gf
 
-    turn = np.array(Gf.Matrix3d(Gf.Rotation(Gf.Quatd(quaternion)))).T
+    turn = np.array(Gf.Matrix3d(Gf.Quatd(quaternion).GetNormalized())).T
     return transform(turn, position)
 
 

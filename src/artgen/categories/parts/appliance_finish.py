@@ -1,0 +1,154 @@
+"""What appliances are made of and in which colours: fronts, the cabinets behind them, matching metals.
+
+A category draws a look, and by it the finish of its front and the metal of its handles:
+
+    look: Look = choice(*LOOKS, weights=(...))
+    finish: Material = fronts()
+    metal: Material = grip_metals()
+
+Walls of appliances are sheet metal around foam, wool or air: `filled` gives them what they weigh.
+"""
+
+from typing import Any, Literal, get_args
+
+from artgen import COLORS, Material, by, coloured, material, shades
+
+Look = Literal["stainless", "dark_steel", "white", "black", "pastel", "glass", "panel"]
+"""Families of finishes: what a shop sells as one line."""
+
+LOOKS: tuple[Look, ...] = get_args(Look)
+
+_DARK_STEEL = (
+    material("stainless").with_(name="black_stainless", base_color=(0.105, 0.105, 0.110)),
+    material("stainless").with_(name="slate_steel", base_color=(0.235, 0.235, 0.242)),
+    material("stainless").with_(name="bronze_steel", base_color=(0.225, 0.190, 0.160)),
+)
+_PLAIN_STEEL = (
+    material("stainless"),
+    material("stainless_across"),
+    material("stainless").with_(name="silver_steel", base_color=(0.50, 0.505, 0.515)),
+)
+_WHITE = (
+    material("enamel_white"),
+    coloured("enamel", "cool_white"),
+    material("powder_coat_white"),
+)
+_BLACK = (
+    material("enamel_black"),
+    material("powder_coat_black"),
+    coloured("powder_coat", "anthracite"),
+)
+_PASTEL = tuple(
+    coloured("enamel", color)
+    for color in ("cream", "mint", "sky", "blush", "red", "navy", "black", "sage", "mustard", "orange")
+)
+_GLASS = (
+    material("black_glass"),
+    material("black_glass").with_(name="white_glass", base_color=COLORS["cool_white"]),
+    material("black_glass").with_(name="grey_glass", base_color=COLORS["slate"]),
+)
+_PANEL = (
+    material("oak"),
+    material("walnut"),
+    material("ash"),
+    *(coloured("lacquered_mdf", color) for color in ("white", "sage", "navy", "graphite", "taupe")),
+)
+
+FRONTS: dict[Look, tuple[tuple[Material, ...], tuple[float, ...]]] = {
+    "stainless": (_PLAIN_STEEL, (0.5, 0.2, 0.3)),
+    "dark_steel": (_DARK_STEEL, (0.5, 0.3, 0.2)),
+    "white": (_WHITE, (0.5, 0.25, 0.25)),
+    "black": (_BLACK, (0.5, 0.2, 0.3)),
+    "pastel": (_PASTEL, (2.0, 1.3, 1.3, 1.0, 1.3, 0.7, 0.7, 0.9, 0.5, 0.5)),
+    "glass": (_GLASS, (0.45, 0.35, 0.2)),
+    "panel": (_PANEL, (1.2, 1.0, 0.6, 1.2, 0.7, 0.6, 0.6, 0.4)),
+}
+"""Materials of the fronts of each look, and how often they are sold."""
+
+_METALS: dict[Look, dict[str, float]] = {
+    "stainless": {"stainless": 3.0, "chrome": 1.0, "powder_coat_black": 0.4},
+    "dark_steel": {"powder_coat_graphite": 1.5, "stainless": 1.0, "powder_coat_black": 1.0},
+    "white": {"chrome": 1.0, "stainless": 1.0, "enamel_white": 1.5, "aluminium": 0.8},
+    "black": {"stainless": 1.0, "powder_coat_black": 1.2, "chrome": 0.6, "satin_brass": 0.3},
+    "pastel": {"chrome": 3.0, "stainless": 0.6, "satin_brass": 0.4},
+    "glass": {"aluminium": 1.0, "stainless": 1.0, "powder_coat_black": 0.6},
+    "panel": {"stainless": 1.0, "satin_brass": 1.0, "powder_coat_black": 1.0, "aged_bronze": 0.6},
+}
+
+_CABINETS: dict[Look, str] = {
+    "stainless": "silver",
+    "dark_steel": "graphite",
+    "white": "white",
+    "black": "anthracite",
+    "glass": "light_grey",
+    "panel": "light_grey",
+}
+
+
+def fronts(*looks: Look, color: float = 0.04, roughness: float = 0.03) -> Any:
+    """Draw the material of a front by the parameter `look`.
+
+    Args:
+        looks: The looks that the category has; all by default.
+        color: Largest relative change of the base colour.
+        roughness: Largest change of the roughness.
+    """
+    cases = {}
+    for look in looks or LOOKS:
+        stock, weights = FRONTS[look]
+        cases[look] = shades(*stock, weights=weights, color=color, roughness=roughness)
+    return by("look", cases, doc="finish of the front")
+
+
+def grip_metals(*looks: Look) -> Any:
+    """Draw the metal (or lacquer) of handles by the parameter `look`.
+
+    Args:
+        looks: The looks that the category has; all by default.
+    """
+    cases = {
+        look: shades(*_METALS[look], weights=tuple(_METALS[look].values()), color=0.03, roughness=0.03)
+        for look in looks or LOOKS
+    }
+    return by("look", cases, doc="of handles and trim")
+
+
+def cabinet_finish(look: Look, finish: Material) -> Material:
+    """Return what the sides of an appliance are made of whose front has a finish.
+
+    Steel and panel fronts have cabinets of painted sheet; coloured ones are of one colour all around.
+    """
+    if look in ("pastel", "white", "black"):
+        return finish
+    if look == "glass" and max(finish.base_color) < 0.2:
+        return coloured("powder_coat", "anthracite")
+    return coloured("powder_coat", _CABINETS[look])
+
+
+def filled(finish: Material, density: float, what: str = "filled") -> Material:
+    """Return a finish on sheet metal that is filled with foam, wool or air.
+
+    Args:
+        finish: What is seen.
+        density: What the whole weighs by its volume [kg/m3].
+        what: Ends the name of the material.
+    """
+    return finish.with_(name=f"{finish.name}_{what}_{round(density)}", density=density)
+
+
+LINER = material("glossy_plastic_white").with_(name="liner_white", specular_roughness=0.3)
+"""White polystyrene, of which refrigerators are lined [vacuum-formed HIPS sheet]."""
+
+LINER_GREY = LINER.with_(name="liner_grey", base_color=(0.33, 0.34, 0.35), specular_roughness=0.4)
+"""Grey lining, as behind steel fronts."""
+
+CLEAR = material("polycarbonate").with_(
+    name="clear_polystyrene", base_color=(0.86, 0.91, 0.94), opacity=0.34, density=1050.0
+)
+"""Clear polystyrene of bins and drawers."""
+
+FROSTED = CLEAR.with_(name="frosted_polystyrene", specular_roughness=0.45, opacity=0.72)
+"""Cloudy polystyrene of freezer drawers."""
+
+DARK = material("black_abs").with_(name="dark_recess", base_color=(0.02, 0.02, 0.021), specular_roughness=0.6)
+"""What is seen in gaps, recesses and behind grilles."""

@@ -1,0 +1,192 @@
+"""Bins: the shells of round, square, rectangular and half-round containers, and what goes around them.
+
+A bin stands about the Z axis, its front towards -Y. Its plan is given at the rim; a tapered bin is smaller at
+its foot, in the same proportions.
+"""
+
+import math
+from dataclasses import dataclass, replace
+from typing import Literal
+
+from artgen import (
+    Profile,
+    Solid,
+    Vector,
+    Z,
+    circle,
+    coarse,
+    cylinder,
+    extrude,
+    max_,
+    rectangle,
+    sqrt,
+    vector,
+)
+from artgen.nodes.handles import Scalar, VectorLike
+
+Plan = Literal["round", "square", "rectangle", "half_round"]
+"""Seen from above; a half-round bin has its flat side at the back, to stand against a wall."""
+
+_BACK_CORNER = 0.022  # radius of the two corners of a half-round bin [m]
+_OVERLAP = 0.001  # of the two halves of a half-round bin [m]
+_LEAST_CORNER = 0.003  # [m]
+
+
+@dataclass(frozen=True)
+class Can:
+    """The shell of a bin.
+
+    Attributes:
+        plan: Its outline seen from above.
+        width: Across, at the rim [m].
+        depth: From front to back, at the rim; of a round one, its width [m].
+        top: Height of the rim above the floor [m].
+        foot: Height of the lower edge of the wall above the floor [m].
+        corner: Radius of the corners at the rim, of a square or rectangular one [m].
+        wall: Thickness of the wall [m].
+        taper: Share by which the foot is smaller than the rim.
+    """
+
+    plan: Plan
+    width: Scalar
+    depth: Scalar
+    top: Scalar
+    foot: Scalar = 0.005
+    corner: Scalar = 0.03
+    wall: Scalar = 0.003
+    taper: Scalar = 0.0
+
+    def outline(self, inset: Scalar = 0.0) -> Profile:
+        """Make the outline at the rim, moved inward [m]."""
+        if self.plan == "round":
+            return circle(self.width / 2.0 - inset)
+        if self.plan == "half_round":
+            return self._half_round(inset)
+        across, along = self.width - 2.0 * inset, self.depth - 2.0 * inset
+        return rectangle(across, along, radius=max_(self.corner - inset, _LEAST_CORNER))
+
+    def _half_round(self, inset: Scalar) -> Profile:
+        radius, corner = self.width / 2.0 - inset, max_(_BACK_CORNER - inset, _LEAST_CORNER)
+        back = self.depth / 2.0 - inset
+        front = radius + inset - self.depth / 2.0  # the middle of the round front
+        straight = rectangle(2.0 * radius, back - front + corner, radius=corner)
+        below = rectangle(3.0 * radius, 2.0 * radius).at(0.0, front - radius + _OVERLAP)
+        half = circle(radius).at(0.0, front) & below
+        return half | straight.at(0.0, (back + front - corner) / 2.0)
+
+    def scale_at(self, z: Scalar) -> Scalar:
+        """Return how large the plan is at a height, as a share of the rim's."""
+        return 1.0 - self.taper * (self.top - z) / (self.top - self.foot)
+
+    def band(self, low: Scalar, high: Scalar, *, outer: Scalar = 0.0, inner: Scalar | None = None) -> Solid:
+        """Make a ring that follows the wall between two heights.
+
+        Args:
+            low: Its lower edge [m].
+            high: Its upper edge [m].
+            outer: How far it stays inside of the wall's outer face; negative ones stand out of it [m].
+            inner: The same for its inner side; by default the wall's inner face [m].
+        """
+        within = self.wall if inner is None else inner
+        section = self.outline(outer) - self.outline(within)
+        return self._drawn(section, low, high)
+
+    def block(self, low: Scalar, high: Scalar, *, inset: Scalar = 0.0, bevel: Scalar = 0.0) -> Solid:
+        """Make what fills the plan between two heights, moved inward [m]."""
+        if self.plan == "round" and _is_zero(self.taper):
+            disc = cylinder(self.width / 2.0 - inset, high - low, bevel=bevel)
+            return disc.at(0.0, 0.0, (low + high) / 2.0)
+        return self._drawn(self.outline(inset), low, high, bevel)
+
+    def _drawn(self, section: Profile, low: Scalar, high: Scalar, bevel: Scalar = 0.0) -> Solid:
+        middle = (low + high) / 2.0
+        if _is_zero(self.taper):
+            return extrude(section, high - low, bevel=bevel).at(0.0, 0.0, middle)
+        share = self.scale_at(high)
+        narrower = 1.0 - self.scale_at(low) / share
+        drawn = extrude(section.scale(share), high - low, axis=-Z, taper=narrower, bevel=bevel)
+        return drawn.at(0.0, 0.0, middle)
+
+    def shell(self) -> Solid:
+        """Make the wall from the foot to the rim."""
+        return coarse(self.band(self.foot, self.top))
+
+    def inside(
+        self,
+        gap: Scalar,
+        *,
+        foot: Scalar,
+        top: Scalar,
+        wall: Scalar,
+        beside: Scalar = 0.0,
+        behind: Scalar = 0.0,
+    ) -> "Can":
+        """Make what stands in it, with a gap all round.
+
+        Args:
+            gap: Between the walls [m].
+            foot: Height of its lower edge [m].
+            top: Height of its rim [m].
+            wall: Thickness of its wall [m].
+            beside: How much more gap there is at both sides [m].
+            behind: The same in front and behind; all round for a round one [m].
+        """
+        less = 2.0 * (self.wall + gap)
+        share = self.scale_at(top)
+        narrower = 1.0 - self.scale_at(foot) / share if not _is_zero(self.taper) else 0.0
+        round_ = self.plan == "round"
+        deep = self.depth * share - less - 2.0 * behind
+        return replace(
+            self,
+            width=deep if round_ else self.width * share - less - 2.0 * beside,
+            depth=deep,
+            corner=max_(self.corner * share - less / 2.0, _LEAST_CORNER),
+            foot=foot,
+            top=top,
+            wall=wall,
+            taper=narrower,
+        )
+
+    @property
+    def front(self) -> Scalar:
+        """Where the wall is in front, at the rim [m]."""
+        return -1.0 * self.depth / 2.0
+
+    @property
+    def back(self) -> Scalar:
+        """Where the wall is behind, at the rim [m]."""
+        return self.depth / 2.0
+
+    def feet(self, inset: Scalar = 0.016) -> list[tuple[Scalar, Scalar]]:
+        """Return where four feet stand, at the corners of the foot [m]."""
+        share = self.scale_at(self.foot)
+        x, y = share * self.width / 2.0 - inset, share * self.depth / 2.0 - inset
+        if self.plan == "round":
+            x, y = math.sqrt(0.5) * x, math.sqrt(0.5) * y
+            return [(-1.0 * x, -1.0 * y), (x, -1.0 * y), (x, y), (-1.0 * x, y)]
+        if self.plan == "half_round":
+            return [(-0.62 * x, -0.62 * y), (0.62 * x, -0.62 * y), (x, y), (-1.0 * x, y)]
+        near = 0.3 * self.corner
+        x, y = x - near, y - near
+        return [(-1.0 * x, -1.0 * y), (x, -1.0 * y), (x, y), (-1.0 * x, y)]
+
+    def face(self, z: Scalar) -> Vector:
+        """Return the point of the front at a height, in the middle [m]."""
+        return vector(0.0, self.scale_at(z) * self.front, z)
+
+    @property
+    def facing(self) -> VectorLike:
+        """Where the front looks: a tapered one looks down a little."""
+        return (0.0, -1.0, -0.5 * self.depth * self.taper / (self.top - self.foot))
+
+    def half_across(self, inset: Scalar = 0.0) -> Scalar:
+        """Return half the width through the middle of the plan [m]."""
+        radius = self.width / 2.0 - inset
+        if self.plan != "half_round":
+            return radius
+        behind = (self.width - self.depth) / 2.0  # of the middle: there is the middle of its front's circle
+        return sqrt(radius * radius - behind * behind)
+
+
+def _is_zero(value: Scalar) -> bool:
+    return isinstance(value, int | float) and value == 0.0

@@ -1,0 +1,126 @@
+"""Mains cords as they are seen: strain relief, cord and plug; rigid models of limp things are details."""
+
+from artgen import (
+    Body,
+    Float,
+    Material,
+    Solid,
+    X,
+    Y,
+    box,
+    circle,
+    cylinder,
+    detail,
+    extrude,
+    material,
+    min_,
+    polyline,
+    rectangle,
+    sweep,
+    union,
+    vector,
+)
+from artgen.nodes.handles import Scalar, VectorLike
+
+CORD = 0.0032
+"""Radius of the cord of a small appliance, H03VV-F 3 x 0.75 mm2 [m]."""
+
+_RELIEF = 0.024  # length of the strain relief [m]
+
+
+def strain_relief(*, radius: Scalar = CORD, length: Scalar = _RELIEF) -> Solid:
+    """Make the ribbed sleeve that keeps a cord from kinking: from y = 0 backwards, about the y axis.
+
+    Args:
+        radius: Radius of the cord [m].
+        length: Its length [m].
+    """
+    ribs = 4
+    pitch = length / ribs
+    rings = [
+        cylinder(radius + 0.0030 - 0.00055 * rib, 0.62 * pitch, axis=Y, bevel=0.0006).at(
+            0.0, (rib + 0.31) * pitch, 0.0
+        )
+        for rib in range(ribs)
+    ]
+    core = cylinder(radius + 0.0007, 1.01 * length, axis=Y).at(0.0, 0.5 * length, 0.0)
+    return union(core, *rings)
+
+
+def cord_stub(
+    *,
+    height: Scalar,
+    finish: Material | None = None,
+    radius: Scalar = CORD,
+    reach: Scalar = 0.045,
+    label: str = "cord",
+) -> Body:
+    """Make a strain relief on the plane y = 0 and a cord that hangs from it to the floor at the back (+y).
+
+    Args:
+        height: Height of the outlet, which is the origin, above the floor [m].
+        finish: What it is made of; by default black rubber.
+        radius: Radius of the cord [m].
+        reach: How far behind the plane it comes down, more than 0.035 [m].
+        label: Semantic label.
+    """
+    fall = -1.0 * (height - radius)
+    path = polyline(_down(reach, fall), fillet=_bend(fall))
+    solid = sweep(circle(radius), path)
+    return detail(strain_relief(radius=radius) | solid, label, finish or material("rubber"))
+
+
+def mains_cord(
+    *,
+    height: Scalar,
+    length: Scalar = 0.16,
+    side: int = 1,
+    finish: Material | None = None,
+    radius: Scalar = CORD,
+    reach: Scalar = 0.045,
+    label: str = "cord",
+) -> Body:
+    """Make a cord with its plug: from its outlet on y = 0 down to the floor and along it to one side.
+
+    Args:
+        height: Height of the outlet, which is the origin, above the floor [m].
+        length: How far to the side the plug lies, more than 0.1 [m].
+        side: 1 for a plug at +x, -1 for -x.
+        finish: What it is made of; by default black rubber.
+        radius: Radius of the cord [m].
+        reach: How far behind the plane it lies, more than 0.04 [m].
+        label: Semantic label.
+    """
+    fall = -1.0 * (height - radius)
+    run = side * 1.0 * (length - 0.052)
+    path = polyline([*_down(reach, fall), (run, reach, fall)], fillet=_bend(fall))
+    end = vector(run, reach, fall)
+    plug = _plug(radius)
+    placed = (plug if side > 0 else plug.mirror(X)).at(end)
+    black = finish or material("rubber")
+    return detail(strain_relief(radius=radius) | sweep(circle(radius), path) | placed, label, black)
+
+
+def _down(reach: Scalar, fall: Scalar) -> list[VectorLike]:
+    """Return the corners of a cord from within its sleeve to the floor."""
+    return [(0.0, 0.4 * _RELIEF, 0.0), (0.0, reach, 0.0), (0.0, reach, fall)]
+
+
+def _bend(fall: Scalar) -> Float:
+    """Return the radius of the bends of a cord that falls by so much [m]."""
+    return min_(0.016, -0.45 * fall)
+
+
+def _plug(radius: Scalar) -> Solid:
+    """Make a flat moulded plug with two pins, along x from the origin, which is where its cord enters."""
+    body = extrude(rectangle(0.0260, 0.0130, radius=0.0048), 0.034, axis=X, bevel=0.0018)
+    sleeve = cylinder(radius + 0.0012, 0.014, axis=X, bevel=0.0008)
+    low = 0.0065 - radius  # the plug lies on the floor too
+    pin = cylinder(0.0020, 0.019, axis=X, bevel=0.0009)
+    base = box(0.004, 0.0190, 0.0090, bevel=0.0015)
+    return union(
+        body.at(0.026, 0.0, low),
+        sleeve.at(0.006, 0.0, 0.0012),
+        base.at(0.0440, 0.0, low),
+        *(pin.at(0.0545, y * 0.0095, low) for y in (-1, 1)),
+    )

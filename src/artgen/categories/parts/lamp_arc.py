@@ -1,0 +1,81 @@
+"""Arc lamps: a bow of tube that turns on a heavy base, with a shade that hangs at its end."""
+
+import math
+
+from artgen import (
+    Y,
+    center_of_mass,
+    circle,
+    cylinder,
+    frame,
+    mass,
+    norm,
+    part,
+    spline,
+    sweep,
+    vector,
+    weld,
+)
+from artgen.categories.parts.lamp_arms import (
+    GRAVITY,
+    TURRET,
+    Load,
+    bracket,
+    braked_hinge,
+    eyes,
+)
+from artgen.categories.parts.lamp_bases import hollow
+from artgen.categories.parts.lamp_jointed import ArmLooks, Carried
+from artgen.categories.parts.shades import Head
+from artgen.nodes.handles import Scalar
+
+_HANG = 0.024  # from the hinge of the shade to the top of its housing [m]
+_TUBE = 0.0105  # radius of the bow [m]
+_SWING = 0.6  # of the shade either way [rad]
+
+
+def arc_arm(head: Head, *, height: Scalar, reach: Scalar, looks: ArmLooks) -> Carried:
+    """Make the bow with its shade; it turns about z on the plane z = 0.
+
+    Args:
+        head: The shade.
+        height: Of the highest point of the bow [m].
+        reach: Of its end from the axis [m].
+        looks: How it looks.
+    """
+    finish = looks.finish
+    foot = cylinder(2.3 * _TUBE, 0.022, bevel=0.003).at(0.0, 0.0, TURRET + 0.011)
+    end, before = vector(reach, 0.0, 0.80 * height), vector(0.88 * reach, 0.0, 0.90 * height)
+    last = end + (before - end) * (0.034 / norm(before - end))  # from here on it runs in the inner lane
+    # straight up, then a quarter and more of an ellipse
+    rise = 0.50 * height
+    wide, high = 0.52 * reach, height - rise
+    bend = [
+        (wide * (1.0 - math.cos(turn)), 0.0, rise + high * math.sin(turn))
+        for turn in (0.35, 0.75, 1.15, math.pi / 2.0, 1.95, 2.3)
+    ]
+    low = [(0.0, 0.0, 0.018), (0.0, 0.0, 0.6 * rise), (0.0, 0.0, rise)]
+    end, before = vector(reach, 0.0, rise + 0.52 * high), vector(*bend[-1])
+    last = end + (before - end) * (0.034 / norm(before - end))  # from here on it runs in the inner lane
+    course = spline([*low, *bend, last])
+    neck = cylinder(0.0048, 0.040, axis=end - last).at((end + last) * 0.5)
+    grip = frame((0.0, 0.0, 0.5 * rise), approach=Y, closing=(1.0, 0.0, 0.0))
+    bow = weld(
+        part(sweep(circle(_TUBE), course), "arm_lower", hollow(finish), grasp=grip),
+        part(foot, "arm_lower", finish),
+        part(neck, "arm_lower", finish),
+        *(each.at(end) for each in eyes(finish, label="arm_lower", outer=False)),
+    )
+    shade = weld(head.body.at(0.0, 0.0, -_HANG), *bracket(finish, length=_HANG)).at(end)
+    lever = norm(center_of_mass(shade) - end)
+    hinge = braked_hinge(
+        "shade_hinge",
+        pivot=end,
+        limits=(-_SWING, _SWING),
+        load=Load().free(GRAVITY * mass(shade), lever),
+        feel=4.0,
+        reach=0.12,
+        damping=0.02,
+    )
+    moment = mass(bow) * 0.45 * reach + mass(shade) * (reach + lever)
+    return Carried(bow.attach(shade, hinge), 1.0 * moment, looks.turn())

@@ -1,0 +1,351 @@
+"""Arms of lamps: what turns on the base, the bars between the hinges, and joints that hold what they carry.
+
+Hinges have their axis along y. Parts take turns in two lanes, so that nothing meets at a hinge however far
+it is turned: the inner lane is 10 mm wide about y = 0, the outer one a pair of plates or rods beside it.
+"""
+
+import math
+from typing import Literal
+
+from artgen import (
+    Body,
+    Joint,
+    Material,
+    Prismatic,
+    Revolute,
+    Solid,
+    Y,
+    Z,
+    array,
+    box,
+    center_of_mass,
+    circle,
+    cylinder,
+    detail,
+    frame,
+    helix,
+    mass,
+    max_,
+    min_,
+    norm,
+    part,
+    sin,
+    sweep,
+    tube,
+    weld,
+)
+from artgen.nodes.handles import Scalar, VectorLike
+
+ArmStyle = Literal["rods", "tube", "flat"]
+"""Thin round bars, a round tube or square bars, or flat bars."""
+
+ARM_LABELS = ("swivel", "slider", "arm_lower", "arm_upper", "hinge", "spring")
+"""Labels of arms and of what they turn on."""
+
+GRAVITY = 9.81
+"""[m/s2]."""
+
+INNER = 0.005
+"""Half the width of the inner lane [m]."""
+
+EYE = 0.0105
+"""Radius of the round ends of arms about their hinges [m]."""
+
+TURRET = 0.0006
+"""Gap below what turns on the base [m]."""
+
+_OUTER = 0.0075  # middle of the plates and rods of the outer lane [m]
+_PLATE = 0.004  # their thickness [m]
+_HOLDS = 1.3  # by how much a brake is stronger than what it has to hold
+_SOFT = 0.2  # share of the friction by which a balancing spring varies over the range
+
+
+def eyes(finish: Material, *, label: str, outer: bool) -> list[Body]:
+    """Make the round end of an arm about the origin, in the inner or the outer lane."""
+    if not outer:
+        return [part(cylinder(EYE, 2.0 * INNER, axis=Y, bevel=0.0008), label, finish)]
+    plate = cylinder(EYE, _PLATE, axis=Y, bevel=0.0006)
+    nut = cylinder(0.0062, 0.0045, axis=Y, bevel=0.001)
+    return [
+        part(array(plate, at=[(0.0, -_OUTER, 0.0), (0.0, _OUTER, 0.0)]), label, finish, separate=_PAIR),
+        detail(array(nut, at=[(0.0, side * (_OUTER + 0.0038), 0.0) for side in (-1, 1)]), "hinge", finish),
+    ]
+
+
+_PAIR = "the two plates of a pair are held by the bolts through them"
+
+
+def arm_bar(style: ArmStyle, length: Scalar, *, outer: bool) -> Solid:
+    """Make the bar or the pair of bars of an arm, upward from one hinge at the origin to the next.
+
+    Args:
+        style: Its form.
+        length: From hinge to hinge [m].
+        outer: Whether it is a pair in the outer lane.
+    """
+    width = _PLATE if outer else 2.0 * INNER
+    match style:
+        case "rods":
+            bar = cylinder(0.0020 if outer else 0.0042, length)
+        case "tube":
+            bar = (
+                box(_PLATE, 0.0085, length, bevel=0.0009).rotate(Z, math.pi / 2)
+                if outer
+                else cylinder(INNER, length)
+            )
+        case "flat":
+            bar = box(0.015, width - 0.0004, length, bevel=0.0012)
+    if not outer:
+        return bar.at(0.0, 0.0, length / 2.0)
+    return array(bar, at=[(0.0, side * _OUTER, length / 2.0) for side in (-1, 1)])
+
+
+def arm(
+    label: str,
+    style: ArmStyle,
+    length: Scalar,
+    *,
+    finish: Material,
+    outer: bool,
+    spring: Material | None = None,
+) -> Body:
+    """Make an arm, upward from its hinge at the origin; what it carries turns in the other lane.
+
+    Args:
+        label: Name and label of the link.
+        style: Its form.
+        length: From hinge to hinge [m].
+        finish: What it is made of.
+        outer: Whether it runs in the outer lane.
+        spring: The metal of the springs that carry it, where there are such.
+    """
+    middle = frame((0.0, 0.0, 0.5 * length), approach=Y, closing=(1.0, 0.0, 0.0))
+    bar = arm_bar(style, length, outer=outer)
+    bodies = [part(bar, label, finish, grasp=middle, separate=_PAIR if outer else "")]
+    for level in (0.0, length):
+        bodies += [each.at(0.0, 0.0, level) for each in eyes(finish, label=label, outer=outer)]
+    if outer:  # spacers hold the pair together
+        spacer = cylinder(0.0040, 2.0 * _OUTER, axis=Y)
+        bodies += [part(spacer.at(0.0, 0.0, share * length), label, finish) for share in (0.35, 0.72)]
+    if spring is not None:
+        bodies += _springs(style, length, spring, outer=outer)
+    return weld(*bodies)
+
+
+def _springs(style: ArmStyle, length: Scalar, metal: Material, *, outer: bool) -> list[Body]:
+    """Make the springs beside an arm: between its bars, or at both sides of its only one."""
+    low, long = 0.16 * length, 0.40 * length
+    radius = 0.0036
+    coil = sweep(circle(0.0007), helix(radius, long / 22.0, 22.0))
+    wire = cylinder(0.0007, 0.62 * length).at(0.0, 0.0, 0.37 * length)
+    one = [coil.at(0.0, 0.0, low + long / 2.0), wire]
+    if outer:
+        return [detail(each, "spring", metal) for each in one]
+    aside = (0.0042 if style == "rods" else INNER) + radius - 0.0002
+    pins = [
+        cylinder(0.0018, 2.0 * aside + 0.004, axis=Y).at(0.0, 0.0, share * length) for share in (0.07, 0.68)
+    ]
+    return [
+        *(
+            detail(array(each, at=[(0.0, side * aside, 0.0) for side in (-1, 1)]), "spring", metal)
+            for each in one
+        ),
+        *(detail(pin, "spring", metal) for pin in pins),
+    ]
+
+
+def turret(finish: Material, *, height: Scalar, outer: bool, radius: Scalar = 0.024) -> Body:
+    """Make what turns on a base: a disc with a post and an eye at a height, the link `swivel`.
+
+    It stands on the plane z = 0, which is the top of the base, with a gap of 0.6 mm.
+
+    Args:
+        finish: What it is made of.
+        height: Of the hinge that it carries [m].
+        outer: Whether it holds the arm between two plates, in the outer lane.
+        radius: Of the disc [m].
+    """
+    disc = cylinder(radius, 0.010, bevel=0.002).at(0.0, 0.0, TURRET + 0.005)
+    bodies = [part(disc, "swivel", finish)]
+    start = TURRET + 0.006
+    tall = height - start
+    if outer:
+        cheek = box(0.018, _PLATE, tall, bevel=0.0008)
+        pair = array(cheek, at=[(0.0, side * _OUTER, start + tall / 2.0) for side in (-1, 1)])
+        bodies.append(part(pair, "swivel", finish, separate=_PAIR))
+    else:
+        post = box(0.018, 2.0 * INNER, tall, bevel=0.0012).at(0.0, 0.0, start + tall / 2.0)
+        bodies.append(part(post, "swivel", finish))
+    return weld(*bodies, *(each.at(0.0, 0.0, height) for each in eyes(finish, label="swivel", outer=outer)))
+
+
+def turret_turn(*, friction: Scalar, name: str = "arm_swivel") -> Joint:
+    """Make the joint by which an arm turns on its base, without limits; friction holds it.
+
+    Args:
+        friction: What a hand feels: at 0.3 m, 1.2 N m are 4 N [N m].
+        name: Name of the joint.
+    """
+    return Revolute(name, axis=Z, friction=friction, damping=0.02, armature=0.0005, effort=12.0)
+
+
+def bracket(finish: Material, *, length: Scalar, label: str = "shade") -> list[Body]:
+    """Make the plates in the outer lane by which a shade hangs on an arm, from z = 0 to -length."""
+    plate = box(0.016, _PLATE, length + 0.004, bevel=0.0008).at(0.0, 0.0, -0.5 * (length + 0.004))
+    pair = array(plate, at=[(0.0, side * _OUTER, 0.0) for side in (-1, 1)])
+    return [part(pair, label, finish, separate=_PAIR), *eyes(finish, label=label, outer=True)]
+
+
+class Load:
+    """What a hinge about y carries, as gravity pulls at it: a sum of weights on levers."""
+
+    def __init__(self) -> None:
+        """Begin with nothing."""
+        self.low: Scalar = 0.0
+        self.high: Scalar = 0.0
+
+    def lever(self, weight: Scalar, length: Scalar, low: Scalar, high: Scalar) -> "Load":
+        """Add a weight [N] on a lever [m] whose angle from the vertical goes from low to high [rad].
+
+        Angles are within -pi/2 and pi, positive towards +x.
+        """
+        crest = 1.0  # of the sine, if the lever may lie level
+        ends = (sin(low), sin(high))
+        self.low = self.low + weight * length * min_(*ends)
+        top = max_(*ends)
+        # between low and high the sine is greatest where it is nearest to a quarter turn
+        level = max_(0.0, min_(1.0, 1e6 * (min_(high, math.pi - low) - math.pi / 2.0)))
+        self.high = self.high + weight * length * (level * crest + (1.0 - level) * top)
+        return self
+
+    def free(self, weight: Scalar, length: Scalar) -> "Load":
+        """Add a weight [N] on a lever [m] that may point anywhere."""
+        self.low = self.low - weight * length
+        self.high = self.high + weight * length
+        return self
+
+
+def braked_hinge(
+    name: str,
+    *,
+    pivot: VectorLike,
+    limits: tuple[Scalar, Scalar],
+    load: Load,
+    feel: Scalar,
+    reach: Scalar,
+    sprung: bool = False,
+    damping: Scalar = 0.05,
+) -> Joint:
+    """Make a hinge about y that stays where it is put, whatever the arms beyond it do.
+
+    A brake alone is stronger than the greatest torque of gravity. A spring takes over the mean of it, and the
+    brake holds the rest; the spring is long and soft, so that it pulls nearly alike over the range.
+
+    Args:
+        name: Name of the joint.
+        pivot: A point on the axis [m].
+        limits: Lowest and highest angle [rad].
+        load: What gravity does.
+        feel: Force that a hand needs at least at the end of the lever [N].
+        reach: Length of that lever [m].
+        sprung: Whether springs balance it.
+        damping: [N m s/rad].
+    """
+    least = feel * reach
+    low, high = limits
+    if not sprung:
+        most = max_(1.0 * load.high, -1.0 * load.low)
+        friction = max_(_HOLDS * max_(most, 0.0), least)
+        effort = friction + max_(most, 0.0) + 20.0 * reach
+        return Revolute(
+            name,
+            axis=Y,
+            pivot=pivot,
+            limits=limits,
+            friction=friction,
+            damping=damping,
+            armature=0.0005,
+            effort=effort,
+        )
+    middle, rest = (load.low + load.high) / 2.0, (load.high - load.low) / 2.0
+    friction = max_(_HOLDS * rest / (1.0 - 0.5 * _HOLDS * _SOFT), least)
+    stiffness = _SOFT * friction / (high - low)
+    return Revolute(
+        name,
+        axis=Y,
+        pivot=pivot,
+        limits=limits,
+        stiffness=stiffness,
+        rest=(low + high) / 2.0 - middle / stiffness,
+        friction=friction,
+        damping=damping,
+        armature=0.0005,
+        effort=friction + 2.0 * rest + 20.0 * reach,
+    )
+
+
+def head_hinge(
+    body: Body, *, pivot: VectorLike, limits: tuple[Scalar, Scalar], name: str = "shade_hinge"
+) -> Joint:
+    """Make the hinge of a shade, whose friction holds its weight in every direction."""
+    lever = norm(center_of_mass(body) - vector_of(pivot))
+    load = Load().free(GRAVITY * mass(body), lever)
+    return braked_hinge(name, pivot=pivot, limits=limits, load=load, feel=4.0, reach=0.08, damping=0.01)
+
+
+def vector_of(point: VectorLike) -> VectorLike:
+    """Return a point as a handle or a tuple, as it came."""
+    return point
+
+
+def collar(finish: Material, *, bore: Scalar, out: Scalar, height: Scalar = 0.055) -> Body:
+    """Make the clamp that slides on a pole along z and carries an arm at x = out: the link `slider`.
+
+    Args:
+        finish: What it is made of.
+        bore: Radius of the pole [m].
+        out: Distance of the hinge from the middle of the pole [m].
+        height: Its height; the hinge is in the middle, at z = 0 [m].
+    """
+    ring = tube(bore + 0.009, bore + 0.0006, height, bevel=0.0015)
+    start = bore + 0.006
+    plate = box(out - start, _PLATE, 0.018, bevel=0.0008)
+    pair = array(plate, at=[((start + out) / 2.0, side * _OUTER, 0.0) for side in (-1, 1)])
+    knob = cylinder(0.013, 0.014, axis=(1.0, 0.0, 0.0), bevel=0.002)
+    shaft = cylinder(0.004, 0.016, axis=(1.0, 0.0, 0.0))
+    back = -1.0 * (bore + 0.009)
+    return weld(
+        part(ring, "slider", finish),
+        part(pair, "slider", finish, separate=_PAIR),
+        part(shaft.at(back - 0.006, 0.0, 0.0), "slider", finish),
+        part(
+            knob.at(back - 0.018, 0.0, 0.0),
+            "slider",
+            finish,
+            grasp=frame((back - 0.019, 0.0, 0.0), approach=(1.0, 0.0, 0.0), closing=Y),
+        ),
+        *(each.at(out, 0.0, 0.0) for each in eyes(finish, label="slider", outer=True)),
+    )
+
+
+def collar_joints(load: Body, *, travel: Scalar, friction: Scalar) -> tuple[Joint, Joint]:
+    """Make the joints of a clamp on its pole: it slides up from its lowest place, and turns without limits.
+
+    The clamp bears 1.3 times what hangs on it, and a hand slides it with less than 60 N.
+
+    Args:
+        load: The clamp with all that it carries.
+        travel: How far it slides up [m].
+        friction: Against turning [N m].
+    """
+    grip = _HOLDS * GRAVITY * mass(load)
+    slide = Prismatic(
+        "height_slide",
+        axis=Z,
+        limits=(0.0, travel),
+        friction=grip,
+        damping=8.0,
+        effort=GRAVITY * mass(load) + grip + 15.0,
+    )
+    turn = Revolute("arm_swivel", axis=Z, friction=friction, damping=0.03, armature=0.0005, effort=12.0)
+    return slide, turn

@@ -1,0 +1,228 @@
+"""Pedals: a lever under the bin lifts a rod, and the rod turns the lid by its crank.
+
+The ratio of the coupling is that of the levers: foot plate to pin, pin to rod, and rod to the lid's axis. The
+lever and the crank both swing as far above the level as below it, where sines and angles differ least, so
+that the rod follows both to a millimetre.
+"""
+
+from dataclasses import dataclass
+
+from artgen import (
+    Body,
+    Float,
+    Joint,
+    Material,
+    Prismatic,
+    Revolute,
+    Solid,
+    X,
+    Z,
+    atan2,
+    box,
+    cylinder,
+    detail,
+    details,
+    extrude,
+    material,
+    max_,
+    part,
+    push_on,
+    rectangle,
+    sin,
+    sqrt,
+    weld,
+)
+from artgen.nodes.handles import Scalar
+
+ROLLER = 0.004
+"""Radius of the roller on which the rod stands [m]."""
+
+PIN = 0.0025
+"""Radius of the pin at the end of the lid's crank [m]."""
+
+SLOT = 0.030
+"""Width of the slot for the lever [m]."""
+
+_HUB = 0.0065  # radius of the lever's hub [m]
+_THICK = 0.006  # of the lever [m]
+_PLATE = 0.007  # thickness of the foot plate [m]
+_PLAY = 0.0008  # under the rod at rest [m]
+_SLACK = 0.0012  # over it: the pin of the crank lags behind by up to 0.4 mm on its way [m]
+_FLOOR = 0.004  # under the pressed pedal [m]
+_ARM = 0.022  # width of the lever [m]
+
+
+def asin(value: Scalar) -> Float:
+    """Return the angle whose sine is a number [rad]."""
+    return atan2(value, sqrt(1.0 - value * value))
+
+
+@dataclass(frozen=True)
+class Linkage:
+    """The levers between a pedal and a lid.
+
+    Attributes:
+        opening: How far the lid opens [rad].
+        crank: From the lid's axis to the pin that the rod lifts [m].
+        travel: How far down the middle of the foot plate goes [m].
+        plate: Where the middle of the foot plate is, along y [m].
+        rod: Where the rod is, along y [m].
+    """
+
+    opening: Scalar
+    crank: Scalar
+    travel: Scalar
+    plate: Scalar
+    rod: Scalar
+
+    @property
+    def lift(self) -> Float:
+        """How far the rod rises: the crank swings from half the opening below the level to as far above."""
+        return 2.0 * self.crank * sin(self.opening / 2.0)
+
+    @property
+    def front(self) -> Float:
+        """Length of the lever from the pin to the foot plate [m]."""
+        return (self.rod - self.plate) * self.travel / (self.travel + self.lift)
+
+    @property
+    def rear(self) -> Float:
+        """Length of the lever from the pin to the rod [m]."""
+        return (self.rod - self.plate) * self.lift / (self.travel + self.lift)
+
+    @property
+    def angle(self) -> Float:
+        """How far the pedal turns [rad]."""
+        return 2.0 * asin(self.lift / (2.0 * self.rear))
+
+    @property
+    def pin(self) -> tuple[Scalar, Scalar]:
+        """Where the pin of the lever is, y and z: neither end reaches the floor [m]."""
+        below = max_(self.lift / 2.0 + ROLLER, self.travel / 2.0 + _PLATE / 2.0)
+        return self.rod - self.rear, below + _FLOOR
+
+    @property
+    def head(self) -> Float:
+        """Height of the space that the lever needs above the floor [m]."""
+        return self.pin[1] + max_(self.travel, self.lift) / 2.0 + 0.009
+
+    def turn(self, *, preload: Scalar, force: Scalar, damping: Scalar = 0.15) -> Joint:
+        """Make the joint of the pedal; positive presses the foot plate down.
+
+        The lid's weight returns it through the rod, and a spring helps.
+
+        Args:
+            preload: Force of the spring at the foot plate at rest [N].
+            force: The same when it is pressed down [N].
+            damping: [N m s/rad].
+        """
+        stiffness = (force - preload) * self.front / self.angle
+        y, z = self.pin
+        return Revolute(
+            "pedal_hinge",
+            axis=X,
+            pivot=(0.0, y, z),
+            limits=(0.0, self.angle),
+            stiffness=stiffness,
+            rest=-1.0 * preload * self.front / stiffness,
+            damping=damping,
+            friction=0.04,
+            armature=0.002,
+            effort=90.0 * self.front,  # a foot that steps on it firmly
+            velocity=6.0,
+        )
+
+    def pedal(self, *, finish: Material, width: Scalar, deep: Scalar, sole: str = "pedal") -> Body:
+        """Make the lever with its foot plate, at rest: the link `pedal`.
+
+        Args:
+            finish: Its metal or plastic.
+            width: Width of the foot plate [m].
+            deep: Length of the foot plate [m].
+            sole: Icon on the foot plate.
+        """
+        front, rear = self.front, self.rear
+        inner = front - 0.25 * deep
+        arm = box(_ARM, inner + rear, _THICK, bevel=0.0012).at(0.0, (rear - inner) / 2.0, 0.0)
+        hub = cylinder(_HUB, _ARM, axis=X, bevel=0.001)
+        roller = cylinder(ROLLER, _ARM, axis=X).at(0.0, rear, 0.0)
+        outline = rectangle(width, deep, radius=0.4 * deep)
+        plate = extrude(outline, _PLATE, bevel=0.0022).at(0.0, -1.0 * front, 0.0005)
+        at = (0.0, -1.0 * front - 0.15 * deep, 0.0)
+        rubber = material("rubber")
+        top = 0.0005 + _PLATE / 2.0
+        sheet = extrude(rectangle(width - 0.012, deep - 0.012, radius=0.4 * (deep - 0.012)), 0.0016)
+        sign = details.icon(sole, 0.5 * deep, weight="bold")
+        light = material("abs")
+        body = weld(
+            part(plate, "pedal", finish, push=push_on(plate, direction=-Z, at=at)),
+            *(part(each, "pedal", finish) for each in (arm, hub, roller)),
+            detail(sheet.at(0.0, -1.0 * front, top), "pedal", rubber),
+            details.printed(
+                sign, (0.0, -1.0 * front, top + 0.0008), material=light, facing=Z, up=(0.0, 1.0, 0.0)
+            ),
+        )
+        y, z = self.pin
+        return body.rotate(X, -0.5 * self.angle).at(0.0, y, z)
+
+    def bracket(self, *, floor: Scalar, depth: Scalar, finish: Material) -> Body:
+        """Make the two cheeks under the floor that carry the pin, to be welded to the bin.
+
+        Args:
+            floor: Height of the underside of the floor [m].
+            depth: Of the bin [m].
+            finish: Their material.
+        """
+        y, z = self.pin
+        low = z - 0.008
+        cheek = box(0.003, 0.018, floor - low + 0.001, bevel=0.0008)
+        parts: list[Body] = []
+        for side in (-1, 1):
+            x = side * (_ARM / 2.0 + 0.0006 + 0.0015)
+            parts.append(part(cheek.at(x, y, (low + floor + 0.001) / 2.0), "base", finish))
+        dark = material("black_abs")
+        for side in (-1, 1):  # one sees no light through the slot
+            screen = box(0.001, depth - 0.008, floor - 0.006)
+            parts.append(
+                detail(screen.at(side * (SLOT / 2.0 + 0.0008), 0.0, floor / 2.0 + 0.003), "base", dark)
+            )
+        pin = cylinder(0.003, _ARM + 0.013, axis=X, bevel=0.0006).at(0.0, y, z)
+        return weld(*parts, detail(pin, "base", material("steel")))
+
+    def rod_body(self, *, axis: Scalar, finish: Material) -> Body:
+        """Make the rod at rest: the link `rod`.
+
+        Args:
+            axis: Height of the lid's axis [m].
+            finish: Its metal.
+        """
+        low = self.pin[1] - self.lift / 2.0 + ROLLER + _PLAY
+        high = axis - self.lift / 2.0 - PIN - _SLACK
+        bar = box(0.005, 0.005, high - low - 0.002, bevel=0.001).at(0.0, self.rod, (low + high) / 2.0)
+        foot = box(0.012, 0.009, 0.004, bevel=0.001).at(0.0, self.rod, low + 0.002)
+        head = box(0.006, 0.3 * self.crank + 0.005, 0.005, bevel=0.001).at(0.0, self.rod, high - 0.0025)
+        return weld(*(part(each, "rod", finish) for each in (bar, foot, head)))
+
+    def rod_slide(self, pedal: Joint) -> Joint:
+        """Make the joint by which the rod follows the pedal."""
+        return Prismatic(
+            "rod_slide",
+            axis=Z,
+            pivot=(0.0, self.rod, 0.0),
+            follows=pedal * (self.lift / self.angle),
+            friction=0.2,
+            damping=2.0,
+            effort=200.0,
+        )
+
+    def cranks(self, *, axis: tuple[Scalar, Scalar]) -> list[Solid]:
+        """Make the crank of the lid at rest, to be welded to it: two plates and the pin between them.
+
+        Args:
+            axis: The lid's axis, y and z [m].
+        """
+        y, z = axis
+        plate = box(0.0032, self.crank, 0.006, bevel=0.0008).at(0.0, -0.5 * self.crank, 0.0)
+        pin = cylinder(PIN, 0.0164, axis=X).at(0.0, -1.0 * self.crank, 0.0)
+        level = [plate.at(0.0066, 0.0, 0.0), plate.at(-0.0066, 0.0, 0.0), pin]
+        return [each.rotate(X, self.opening / 2.0).at(0.0, y, z) for each in level]

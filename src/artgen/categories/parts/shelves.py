@@ -1,0 +1,244 @@
+"""What stands in a refrigerator: shelves of glass or wire, bins on doors, drawers, egg trays."""
+
+import math
+from collections.abc import Sequence
+
+from artgen import (
+    Body,
+    Material,
+    Solid,
+    X,
+    Y,
+    Z,
+    array,
+    box,
+    capsule,
+    circle,
+    detail,
+    details,
+    frame,
+    material,
+    part,
+    ring,
+    weld,
+)
+from artgen.nodes.handles import Scalar, VectorLike
+
+GLASS = 0.004
+"""Thickness of a pane of toughened glass [m]."""
+
+_TRIM_HIGH, _TRIM_DEEP = 0.016, 0.013  # of the strip in front of a shelf [m]
+_LEDGE = 0.007  # how far the ledges under a pane stand out of the walls [m]
+_IN_WALL = 0.0005  # how far they reach into them [m]
+_INSIDE = 0.0001  # by how much rods that collide are thinner than those that are seen [m]
+_SHEET = 0.003  # walls of bins and drawers [m]
+_FRONT = 0.007  # front of a drawer [m]
+_LIP_DEEP, _LIP_HIGH = 0.019, 0.009  # of the lip by which a drawer is drawn [m]
+
+
+ORIGIN: tuple[VectorLike, ...] = ((0.0, 0.0, 0.0),)
+"""One thing, at the origin."""
+
+
+def glass_shelf(
+    width: Scalar,
+    depth: Scalar,
+    *,
+    trim: Material,
+    glass: Material | None = None,
+    at: Sequence[VectorLike] = ORIGIN,
+    label: str = "shelf",
+) -> Body:
+    """Make glass shelves between two walls, on ledges, with strips at their fronts and backs.
+
+    The middle of the underside of a pane is the origin.
+
+    Args:
+        width: Between the walls [m].
+        depth: Front to back [m].
+        trim: Of the strips and ledges.
+        glass: Of the pane; by default clear glass.
+        at: Where there is one [m].
+        label: Semantic label.
+    """
+    pane = box(width + 2 * _IN_WALL, depth, GLASS, bevel=0.001).at(0.0, 0.0, GLASS / 2)
+    strip = box(width - 0.001, _TRIM_DEEP, _TRIM_HIGH, bevel=0.003)
+    front = strip.at(0.0, (_TRIM_DEEP - depth) / 2 - 0.002, GLASS + 0.0015 - _TRIM_HIGH / 2)
+    back = strip.at(0.0, (depth - _TRIM_DEEP) / 2, GLASS + 0.0015 - _TRIM_HIGH / 2)
+    ledge = box(_LEDGE + _IN_WALL, depth - 0.004, 0.008, bevel=0.0015)
+    beside = (width - _LEDGE + _IN_WALL) / 2
+    return weld(
+        part(array(pane, at=at), label, glass or material("glass")),
+        part(array(front, at=at), label, trim),
+        *(detail(array(ledge.at(way * beside, 0.0, -0.0039), at=at), label, trim) for way in (-1, 1)),
+        detail(array(back, at=at), label, trim),
+    )
+
+
+def wire_shelf(
+    width: Scalar,
+    depth: Scalar,
+    *,
+    finish: Material,
+    at: Sequence[VectorLike] = ORIGIN,
+    label: str = "shelf",
+) -> Body:
+    """Make wire shelves between two walls, the middle of the frame of one on z = 0.
+
+    Its front, its back and three rods across collide; the wires between them only are seen.
+
+    Args:
+        width: Between the walls [m].
+        depth: Front to back [m].
+        finish: Of its wires.
+        at: Where there is one [m].
+        label: Semantic label.
+    """
+    wire, rod = 0.0016, 0.003
+    rack = details.wire_rack(
+        width + 2 * _IN_WALL, depth, pitch=0.026, wire=wire, frame=rod, corner=0.012, supports=0
+    )
+    front = capsule(rod - _INSIDE, width + 2 * _IN_WALL, axis=X)
+    deep = capsule(rod - _INSIDE, depth - 2 * rod, axis=Y)
+    rods = array(deep, at=[(way * 0.25 * width, 0.0, 0.0) for way in (-1, 0, 1)])
+    ends = array(front, at=[(0.0, way * (depth / 2 - rod), 0.0) for way in (-1, 1)])
+    return weld(
+        part(array(ends, at=at), label, finish),
+        part(array(rods, at=at), label, finish),
+        detail(array(rack, at=at), label, finish),
+    )
+
+
+def open_box(
+    width: Scalar, depth: Scalar, height: Scalar, *, wall: Scalar = _SHEET, front: Scalar = _SHEET
+) -> list[Solid]:
+    """Make floor, back, sides and front of a box without a lid; its front is y = 0 and its floor z = 0.
+
+    Args:
+        width: Along X [m].
+        depth: From the front to +y [m].
+        height: Of its sides [m].
+        wall: Thickness of floor, back and sides [m].
+        front: Thickness of the front [m].
+    """
+    ease, less = 0.0012, 0.0006  # boards end inside of those that they meet
+    deep = depth - (front + wall) / 2
+    side = box(wall, deep, height - less, bevel=ease)
+    return [
+        box(width, front, height, bevel=ease).at(0.0, front / 2, height / 2),
+        box(width - less, deep, wall, bevel=ease).at(0.0, (depth + front / 2) / 2, wall / 2 + less / 2),
+        box(width - wall, wall, height - 0.004, bevel=ease).at(0.0, depth - wall / 2, height / 2),
+        *(
+            side.at(way * (width - wall) / 2, (depth + front / 2) / 2 - wall / 4, height / 2)
+            for way in (-1, 1)
+        ),
+    ]
+
+
+def door_bin(
+    width: Scalar,
+    depth: Scalar,
+    height: Scalar,
+    *,
+    finish: Material,
+    trim: Material | None = None,
+    at: Sequence[VectorLike] = ORIGIN,
+    label: str = "bin",
+) -> Body:
+    """Make bins that hang on the inside of a door: the back of one is y = 0, it faces +y, its floor is z = 0.
+
+    Args:
+        width: Along X [m].
+        depth: From the door to its front [m].
+        height: Of its front [m].
+        finish: Of its walls.
+        trim: Of the strip along the top of its front; none by default.
+        at: Where there is one [m].
+        label: Semantic label.
+    """
+    boards = [board.rotate(Z, math.pi).at(0.0, depth, 0.0) for board in open_box(width, depth, height)]
+    first, *others = (array(board, at=at) for board in boards)
+    bodies = [
+        part(first, label, finish),
+        *(part(other, label, finish) for other in others),
+    ]
+    if trim is not None:
+        strip = box(width - 0.002, 0.0048, 0.012, bevel=0.0014).at(0.0, depth - 0.0016, height - 0.0075)
+        bodies.append(detail(array(strip, at=at), label, trim))
+    return weld(*bodies)
+
+
+def egg_tray(
+    width: Scalar, depth: Scalar, *, finish: Material, columns: int = 6, label: str = "egg_tray"
+) -> Body:
+    """Make a tray with two rows of holes for eggs; it stands on z = 0 about the origin.
+
+    Args:
+        width: Along X [m], at least 0.045 for each column.
+        depth: Along Y [m], at least 0.09.
+        finish: Of the tray.
+        columns: Holes in a row.
+        label: Semantic label.
+    """
+    high, sheet = 0.028, 0.003
+    plate = box(width, depth, sheet, bevel=0.0012).at(0.0, 0.0, high - sheet / 2)
+    leg = box(0.004, depth - 0.004, high - 0.001, bevel=0.001)
+    places = [
+        ((column - (columns - 1) / 2) * width / (columns + 0.25), row * depth * 0.235, 0.0)
+        for row in (-1, 1)
+        for column in range(columns)
+    ]
+    up = (0.0, 0.0, 1.0)
+    rim = details.relief(ring(0.0205, 0.0165), (0.0, 0.0, high), facing=up, proud=0.0022, bevel=0.001)
+    cup = details.relief(circle(0.0166), (0.0, 0.0, high), facing=up, proud=0.0002)
+    shade = finish.with_(name=f"{finish.name}_cup", base_color=tuple(0.45 * c for c in finish.base_color))
+    return weld(
+        part(plate, label, finish),
+        *(part(leg.at(way * (width / 2 - 0.006), 0.0, (high - 0.001) / 2), label, finish) for way in (-1, 1)),
+        detail(array(rim, at=places), label, finish),
+        detail(array(cup, at=places), label, shade),
+    )
+
+
+def drawer_box(
+    width: Scalar,
+    depth: Scalar,
+    height: Scalar,
+    *,
+    label: str,
+    finish: Material,
+    front: Material,
+    lip: Material,
+    lip_at: Scalar,
+    name: str | None = None,
+) -> Body:
+    """Make a drawer with a lip in front by which it is drawn: the front is y = 0, the floor z = 0.
+
+    Args:
+        width: Along X [m], at least 0.12.
+        depth: From the front to +y [m].
+        height: Of its sides [m].
+        label: Semantic label.
+        finish: Of its box.
+        front: Of its front.
+        lip: Of its lip and of the band along its top.
+        lip_at: Height of the lip [m].
+        name: Name of the link; by default its label.
+    """
+    face, *walls = open_box(width, depth, height, front=_FRONT)
+    long = width - 0.004
+    ledge = box(long, _LIP_DEEP + _IN_WALL, _LIP_HIGH, bevel=0.003)
+    ledge = ledge.at(0.0, (_IN_WALL - _LIP_DEEP) / 2, lip_at)
+    # pads reach to 2 mm before the front
+    hold = frame((0.0, -0.011, lip_at), approach=(0.0, 1.0, 0.0), closing=(0.0, 0.0, 1.0))
+    band = box(width + 0.001, 0.0022, 0.014, bevel=0.0007).at(0.0, 0.0, height - 0.0075)
+    return weld(
+        part(ledge, label, lip, name=name, grasp=hold),
+        part(face, label, front),
+        *(part(each, label, finish) for each in walls),
+        detail(band, label, lip),
+    )
+
+
+LIP_REACH = _LIP_DEEP
+"""How far the lip of a drawer stands out of its front [m]."""

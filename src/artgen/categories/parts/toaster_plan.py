@@ -1,0 +1,231 @@
+"""The plan of a toaster: where its slots, its chamber and its controls are.
+
+All is drawn with the slots along y and the bay of the controls at -y. Where the controls are on a broad side,
+the finished shell is turned by a quarter, which takes the wall at -x to the front.
+"""
+
+import math
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Literal
+
+from artgen import Float, Profile, min_, polygon, rectangle
+from artgen.nodes.handles import Scalar
+
+BodyStyle = Literal["box", "rounded", "retro", "steel", "classic"]
+"""A plain box; one with round shoulders; a bulging one; a steel sleeve between plastic ends; bevelled."""
+
+SHEET = 0.0025
+"""Thickness at which sheets are drawn [m]; their density makes up for it."""
+
+_BACK = 0.014  # between the chamber and the back cap [m]
+_DOMES: dict[BodyStyle, float] = {"rounded": 0.009, "retro": 0.013}  # radius of rounded ends [m]
+_CAPS: dict[BodyStyle, float] = {"box": 0.008, "steel": 0.014, "classic": 0.007}  # thickness of flat ends
+_INSETS: dict[BodyStyle, float] = {"retro": 0.0016, "steel": 0.003, "classic": 0.0022}
+_BORDERS: dict[BodyStyle, float] = {"rounded": 0.021, "retro": 0.026, "classic": 0.016}  # from the sides [m]
+_TOPS: dict[BodyStyle, float] = {"rounded": 0.026, "retro": 0.034, "classic": 0.032}  # from the top [m]
+
+
+def _round(sides: int) -> Profile:
+    """Make a circle of radius 1 with so many sides."""
+    angles = [math.tau * side / sides for side in range(sides)]
+    return polygon([(math.cos(angle), math.sin(angle)) for angle in angles])
+
+
+_COARSE = _round(40)  # for ends, whose corners all count
+_ROUND = _round(200)  # sides that do not show on a bulging sleeve
+
+
+@dataclass(frozen=True)
+class Plan:
+    """The sizes from which all else follows, in metres.
+
+    Attributes:
+        style: Form of the body.
+        slots: Number of slots side by side.
+        long: Whether two slices fit into a slot.
+        slot_width: Width of a slot.
+        slot_length: Length of a slot.
+        bridge: Between two slots.
+        shoulder: From the outer slots to the sides.
+        length: Length of the body along the slots.
+        height: Height of the body's top over the floor.
+        foot: Height of the body's underside over the floor.
+    """
+
+    style: BodyStyle
+    slots: int
+    long: bool
+    slot_width: Float
+    slot_length: Float
+    bridge: Float
+    shoulder: Float
+    length: Float
+    height: Float
+    foot: Float
+
+    @cached_property
+    def span(self) -> Float:
+        """Width from the first slot to the last."""
+        return self.slots * self.slot_width + (self.slots - 1) * self.bridge
+
+    @cached_property
+    def width(self) -> Float:
+        """Width of the body across the slots."""
+        return self.span + 2 * self.shoulder
+
+    @property
+    def dome(self) -> float:
+        """Radius of the rounded front end; 0 where it is flat."""
+        return _DOMES.get(self.style, 0.0)
+
+    @property
+    def cap(self) -> float:
+        """Thickness of the front end."""
+        return _CAPS.get(self.style, 0.004 + self.dome)
+
+    @property
+    def back_cap(self) -> float:
+        """Thickness of the back end, which is flat."""
+        return _CAPS.get(self.style, 0.009)
+
+    @property
+    def inset(self) -> float:
+        """How far the sleeve lies within the outline of the ends, which makes the line of the joint."""
+        return _INSETS.get(self.style, 0.0012)
+
+    @property
+    def border(self) -> float:
+        """From the sides of the front to the control panel."""
+        return _BORDERS.get(self.style, 0.012)
+
+    @property
+    def under_panel(self) -> float:
+        """From the underside of the front to the control panel."""
+        return 0.018 if self.style == "retro" else 0.012
+
+    @property
+    def over_panel(self) -> float:
+        """From the control panel to the top of the front."""
+        return _TOPS.get(self.style, 0.018)
+
+    @cached_property
+    def pitch(self) -> Float:
+        """From the middle of a slot to that of the next."""
+        return self.slot_width + self.bridge
+
+    @property
+    def solidity(self) -> float:
+        """How much of the sleeve is there: where it is round outside, it is drawn thicker than it is."""
+        return {"retro": 0.42, "rounded": 0.75, "steel": 0.85}.get(self.style, 1.0)
+
+    @cached_property
+    def top(self) -> Float:
+        """Height of the sleeve's upper face."""
+        return self.height - self.inset
+
+    @cached_property
+    def floor(self) -> Float:
+        """Height of the inner face of the sleeve's bottom."""
+        return self.foot + self.inset + SHEET
+
+    @cached_property
+    def chamber(self) -> tuple[Float, Float]:
+        """Where the chamber begins and ends along y."""
+        end = self.length / 2 - self.back_cap - _BACK
+        return end - self.slot_length, end
+
+    @cached_property
+    def bay(self) -> Float:
+        """Middle of the bay along y, in which the carriage's post moves."""
+        return 0.5 * (self.chamber[0] - self.length / 2 + self.cap)
+
+    @cached_property
+    def middles(self) -> list[Float]:
+        """Middle of each slot along x, from the left."""
+        return [(number - (self.slots - 1) / 2) * self.pitch for number in range(self.slots)]
+
+    @cached_property
+    def outline(self) -> Profile:
+        """The outline of the ends in x and z, about its middle."""
+        return self._outline(self.width, self.height - self.foot, _COARSE)
+
+    def section(self) -> Profile:
+        """Return the outline of the sleeve, about the middle of the ends."""
+        return self._outline(self.width - 2 * self.inset, self.height - self.foot - 2 * self.inset, _ROUND)
+
+    def hollow(self) -> Profile:
+        """Return the outline of what is inside the sleeve; with few corners, few pieces are around it.
+
+        Walls are thicker where the sleeve is round outside, which nobody sees.
+        """
+        x, z = self.width / 2 - self.inset - SHEET, (self.height - self.foot) / 2 - self.inset - SHEET
+        match self.style:
+            case "box":
+                return rectangle(2 * x, 2 * z)
+            case "steel":
+                return _cornered(x, z, upper=self._steel - SHEET, lower=self._steel - SHEET)
+            case "rounded":
+                return _cornered(x, z, upper=self._shoulder - SHEET)
+            case "classic":
+                return _cornered(x, z, upper=self._bevel, steep=1.5)
+            case "retro":
+                low, high = 0.93 * x - 0.013, 0.895 * x - 0.013
+                left = [(-1.0 * high, z), (-1.0 * x, -0.06 * z), (-1.0 * low, -1.0 * z)]
+                return polygon([(low, -1.0 * z), (x, -0.06 * z), (high, z), *left])
+
+    @cached_property
+    def _steel(self) -> Float:
+        return min_(0.5 * self.shoulder, 0.017)
+
+    @cached_property
+    def _shoulder(self) -> Float:
+        return min_(0.7 * self.shoulder, 0.036)
+
+    @cached_property
+    def _bevel(self) -> Float:
+        return min_(0.72 * self.shoulder, 0.034)
+
+    def _outline(self, wide: Scalar, high: Scalar, disc: Profile) -> Profile:
+        match self.style:
+            case "box":
+                return rectangle(wide, high, radius=0.0075)
+            case "steel":
+                return rectangle(wide, high, radius=self._steel)
+            case "rounded":
+                shoulders = rectangle(wide, high, radius=self._shoulder)
+                return shoulders | rectangle(wide, 0.6 * high, radius=0.0075).at(0.0, -0.2 * high)
+            case "retro":
+                bulge = disc.scale(wide / 2, 1.15 * high)
+                bulging = rectangle(1.1 * wide, high) & bulge.at(0.0, -0.04 * high)
+                return bulging.offset(-0.022).offset(0.022)
+            case "classic":
+                return _cornered(wide / 2, high / 2, upper=self._bevel, steep=1.5, radius=0.004)
+
+
+def _cornered(
+    x: Scalar,
+    z: Scalar,
+    *,
+    upper: Scalar,
+    lower: Scalar | None = None,
+    steep: float = 1.0,
+    radius: float = 0.0,
+) -> Profile:
+    """Make a rectangle with its upper corners cut off, and its lower ones if they have a size.
+
+    Args:
+        x: Half of its width [m].
+        z: Half of its height [m].
+        upper: How much of the width is cut off at the upper corners [m].
+        lower: The same at the lower corners [m].
+        steep: How much more of the height is cut off.
+        radius: Radius to which corners are rounded [m].
+    """
+    right: list[tuple[Scalar, Scalar]] = [(x, z - steep * upper), (x - upper, z)]
+    if lower is None:
+        right = [(x, -1.0 * z), *right]
+    else:
+        right = [(x - lower, -1.0 * z), (x, steep * lower - z), *right]
+    left = [(-1.0 * each, level) for each, level in reversed(right)]
+    return polygon([*right, *left], radius=radius)

@@ -1,0 +1,94 @@
+"""What bins are made of: sheet steel in its finishes, plastics in their colours, and weaves of open ones."""
+
+from collections.abc import Sequence
+
+from artgen import Material, coloured, material
+
+WALL = 0.003
+"""Thickness of walls as they are built; sheet is thinner, and weighs as little [m]."""
+
+_SHEET = 0.0005  # thickness of the steel of bins, 0.4-0.6 mm [m]
+_HOLLOW_LID = 310.0  # sheet of 0.4 mm over a thin liner, 3.7 kg/m2 for a lid 12 mm thick [kg/m3]
+
+
+def _sheet(made: Material) -> Material:
+    """Return a finish on sheet: the wall is built thicker than it is, and weighs what it does."""
+    return made.with_(name=f"{made.name}_sheet", density=made.density * _SHEET / WALL)
+
+
+def _sheets(name: str, colors: Sequence[str]) -> tuple[Material, ...]:
+    return tuple(_sheet(coloured(name, color)) for color in colors)
+
+
+def _plastics(name: str, colors: Sequence[str]) -> tuple[Material, ...]:
+    return tuple(coloured(name, color) for color in colors)
+
+
+# fingerprint-free steel: a clear lacquer makes it brighter and smoother than bare brushed sheet
+_BRIGHT = material("stainless").with_(
+    name="bright_steel", base_color=(0.75, 0.745, 0.735), specular_roughness=0.26, coat_weight=0.25
+)
+
+STEELS = (
+    _sheet(_BRIGHT),
+    _sheet(_BRIGHT.with_(name="bright_across", turned=True)),
+    _sheet(_BRIGHT.with_(name="satin_steel", texture="satin", specular_roughness=0.34)),
+    _sheet(
+        material("stainless").with_(
+            name="black_stainless", base_color=(0.10, 0.098, 0.098), specular_roughness=0.3
+        )
+    ),
+    _sheet(material("satin_brass")),
+    _sheet(material("copper").with_(name="satin_copper", specular_roughness=0.32)),
+)
+"""Bare sheet."""
+
+STEEL_WEIGHTS = (4.0, 1.5, 1.2, 1.0, 0.5, 0.45)
+
+COATED = (
+    *_sheets("powder_coat", ("white", "black", "graphite", "sand", "sage", "taupe", "navy", "forest")),
+    *_sheets("enamel", ("white", "cream", "red", "sky", "mint", "blush", "mustard", "teal", "black")),
+)
+"""Painted and enamelled sheet."""
+
+COATED_WEIGHTS = (1.5, 0.8, 0.6, 0.8, 1.0, 0.7, 0.7, 0.6, 1.0, 1.1, 1.1, 0.9, 0.8, 0.7, 0.7, 0.8, 0.4)
+
+PLASTICS = (
+    *_plastics("polypropylene", ("white", "light_grey", "graphite", "black", "sand", "sage", "sky", "blush")),
+    *_plastics("abs", ("white", "silver", "slate", "red", "mint", "lavender")),
+    material("leather_grain_abs"),
+)
+"""Moulded plastics."""
+
+PLASTIC_WEIGHTS = (1.5, 1.2, 0.7, 0.6, 1.0, 1.0, 1.0, 0.8, 0.8, 1.2, 0.7, 0.8, 0.8, 0.6, 0.6)
+
+WEAVES = (
+    material("wicker"),
+    material("plastic_wicker"),
+    material("perforated_steel").with_(name="perforated_sheet", density=790.0),  # 40 % of it are holes
+    material("perforated_steel").with_(
+        name="perforated_silver", base_color=(0.42, 0.42, 0.43), base_metalness=0.6, density=790.0
+    ),
+    material("perforated_steel").with_(name="perforated_white", base_color=(0.66, 0.66, 0.64), density=790.0),
+)
+"""Of open bins: wickers first, then perforated sheet."""
+
+BUCKETS = (
+    coloured("polypropylene", "black"),
+    coloured("polypropylene", "graphite"),
+    coloured("polypropylene", "light_grey"),
+    coloured("polypropylene", "white"),
+    _sheet(material("zinc").with_(name="galvanised")),
+)
+"""Of inner buckets."""
+
+BUCKET_WEIGHTS = (3.0, 1.5, 1.5, 0.8, 1.2)
+
+_CHROMED = material("chrome").with_(name="chromed_plastic", density=1150.0)
+TRIMS = (material("black_abs"), coloured("abs", "graphite"), _CHROMED, coloured("abs", "white"))
+"""Of rims and bases."""
+
+
+def lid_of(finish: Material, density: float = _HOLLOW_LID) -> Material:
+    """Return the material of a hollow lid with the looks of a finish."""
+    return finish.with_(name=f"{finish.name}_lid", density=density)

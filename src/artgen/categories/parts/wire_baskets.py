@@ -1,0 +1,298 @@
+"""Baskets of bent wire: racks of dishwashers, freezer baskets; few convex pieces carry them.
+
+A basket stands about the origin of x and y, its lowest wires on z = 0, its front towards -Y. Straight wires
+are solid and collide as the capsules that they are; bent ones around them, uprights and tines are only seen.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Literal
+
+from artgen import (
+    Body,
+    Float,
+    Material,
+    Points,
+    Solid,
+    Vector,
+    X,
+    Y,
+    Z,
+    array,
+    box,
+    capsule,
+    cylinder,
+    detail,
+    details,
+    frame,
+    grid,
+    line,
+    norm,
+    part,
+    polyline,
+    row,
+    vector,
+    weld,
+)
+from artgen.nodes.handles import Scalar, VectorLike
+
+Grip = Literal["bar", "plate"]
+"""The grip in front of a rack: a round bar or a flat moulded plate."""
+
+GRIP_REACH = 0.022
+"""How far the grip of a basket stands out in front of it [m]."""
+
+_SUNK = 0.0003  # how deep crossing wires run into each other, as welded ones do [m]
+_TREAD = 0.010  # width of a roller [m]
+_INSIDE = 0.0003  # by which solid wires are thinner than those that are seen around them [m]
+_CORNER = 0.018  # radius of the corners of a rim [m]
+_TINE = 0.0017  # radius of a tine [m]
+_CROSS = 5  # solid wires across the floor
+_WELDED = "wires of a rack are joined by bent ones, which are only seen"
+
+
+def _spread(count: int, length: Scalar, *, along: Vector = X) -> Points:
+    """Return points evenly spaced about the origin over a length [m]."""
+    return grid((0.0, 0.0, 0.0), along * (length / max(count - 1, 1)), Z, columns=count, rows=1)
+
+
+_HERE = ((0.0, 0.0, 0.0),)
+
+
+@dataclass(frozen=True)
+class Basket:
+    """An open basket of wires.
+
+    Attributes:
+        width: Overall width along x [m].
+        depth: Overall depth along y, without grips [m].
+        front: Height of the front rim above the lowest wires [m].
+        back: Height of the rear rim [m].
+        columns: How many wires run from front to back, an odd number: every other one is solid.
+        rows: How many wires run from side to side.
+        finish: Coating of the wires.
+        label: Semantic label of the wires.
+        wire: Radius of the wires of the grid [m].
+        rim: Radius of the wire around the top [m].
+        bend: Radius in which wires turn up the walls [m].
+        band: Height of a second wire around the walls, as a share of the front height; 0 for none.
+    """
+
+    width: Float
+    depth: Float
+    front: Float
+    back: Float
+    columns: int
+    rows: int
+    finish: Material
+    label: str = "rack"
+    wire: Scalar = 0.0019
+    rim: Scalar = 0.0027
+    bend: Scalar = 0.014
+    band: float = 0.5
+
+    def wires(self, name: str | None = None) -> Body:
+        """Make floor, walls and rims.
+
+        What is solid, and collides, are straight wires: those of the floor, the rim and the band. They run
+        inside the bent ones, which are seen.
+
+        Args:
+            name: Name of the link; by default the label.
+        """
+        return weld(*self._solid(name), *self._seen())
+
+    @cached_property
+    def _half_width(self) -> Float:
+        """From the middle to the middle lines of the side walls [m]."""
+        return self.width / 2.0 - self.rim
+
+    @cached_property
+    def _half_depth(self) -> Float:
+        """From the middle to the middle lines of front and back [m]."""
+        return self.depth / 2.0 - self.rim
+
+    @cached_property
+    def _down(self) -> tuple[Scalar, ...]:
+        """How far the wires around the walls lie under the tops of the walls [m]."""
+        lowest = self.front * (1.0 - self.band)
+        return (self.rim, lowest) if self.band > 0.0 else (self.rim,)
+
+    def _solid(self, name: str | None) -> list[Body]:
+        wire, bend = self.wire - _INSIDE, self.bend
+        x, y = self._half_width, self._half_depth
+        floor = self._straight(wire, 2.0 * (y - bend), Y, [(0.0, 0.0, self.wire)])
+        columns = array(floor, at=_spread((self.columns + 1) // 2, 2.0 * (x - bend - self.wire)))
+        across = self._straight(wire, 2.0 * (x - bend), X, [(0.0, 0.0, 3.0 * self.wire - _SUNK)])
+        rows = array(across, at=_spread(_CROSS, 2.0 * (y - bend - self.wire), along=Y))
+        ends: list[VectorLike] = [
+            (0.0, side * y, tall - down)
+            for side, tall in ((-1, self.front), (1, self.back))
+            for down in self._down
+        ]
+        rim = self.rim - _INSIDE
+        slope = vector(0.0, 2.0 * y, self.back - self.front)
+        middle = (self.front + self.back) / 2.0
+        sides: list[VectorLike] = [(side * x, 0.0, middle - down) for side in (-1, 1) for down in self._down]
+        return [
+            part(columns, self.label, self.finish, name=name, separate=_WELDED),
+            part(rows, self.label, self.finish),
+            part(self._straight(rim, 2.0 * (x - _CORNER), X, ends), self.label, self.finish),
+            part(
+                self._straight(rim, norm(slope) - 2.0 * _CORNER, slope, sides),
+                self.label,
+                self.finish,
+            ),
+        ]
+
+    @staticmethod
+    def _straight(radius: Scalar, length: Scalar, axis: VectorLike, at: list[VectorLike]) -> Solid:
+        return array(cylinder(radius, length, axis=axis), at=at)
+
+    def _seen(self) -> list[Body]:
+        """Make the wires that come up out of the floor into the walls, and those around them."""
+        wire, bend = self.wire, self.bend
+        x, y = self._half_width, self._half_depth
+        low = 3.0 * wire - _SUNK
+        front, back = self.front - self.rim, self.back - self.rim
+        column: list[VectorLike] = [
+            (0.0, -1.0 * y, front), (0.0, -1.0 * y, wire), (0.0, y, wire), (0.0, y, back)
+        ]  # fmt: skip
+        level = (front + back) / 2.0 - 0.5 * wire
+        cross: list[VectorLike] = [
+            (-1.0 * x, 0.0, level),
+            (-1.0 * x, 0.0, low),
+            (x, 0.0, low),
+            (x, 0.0, level),
+        ]
+        # the rods across end at the mean height of the sloping rim, whose ends are a little off
+        bent = [
+            details.bent_wires(
+                polyline(column, fillet=bend),
+                wire,
+                at=_spread(self.columns, 2.0 * (x - bend - wire)),
+            ),
+            details.bent_wires(
+                polyline(cross, fillet=bend),
+                wire,
+                at=_spread(self.rows, 2.0 * (y - bend - wire), along=Y),
+            ),
+        ]
+        for number, down in enumerate(self._down):
+            high, far = self.front - down, self.back - down
+            loop: list[VectorLike] = [
+                (0.0, -1.0 * y, high),
+                (x, -1.0 * y, high),
+                (x, y, far),
+                (-1.0 * x, y, far),
+                (-1.0 * x, -1.0 * y, high),
+            ]
+            path = polyline(loop, fillet=_CORNER, closed=True)
+            bent.append(details.bent_wires(path, wire if number else self.rim, at=_HERE))
+        return [detail(each, self.label, self.finish) for each in bent]
+
+    def tines(
+        self,
+        first: tuple[Scalar, Scalar],
+        step: tuple[Scalar, Scalar],
+        rows: int,
+        *,
+        count: int,
+        pitch: Scalar,
+        height: Scalar,
+        lean: Scalar = 0.0,
+        across: bool = True,
+    ) -> Body:
+        """Make rows of tines that stand on the floor; their rails collide, the tines are only seen.
+
+        Args:
+            first: Where the middle of the first row stands, x and y [m].
+            step: From one row to the next, along x and y [m].
+            rows: How many rows there are.
+            count: How many tines a row has.
+            pitch: Distance between them [m].
+            height: Above the floor [m].
+            lean: How far they lean to the front, or to the left, as a share of their height.
+            across: Whether a row runs from side to side, or from front to back.
+        """
+        along, aside = (X, Y) if across else (Y, X)
+        # rails along x lie beside the wires that run so, those along y on top of them
+        level = (3.0 if across else 5.0) * self.wire - 2.0 * _SUNK
+        start, way = vector(*first, level), vector(*step, 0.0)
+        places = row(start, way, rows)
+        length = (count - 1) * pitch
+        rail = array(cylinder(self.wire, length + 0.008, axis=along), at=places)
+        path = line(Z * 0.0, aside * (-1.0 * height * lean) + Z * height)
+        middle = start + way * (0.5 * (rows - 1))
+        stand = grid(middle, along * pitch, way, columns=count, rows=rows)
+        tines = details.bent_wires(path, _TINE, at=stand)
+        return weld(
+            part(rail, self.label, self.finish),
+            detail(tines, self.label, self.finish),
+        )
+
+    def grip(
+        self,
+        *,
+        style: Grip = "bar",
+        length: Scalar = 0.13,
+        material: Material,
+        height: Scalar | None = None,
+        label: str = "grip",
+        name: str | None = None,
+    ) -> Body:
+        """Make a grip in front of the rim, with the grasp frame of a hand from the front.
+
+        Args:
+            style: A round bar on two arms, or a flat plate.
+            length: Of the grip [m].
+            material: What it is made of.
+            height: Of its middle above the lowest wires; by default that of the front rim [m].
+            label: Semantic label.
+            name: By which its grasp is named; by default the label.
+        """
+        z = self.front - self.rim if height is None else height
+        front = -self.depth / 2.0
+        out = front - GRIP_REACH + 0.0055
+        if style == "bar":
+            solid: Solid = capsule(0.0055, length, axis=X).at(0.0, out, z)
+        else:
+            solid = box(length, 0.011, 0.010, bevel=0.0035).at(0.0, out, z)
+        arm = box(0.008, GRIP_REACH - 0.004, 0.007, bevel=0.002).at(0.0, (front + out) / 2.0 + 0.001, z)
+        arms = [part(arm.at(side * (length / 2.0 - 0.012)), label, material) for side in (-1, 1)]
+        # tips, which reach 9 mm past the frame, end before the wires of the wall
+        hold = frame((0.0, front - 0.0175, z), approach=Y, closing=Z)
+        thick = 0.011 if style == "bar" else 0.010
+        held = part(solid, label, material, name=name, grasp=hold, grasp_width=thick + 0.010)
+        return weld(held, *arms)
+
+
+def rollers(
+    places: Sequence[tuple[Scalar, Scalar]],
+    *,
+    x: Scalar,
+    radius: Scalar,
+    material: Material,
+    rise: float = 0.0,
+    label: str = "roller",
+) -> Body:
+    """Make rollers on both sides of a basket, each on a bracket that reaches inward to its wires.
+
+    Args:
+        places: Along y and the height of the axle for each pair, from the origin of the basket [m].
+        x: From the middle to the middle of the treads [m].
+        radius: Of the rollers [m].
+        material: Of the rollers.
+        rise: From the axles up to the middle of the brackets [m].
+        label: Semantic label.
+    """
+    both = [(side, y, z) for y, z in places for side in (-1, 1)]
+    wheel = cylinder(radius, _TREAD, axis=X, bevel=0.0012)
+    tall = 2.0 * rise + 0.009
+    arm = box(0.026, 0.014, tall, bevel=0.002)
+    far = x - 0.5 * _TREAD - 0.012
+    return weld(
+        part(array(wheel, at=[(side * x, y, z) for side, y, z in both]), label, material, separate=_WELDED),
+        detail(array(arm, at=[(side * far, y, z + rise) for side, y, z in both]), label, material),
+    )
