@@ -164,6 +164,8 @@ class _Push:
         held = Held(simulation, {**kept, **loose})
         at = simulation.model.joint(self.joint.name).qposadr[0]
         start, furthest = float(simulation.data.qpos[at]), 0.0
+        # from the end of its slack a joint may first fall back, while the push grows
+        sense = math.copysign(way, way * float(self.motion.ratios[self.motion.members.index(self.joint)]))
         low, high = self.joint.limits or (-math.inf, math.inf)
         for _ in range(round(_PUSH_TIME / simulation.step_time)):
             held.step()
@@ -171,7 +173,7 @@ class _Push:
             simulation.data.qfrc_applied[self.motion.speeds[0]] = way * grown * self._force
             simulation.step()
             position = min(max(float(simulation.data.qpos[at]), low), high)
-            furthest = max(furthest, abs(position - start))
+            furthest = max(furthest, sense * (position - start))
         return furthest
 
     def _end_of_slack(self, way: int) -> dict[str, float]:

@@ -99,6 +99,7 @@ def button_press(
     preload: Scalar = 0.6,
     force: Scalar = 3.0,
     damping: Scalar = 6.0,
+    effort: Scalar = 12.0,
     pivot: VectorLike = (0.0, 0.0, 0.0),
 ) -> Joint:
     """Make the joint of a button that a spring returns; positive moves it into its panel (+y).
@@ -111,6 +112,7 @@ def button_press(
         preload: Force of the spring at rest [N].
         force: Force of the spring when it is pressed home [N].
         damping: [N s/m].
+        effort: Of a finger [N].
         pivot: Where the frame of the joint lies [m].
     """
     stiffness = (force - preload) / travel
@@ -124,7 +126,7 @@ def button_press(
         damping=damping,
         friction=0.1,  # of the cap in its guide
         armature=0.03,  # the slide of the switch; so light a thing would sink into its stop in MuJoCo
-        effort=12.0,
+        effort=effort,
     )
 
 

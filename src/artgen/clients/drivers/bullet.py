@@ -88,6 +88,8 @@ def _simulate(bullet: Any, body: int, joints: dict[str, Any], request: dict[str,
     """Let the asset settle, then drive each free joint to both of its ends by its motor."""
     bullet.setTimeStep(_STEP)
     bullet.setGravity(0.0, 0.0, -9.81)
+    # what moves as slowly as a button is put to sleep otherwise, motor and all
+    bullet.changeDynamics(body, -1, activationState=bullet.ACTIVATION_STATE_DISABLE_SLEEPING)
     steps = _SETTLE
     for name, info in joints.items():
         bullet.resetJointState(body, info[0], request["poses"][0][name])
