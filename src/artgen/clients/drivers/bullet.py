@@ -88,8 +88,6 @@ def _simulate(bullet: Any, body: int, joints: dict[str, Any], request: dict[str,
     """Let the asset settle, then drive each free joint to both of its ends by its motor."""
     bullet.setTimeStep(_STEP)
     bullet.setGravity(0.0, 0.0, -9.81)
-    # what moves as slowly as a button is put to sleep otherwise, motor and all
-    bullet.changeDynamics(body, -1, activationState=bullet.ACTIVATION_STATE_DISABLE_SLEEPING)
     steps = _SETTLE
     for name, info in joints.items():
         bullet.resetJointState(body, info[0], request["poses"][0][name])
@@ -99,6 +97,9 @@ def _simulate(bullet: Any, body: int, joints: dict[str, Any], request: dict[str,
     for joint in free(request):
         number, effort = joints[joint["name"]][0], joint["effort"]
         low, high = ends(joint)
+        # impulses of what was driven before, a door against its stop, would push a light button for seconds
+        for name, info in joints.items():
+            bullet.resetJointState(body, info[0], request["poses"][0][name])
         seen = [bullet.getJointState(body, number)[0]]
         for end in (high, low):
             for _ in range(round(1.5 * _TURN / _STEP)):

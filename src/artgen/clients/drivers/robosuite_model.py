@@ -11,6 +11,7 @@ _APART = 4.0  # [m]
 _CLEAR = 0.002  # of a free object from the floor before it drops [m]
 _STEPS = 1000
 _TURN = 0.5  # how long a joint takes from one end to the other [s]
+_GROWTH = 0.25  # until a joint that does not move is pushed by all of its effort [s]
 _CORNERS = ("p0", "px", "py", "pz")
 
 
@@ -130,23 +131,34 @@ def _driven(mujoco: Any, fields: Fields, joint: dict[str, Any], request: dict[st
     low, high = ends(joint)
     seen = [float(data.qpos[place])]
     for speed in ((high - low) / _TURN, (low - high) / _TURN):
+        more = 0.0
         for _ in range(round(1.2 * _TURN / model.opt.timestep)):
-            _push(mujoco, model, data, degree, speed, joint["effort"])
+            more = _push(mujoco, model, data, degree, speed, joint["effort"], more)
             seen.append(float(data.qpos[place]))
     return [min(seen), max(seen)]
 
 
-def _push(mujoco: Any, model: Any, data: Any, degree: int, speed: float, effort: float) -> None:
-    """Take a step with the torque that brings a degree of freedom to a speed."""
+def _push(mujoco: Any, model: Any, data: Any, degree: int, speed: float, effort: float, more: float) -> float:
+    """Take a step with the torque that brings a degree of freedom to a speed.
+
+    Returns:
+        By how much more than its inertia and springs ask for it is pushed, which grows while it hardly
+        moves, as a catch does that rubs on what it holds [N m or N].
+    """
     mujoco.mj_forward(model, data)
+    if abs(data.qvel[degree]) < 0.5 * abs(speed) or data.qvel[degree] * speed < 0.0:
+        more = min(effort, more + effort * model.opt.timestep / _GROWTH)
+    else:
+        more *= 0.9
     unit, column = np.zeros((1, model.nv)), np.zeros((1, model.nv))
     unit[0, degree] = 1.0
     mujoco.mj_solveM(model, data, column, unit)
     lack = (speed - data.qvel[degree]) / (5.0 * model.opt.timestep)
     force = data.qfrc_bias[degree] - data.qfrc_passive[degree] + lack / max(column[0, degree], 1e-12)
-    force += np.sign(speed) * model.dof_frictionloss[degree]
+    force += np.sign(speed) * (model.dof_frictionloss[degree] + more)
     data.qfrc_applied[degree] = np.clip(force, -effort, effort)
     mujoco.mj_step(model, data)
+    return more
 
 
 if __name__ == "__main__":
