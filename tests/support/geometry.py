@@ -164,14 +164,13 @@ def _farthest(points: Array, solids: Manifold) -> tuple[float, Array]:
     bound, _ = cKDTree(np.asarray(raw.vert_properties)[:, :3]).query(points)
     if bound.max() <= EXCESS_SURFACE:
         return float(bound.max()), points[int(np.argmax(bound))]
-    points = points[bound > EXCESS_SURFACE]
+    points, bound = points[bound > EXCESS_SURFACE], bound[bound > EXCESS_SURFACE]
     low, high = corners.min(axis=1), corners.max(axis=1)
     best = np.zeros(len(points))
     for index, point in enumerate(points):
-        # triangles whose boxes are nearest first; few survive the bound
+        # only triangles whose boxes are nearer than the nearest vertex can be nearer than it
         box = np.linalg.norm(np.maximum(np.maximum(low - point, point - high), 0.0), axis=1)
-        order = np.argsort(box)[:64]
-        near = corners[order]
+        near = corners[box <= bound[index] + 1e-9]
         closest = trimesh.triangles.closest_point(near, np.broadcast_to(point, (len(near), 3)))
         best[index] = np.linalg.norm(closest - point, axis=1).min()
     worst = int(np.argmax(best))

@@ -50,6 +50,8 @@ _AREA = {
     "hexagonal": 1.5 * math.sqrt(3.0),
 }  # over the radius squared
 _EDGE = {"round": 1.0, "square": 0.89, "hexagonal": math.cos(math.pi / 6.0)}  # nearest edge, over the radius
+_BELOW = 0.0020  # how far the core of a turned body lies below its skin [m]
+_CORE_SIDES = 32  # of that core: its frustums have 64 corners, as many as a collider may have
 _STEADY = 1.35  # by how much the base outweighs what would tip it
 
 
@@ -224,8 +226,24 @@ _BODIES: dict[str, Sequence[tuple[float, float]]] = {
 }
 
 
+def _between(points: Sequence[tuple[float, float]]) -> list[tuple[float, float]]:
+    """Return points of an outline with one more on the curve between each two, as Catmull and Rom draw it."""
+    found = [points[0]]
+    for index in range(len(points) - 1):
+        before, after = points[max(index - 1, 0)], points[min(index + 2, len(points) - 1)]
+        start, end = points[index], points[index + 1]
+        middle = [
+            (9.0 * (a + b) - (c + d)) / 16.0 for a, b, c, d in zip(start, end, before, after, strict=True)
+        ]
+        found += [(middle[0], middle[1]), end]
+    return found
+
+
 def turned_body(form: BodyForm, *, radius: Scalar, low: Scalar, high: Scalar, finish: Material) -> Body:
     """Make the turned or thrown body of a table lamp between two heights.
+
+    What is seen is a smooth skin; what weighs and collides is a core of frustums 2 mm below it, each of which
+    is one convex piece of few corners.
 
     Args:
         form: Its outline.
@@ -234,8 +252,11 @@ def turned_body(form: BodyForm, *, radius: Scalar, low: Scalar, high: Scalar, fi
         high: Height of its neck [m].
         finish: Its material, of the density that it has with its hollow.
     """
-    line = spline([(r * radius, 0.0, low + share * (high - low)) for r, share in _BODIES[form]])
-    return part(revolve(half_section(line)), "base", finish)
+    points = [(r * radius, 0.0, low + share * (high - low)) for r, share in _between(_BODIES[form])]
+    core = revolve(half_section(polyline(points), inset=_BELOW), sides=_CORE_SIDES)
+    skin = revolve(half_section(spline(points), wall=0.0005))
+    lid = cylinder(_BODIES[form][-1][0] * radius - 0.0002, 0.0025).at(0.0, 0.0, high - 0.00125)
+    return weld(part(core, "base", finish), detail(skin, "base", finish), detail(lid, "base", finish))
 
 
 def neck(form: BodyForm, radius: Scalar, *, low: Scalar, high: Scalar, finish: Material) -> Body:
