@@ -30,7 +30,7 @@ from artgen import (
     weld,
 )
 from artgen.categories.parts.buttons import ButtonShape
-from artgen.categories.parts.cords import mains_cord
+from artgen.categories.parts.cords import cord_stub, mains_cord
 from artgen.categories.parts.dials import DialStyle
 from artgen.categories.parts.feet import corner_feet
 from artgen.categories.parts.toaster_carriage import LeverStyle, arm, carriage, lever, lever_slide
@@ -237,7 +237,7 @@ def toaster(
         corner_feet(plan.width, plan.length, inset=0.028, height=foot + plan.inset),
         underside(plan),
         back_print(plan, (f"{maker.upper()} T{slots}{watts // 50}", f"220-240 V~ 50/60 Hz {watts} W")),
-        _cord(plan, controls, cord_side),
+        _cord(plan, controls, cord_side, tray),
     )
     base = base.attach(drawer.body(hollow(grip)), drawer.slide(tray_friction))
     body = weld(base.rotate(Z, _QUARTER) if is_side else base, front.plate())
@@ -261,12 +261,16 @@ def toaster(
     return front.attached(body, button_force, knob_friction)
 
 
-def _cord(plan: Plan, controls: Literal["end", "side"], cord_side: Literal["left", "right"]) -> Body:
+def _cord(
+    plan: Plan, controls: Literal["end", "side"], cord_side: Literal["left", "right"], tray: TrayWay
+) -> Body:
     """Make the cord, which leaves at the back and lies behind the body, with the slots along y."""
     height, length = plan.foot + 0.032, 0.125
     if controls == "side":  # a quarter turn takes the wall at x to the back, and the bay to the right
         cord = mains_cord(height=height, length=length, side=-1).rotate(Z, -_QUARTER)
         return cord.at(plan.width / 2 - plan.inset, plan.bay, height)
     way = 1 if cord_side == "right" else -1
-    cord = mains_cord(height=height, length=length, side=-way)
+    # a plug on the floor would lie in the way of a tray at the back
+    plugged = tray != "back"
+    cord = mains_cord(height=height, length=length, side=-way) if plugged else cord_stub(height=height)
     return cord.at(way * (plan.width / 2 - 0.018), plan.length / 2, height)

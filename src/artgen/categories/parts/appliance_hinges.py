@@ -5,7 +5,6 @@ from artgen import (
     Joint,
     Material,
     Revolute,
-    Y,
     Z,
     box,
     cylinder,
@@ -90,7 +89,5 @@ def hinge_bracket(*, finish: Material, way: int, inset: Scalar, back: Scalar, th
     plate = box(wide, back + 0.012, thick, bevel=0.0005).at(
         way * (inset - wide / 2 - 0.002), (back - 0.010) / 2, 0.0
     )
-    foot = extrude(rectangle(wide, 0.046, radius=0.004), 0.0018, axis=Y, bevel=0.0004)
-    foot = foot.at(way * (inset - wide / 2 - 0.002), back - 0.0009, 0.0)
-    pin = cylinder(0.0055, 0.010, axis=Z)
-    return weld(detail(plate, "hinge", finish), detail(foot, "hinge", finish), detail(pin, "hinge", finish))
+    pin = cylinder(0.0055, thick + 0.0012, axis=Z)  # what is seen of it between two fronts
+    return weld(detail(plate, "hinge", finish), detail(pin, "hinge", finish))

@@ -1,5 +1,7 @@
 """Mains cords as they are seen: strain relief, cord and plug; rigid models of limp things are details."""
 
+from collections.abc import Sequence
+
 from artgen import (
     Body,
     Float,
@@ -17,8 +19,8 @@ from artgen import (
     polyline,
     rectangle,
     sweep,
-    union,
     vector,
+    weld,
 )
 from artgen.nodes.handles import Scalar, VectorLike
 
@@ -28,8 +30,8 @@ CORD = 0.0032
 _RELIEF = 0.024  # length of the strain relief [m]
 
 
-def strain_relief(*, radius: Scalar = CORD, length: Scalar = _RELIEF) -> Solid:
-    """Make the ribbed sleeve that keeps a cord from kinking: from y = 0 backwards, about the y axis.
+def strain_relief(*, radius: Scalar = CORD, length: Scalar = _RELIEF) -> list[Solid]:
+    """Make the parts of the ribbed sleeve that keeps a cord from kinking: from y = 0 back, about the y axis.
 
     Args:
         radius: Radius of the cord [m].
@@ -44,7 +46,12 @@ def strain_relief(*, radius: Scalar = CORD, length: Scalar = _RELIEF) -> Solid:
         for rib in range(ribs)
     ]
     core = cylinder(radius + 0.0007, 1.01 * length, axis=Y).at(0.0, 0.5 * length, 0.0)
-    return union(core, *rings)
+    return [core, *rings]
+
+
+def _seen(solids: Sequence[Solid], label: str, finish: Material | None) -> Body:
+    """Return solids that overlap, and are only seen, on one body; by default of black rubber."""
+    return weld(*(detail(each, label, finish or material("rubber")) for each in solids))
 
 
 def cord_stub(
@@ -66,8 +73,7 @@ def cord_stub(
     """
     fall = -1.0 * (height - radius)
     path = polyline(_down(reach, fall), fillet=_bend(fall))
-    solid = sweep(circle(radius), path)
-    return detail(strain_relief(radius=radius) | solid, label, finish or material("rubber"))
+    return _seen([*strain_relief(radius=radius), sweep(circle(radius), path)], label, finish)
 
 
 def mains_cord(
@@ -95,10 +101,8 @@ def mains_cord(
     run = side * 1.0 * (length - 0.052)
     path = polyline([*_down(reach, fall), (run, reach, fall)], fillet=_bend(fall))
     end = vector(run, reach, fall)
-    plug = _plug(radius)
-    placed = (plug if side > 0 else plug.mirror(X)).at(end)
-    black = finish or material("rubber")
-    return detail(strain_relief(radius=radius) | sweep(circle(radius), path) | placed, label, black)
+    plug = [(each if side > 0 else each.mirror(X)).at(end) for each in _plug(radius)]
+    return _seen([*strain_relief(radius=radius), sweep(circle(radius), path), *plug], label, finish)
 
 
 def _down(reach: Scalar, fall: Scalar) -> list[VectorLike]:
@@ -111,16 +115,16 @@ def _bend(fall: Scalar) -> Float:
     return min_(0.016, -0.45 * fall)
 
 
-def _plug(radius: Scalar) -> Solid:
+def _plug(radius: Scalar) -> list[Solid]:
     """Make a flat moulded plug with two pins, along x from the origin, which is where its cord enters."""
     body = extrude(rectangle(0.0260, 0.0130, radius=0.0048), 0.034, axis=X, bevel=0.0018)
     sleeve = cylinder(radius + 0.0012, 0.014, axis=X, bevel=0.0008)
     low = 0.0065 - radius  # the plug lies on the floor too
     pin = cylinder(0.0020, 0.019, axis=X, bevel=0.0009)
     base = box(0.004, 0.0190, 0.0090, bevel=0.0015)
-    return union(
+    return [
         body.at(0.026, 0.0, low),
         sleeve.at(0.006, 0.0, 0.0012),
         base.at(0.0440, 0.0, low),
         *(pin.at(0.0545, y * 0.0095, low) for y in (-1, 1)),
-    )
+    ]

@@ -95,6 +95,6 @@ def cord_run(
         ]
     )
     return weld(
-        detail(strain_relief().at(0.0, start, height), "cord", finish),
+        *(detail(each.at(0.0, start, height), "cord", finish) for each in strain_relief()),
         detail(sweep(circle(CORD - 0.0002), path), "cord", finish),
     )

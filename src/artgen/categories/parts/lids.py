@@ -107,8 +107,10 @@ class Hinge:
         if sill:
             plate = box(width, long, 0.003, bevel=0.001)
             parts.append(part(plate.at(0.0, (near + far) / 2.0, self.foot + 0.0015), label, finish))
-        head = cylinder(0.0034, width + 0.0024, axis=X, bevel=0.0008).at(0.0, y, z)
-        parts.append(detail(head, "screw", material("stainless")))
+        head = cylinder(0.0034, _CHEEK, axis=X, bevel=0.0008)
+        for side in (-1, 1):
+            out = _HALF + _CHEEK / 2.0 + 0.0012
+            parts.append(detail(head.at(side * out, y, z), "screw", material("stainless")))
         if damper:
             disc = cylinder(0.0075, 0.006, axis=X, bevel=0.001).at(_HALF + _CHEEK + 0.003, y, z)
             parts.append(detail(disc, label, material("glossy_plastic_black")))

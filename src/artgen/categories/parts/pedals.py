@@ -186,8 +186,11 @@ class Linkage:
             parts.append(
                 detail(screen.at(side * (SLOT / 2.0 + 0.0008), 0.0, floor / 2.0 + 0.003), "base", dark)
             )
-        pin = cylinder(0.003, _ARM + 0.013, axis=X, bevel=0.0006).at(0.0, y, z)
-        return weld(*parts, detail(pin, "base", material("steel")))
+        end = cylinder(0.003, 0.0059, axis=X, bevel=0.0006)  # of the pin, beside the arm
+        for side in (-1, 1):
+            placed = end.at(side * (_ARM / 2.0 + 0.00355), y, z)
+            parts.append(detail(placed, "base", material("steel")))
+        return weld(*parts)
 
     def rod_body(self, *, axis: Scalar, finish: Material) -> Body:
         """Make the rod at rest: the link `rod`.

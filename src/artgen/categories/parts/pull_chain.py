@@ -49,7 +49,7 @@ def spout(travel: Scalar, finish: Material) -> Body:
     long = spout_length(travel)
     pipe = tube(SPOUT, _BORE, long, bevel=0.0006).at(0.0, 0.0, long / 2.0)
     lid = cylinder(_BORE + 0.0034, 0.005, bevel=0.0012).at(0.0, 0.0, long + 0.0022)
-    mouth = cylinder(SPOUT + 0.0018, 0.004, bevel=0.0012).at(0.0, 0.0, 0.002)
+    mouth = tube(SPOUT + 0.0018, SPOUT - 0.0004, 0.004, bevel=0.0008).at(0.0, 0.0, 0.002)
     return weld(part(pipe, "socket", finish), part(lid, "socket", finish), detail(mouth, "switch", finish))
 
 

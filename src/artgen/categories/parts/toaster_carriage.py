@@ -41,7 +41,9 @@ from artgen.nodes.handles import Scalar
 LeverStyle = Literal["tab", "bar", "ball", "tee", "paddle"]
 """A flat tab, a round bar across, a ball, a square bar on a neck, or a wide paddle."""
 
-_ARM = (0.003, 0.010)  # width and height of the arm [m]
+ARM = (0.003, 0.010)
+"""Width and height of the arm between a lever and its carriage [m]."""
+
 _PLAY = (0.0011, 0.0016)  # between the arm and its slit, to the sides and at the ends [m]
 _OUT = 0.0095  # from the panel to a lever, so that buttons stay clear of it [m]
 _PRONGS = 0.016  # width of the prongs under the bread [m]
@@ -52,7 +54,7 @@ _ENDS = 0.004  # from a carriage to the ends of its slot [m]
 
 def slit(travel: Scalar) -> Profile:
     """Return the outline of the slit in the panel, about the arm at rest."""
-    wide, tall = _ARM[0] + 2 * _PLAY[0], travel + _ARM[1] + 2 * _PLAY[1]
+    wide, tall = ARM[0] + 2 * _PLAY[0], travel + ARM[1] + 2 * _PLAY[1]
     return rectangle(wide, tall, radius=0.0012).at(0.0, -0.5 * travel)
 
 
@@ -135,7 +137,7 @@ def _inlay(wide: float, face: float, tall: float, accent: Material) -> Body:
 def arm(reach: Scalar) -> Body:
     """Make the arm that goes from a lever through its slit to y = `reach` behind the panel."""
     near = -_OUT - 0.0012  # not under a finger that presses the middle of a flat lever
-    bar = box(_ARM[0], reach - near, _ARM[1], bevel=0.0008).at(0.0, 0.5 * (reach + near), 0.0)
+    bar = box(ARM[0], reach - near, ARM[1], bevel=0.0008).at(0.0, 0.5 * (reach + near), 0.0)
     return part(bar, "carriage", material("steel"))
 
 

@@ -32,7 +32,7 @@ from artgen.categories.parts.buttons import (
 )
 from artgen.categories.parts.dials import DialStyle, dial, dial_print, dial_turn
 from artgen.categories.parts.finish import recess
-from artgen.categories.parts.toaster_carriage import slit
+from artgen.categories.parts.toaster_carriage import ARM, slit
 from artgen.categories.parts.toaster_plan import Plan
 from artgen.nodes.handles import Scalar
 
@@ -259,10 +259,15 @@ class Panel:
         return weld(*bodies)
 
     def _shields(self) -> Body:
-        """Make the dark strips behind slits, of brush or rubber, through which the arms pass; only seen."""
-        strip = box(0.016, 0.001, self.travel + 0.022)
-        level = self.site.rest - self.travel / 2
-        at = [(self.site.middle + x, self.site.plane + _THICK, level) for x in self.site.levers]
+        """Make the dark brushes behind slits, at both sides of the arms that pass; only seen."""
+        wide = 0.0063
+        strip = box(wide, 0.001, self.travel + 0.022)
+        level, out = self.site.rest - self.travel / 2, ARM[0] / 2 + 0.0002 + wide / 2
+        at = [
+            (self.site.middle + x + side * out, self.site.plane + _THICK, level)
+            for x in self.site.levers
+            for side in (-1, 1)
+        ]
         return detail(array(strip, at=at), "control_panel", recess(self.looks.plate))
 
     def attached(self, body: Body, force: Scalar, friction: Scalar) -> Body:

@@ -170,7 +170,7 @@ class Hood:
         for side in (-1, 1):
             lug = box(0.007, 0.016, 0.014, bevel=0.0012)
             bodies.append(part(lug.at(side * (x + 0.0036), 0.0, self.top - 0.009), self.label, self.finish))
-            pin = cylinder(0.003, 0.009, axis=X).at(side * (x - 0.001), 0.0, self.axis)
+            pin = cylinder(0.003, 0.0063, axis=X).at(side * (x + 0.00035), 0.0, self.axis)  # up to the lid
             bodies.append(detail(pin, self.label, trim))
         return bodies
 
