@@ -84,6 +84,27 @@ def test_films_between_pieces_that_touch_are_nothing():
     assert found.surface_error < 1e-8
 
 
+def test_films_of_pieces_in_the_solid_stand_off_nothing():
+    # rounding leaves them where two solids share a face: thin, with surfaces deep within the union of both
+    film = Manifold.cube((1e-12, 0.05, 0.05), center=True)
+    solid = Manifold.cube((0.1, 0.1, 0.1), center=True)
+    assert Faces.of(solid).farthest(Faces.of(film).spread(300), outside=True)[0] == 0.0
+    assert Faces.of(solid).farthest(Faces.of(film).spread(300))[0] > 0.045
+    hollow = solid - Manifold.cube((0.08, 0.08, 0.08), center=True)
+    assert Faces.of(hollow).farthest(np.zeros((1, 3)), outside=True)[0] == pytest.approx(0.04)
+
+
+@given(st.integers(0, 2**32 - 1))
+@settings(max_examples=30, deadline=None)
+def test_points_are_within_a_solid_where_it_says(seed):
+    draw = np.random.default_rng(seed)
+    solid = Manifold.cube((0.2, 0.1, 0.1), center=True) - Manifold.cube((0.1, 0.05, 0.2), center=True)
+    faces = Faces.of(solid)
+    for point in draw.uniform(-0.12, 0.12, size=(20, 3)):
+        block = (np.abs(point) < (0.1, 0.05, 0.05)).all()
+        assert faces.surround(point) == (block and not (np.abs(point[:2]) < (0.05, 0.025)).all())
+
+
 def test_a_box_with_a_bevel_has_no_hollow():
     corners = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)]) * 0.05
     solid = Manifold.hull_points(np.concatenate([corners * s for s in ((1, 1, 0.99), (0.99, 1, 1))]))

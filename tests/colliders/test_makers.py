@@ -7,6 +7,7 @@ from hypothesis import strategies as st
 from manifold3d import CrossSection, Manifold
 from numpy.typing import NDArray
 
+from artgen.check.distance import Faces
 from artgen.colliders import (
     Convex,
     Pieces,
@@ -205,6 +206,47 @@ def test_turned_ring_leaves_its_bore_open() -> None:
     shaft = Manifold.cylinder(0.1, 0.03 - 2.0 * TOLERANCE, circular_segments=64, center=True)
     assert (joined_manifold(pieces) ^ shaft).volume() < 1e-12
     assert len(pieces) <= 32
+
+
+@given(
+    st.floats(0.0001, 0.0012),
+    st.floats(0.0, 0.08),
+    st.floats(0.05, 0.3),
+    st.floats(-0.04, 0.04),
+    st.integers(2, 24),
+    st.sampled_from([0.00025, 0.0005, 0.001]),
+)
+@settings(max_examples=20, deadline=None)
+def test_thin_turned_wall_keeps_its_hollow(
+    wall: float, neck: float, high: float, swell: float, steps: int, tolerance: float
+) -> None:
+    share = np.linspace(0.0, 1.0, steps + 1)
+    outside = np.column_stack((neck + 0.05 + swell * np.sin(np.pi * share) + 0.03 * share, high * share))
+    profile = np.concatenate((outside, outside[::-1] - (wall, 0.0)))
+    solid = Manifold.revolve(CrossSection([profile]), 48)
+    pieces = revolve_pieces([profile], mesh_segments=48)
+    assert uncovered(solid, pieces.outer(tolerance)) < FILM
+    beyond = Faces.of(joined_manifold(pieces.outer(tolerance)) - solid)
+    assert Faces.of(solid).farthest(beyond.spread(500), outside=True)[0] < 2.0 * tolerance
+
+
+@pytest.mark.parametrize("wall", [0.0003, 0.0009])
+@pytest.mark.parametrize("tolerance", [0.00025, 0.001])
+def test_thin_turned_bowl_keeps_its_hollow(wall: float, tolerance: float) -> None:
+    turn = np.linspace(0.0, np.pi / 2.0, 16)
+    outer = 0.1 * np.column_stack((np.sin(turn), -np.cos(turn)))
+    profile = np.concatenate((outer, outer[::-1] * (1.0 - wall / 0.1)))
+    pieces = revolve_pieces([profile], mesh_segments=48).outer(tolerance)
+    ball = Manifold.sphere(0.1 - wall - 2.0 * tolerance - 0.0005, 48)
+    assert (joined_manifold(pieces) ^ ball).volume() < 1e-12
+
+
+def test_turned_disc_with_a_thin_rim_is_not_filled_to_a_cone() -> None:
+    profile = np.array([(0.0, 0.0), (0.05, 0.0), (0.05, 0.0002), (0.01, 0.0004), (0.01, 0.1), (0.0, 0.1)])
+    solid = Manifold.revolve(CrossSection([profile]), 48)
+    assert_bracketed(solid, revolve_pieces([profile], mesh_segments=48))
+    beyond = Faces.of(joined_manifold(revolve_pieces([profile], mesh_segments=48).outer(0.001)) - solid)
+    assert Faces.of(solid).farthest(beyond.spread(500), outside=True)[0] < 0.0012
 
 
 def test_turned_rectangle_is_a_cylinder() -> None:

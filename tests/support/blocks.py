@@ -6,7 +6,7 @@ import numpy as np
 from manifold3d import Manifold
 
 from artgen.asset import Piece, Shape
-from artgen.asset.shape import manifold_of
+from artgen.asset.manifolds import manifold_of
 from artgen.colliders import Convex, Exact
 from artgen.materials import material
 

@@ -10,13 +10,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from artgen.asset.affordance import Affordance, affordances
+from artgen.asset.assembly import assembled
 from artgen.asset.certificate import Certificate
 from artgen.asset.contact import AllowedContact
 from artgen.asset.joint import Joint, is_number, positions_of_followers
 from artgen.asset.link import Link
 from artgen.asset.mass import MassProperties, total
 from artgen.asset.record import json_text, rounded
-from artgen.asset.tree import Tree, check_contact
+from artgen.asset.tree import Tree
 from artgen.errors import AssetError, nearest
 from artgen.materials import Material
 
@@ -69,26 +70,8 @@ class Asset:
             AssetError: A link has no mass, a coupling, a dependency or a contact by design names an unknown
                 joint, couplings form a circle, or the joint that a contact names does not move its links.
         """
-        for link in tree.links():
-            if all(piece.visual for piece in link.pieces):
-                raise AssetError(
-                    f"link {link.name!r} is made of details only, which have no mass; weld them to a part",
-                    link=link.name,
-                )
-        joints = {joint.name: joint for joint in tree.joints()}
-        for joint in joints.values():
-            _check_references(joint, joints)
-        leaders = positions_of_followers(
-            joints, {joint.name: 0.0 for joint in joints.values() if joint.follows is None}
-        )
-        assert len(leaders) == len(joints)
-        ranged: dict[str, Joint] = {}
-        for joint in joints.values():
-            ranged[joint.name] = _with_followed_limits(joint, joints)
-        contacts = tuple(tree.all_contacts())
-        for contact in contacts:
-            check_contact(contact, [link.name for link in tree.links()], joints)
-        return Asset(name, category, tuple(tree.links()), tuple(ranged.values()), contacts=contacts, **fields)
+        links, joints, contacts = assembled(tree)
+        return Asset(name, category, links, joints, contacts=contacts, **fields)
 
     def __repr__(self) -> str:
         """Tell its size and what is proven of it."""
@@ -396,30 +379,3 @@ FORMAT = "artgen-asset-1"
 def remember(asset: Asset, certificate: Certificate) -> None:
     """Keep what was proven of an asset with it; assets made of it by a change do not inherit it."""
     vars(asset)[_CERTIFICATE] = certificate
-
-
-def _check_references(joint: Joint, joints: Mapping[str, Joint]) -> None:
-    named = [("follows", joint.follows.leader)] if joint.follows is not None else []
-    if joint.needs is not None:
-        named += [("needs", name) for name in joint.needs.condition.joints()]
-    others = [other for other in joints if other != joint.name]
-    for verb, name in named:
-        if name not in joints:
-            raise AssetError(
-                f"joint {joint.name!r} {verb} {name!r}, which is no joint of this asset; "
-                f"attach {name!r} as well.{nearest(name, others)}",
-                joint=joint.name,
-            )
-        if name == joint.name:
-            raise AssetError(f"joint {joint.name!r} {verb} itself; name another joint", joint=joint.name)
-
-
-def _with_followed_limits(joint: Joint, joints: Mapping[str, Joint]) -> Joint:
-    """Give a coupled joint the range over which its leader takes it."""
-    if joint.follows is None:
-        return joint
-    leader = _with_followed_limits(joints[joint.follows.leader], joints)
-    if leader.limits is None:
-        return replace(joint, limits=None)
-    ends = sorted(joint.follows.ratio * end + joint.follows.offset for end in leader.limits)
-    return replace(joint, limits=(ends[0], ends[1]))

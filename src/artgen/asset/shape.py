@@ -1,27 +1,30 @@
 """The value of a solid: a watertight manifold, the paint of its faces and its convex pieces, in step."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
-from manifold3d import Error, Manifold, Mesh64
-from numpy.typing import ArrayLike, NDArray
+from manifold3d import Error, Manifold
+from numpy.typing import NDArray
 
-from artgen.colliders import Pieces
+from artgen.asset.manifolds import (
+    PROPERTIES,
+    TURNED_OVER,
+    coincident,
+    is_closed,
+    manifold_of,
+    moved_manifold,
+)
+from artgen.colliders import Pieces, union
+from artgen.colliders.polytope import cross
 from artgen.materials import Material
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
-PROPERTIES = 6
-"""Vertex property channels of every manifold: nx ny nz u v paint."""
-
-_COINCIDENT = 1e-9  # [m]: vertices closer than this are one point of the surface
 _GRAIN = 1e12  # steps per metre: hides the last digit, in which the sines of different machines differ
 _RIGID = 1e-12  # what a rotation may miss orthogonality by
-_TURNED_OVER = np.array([-1.0, 1.0])  # turns texture coordinates, so that a reflection mirrors no map
-_HAS_NORMALS = 2  # bit of a mesh run: the first three channels are normals, to be turned with the solid
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,7 +52,7 @@ class Mesh:
         return Mesh(
             self.vertices @ rotation.T + matrix[:3, 3],
             self.normals @ rotation.T,
-            self.uvs * _TURNED_OVER if reflected else self.uvs,
+            self.uvs * TURNED_OVER if reflected else self.uvs,
             self.paints,
             self.triangles[:, ::-1] if reflected else self.triangles,
         )
@@ -104,20 +107,16 @@ class Shape:
         Raises:
             ValueError: The triangles do not close to a solid of positive volume.
         """
-        target = _coincident(vertices) if targets is None else targets
-        faces = target[triangles]
-        proper = (faces[:, 0] != faces[:, 1]) & (faces[:, 1] != faces[:, 2]) & (faces[:, 2] != faces[:, 0])
-        duplicate = np.flatnonzero(target != np.arange(len(vertices)))
-        properties = np.zeros((len(vertices), 3 + PROPERTIES))
-        properties[:, :3] = vertices[target]
-        properties[:, 3:6] = normals
-        properties[:, 6:8] = uvs
-        np.rint(properties * _GRAIN, out=properties)
-        properties /= _GRAIN
-        if paints is not None:
-            properties[:, 8] = paints
-        manifold = manifold_of(properties, triangles[proper], duplicate, target[duplicate])
-        return Shape(manifold, pieces, paint_materials or {}).checked()
+        return MeshShape(
+            vertices,
+            normals,
+            uvs,
+            triangles,
+            pieces,
+            targets=coincident(vertices) if targets is None else targets,
+            paints=paints,
+            paint_materials=paint_materials,
+        )
 
     def checked(self) -> "Shape":
         """Force the manifold and return the shape if it is a solid.
@@ -145,17 +144,12 @@ class Shape:
     def mesh(self) -> Mesh:
         """The triangles of the surface, in one order for one shape however it was cached."""
         raw = self.manifold.to_mesh64()
-        properties = np.asarray(raw.vert_properties)
-        triangles = np.asarray(raw.tri_verts).astype(np.int64)
-        normals = properties[:, 3:6]
-        length = np.linalg.norm(normals, axis=1, keepdims=True)
-        return Mesh(
-            np.ascontiguousarray(properties[:, :3]),
-            normals / np.where(length > 0.0, length, 1.0),
-            np.ascontiguousarray(properties[:, 6:8]),
-            np.rint(properties[:, 8]).astype(np.int64),
-            triangles,
-        )
+        return _mesh(np.asarray(raw.vert_properties), np.asarray(raw.tri_verts).astype(np.int64))
+
+    @property
+    def vertices(self) -> Array:
+        """The vertices of the surface, shape (n, 3) [m]."""
+        return np.asarray(self.manifold.to_mesh64().vert_properties)[:, :3]
 
     @cached_property
     def parts(self) -> tuple[Array, ...]:
@@ -169,7 +163,9 @@ class Shape:
         linear = matrix[:3, :3]
         if np.abs(linear @ linear.T - np.eye(3)).max() < _RIGID:
             return MovedShape(self, matrix)
-        return Shape(_moved(self.manifold, matrix), self.pieces.transformed(matrix), self.paints).checked()
+        return Shape(
+            moved_manifold(self.manifold, matrix), self.pieces.transformed(matrix), self.paints
+        ).checked()
 
 
 class MovedShape(Shape):
@@ -200,7 +196,7 @@ class MovedShape(Shape):
     @cached_property
     def manifold(self) -> Manifold:
         """The watertight surface, with the channels of `PROPERTIES`."""
-        return _moved(self.source.manifold, self.matrix)
+        return moved_manifold(self.source.manifold, self.matrix)
 
     def checked(self) -> "Shape":
         """Return the shape: a solid stays one when it is moved."""
@@ -212,8 +208,13 @@ class MovedShape(Shape):
         if np.count_nonzero(linear) == 3:  # boxes stay boxes under quarter turns
             corners = self.source.bounds() @ linear.T + self.matrix[:3, 3]
         else:
-            corners = self.mesh.vertices
+            corners = self.vertices
         return np.array([corners.min(axis=0), corners.max(axis=0)])
+
+    @property
+    def vertices(self) -> Array:
+        """The vertices of the source, moved, shape (n, 3) [m]."""
+        return self.source.vertices @ self.matrix[:3, :3].T + self.matrix[:3, 3]
 
     @property
     def members(self) -> tuple[Shape, ...]:
@@ -232,51 +233,151 @@ class MovedShape(Shape):
         return tuple(points @ rotation.T + offset for points in self.source.parts)
 
 
-def _moved(manifold: Manifold, matrix: Array) -> Manifold:
-    if np.linalg.det(matrix[:3, :3]) < 0.0:
-        return _reflected(manifold, matrix)
-    return manifold.transform(np.ascontiguousarray(matrix[:3]))
+class MeshShape(Shape):
+    """A solid of triangles that close; its manifold is made when it is asked for."""
 
+    _table: Array  # x y z and the channels of `PROPERTIES` of each vertex, shape (n, 3 + PROPERTIES)
+    _triangles: Indices
+    _targets: Indices  # for each vertex, the first one at the same point of the surface, shape (n,)
 
-def _reflected(manifold: Manifold, matrix: Array) -> Manifold:
-    """Return a manifold moved by a matrix that turns it over, shape (4, 4).
-
-    Manifold's own transform turns the triangles but leaves their corners' normals in the old order.
-    """
-    raw = manifold.to_mesh64()
-    properties = np.array(raw.vert_properties)
-    properties[:, :3] = properties[:, :3] @ matrix[:3, :3].T + matrix[:3, 3]
-    normals = properties[:, 3:6] @ np.linalg.inv(matrix[:3, :3])
-    properties[:, 3:6] = normals / np.linalg.norm(normals, axis=1, keepdims=True)
-    properties[:, 6:8] *= _TURNED_OVER
-    return manifold_of(properties, raw.tri_verts[:, ::-1], raw.merge_from_vert, raw.merge_to_vert)
-
-
-def manifold_of(table: Array, triangles: ArrayLike, merged: ArrayLike, target: ArrayLike) -> Manifold:
-    """Make a manifold, whose status is not checked, of vertices with the channels of `PROPERTIES`.
-
-    Args:
-        table: x y z and the channels of each vertex, shape (n, 3 + PROPERTIES).
-        triangles: Vertex indices, shape (m, 3).
-        merged: Vertices that lie where another one does, shape (k,).
-        target: The other one of each of them, shape (k,).
-    """
-    corners = np.array(triangles, np.uint64, order="C").reshape(-1, 3)
-    return Manifold(
-        Mesh64(
-            table,
-            corners,
-            np.array(merged, np.uint64),
-            np.array(target, np.uint64),
-            run_index=np.array([0, corners.size], np.uint64),
-            run_original_id=np.array([Manifold.reserve_ids(1)], np.uint32),
-            run_flags=np.array([_HAS_NORMALS], np.uint8),
+    def __init__(
+        self,
+        vertices: Array,
+        normals: Array,
+        uvs: Array,
+        triangles: Indices,
+        pieces: Pieces,
+        *,
+        targets: Indices,
+        paints: Indices | None = None,
+        paint_materials: Mapping[int, Material] | None = None,
+    ) -> None:
+        """Check and keep the triangles; the arguments are those of `Shape.from_mesh`."""
+        faces = targets[triangles]
+        proper = (faces[:, 0] != faces[:, 1]) & (faces[:, 1] != faces[:, 2]) & (faces[:, 2] != faces[:, 0])
+        if not proper.any():
+            raise ValueError("the result is empty")
+        faces, triangles = faces[proper], triangles[proper]
+        if not is_closed(faces):
+            raise ValueError("the surface is not a closed manifold: an edge belongs to one face alone")
+        used = np.zeros(len(vertices), bool)
+        used[triangles] = True
+        kept, number = np.flatnonzero(used), np.cumsum(used) - 1
+        _, first, group = np.unique(targets[kept], return_index=True, return_inverse=True)
+        points = first[group.ravel()]
+        table = np.zeros((len(kept), 3 + PROPERTIES))
+        table[:, :3] = vertices[targets[kept]]
+        table[:, 3:6] = normals[kept]
+        table[:, 6:8] = uvs[kept]
+        np.rint(table * _GRAIN, out=table)
+        table /= _GRAIN
+        if paints is not None:
+            table[:, 8] = paints[kept]
+        _check_volume(table[:, :3], number[triangles])
+        vars(self).update(
+            _table=table,
+            _triangles=number[triangles],
+            _targets=points,
+            pieces=pieces,
+            paints=paint_materials or {},
+            united=(),
         )
+
+    @cached_property
+    def manifold(self) -> Manifold:
+        """The watertight surface, with the channels of `PROPERTIES`."""
+        merged = np.flatnonzero(self._targets != np.arange(len(self._targets)))
+        shape = Shape(manifold_of(self._table, self._triangles, merged, self._targets[merged]), self.pieces)
+        return shape.checked().manifold
+
+    def checked(self) -> "Shape":
+        """Return the shape, which was checked when it was made."""
+        return self
+
+    def bounds(self) -> Array:
+        """Return the corners of the bounding box, shape (2, 3) [m]."""
+        points = self._table[:, :3]
+        return np.array([points.min(axis=0), points.max(axis=0)])
+
+    @property
+    def vertices(self) -> Array:
+        """The vertices of the surface, shape (n, 3) [m]."""
+        return self._table[:, :3]
+
+    @cached_property
+    def mesh(self) -> Mesh:
+        """The triangles as they were given."""
+        return _mesh(self._table, self._triangles)
+
+
+class ComposedShape(Shape):
+    """Solids that are free of each other as one; its manifold is made when it is asked for.
+
+    Attributes:
+        shapes: The solids; those that are painted share their paint numbers.
+    """
+
+    shapes: tuple[Shape, ...]
+
+    def __init__(self, shapes: Sequence[Shape]) -> None:
+        vars(self).update(
+            shapes=tuple(shapes),
+            pieces=union(*(shape.pieces for shape in shapes)),
+            paints={number: paint for shape in shapes for number, paint in shape.paints.items()},
+            united=tuple(member for shape in shapes for member in shape.members),
+        )
+
+    @cached_property
+    def manifold(self) -> Manifold:
+        """The watertight surface, with the channels of `PROPERTIES`."""
+        return Manifold.compose([shape.manifold for shape in self.shapes])
+
+    def checked(self) -> "Shape":
+        """Return the shape: solids that are free of each other stay solids."""
+        return self
+
+    def bounds(self) -> Array:
+        """Return the corners of the bounding box, shape (2, 3) [m]."""
+        corners = np.concatenate([shape.bounds() for shape in self.shapes])
+        return np.array([corners.min(axis=0), corners.max(axis=0)])
+
+    @cached_property
+    def mesh(self) -> Mesh:
+        """The triangles of all solids, one after the other."""
+        meshes = [shape.mesh for shape in self.shapes]
+        first = np.cumsum([0, *(len(mesh.vertices) for mesh in meshes[:-1])])
+        return Mesh(
+            np.concatenate([mesh.vertices for mesh in meshes]),
+            np.concatenate([mesh.normals for mesh in meshes]),
+            np.concatenate([mesh.uvs for mesh in meshes]),
+            np.concatenate([mesh.paints for mesh in meshes]),
+            np.concatenate([mesh.triangles + at for mesh, at in zip(meshes, first, strict=True)]),
+        )
+
+    @cached_property
+    def parts(self) -> tuple[Array, ...]:
+        """The vertices of each connected part of the surface, shape (n, 3) [m]."""
+        return tuple(part for shape in self.shapes for part in shape.parts)
+
+
+def _mesh(table: Array, triangles: Indices) -> Mesh:
+    """Return the mesh of vertices with the channels of `PROPERTIES`, shape (n, 3 + PROPERTIES)."""
+    normals = table[:, 3:6]
+    length = np.linalg.norm(normals, axis=1, keepdims=True)
+    return Mesh(
+        np.ascontiguousarray(table[:, :3]),
+        normals / np.where(length > 0.0, length, 1.0),
+        np.ascontiguousarray(table[:, 6:8]),
+        np.rint(table[:, 8]).astype(np.int64),
+        triangles,
     )
 
 
-def _coincident(vertices: Array) -> Indices:
-    """Return for each vertex the first vertex at its place."""
-    quantised = np.rint(vertices / _COINCIDENT).astype(np.int64)
-    _, first, group = np.unique(quantised, axis=0, return_index=True, return_inverse=True)
-    return first[group.ravel()]
+def _check_volume(points: Array, faces: Indices) -> None:
+    """Refuse a surface that is not finite or encloses no positive volume."""
+    a, b, c = np.moveaxis((points - points[0])[faces], 1, 0)
+    volume = float(np.einsum("ij,ij->", a, cross(b, c))) / 6.0
+    if not np.isfinite(volume):
+        raise ValueError("the surface has coordinates that are not finite")
+    if volume <= 0.0:
+        raise ValueError(f"the volume is {volume:.3g} m^3; a solid must have a positive one")

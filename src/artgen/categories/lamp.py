@@ -84,7 +84,7 @@ def lamp(
         "arc",
         "table",
         "mushroom",
-        weights=(0.12, 0.15, 0.08, 0.12, 0.12, 0.08, 0.08, 0.17, 0.08),
+        weights=(0.12, 0.12, 0.11, 0.13, 0.12, 0.10, 0.07, 0.17, 0.06),
     ),
     base_shape: BaseShape = by(
         "style",
@@ -172,7 +172,7 @@ def lamp(
         tripod=choice("drum", "cone", weights=(0.7, 0.3)),
         arc=choice("dome", "cone", "curved", weights=(0.6, 0.2, 0.2)),
         table=choice("cone", "drum", "curved"),
-        mushroom=choice("dome", "globe", weights=(0.6, 0.4)),
+        mushroom=choice("dome", "globe", weights=(0.45, 0.55)),
         led_bar="drum",
         otherwise=choice("cone", "dome", "curved", "drum"),
     ),
@@ -369,7 +369,9 @@ def lamp(
     elif style == "mushroom":
         foot = foot if shade == "dome" else height - 2.0 * shade_radius - 0.006
         sheet = weighted(metal, 900.0)
-        stand = turned_body("stem", radius=0.060, low=top - 0.001, high=foot + 0.002, finish=sheet)
+        # under a dome it hides the socket
+        ends = foot + 0.002 if shade == "globe" else mouth - 0.006
+        stand = turned_body("stem", radius=0.060, low=top - 0.001, high=ends, finish=sheet)
     else:
         stand = pole(0.0115, top - 0.001, foot + 0.003, metal)
     if shade == "globe":

@@ -90,9 +90,15 @@ _FLAT_SIDES: tuple[BodyStyle, ...] = ("box", "steel")  # which may have controls
 def toaster(
     *,
     style: BodyStyle = choice(
-        "box", "rounded", "retro", "steel", "classic", weights=(0.22, 0.2, 0.2, 0.22, 0.16)
+        "box", "rounded", "retro", "steel", "classic", weights=(0.14, 0.24, 0.20, 0.24, 0.18)
     ),
-    slots: int = choice(1, 2, 4, weights=(0.22, 0.5, 0.28)),
+    slots: int = by(
+        "style",
+        rounded=choice(1, 2, 4, weights=(0.14, 0.46, 0.40)),
+        retro=choice(1, 2, 4, weights=(0.06, 0.52, 0.42)),
+        classic=choice(1, 2, 4, weights=(0.06, 0.42, 0.52)),  # which cafes have
+        otherwise=choice(1, 2, 4, weights=(0.18, 0.40, 0.42)),
+    ),
     slot_size: Literal["short", "long"] = by(
         "slots",
         {
@@ -112,8 +118,8 @@ def toaster(
         {
             1: by(
                 "style",
-                box=choice("end", "side", weights=(0.6, 0.4)),
-                steel=choice("end", "side", weights=(0.6, 0.4)),
+                box=choice("end", "side", weights=(0.7, 0.3)),
+                steel=choice("end", "side", weights=(0.7, 0.3)),
                 otherwise="end",
             ),
             2: "end",

@@ -8,7 +8,9 @@ from manifold3d import Manifold
 from numpy.typing import NDArray
 
 from artgen.asset import Link
+from artgen.asset.shape import Shape
 from artgen.check.stored_solids import link_parts
+from artgen.colliders import Exact
 from artgen.colliders.polytope import Polytope
 
 Array = NDArray[np.float64]
@@ -46,13 +48,13 @@ def excess(link: Link, pieces: Sequence[Polytope], labels: Sequence[str]) -> flo
     return None
 
 
-def _parts(link: Link) -> Iterator[tuple[str, Manifold]]:
-    """Yield label and surface of solids whose union is the link, as small as they are known."""
+def _parts(link: Link) -> Iterator[tuple[str, Shape]]:
+    """Yield label and shape of solids whose union is the link, as small as they are known."""
     if not link.pieces:
-        yield from ((part.label, part.solid) for part in link_parts(link))
+        yield from ((part.label, Shape(part.solid, Exact(()))) for part in link_parts(link))
     for piece in link.pieces:
         if not piece.visual:
-            yield from ((piece.label, member.manifold) for member in piece.shape.members)
+            yield from ((piece.label, member) for member in piece.shape.members)
 
 
 @dataclass(frozen=True, eq=False)
@@ -77,33 +79,29 @@ class _Pieces:
         low, high = (np.array([end(each.points, axis=0) for each in pieces]) for end in (np.min, np.max))
         return _Pieces(pieces, np.array(labels), low, high)
 
-    def enclose(self, label: str, solid: Manifold) -> bool:
+    def enclose(self, label: str, solid: Shape) -> bool:
         """Tell whether all vertices of a solid lie in one piece, which then contains it."""
         around = self.around(label, solid, _ROUNDING)
         if not len(around):
             return False
-        points = np.asarray(solid.to_mesh64().vert_properties)[:, :3]
+        points = solid.vertices
         return any(
             float((points @ planes[:, :3].T - planes[:, 3]).max()) <= _ROUNDING
             for planes in (self.pieces[index].planes for index in around)
         )
 
-    def around(self, label: str, solid: Manifold, length: float) -> Indices:
+    def around(self, label: str, solid: Shape, length: float) -> Indices:
         """Return the pieces of a label whose boxes, grown by a length [m], contain that of a solid."""
-        least, most = _box(solid)
+        least, most = solid.bounds()
         # a piece of another label may be allowed to touch what this must not
         inside = (self.low - length <= least).all(axis=1) & (self.high + length >= most).all(axis=1)
         return np.flatnonzero((self.labels == label) & inside)
 
-    def near(self, label: str, solid: Manifold, length: float) -> Indices:
+    def near(self, label: str, solid: Shape, length: float) -> Indices:
         """Return the pieces of a label whose boxes, grown by a length [m], meet that of a solid."""
-        least, most = _box(solid)
+        least, most = solid.bounds()
         meets = (self.low - length < most).all(axis=1) & (self.high + length > least).all(axis=1)
         return np.flatnonzero((self.labels == label) & meets)
-
-
-def _box(solid: Manifold) -> Array:
-    return np.array(solid.bounding_box()).reshape(2, 3)
 
 
 class _Grown:
@@ -120,12 +118,12 @@ class _Grown:
         self._around, self._grow, self._length = around, grow, length
         self._solids: dict[int, Manifold] = {}
 
-    def contain(self, label: str, solid: Manifold) -> bool:
+    def contain(self, label: str, solid: Shape) -> bool:
         """Tell whether the pieces contain a solid."""
         whole = self._around.around(label, solid, self._length)
-        if any(self._cover(solid, [int(index)]) for index in whole[:_MOST_WHOLE]):
+        if any(self._cover(solid.manifold, [int(index)]) for index in whole[:_MOST_WHOLE]):
             return True
-        return self._cover(solid, self._around.near(label, solid, _FARTHEST * self._length).tolist())
+        return self._cover(solid.manifold, self._around.near(label, solid, _FARTHEST * self._length).tolist())
 
     def _cover(self, solid: Manifold, chosen: Sequence[int]) -> bool:
         """Tell whether nothing is left of a solid without some of the pieces."""

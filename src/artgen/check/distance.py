@@ -16,6 +16,7 @@ Indices = NDArray[np.int64]
 
 _CHUNK = 128  # points that are compared with all triangles at once
 _TRIED = 8  # points of a surface whose triangles are tried first: around a corner there are some six
+_ON = 1e-6  # points nearer than this to a surface are on it [m]
 
 
 @dataclass(frozen=True, eq=False)
@@ -68,11 +69,12 @@ class Faces:
         points, owners = self._sampled(2000)
         return cKDTree(points), owners
 
-    def farthest(self, points: Array) -> tuple[float, Array]:
+    def farthest(self, points: Array, *, outside: bool = False) -> tuple[float, Array]:
         """Return the largest distance of points to the surface [m], and the point.
 
         Args:
             points: Shape (n, 3) [m]; at least one.
+            outside: Whether points within the surface, which must be closed, count as on it.
         """
         points, _, _ = distinct_rows(np.round(points, 8))
         bound = self._near(points)
@@ -83,10 +85,29 @@ class Faces:
             if bound[start] <= best:
                 break  # no later point is farther: each lies as near to some triangle
             distances = self._distances(points[start : start + _CHUNK], bound[start : start + _CHUNK])
-            number = int(np.argmax(distances))
-            if distances[number] > best:
-                best, place = float(distances[number]), points[start + number]
-        return best, place
+            for number in np.argsort(-distances, kind="stable").tolist():
+                if distances[number] <= best:
+                    break
+                point = points[start + number]
+                if not outside or distances[number] < _ON or not self.surround(point):
+                    best, place = float(distances[number]), point
+                    break
+        return max(best, 0.0), place
+
+    def surround(self, point: Array) -> bool:
+        """Tell whether a point, shape (3,), that is not on the surface is within it.
+
+        The solid angles of the triangles, by van Oosterom and Strackee, add up to a full one if it is.
+        """
+        edges = self.corners - point
+        a, b, c = edges[:, 0], edges[:, 1], edges[:, 2]
+        long = np.linalg.norm(edges, axis=2)
+        volume = np.sum(a * np.cross(b, c), axis=1)
+        spread = long.prod(axis=1) + sum(
+            np.sum(edges[:, one] * edges[:, two], axis=1) * long[:, other]
+            for one, two, other in ((0, 1, 2), (1, 2, 0), (2, 0, 1))
+        )
+        return bool(np.sum(np.arctan2(volume, spread)) > np.pi)
 
     def _near(self, points: Array) -> Array:
         """Return how far each point is from a few triangles, shape (n,): mostly its distance, never less."""

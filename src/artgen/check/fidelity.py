@@ -63,7 +63,8 @@ def fidelity(solid: Manifold, convexes: Sequence[Convex]) -> Fidelity:
     outside, place = _sticking_out(missing, polytopes)
     error, surface_place = outside, place
     if not excess.is_empty():
-        apart, at = Faces.of(solid).farthest(Faces.of(excess).spread(_SPREAD))
+        # films along faces that solids share are excess by rounding only, and within the solid
+        apart, at = Faces.of(solid).farthest(Faces.of(excess).spread(_SPREAD), outside=True)
         if apart > error:
             error, surface_place = apart, at
     empty = hull.volume() - volume

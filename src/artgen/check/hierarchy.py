@@ -19,6 +19,7 @@ _CORNERS = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)])
 _SQUARE = np.eye(3)
 _NORMAL_DECIMALS = 9
 _PARALLEL = 0.999  # cosine
+_TOUCHING = 1e-9  # nodes nearer than this have no direction between them [m]
 
 
 @dataclass(frozen=True)
@@ -165,6 +166,23 @@ class Hierarchy:
             offset = offset + rotation @ self.centre[node]
         self._moving[node].setTransform(fcl.Transform(rotation, offset))
         return self._moving[node]
+
+    def distance(self, first: int, second: int, rotation: Array, offset: Array) -> tuple[float, Array]:
+        """Return FCL's distance of a node from another one that was moved, and the direction between them.
+
+        Nodes that touch are -1 apart, and the direction between them is 0 [m].
+        """
+        import fcl
+
+        request = fcl.DistanceRequest(enable_nearest_points=True, enable_signed_distance=False)
+        answer = fcl.DistanceResult()
+        moved = self.moved_object(second, rotation, offset)
+        distance = fcl.distance(self.fixed_object(first), moved, request, answer)
+        if not distance > _TOUCHING:
+            return -1.0, np.zeros(3)
+        a, b = answer.nearest_points
+        between = b - a
+        return distance, between / max(float(np.sqrt(between @ between)), 1e-12)
 
     def _shape(self, node: int) -> Any:
         if node not in self._shapes:

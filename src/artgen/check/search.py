@@ -7,7 +7,7 @@ the larger box if it exceeds the motion in the cell, else the cell. FCL proposes
 pieces may overlap; nothing that is proven rests on it. All pairs of links are searched side by side.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -15,12 +15,14 @@ from numpy.typing import NDArray
 
 from artgen.asset.certificate import AXIS_FRAME
 from artgen.asset.joint import JointKind
-from artgen.check.bounds import Motion, around_axis, axis_gap
+from artgen.check.bounds import Motion
+from artgen.check.coaxial import Coaxial
 from artgen.check.hierarchy import Hierarchy
 from artgen.check.items import NONE, Items, Outcome, Settings
-from artgen.check.layout import Frames, Layout, frames, is_coaxial, nearest_zero, starting_cells
+from artgen.check.layout import Frames, Layout, frames, nearest_zero, starting_cells
 from artgen.check.planes import GRAIN, Ahead, Planes, taken
 from artgen.check.ways import Way
+from artgen.check.witnesses import Confirm, Depths, Witnesses, depth_of
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
@@ -32,16 +34,7 @@ MARGIN = 1e-8
 _DECIMALS = 9  # of normals
 _MANY = 24  # vertices from which a node is searched apart from smaller ones
 _FARTHEST = 3  # joints between the frame of a plane and either link, at most
-_TOUCHING = 1e-9  # nodes nearer than this have no direction between them [m]
 _MOST_AT_REST = 48  # pairs of pieces whose distance at rest is measured
-_FEW = 4  # candidates for a witness that are looked at for a pair and level
-
-
-Confirm = Callable[[int, int, int, Array, float], str]
-"""Tells what overlaps, `solids`, `pieces` or nothing (an empty text).
-
-Its arguments are the way's number, a leaf of each link, the variables' positions and an allowed depth [m].
-"""
 
 
 class Search:
@@ -69,14 +62,13 @@ class Search:
         *,
         tolerances: Array,
         least: Array,
-        depths: Callable[[int, int, int, int], float] | None = None,
+        depths: Depths | None = None,
         settings: Settings,
     ) -> None:
         self.nodes = hierarchy
         self.ways = ways
         self.trees = trees
         self.depths = depths
-        self.confirm = confirm
         self.tolerances = tolerances.copy()
         self.least = least
         self.settings = settings
@@ -84,11 +76,11 @@ class Search:
         self.leaves: list[Items] = []
         self._most = max((len(way.variables) for way in ways), default=0)
         self._contacts = np.array([any(way.allowed) for way in ways], bool)
-        self._done = np.zeros(len(ways), bool)
+        self._witnesses = Witnesses(ways, self.outcomes, confirm, depths)
+        self._done = self._witnesses.done
         self._found = np.full(len(ways), np.inf)
         self._split_close = np.zeros(len(ways), np.int64)
         self._guaranteed = np.full(len(ways), np.inf)
-        self._profiles: list[dict[int, Array]] = [{} for _ in ways]
         self._layouts: list[Layout] = []
         self._layout = np.zeros(len(ways), np.int64)
         self._row = np.zeros(len(ways), np.int64)
@@ -99,8 +91,7 @@ class Search:
             self._layouts.append(Layout.of(of_kind, [ways[member] for member in members]))
             self._layout[members] = number
             self._row[members] = np.arange(len(members))
-        self._axes = np.array([way.steps[0].axis for way in ways]).reshape(-1, 3)
-        self._coaxial = np.array([is_coaxial(way) for way in ways], bool)
+        self._coaxial = Coaxial(hierarchy, ways)
 
     def run(self) -> list[Outcome]:
         """Search until everything is closed, refuted or given up, and return the outcome of each way."""
@@ -165,7 +156,7 @@ class Search:
             if order[a, b] >= min(self._found[number], self.settings.cap):
                 break
             if self.depths is None or np.isnan(self.depths(number, box, int(first[a]), int(second[b]))):
-                distance, _ = self._distance(int(first[a]), int(second[b]), rotation, offset)
+                distance, _ = self.nodes.distance(int(first[a]), int(second[b]), rotation, offset)
                 if 0.0 < distance < self._found[number]:
                     self._found[number], self.outcomes[number].found_at = distance, at
 
@@ -184,10 +175,10 @@ class Search:
 
     def _depth(self, items: Items, row: int) -> float:
         """Return how deep the pieces of an item may press into each other; NaN if they may not touch."""
-        first, second = int(items.first[row]), int(items.second[row])
-        if self.depths is None or not (self.nodes.leaf[first] and self.nodes.leaf[second]):
+        leaf = self.nodes.leaf
+        if not (leaf[items.first[row]] and leaf[items.second[row]]):
             return float("nan")
-        return self.depths(int(items.way[row]), int(items.box[row]), first, second)
+        return depth_of(self.depths, items, row)
 
     def _examine(self, items: Items, layout: Layout) -> list[Items]:
         """Close what can be closed of some items of one layout, and return what the others split into."""
@@ -239,42 +230,13 @@ class Search:
 
     def _try_axis(self, items: Items, rows: Indices, path: list[Motion], threshold: Array) -> Indices:
         """Close pieces that turn about one axis by what turning does not change; return what stays open."""
-        leaf = self.nodes.leaf
-        fit = self._coaxial[items.way[rows]] & leaf[items.first[rows]] & leaf[items.second[rows]]
-        fit &= threshold[rows] > 0.0
-        if not fit.any():
-            return rows
-        chosen = rows[fit]
-        shift, half = np.zeros(len(chosen)), np.zeros(len(chosen))
-        for motion in path:
-            if motion.kind == "prismatic":
-                along = np.sum(motion.axis[chosen] * self._axes[items.way[chosen]], axis=1)
-                shift += along * motion.centre[chosen]
-                half += np.abs(along) * motion.half[chosen]
-        first, second = (
-            self._profile(items.way[chosen], nodes[chosen]) for nodes in (items.first, items.second)
-        )
-        apart = axis_gap(first, second, shift, half)
-        closed = apart > threshold[chosen]
+        about, apart = self._coaxial.apart(items, rows[threshold[rows] > 0.0], path)
+        closed = apart > threshold[about]
         if closed.any():
-            done = items[chosen[closed]]
+            done = items[about[closed]]
             done.frame[:] = AXIS_FRAME
             self._close(done, apart[closed])
-        fit[fit] = closed
-        return rows[~fit]
-
-    def _profile(self, ways: Indices, nodes: Indices) -> Array:
-        """Return what `around_axis` says of pieces about the axis of their way, shape (N, 4)."""
-        result = np.empty((len(nodes), 4))
-        for way in np.unique(ways):
-            known, rows = self._profiles[way], np.flatnonzero(ways == way)
-            fresh = np.array([node for node in np.unique(nodes[rows]) if node not in known], np.int64)
-            if len(fresh):
-                joint = self.ways[way].steps[0]
-                found = around_axis(self.nodes.points(fresh), joint.pivot, joint.axis)
-                known.update(zip(fresh.tolist(), found, strict=True))
-            result[rows] = [known[node] for node in nodes[rows].tolist()]
-        return result
+        return rows[~np.isin(rows, about[closed])]
 
     def _try_distance(
         self, planes: Planes, items: Items, place: Frames, rows: Indices, threshold: Array
@@ -309,7 +271,9 @@ class Search:
         leaf = self.nodes.leaf
         for index, row in enumerate(rows.tolist()):
             first, second = int(items.first[row]), int(items.second[row])
-            distances[index], directions[index] = self._distance(first, second, rotations[row], offsets[row])
+            distances[index], directions[index] = self.nodes.distance(
+                first, second, rotations[row], offsets[row]
+            )
             way = items.way[row]
             if leaf[first] and leaf[second] and 0.0 < distances[index] < self._found[way]:
                 if self._contacts[way] and not np.isnan(self._depth(items, row)):
@@ -318,20 +282,6 @@ class Search:
                 count = len(self.ways[way].variables)
                 self.outcomes[way].found_at = ((items.low[row] + items.high[row]) / 2.0)[:count]
         return distances, directions
-
-    def _distance(self, first: int, second: int, rotation: Array, offset: Array) -> tuple[float, Array]:
-        """Return the distance of two nodes [m] and the direction between their nearest points, or zeros."""
-        import fcl
-
-        request = fcl.DistanceRequest(enable_nearest_points=True, enable_signed_distance=False)
-        answer = fcl.DistanceResult()
-        moved = self.nodes.moved_object(second, rotation, offset)
-        distance = fcl.distance(self.nodes.fixed_object(first), moved, request, answer)
-        if not distance > _TOUCHING:
-            return -1.0, np.zeros(3)
-        a, b = answer.nearest_points
-        between = b - a
-        return distance, between / max(float(np.sqrt(between @ between)), 1e-12)
 
     def _record(self, items: Items, planes: Planes, threshold: Array, rows: Indices | None = None) -> None:
         """Close the items (of some rows) whose best plane exceeds its threshold."""
@@ -351,17 +301,7 @@ class Search:
     def _judge(self, items: Items, distance: Array) -> Mask:
         """Look for witnesses among open pieces that seem to touch, and return what to go on with."""
         leaf = self.nodes.leaf[items.first] & self.nodes.leaf[items.second]
-        touching = leaf & ~(distance > self.settings.pressed)
-        looked: dict[int, int] = {}
-        for row in np.flatnonzero(touching):
-            way = int(items.way[row])
-            if self._done[way] or looked.get(way, 0) >= _FEW:
-                continue
-            looked[way] = looked.get(way, 0) + 1
-            self._witness(items, int(row), way)
-        for way in looked:
-            outcome = self.outcomes[way]
-            self._done[way] = outcome.hit is not None or outcome.collider_hit is not None
+        self._witnesses.in_middles(items, np.flatnonzero(leaf & ~(distance > self.settings.pressed)))
         return ~self._done[items.way]
 
     def _refute(self, items: Items, distance: Array, threshold: Array) -> bool:
@@ -393,19 +333,6 @@ class Search:
         np.add.at(self._split_close, items.way[large], 1)
         return still | (close & ~(large & (self._split_close[items.way] < self.settings.most_close)))
 
-    def _witness(self, items: Items, row: int, way: int) -> None:
-        """Look closely at the middle of an item's cell."""
-        outcome = self.outcomes[way]
-        count = len(self.ways[way].variables)
-        positions = ((items.low[row] + items.high[row]) / 2.0)[:count]
-        depth = self._depth(items, row)
-        first, second = int(items.first[row]), int(items.second[row])
-        overlap = self.confirm(way, first, second, positions, 0.0 if np.isnan(depth) else depth)
-        if overlap == "solids" and outcome.hit is None:
-            outcome.hit = (first, second, positions)
-        elif overlap == "pieces" and outcome.collider_hit is None:
-            outcome.collider_hit = (first, second, positions)
-
     def _give_up(self, items: Items, distance: Array) -> None:
         for row, way in enumerate(items.way.tolist()):
             count = len(self.ways[way].variables)
@@ -432,6 +359,8 @@ class Search:
         divide = (larger > 0.0) & ((larger > 0.25 * total) | (total < self.settings.still))
         stuck = self._hopeless(items, distance, threshold, total)
         if stuck.any():
+            leaf = nodes.leaf[items.first] & nodes.leaf[items.second]
+            self._witnesses.in_corners(items, np.flatnonzero(stuck & leaf))
             self._give_up(items[stuck], distance[stuck])
         result = []
         halve = np.flatnonzero(~divide & ~stuck)

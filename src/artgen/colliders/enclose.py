@@ -109,20 +109,24 @@ def enclosing(solid: Facets, most_vertices: int, tolerance: float) -> tuple[Arra
     chosen = _bounding_planes(solid.points)
     corners = _corners(chosen, solid.centre)
     waiting = solid.planes
+    room = np.empty(len(waiting) * max(most_vertices, len(corners)))  # for heights of planes at corners
     most_added = most_vertices
     while True:
-        heights = waiting[:, :3] @ corners.T - waiting[:, 3:]
-        reach, corner = heights.max(axis=1), heights.argmax(axis=1)
+        heights = np.matmul(
+            waiting[:, :3], corners.T, out=room[: len(waiting) * len(corners)].reshape(len(waiting), -1)
+        )
+        corner = heights.argmax(axis=1)
+        reach = heights[np.arange(len(waiting)), corner] - waiting[:, 3]
         excess = max(float(reach.max()), 0.0)
         spare = min((most_vertices - len(corners)) // 2, most_added)
         if excess <= max(tolerance, SNAP) or spare < 1:
             return corners, excess
         cutting = reach > tolerance  # the others never will, as the polytope only shrinks
-        waiting, reach, corner = waiting[cutting], reach[cutting], corner[cutting]
-        order = np.argsort(-reach, kind="stable")
-        order = order[reach[order] >= excess * _WORTHWHILE]
-        _, first = np.unique(corner[order], return_index=True)
-        more = np.concatenate((chosen, waiting[order[np.sort(first)[:spare]]]))
+        worst = np.flatnonzero(cutting & (reach >= excess * _WORTHWHILE))
+        worst = worst[np.argsort(-reach[worst], kind="stable")]
+        _, first = np.unique(corner[worst], return_index=True)
+        more = np.concatenate((chosen, waiting[worst[np.sort(first)[:spare]]]))
+        waiting = waiting[cutting]
         fresh = _corners(more, solid.centre)
         if len(fresh) > most_vertices:  # a corner of many edges was cut off
             most_added = spare // 2

@@ -12,6 +12,7 @@ from artgen.colliders.polytope import SLIVER, SNAP
 
 _IDENTITY = np.eye(4)
 _EXACT = 1e-9  # [m]: tolerance of parts that must lie within the solid
+_LEVEL = 1e-9  # slope from which a side of a profile faces the axis, or away from it
 _WIDEST = np.pi / 2.0  # [rad] of a hollow sector, at most
 
 Span = tuple[float, float]
@@ -199,15 +200,31 @@ def _continues(below: Slab, above: Slab) -> bool:
 
 
 def _nearly_convex(stack: Sequence[Slab], tolerance: float) -> bool:
-    """Tell whether the hull of stacked trapezoids exceeds their sides by the tolerance at most."""
+    """Tell whether the hull of stacked trapezoids exceeds each of their sides by the tolerance at most.
+
+    The side towards the axis and the outer one are held against the hull's own sides that face there: a thin
+    wall is near to all of the hull's, however far that stands off across a hollow.
+    """
+    hollow = any(radius > SNAP for _, *ends in stack for radius, _ in ends)
     corners = _corners(stack)
-    hollow = corners[:, 0].min() > SNAP or any(slab[1][0] > SNAP or slab[2][0] > SNAP for slab in stack)
     hull = convex_hull(corners if hollow else np.concatenate((corners, corners * (-1.0, 1.0))))
+    outer = corners[1::2]
+    if not hollow:
+        outer = outer[outer[:, 0] > SNAP]
+        return not len(outer) or _stands_off(hull, outer, 1.0) <= tolerance
+    inner = corners[0::2]
+    return max(_stands_off(hull, inner, -1.0), _stands_off(hull, outer, 1.0)) <= tolerance
+
+
+def _stands_off(hull: Array, chain: Array, facing: float) -> float:
+    """Return how far a convex polygon's sides that face one way along r stand off points within it [m]."""
     sides = np.roll(hull, -1, axis=0) - hull
     normals = np.column_stack((sides[:, 1], -sides[:, 0])) / np.hypot(sides[:, 0], sides[:, 1])[:, None]
-    offset = np.sum(normals * hull, axis=1)
-    chain = corners if hollow else corners[corners[:, 0] > SNAP]
-    return not len(chain) or float((offset - chain @ normals.T).min(axis=1).max()) <= tolerance
+    towards = normals[:, 0] * facing > _LEVEL
+    normals, hull = normals[towards], hull[towards]
+    away = np.sum(normals * hull, axis=1) - chain @ normals.T
+    across = np.argmin(away / np.abs(normals[:, 0]), axis=1)  # the side at the point's height
+    return float(away[np.arange(len(chain)), across].max())
 
 
 def _corners(stack: Sequence[Slab]) -> Array:

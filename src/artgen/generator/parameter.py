@@ -5,6 +5,7 @@ import typing
 from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any, Literal
 
 import numpy as np
@@ -66,7 +67,7 @@ class Parameter:
         """Whether its value is known while the graph is built."""
         return self.kind not in SOCKETS
 
-    @property
+    @cached_property
     def variants(self) -> tuple[Variant, ...]:
         """The generators that it chooses between."""
         return variants_in(self.distribution)

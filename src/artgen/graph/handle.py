@@ -3,6 +3,7 @@
 import typing
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cache, lru_cache
 from types import NoneType
 from typing import Any, ClassVar, NoReturn, Self
 
@@ -10,7 +11,7 @@ import numpy as np
 
 from artgen.errors import BuildError, nearest
 from artgen.graph.kernel import OPERATIONS, Operation, alternatives, operation
-from artgen.graph.node import PARAMETER, Node, authors_line
+from artgen.graph.node import PARAMETER, Data, Node, authors_line
 
 
 class Handle:
@@ -184,7 +185,14 @@ class LiteralType:
 
 
 LITERAL_TYPES: dict[type, LiteralType] = {}
-"""Classes beside numbers and strings that nodes may hold, by class."""
+"""Classes beside numbers and strings that nodes may hold, by class; instances are hashable."""
+
+
+@lru_cache(maxsize=4096)
+def _literal(kind: type, value: Any) -> Data:
+    """Return the data that stand for an instance of a literal type: one object for equal instances."""
+    known = LITERAL_TYPES[kind]
+    return Data({"$" + known.tag: known.encode(value)}, value)
 
 
 def lift_all(known: Operation, inputs: Mapping[str, Any], where: str) -> dict[str, Any]:
@@ -193,16 +201,20 @@ def lift_all(known: Operation, inputs: Mapping[str, Any], where: str) -> dict[st
     Raises:
         BuildError: An input is unknown, missing or of another type.
     """
-    for name in inputs:
-        if name not in known.inputs:
-            raise BuildError(
-                f"{known.name} has no input {name!r}.{nearest(name, known.inputs)}\n  at {where}"
-            )
     lifted = {}
-    for name, hint in known.inputs.items():
+    for name, hint, lifters in _lifters_of(known):
         if name not in inputs:
-            raise BuildError(f"{known.name} misses its input {name!r}\n  at {where}")
-        lifted[name] = lift(inputs[name], hint, f"{known.name}(..., {name}=...)", where)
+            _refuse_inputs(known, inputs, where)
+        value = inputs[name]
+        for lifter in lifters:
+            found = lifter(value, name, where)
+            if found is not NotImplemented:
+                lifted[name] = found
+                break
+        else:
+            _refuse_value(value, hint, f"{known.name}(..., {name}=...)", where)
+    if len(lifted) != len(inputs):
+        _refuse_inputs(known, inputs, where)
     return lifted
 
 
@@ -213,9 +225,55 @@ def lift(value: Any, hint: Any, what: str, where: str) -> Any:
         BuildError: It is of another type; names the input and the author's line.
     """
     for option in alternatives(hint):
-        lifted = _lift_one(value, option, what, where)
+        lifted = _lifter(option)(value, what, where)
         if lifted is not NotImplemented:
             return lifted
+    return _refuse_value(value, hint, what, where)
+
+
+Lifter = Callable[[Any, str, str], Any]
+
+
+@cache
+def _lifters_of(known: Operation) -> tuple[tuple[str, Any, tuple[Lifter, ...]], ...]:
+    """Return name, type and lifters of the inputs of an operation, in order."""
+    return tuple(
+        (name, hint, tuple(_lifter(option, known.name) for option in alternatives(hint)))
+        for name, hint in known.inputs.items()
+    )
+
+
+def _lifter(hint: Any, operation: str = "") -> Lifter:
+    """Return what turns an author's value into a node or literal of one type, or NotImplemented.
+
+    It takes the value, what it is given for, and the author's line. Members of tuples that are refused are
+    named with the input of the operation.
+    """
+    if hint is NoneType:
+        return lambda value, what, where: None if value is None else NotImplemented
+    if hint in Handle.HANDLES:
+        lifted = Handle.HANDLES[hint].lift
+        return lambda value, what, where: lifted(value)
+    origin = typing.get_origin(hint)
+    if origin is tuple:
+        members = typing.get_args(hint)
+        return lambda value, what, where: _lift_tuple(
+            value, members, f"{operation}(..., {what}=...)" if operation else what, where
+        )
+    return lambda value, what, where: _lift_literal(value, hint)
+
+
+def _refuse_inputs(known: Operation, inputs: Mapping[str, Any], where: str) -> NoReturn:
+    for name in inputs:
+        if name not in known.inputs:
+            raise BuildError(
+                f"{known.name} has no input {name!r}.{nearest(name, known.inputs)}\n  at {where}"
+            )
+    missing = next(name for name in known.inputs if name not in inputs)
+    raise BuildError(f"{known.name} misses its input {missing!r}\n  at {where}")
+
+
+def _refuse_value(value: Any, hint: Any, what: str, where: str) -> NoReturn:
     expected = " or ".join(_name(option) for option in alternatives(hint))
     shown = f"a {type(value).__name__} handle" if isinstance(value, Handle) else repr(value)
     remedy = ""
@@ -224,22 +282,15 @@ def lift(value: Any, hint: Any, what: str, where: str) -> Any:
     raise BuildError(f"{what} needs {expected}, got {shown}{remedy}\n  at {where}")
 
 
-def _lift_one(value: Any, hint: Any, what: str, where: str) -> Any:
-    if hint is NoneType:
-        return None if value is None else NotImplemented
-    if hint in Handle.HANDLES:
-        return Handle.HANDLES[hint].lift(value)
-    origin = typing.get_origin(hint)
-    if origin is tuple:
-        return _lift_tuple(value, typing.get_args(hint), what, where)
-    if origin is typing.Literal:
+def _lift_literal(value: Any, hint: Any) -> Any:
+    if typing.get_origin(hint) is typing.Literal:
         options = typing.get_args(hint)
         matching = (item for item in options if type(item) is type(value) and item == value)
         return next(matching, NotImplemented)
     if isinstance(value, Handle):
         return NotImplemented
     if hint in LITERAL_TYPES and isinstance(value, hint):
-        return {"$" + LITERAL_TYPES[hint].tag: LITERAL_TYPES[hint].encode(value)}
+        return _literal(hint, value)
     if hint is int and isinstance(value, int | np.integer) and not isinstance(value, bool):
         return int(value)
     if hint is str and isinstance(value, str):
@@ -276,6 +327,8 @@ def _name(hint: Any) -> str:
 
 def decode(value: Any, hint: Any) -> Any:
     """Turn the literal of a node's input into the value that its kernel takes."""
+    if type(value) is Data:
+        return value.value
     for option in alternatives(hint):
         if option in Handle.HANDLES and value is not None:
             return Handle.HANDLES[option].decode(value)

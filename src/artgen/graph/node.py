@@ -2,7 +2,7 @@
 
 import hashlib
 import sys
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cache
 from types import FrameType, MappingProxyType
@@ -32,7 +32,7 @@ class Node:
     key: str = field(init=False)
     varies: bool = field(init=False)
     children: tuple["Node", ...] = field(init=False)
-    _spelling: tuple["str | Node", ...] = field(init=False)
+    _spelling: Sequence["str | Node"] = field(init=False)
 
     def __post_init__(self) -> None:
         """Compute the key from the inputs' keys."""
@@ -41,19 +41,17 @@ class Node:
         for name, value in frozen.items():
             spelling.append(name)
             _spell(value, spelling)
-        children = tuple(part for part in spelling if isinstance(part, Node))
-        vars(self).update(
-            inputs=MappingProxyType(frozen),
-            children=children,
-            varies=self.op == PARAMETER or any(node.varies for node in children),
-            _spelling=tuple(spelling),
-        )
-        vars(self)["key"] = self.digest({node.key: node.key for node in children})
+        children = tuple([part for part in spelling if type(part) is Node])
+        own = vars(self)
+        own["inputs"] = MappingProxyType(frozen)
+        own["children"] = children
+        own["varies"] = self.op == PARAMETER or any(node.varies for node in children)
+        own["_spelling"] = spelling
+        own["key"] = _hash([part if isinstance(part, str) else "$" + part.key for part in spelling])
 
     def digest(self, keys: Mapping[str, str]) -> str:
         """Hash the operation, its literals, and what stands in `keys` for the keys of its children."""
-        text = [part if isinstance(part, str) else "$" + keys[part.key] for part in self._spelling]
-        return hashlib.blake2b("\0".join(text).encode(), digest_size=12).hexdigest()
+        return _hash([part if isinstance(part, str) else "$" + keys[part.key] for part in self._spelling])
 
     def __repr__(self) -> str:
         """Name the operation and its place, but not what lies below: that may be thousands of nodes."""
@@ -64,8 +62,32 @@ class Node:
         return Node, (self.op, dict(self.inputs), self.where)
 
 
+class Data(dict[str, Any]):
+    """JSON data that stand for an object, which they keep; never changed, so that they are spelled once.
+
+    Args:
+        data: The data.
+        value: The object.
+    """
+
+    def __init__(self, data: Mapping[str, Any], value: Any) -> None:
+        super().__init__(data)
+        self.value = value
+        spelling: list[str | Node] = []
+        _spell(dict(data), spelling)
+        self.spelling = tuple(spelling)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Make it anew when it is pickled or copied."""
+        return Data, (dict(self), self.value)
+
+
+def _hash(text: Sequence[str]) -> str:
+    return hashlib.blake2b("\0".join(text).encode(), digest_size=12).hexdigest()
+
+
 def _frozen(value: Any) -> Any:
-    return tuple(_frozen(item) for item in value) if isinstance(value, list | tuple) else value
+    return tuple([_frozen(item) for item in value]) if isinstance(value, list | tuple) else value
 
 
 def nodes_in(value: Any) -> Iterator[Node]:
@@ -81,6 +103,8 @@ def _spell(value: Any, text: list[str | Node]) -> None:
     """Append the value of one input to a spelling, in which nodes stand for themselves."""
     if isinstance(value, Node):
         text.append(value)
+    elif type(value) is Data:
+        text.extend(value.spelling)
     elif isinstance(value, tuple | list):  # a list only within JSON data
         text.append("[")
         for item in value:

@@ -90,6 +90,7 @@ class Material:
             )
         if self.turned not in (False, True):
             raise ParameterError(f"material {self.name!r}: turned {self.turned!r} must be True or False")
+        object.__setattr__(self, "turned", bool(self.turned))
         if self.texture and not _NAME.match(str(self.texture)):
             raise ParameterError(
                 f"material {self.name!r}: texture {self.texture!r} is not the name of a recipe"
@@ -98,7 +99,7 @@ class Material:
     def _number(self, field: str, value: Any) -> float:
         """Return a finite number as a Python float, so that equal materials have equal data."""
         try:
-            number = float(value)
+            number = float(value) + 0.0  # never -0.0
         except (TypeError, ValueError):
             number = math.nan
         if not math.isfinite(number):

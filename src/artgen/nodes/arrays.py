@@ -1,11 +1,9 @@
 """Copies of one solid that stay part of one link."""
 
 import numpy as np
-from manifold3d import Manifold
 from numpy.typing import NDArray
 
-from artgen import colliders
-from artgen.asset.shape import Shape
+from artgen.asset.shape import ComposedShape, Shape
 from artgen.graph import kernel
 from artgen.nodes import inputs
 from artgen.nodes.csg import united
@@ -23,10 +21,7 @@ def _array(solid: Shape, at: ArrayN3) -> Shape:
     low, high = solid.bounds()
     if not _are_apart(places, high - low):
         return united(copies)
-    manifold = Manifold.compose([copy.manifold for copy in copies])
-    pieces = colliders.union(*(copy.pieces for copy in copies))
-    members = tuple(member for copy in copies for member in copy.members)
-    return Shape(manifold, pieces, solid.paints, members).checked()
+    return ComposedShape(copies)
 
 
 def _are_apart(places: Array, size: Array) -> bool:

@@ -165,8 +165,7 @@ def split(solid: Solid, *, point: VectorLike, normal: VectorLike) -> Solid:
 @kernel
 def _shell(solid: Shape, thickness: float, open: Array3 | None) -> Shape:
     inputs.positive("thickness", thickness)
-    vertices = np.ascontiguousarray(solid.mesh.vertices)
-    around = Manifold.hull_points(vertices)
+    around = solid.manifold.hull()
     filled = solid.manifold.volume() / around.volume()
     if filled < _FULL:
         raise ValueError(
@@ -177,7 +176,7 @@ def _shell(solid: Shape, thickness: float, open: Array3 | None) -> Shape:
     if open is not None:
         out = inputs.direction("open", open)
         # far enough that rounded edges of the cavity end outside of the solid
-        inner = np.concatenate([inner, inner + out * (thickness + float(np.ptp(vertices @ out)))])
+        inner = np.concatenate([inner, inner + out * (thickness + float(np.ptp(solid.mesh.vertices @ out)))])
     cavity = faceted_shape(Manifold.hull_points(np.ascontiguousarray(inner)), around_hull(inner))
     return _combined(
         solid.manifold - cavity.manifold,

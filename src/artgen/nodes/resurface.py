@@ -7,7 +7,8 @@ import numpy as np
 from manifold3d import Manifold
 from numpy.typing import NDArray
 
-from artgen.asset.shape import Shape, manifold_of
+from artgen.asset.manifolds import manifold_of
+from artgen.asset.shape import Shape
 from artgen.colliders import Pieces
 from artgen.nodes.contours import CREASE
 from artgen.nodes.unwrap import boxed_uvs

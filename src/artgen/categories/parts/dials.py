@@ -63,6 +63,7 @@ def dial(
     mark: Material | None = None,
     cap: Material | None = None,
     name: str = "knob",
+    label: str = "knob",
 ) -> Body:
     """Make a knob with its grasp frame, its mark upward; attach it by `dial_turn`.
 
@@ -73,7 +74,8 @@ def dial(
         depth: How far it stands out of the panel, at least 0.01 [m].
         mark: The colour of its mark.
         cap: The metal of the cap of a `capped` one; by default the finish.
-        name: Name of the link; its label is `knob`.
+        name: Name of the link.
+        label: Its label.
     """
     step = GAP + 0.3 * (depth - GAP)  # where the grip of a knob with a base begins
     bevel = 0.0012
@@ -102,14 +104,14 @@ def dial(
                 skirt.at(0.0, -0.5 * (step + GAP), 0.0),
             ]
     hold = grasp_on(solids[0], approach=Y, closing=X, depth=front - held - _CLEAR)
-    bodies = [part(solids[0], "knob", finish, name=name, grasp=hold)]
-    bodies += [part(each, "knob", finish) for each in solids[1:]]
+    bodies = [part(solids[0], label, finish, name=name, grasp=hold)]
+    bodies += [part(each, label, finish) for each in solids[1:]]
     if style == "fluted":  # its ribs are only seen, so that its collider is one cylinder
         ribs = extrude(_fluted().scale(radius), depth - GAP - 0.0006, axis=Y, bevel=0.0006)
-        bodies.append(detail(ribs.at(0.0, -0.5 * (depth + GAP - 0.0006), 0.0), "knob", finish))
+        bodies.append(detail(ribs.at(0.0, -0.5 * (depth + GAP - 0.0006), 0.0), label, finish))
     if style == "capped":
         plate = _disc(0.86 * radius, depth - 0.001, depth + 0.0008, 0.0005)
-        bodies.append(detail(plate, "knob", cap or finish))
+        bodies.append(detail(plate, label, cap or finish))
         front = depth + 0.0008
         reach = 0.82 * radius
     if mark is not None:

@@ -124,39 +124,25 @@ class Divided:
     def _door(
         self, cell: Cell, low: Scalar, high: Scalar, handle: Literal["low", "middle", "high"] = "middle"
     ) -> Leaf:
-        edge, case = self._edge, self.case
-        return Leaf(
-            "door",
-            "door",
-            case,
-            cell,
-            -1.0 * edge,
-            edge,
-            low,
-            high,
-            cell.right,
-            self.ridge,
-            self.bins,
-            handle=handle,
-        )
+        return self._wide("door", cell, low, high, self.ridge, self.bins, handle)
 
     def _freezer(self, cell: Cell, low: Scalar, high: Scalar, handle: Literal["low", "high"]) -> Leaf:
+        return self._wide("freezer_door", cell, low, high, self.freezer_ridge, max(1, self.bins - 1), handle)
+
+    def _wide(
+        self,
+        name: str,
+        cell: Cell,
+        low: Scalar,
+        high: Scalar,
+        ridge: Scalar | None,
+        bins: int,
+        handle: Literal["low", "middle", "high"],
+    ) -> Leaf:
+        """Plan a door as wide as the cabinet, between two heights."""
         edge, case = self._edge, self.case
-        name = "freezer_door"
-        ridge = self.freezer_ridge
         return Leaf(
-            name,
-            name,
-            case,
-            cell,
-            -1.0 * edge,
-            edge,
-            low,
-            high,
-            cell.right,
-            ridge,
-            max(1, self.bins - 1),
-            handle=handle,
+            name, name, case, cell, -1.0 * edge, edge, low, high, cell.right, ridge, bins, handle=handle
         )
 
     def _fronts(self, low: Scalar, high: Scalar) -> tuple[Front, ...]:

@@ -32,6 +32,8 @@ from artgen.nodes.handles import Scalar
 _HANG = 0.024  # from the hinge of the shade to the top of its housing [m]
 _TUBE = 0.0105  # radius of the bow [m]
 _SWING = 0.6  # of the shade either way [rad]
+_TURN = 2.595  # of the ellipse that the bow follows, from its side on [rad]
+_STEPS = 9  # points on it
 
 
 def arc_arm(head: Head, *, height: Scalar, reach: Scalar, looks: ArmLooks) -> Carried:
@@ -45,19 +47,16 @@ def arc_arm(head: Head, *, height: Scalar, reach: Scalar, looks: ArmLooks) -> Ca
     """
     finish = looks.finish
     foot = cylinder(2.3 * _TUBE, 0.022, bevel=0.003).at(0.0, 0.0, TURRET + 0.011)
-    end, before = vector(reach, 0.0, 0.80 * height), vector(0.88 * reach, 0.0, 0.90 * height)
-    last = end + (before - end) * (0.034 / norm(before - end))  # from here on it runs in the inner lane
     # straight up, then a quarter and more of an ellipse
     rise = 0.50 * height
-    wide, high = 0.52 * reach, height - rise
+    wide, high = reach / (1.0 - math.cos(_TURN)), height - rise
     bend = [
         (wide * (1.0 - math.cos(turn)), 0.0, rise + high * math.sin(turn))
-        for turn in (0.35, 0.75, 1.15, math.pi / 2.0, 1.95, 2.3)
+        for turn in (_TURN * step / _STEPS for step in range(_STEPS + 1))
     ]
-    low = [(0.0, 0.0, 0.018), (0.0, 0.0, 0.6 * rise), (0.0, 0.0, rise)]
-    end, before = vector(reach, 0.0, rise + 0.52 * high), vector(*bend[-1])
+    end, before = vector(*bend[-1]), vector(*bend[-2])
     last = end + (before - end) * (0.034 / norm(before - end))  # from here on it runs in the inner lane
-    course = spline([*low, *bend, last])
+    course = spline([(0.0, 0.0, 0.018), (0.0, 0.0, 0.84 * rise), *bend[:-1], last])
     neck = cylinder(0.0048, 0.040, axis=end - last).at((end + last) * 0.5)
     grip = frame((0.0, 0.0, 0.5 * rise), approach=Y, closing=(1.0, 0.0, 0.0))
     bow = weld(

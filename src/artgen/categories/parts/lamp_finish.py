@@ -87,7 +87,7 @@ BODIES = (
 )
 """What bodies of table lamps are made of, of the density that they have with their hollow."""
 
-BODY_WEIGHTS = (*(0.8,) * len(_GLAZES), *(1.0,) * 4, *(0.9,) * 3, *(0.6,) * 2, *(0.6,) * 4)
+BODY_WEIGHTS = (*(0.9,) * len(_GLAZES), *(1.0,) * 4, *(0.9,) * 3, *(0.8,) * 2, *(0.8,) * 4)
 """How often."""
 
 LEGS = (

@@ -117,10 +117,11 @@ def metal_head(
     housing = cylinder(HOUSING, HOUSING_TOP + 0.006, bevel=0.002).at(0.0, 0.0, -0.5 * (HOUSING_TOP + 0.006))
     lid = cylinder(high[0], 0.0026, bevel=0.0010).at(0.0, 0.0, high[1] + 0.0003)
     mouth = cylinder(0.0180, 0.012, bevel=0.0012).at(0.0, 0.0, top - 0.010)
-    rim_grasp = _rim_grasp(points[0], points[1], straight=kind in ("cone", "drum"))
-    skins = _straight(points, spun(finish), lining, rim_grasp) if kind in ("cone", "drum") else []
-    if not skins:
-        skins = _curved(kind, points, spun(finish), lining, rim_grasp)
+    if kind in ("cone", "drum"):
+        skins = _straight(points, spun(finish), lining, _rim_grasp(points[0], points[1], _ROUND, 0.0))
+    else:
+        hold = _rim_grasp(points[0], points[1], _SIDES, _UNDER)
+        skins = _curved(kind, points, spun(finish), lining, hold)
     plug = cylinder(high[0] - 0.0016, 0.010, bevel=0.0010).at(0.0, 0.0, high[1] - 0.0045)
     body = weld(
         *skins,
@@ -206,16 +207,23 @@ def _curved(
     ]
 
 
-def _rim_grasp(low: Point, high: Point, *, straight: bool, sides: int = _SIDES, upper: bool = False) -> Frame:
-    """Return where a hand holds a rim: in front, one finger inside, from below or (`upper`) from above."""
-    sides = _ROUND if straight else sides
+def _rim_grasp(low: Point, high: Point, sides: int, under: Scalar, *, upper: bool = False) -> Frame:
+    """Return where a hand holds a rim: in front, one finger inside, from below or (`upper`) from above.
+
+    Args:
+        low: The rim.
+        high: The other end of the outline's run.
+        sides: Facets of the shell.
+        under: How far the shell lies below the outline [m].
+        upper: Whether it is the upper rim.
+    """
     turn = math.pi * (1.5 + (0.0 if sides % 4 == 2 else 1.0 / sides))  # the middle of a facet
     out = vector(math.cos(turn), math.sin(turn), 0.0)
     share = math.cos(math.pi / sides)
     along = vector(0.0, 0.0, high[1] - low[1]) + out * ((high[0] - low[0]) * share)
     length = norm(along)
     up = along / length
-    inward = 0.0008 if straight else _UNDER + 0.0008
+    inward = under + 0.0008
     closing = vector(0.0, 0.0, (high[0] - low[0]) * share / length) - out * ((high[1] - low[1]) / length)
     inside = closing * (-inward if upper else inward)
     at = out * (low[0] * share) + vector(0.0, 0.0, low[1]) + up * 0.006 + inside
@@ -312,13 +320,14 @@ def spider_shade(
                 (top + 0.17 * (bottom - top), 0.67 * height),
                 (top, height),
             ]
-            bodies = _cloth(points, finish, lining, trim, sides=_SIDES)
+            under = _UNDER + 0.010 * bottom
+            bodies = _cloth(points, finish, lining, trim, sides=_SIDES, under=under)
             reach = top + 0.17 * (bottom - top) * drop / (0.33 * height)
-            reach = reach * math.cos(math.pi / _SIDES)
+            reach = (reach - under) * math.cos(math.pi / _SIDES)
         case _:
             points = [(bottom, 0.0), (top, height)]
-            bodies = _cloth(points, finish, lining, trim, sides=_ROUND)
-            reach = top + (bottom - top) * drop / height
+            bodies = _cloth(points, finish, lining, trim, sides=_ROUND, under=_UNDER)
+            reach = (top + (bottom - top) * drop / height - _UNDER) * math.cos(math.pi / _ROUND)
     spokes = [] if reach is None else _spokes(reach, level + HUB / 2.0, wire)
     hub = tube(STUD + 0.0038, STUD + _PLAY, HUB, bevel=0.0006).at(0.0, 0.0, level + HUB / 2.0)
     return FabricShade(weld(*bodies, part(hub, "shade", wire), *spokes), vector(z=level).z, kind)
@@ -336,18 +345,36 @@ def _spokes(reach: Scalar, level: Scalar, wire: Material) -> list[Body]:
 
 
 def _cloth(
-    points: list[Point], finish: Material, lining: Material, trim: Material, *, sides: int
+    points: list[Point], finish: Material, lining: Material, trim: Material, *, sides: int, under: Scalar
 ) -> list[Body]:
-    """Make a cloth shade of straight runs between its points, with its lining and two bands."""
-    path = polyline(_line(points))
-    shell = revolve(half_section(path, wall=_CLOTH), sides=sides)
-    inside = revolve(half_section(path, wall=0.0003, inset=_CLOTH - 0.0001), sides=sides)
-    grasp = _rim_grasp(points[-1], points[-2], straight=sides == _ROUND, sides=sides, upper=True)
-    bands = [
-        detail(_band(first, second, sides), "shade", trim)
-        for first, second in (_rim(points[0], points[1]), _rim(points[-1], points[-2])[::-1])
+    """Make a cloth shade: the skin and the lining that are seen, the faceted shell between them, two bands.
+
+    Args:
+        points: Its outline, from the lower rim up.
+        finish: Outside.
+        lining: Inside.
+        trim: The bands.
+        sides: Facets of the shell.
+        under: How far the shell lies below the skin [m].
+    """
+    sag = 1.0 - math.cos(math.pi / sides)
+    within = [(r - (under + _CLOTH + 0.0005 + sag * r), z) for r, z in points]
+    outside, inside = (
+        spline(_line(each)) if len(each) > 2 else polyline(_line(each)) for each in (points, within)
+    )
+    shell = revolve(half_section(polyline(_line(points)), wall=_CLOTH, inset=under), sides=sides)
+    grasp = _rim_grasp(points[-1], points[-2], sides, under, upper=True)
+    bands = []
+    for end, beside in ((0, 1), (-1, -2)):
+        first, second = _rim(points[end], points[beside])
+        thick = points[end][0] - within[end][0] + _SKIN
+        bands.append(detail(_band(*((second, first) if end else (first, second)), thick), "shade", trim))
+    return [
+        part(shell, "shade", finish, grasp=grasp),
+        detail(revolve(half_section(outside, wall=_SKIN)), "shade", finish),
+        detail(revolve(half_section(inside, wall=_SKIN)), "shade", lining),
+        *bands,
     ]
-    return [part(shell, "shade", finish, grasp=grasp), detail(inside, "shade", lining), *bands]
 
 
 def _rim(start: Point, towards: Point, long: Scalar = 0.009) -> tuple[Point, Point]:
@@ -357,11 +384,9 @@ def _rim(start: Point, towards: Point, long: Scalar = 0.009) -> tuple[Point, Poi
     return start, (r + share * (r_far - r), z + share * (z_far - z))
 
 
-def _band(low: Point, high: Point, sides: int) -> Solid:
-    """Make a band that is folded over a rim."""
-    return revolve(
-        half_section(polyline(_line([low, high])), wall=_CLOTH + 0.0014, inset=-0.0007), sides=sides
-    )
+def _band(low: Point, high: Point, thick: Scalar) -> Solid:
+    """Make a band that is folded over the rim of a shade of some thickness [m]."""
+    return revolve(half_section(polyline(_line([low, high])), wall=thick + 0.0014, inset=-0.0007))
 
 
 def globe(radius: Scalar, finish: Material) -> Body:

@@ -33,7 +33,7 @@ from artgen.categories.parts.dials import DialStyle, dial
 SwitchKind = Literal["button", "rocker", "dial"]
 """What a finger presses or turns."""
 
-SWITCH_LABELS = ("switch", "button", "rocker", "knob", "pull_chain", "cord", "print")
+SWITCH_LABELS = ("switch", "button", "rocker", "dial", "pull_chain", "cord", "print")
 """Labels of switches, of what they are on and of their print."""
 
 ROCK = 0.25
@@ -125,7 +125,7 @@ def _rocker(finish: Material, ink: Material) -> Switch:
 
 
 def _dial(finish: Material, ink: Material, style: DialStyle) -> Switch:
-    knob = dial(finish=finish, style=style, radius=0.014, depth=0.017, mark=ink, name="dial")
+    knob = dial(finish=finish, style=style, radius=0.014, depth=0.017, mark=ink, name="dial", label="dial")
     turn = Revolute(
         "switch_turn",
         axis=Y,

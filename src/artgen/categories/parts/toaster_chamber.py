@@ -75,7 +75,7 @@ def chamber(plan: Plan) -> Body:
 def _walls(plan: Plan, level: Float, tall: Float) -> Solid:
     """Make the wall at the back, and the one before the bay, which leaves the carriages a gap per slot."""
     begin, end = plan.chamber
-    half = plan.span / 2 + 0.012
+    half = plan.span / 2 + _MICA + 0.0006  # within the bevels of a classic body
     back = box(2 * half, _WALL, tall).at(0.0, end + _WALL / 2, level)
     edges = [-1.0 * half, *(x + side * GAP for x in plan.middles for side in (-1, 1)), half]
     boards = [

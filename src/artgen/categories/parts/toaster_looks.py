@@ -38,7 +38,7 @@ _LIGHT_ENDS = (coloured("abs", "white"), coloured("abs", "light_grey"), coloured
 SLEEVES: Any = by(
     "style",
     box=shades(*_MATTE, *_STEELS[:1], weights=(2.0, 2.2, 1.2, 1.0, 0.8, 1.0, 0.6, 1.6), color=0.05),
-    rounded=shades(*_GLOSSY, *_STEELS[:1], weights=(2.0, 1.8, 1.4, 1.2, 1.0, 0.6, 0.7, 1.3), color=0.05),
+    rounded=shades(*_GLOSSY, *_STEELS[:1], weights=(2.0, 1.7, 1.4, 1.2, 0.8, 0.8, 0.9, 1.3), color=0.05),
     retro=shades(*_ENAMELS, weights=(1.6, 1.5, 1.4, 1.1, 1.2, 0.9, 1.0, 0.8, 0.6, 0.6), color=0.05),
     steel=shades(*_STEELS, weights=(2.6, 1.6, 1.2, 0.7), color=0.03),
     classic=shades(

@@ -5,16 +5,14 @@ and every straight wire collides as the capsule that it is.
 """
 
 import math
-from collections.abc import Sequence
 from typing import Literal
 
 import numpy as np
-from manifold3d import Manifold
 from numpy.typing import NDArray
 
 from artgen import colliders
 from artgen.asset.outline import Contour, Curve, Outline
-from artgen.asset.shape import Shape
+from artgen.asset.shape import ComposedShape, Shape
 from artgen.colliders.pieces import Pieces
 from artgen.graph import kernel
 from artgen.nodes import inputs
@@ -32,14 +30,6 @@ _GAP = 2e-6  # [m]
 _MOST_WIRES = 200
 _SIDES = 6  # of a bent wire, whose shading is round
 _AXES = {"depth": np.array([0.0, 1.0, 0.0]), "width": np.array([1.0, 0.0, 0.0])}
-
-
-def composed(shapes: Sequence[Shape]) -> Shape:
-    """Return solids that are free of each other as one solid."""
-    manifold = Manifold.compose([shape.manifold for shape in shapes])
-    pieces = colliders.union(*(shape.pieces for shape in shapes))
-    members = tuple(member for shape in shapes for member in shape.members)
-    return Shape(manifold, pieces, {}, members).checked()
 
 
 def _copies(shape: Shape, places: Array) -> list[Shape]:
@@ -94,7 +84,7 @@ def _wire_rack(
         brace = _capsule(frame, across - 4.0 * frame - 2.0 * _GAP, side)
         levels = (np.arange(supports) + 1.0) / (supports + 1.0) - 0.5
         shapes += _copies(brace, levels[:, None] * (along - 2.0 * frame) * axis)
-    return composed(shapes)
+    return ComposedShape(shapes)
 
 
 def _inset(place: float, across: float, corner: float, frame: float) -> float:
@@ -158,7 +148,7 @@ def _tine_row(count: int, pitch: float, height: float, wire: float, rail: float,
     tine = tine.transformed(inputs.pose(turn, middle))
     places = (np.arange(count) - (count - 1) / 2.0)[:, None] * np.array([pitch, 0.0, 0.0])
     base = _capsule(rail, (count - 1) * pitch + 4.0 * wire + 2.0 * rail, np.array([1.0, 0.0, 0.0]))
-    return composed([base, *_copies(tine, places)])
+    return ComposedShape([base, *_copies(tine, places)])
 
 
 def tine_row(

@@ -1,0 +1,75 @@
+"""The watertight surfaces of manifold3d: made of triangles, and moved."""
+
+import numpy as np
+from manifold3d import Manifold, Mesh64
+from numpy.typing import ArrayLike, NDArray
+
+Array = NDArray[np.float64]
+Indices = NDArray[np.int64]
+
+PROPERTIES = 6
+"""Vertex property channels of every manifold: nx ny nz u v paint."""
+
+TURNED_OVER = np.array([-1.0, 1.0])
+"""Turns texture coordinates, so that a reflection mirrors no map."""
+
+_COINCIDENT = 1e-9  # [m]: vertices closer than this are one point of the surface
+_HAS_NORMALS = 2  # bit of a mesh run: the first three channels are normals, to be turned with the solid
+
+
+def moved_manifold(manifold: Manifold, matrix: Array) -> Manifold:
+    """Return a manifold moved by an affine matrix, shape (4, 4)."""
+    if np.linalg.det(matrix[:3, :3]) < 0.0:
+        return _reflected(manifold, matrix)
+    return manifold.transform(np.ascontiguousarray(matrix[:3]))
+
+
+def _reflected(manifold: Manifold, matrix: Array) -> Manifold:
+    """Return a manifold moved by a matrix that turns it over, shape (4, 4).
+
+    Manifold's own transform turns the triangles but leaves their corners' normals in the old order.
+    """
+    raw = manifold.to_mesh64()
+    properties = np.array(raw.vert_properties)
+    properties[:, :3] = properties[:, :3] @ matrix[:3, :3].T + matrix[:3, 3]
+    normals = properties[:, 3:6] @ np.linalg.inv(matrix[:3, :3])
+    properties[:, 3:6] = normals / np.linalg.norm(normals, axis=1, keepdims=True)
+    properties[:, 6:8] *= TURNED_OVER
+    return manifold_of(properties, raw.tri_verts[:, ::-1], raw.merge_from_vert, raw.merge_to_vert)
+
+
+def manifold_of(table: Array, triangles: ArrayLike, merged: ArrayLike, target: ArrayLike) -> Manifold:
+    """Make a manifold, whose status is not checked, of vertices with the channels of `PROPERTIES`.
+
+    Args:
+        table: x y z and the channels of each vertex, shape (n, 3 + PROPERTIES).
+        triangles: Vertex indices, shape (m, 3).
+        merged: Vertices that lie where another one does, shape (k,).
+        target: The other one of each of them, shape (k,).
+    """
+    corners = np.array(triangles, np.uint64, order="C").reshape(-1, 3)
+    return Manifold(
+        Mesh64(
+            table,
+            corners,
+            np.array(merged, np.uint64),
+            np.array(target, np.uint64),
+            run_index=np.array([0, corners.size], np.uint64),
+            run_original_id=np.array([Manifold.reserve_ids(1)], np.uint32),
+            run_flags=np.array([_HAS_NORMALS], np.uint8),
+        )
+    )
+
+
+def coincident(vertices: Array) -> Indices:
+    """Return for each vertex the first vertex at its place."""
+    quantised = np.rint(vertices / _COINCIDENT).astype(np.int64)
+    _, first, group = np.unique(quantised, axis=0, return_index=True, return_inverse=True)
+    return first[group.ravel()]
+
+
+def is_closed(faces: Indices) -> bool:
+    """Tell whether each edge of triangles, shape (m, 3), is one of another triangle the other way round."""
+    start, end = faces.ravel(), faces[:, [1, 2, 0]].ravel()
+    count = int(faces.max()) + 1
+    return np.array_equal(np.sort(start * count + end), np.sort(end * count + start))
