@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from artgen.colliders.polytope import cross
 from artgen.errors import AssetError
 
 Array = NDArray[np.float64]
@@ -97,7 +98,7 @@ def polyhedron_moments(vertices: Array, triangles: NDArray[np.int64]) -> Moments
     reference = 0.5 * (vertices.min(axis=0) + vertices.max(axis=0))
     corners = (vertices - reference)[triangles]
     a, b, c = corners[:, 0], corners[:, 1], corners[:, 2]
-    six_volumes = np.einsum("ij,ij->i", a, np.cross(b, c))
+    six_volumes = np.einsum("ij,ij->i", a, cross(b, c))
     volume = float(_sum(six_volumes)) / 6.0
     total = a + b + c
     first = _sum(six_volumes[:, None] * total) / 24.0

@@ -15,6 +15,7 @@ Indices = NDArray[np.int64]
 Mask = NDArray[np.bool_]
 
 _FAN = 4  # children of a box, at most
+_MANY = 12  # vertices from which a piece is looked at in a box at first
 _CORNERS = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)])
 _SQUARE = np.eye(3)
 _NORMAL_DECIMALS = 9
@@ -104,6 +105,9 @@ class Hierarchy:
             piece = int(chosen[0])
             order.append(piece)
             self._nodes.append(_Node(first, first + 1, pieces[piece], (), piece))
+            if len(pieces[piece]) > _MANY:  # mostly the box around it is enough
+                corners = low[piece] + _CORNERS * (high[piece] - low[piece])
+                self._nodes.append(_Node(first, first + 1, corners, (len(self._nodes) - 1,), -1))
             return len(self._nodes) - 1
         groups = [part for half in _halves(chosen, low, high) for part in _halves(half, low, high)]
         children = tuple(self._grow(pieces, group, low, high, order) for group in groups)

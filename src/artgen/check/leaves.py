@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 
 from artgen.asset.certificate import PROOF_FORMAT
+from artgen.check.items import Items
 from artgen.check.results import Judged
 
 
@@ -20,18 +21,30 @@ def leaves_data(proven: Sequence[Judged]) -> dict[str, Any]:
     sets: list[dict[str, Any]] = []
     pairs: list[dict[str, Any]] = []
     known: dict[int, int] = {}
+    ordered: list[dict[int, Items]] = []
     for judged in proven:
         key = id(judged.nodes)
         if key not in known:
             known[key] = len(sets)
             sets.append(_pieces(judged))
-        rows = []
-        for items in judged.leaves:
-            chosen = items[items.way == judged.number]
-            if len(chosen):
-                rows += _rows(judged, chosen)
+            ordered.append(_by_way(judged.leaves))
+        rows = _rows(judged, ordered[known[key]].get(judged.number))
         pairs.append({"links": list(judged.way.links), "pieces": known[key], "leaves": rows})
     return {"format": PROOF_FORMAT, "pieces": sets, "pairs": pairs}
+
+
+def _by_way(leaves: Sequence[Items]) -> dict[int, Items]:
+    """Return the leaves of each way of a search, in the order in which it closed them."""
+    if not leaves:
+        return {}
+    joined = Items.join(leaves)
+    joined = joined[np.argsort(joined.way, kind="stable")]
+    ways, first = np.unique(joined.way, return_index=True)
+    ends = [*first[1:].tolist(), len(joined)]
+    return {
+        int(way): joined[np.arange(start, end)]
+        for way, start, end in zip(ways, first.tolist(), ends, strict=True)
+    }
 
 
 def _pieces(judged: Judged) -> dict[str, Any]:
@@ -47,7 +60,9 @@ def _pieces(judged: Judged) -> dict[str, Any]:
     return result
 
 
-def _rows(judged: Judged, items: Any) -> list[list[float]]:
+def _rows(judged: Judged, items: Items | None) -> list[list[float]]:
+    if items is None:
+        return []
     nodes, count = judged.nodes, len(judged.way.variables)
     whole = np.column_stack(
         (

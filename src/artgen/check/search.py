@@ -3,8 +3,9 @@
 An item is two nodes (pieces, or boxes around several) and a cell of the joint space of their links. It is
 closed by a plane, in one of the frames along the path, whose bound over the whole cell exceeds the threshold;
 or, for joints about one axis, by heights and distances that turning does not change. What is open is split:
-the larger box if it exceeds the motion in the cell, else the cell. FCL proposes directions and says which
-pieces may overlap; nothing that is proven rests on it. All pairs of links are searched side by side.
+the larger box if it exceeds the motion in the cell, else the cell. Small cells of pieces that are too close
+are given up, once their corners were tried. FCL proposes directions and says which pieces may overlap;
+nothing that is proven rests on it. All pairs of links are searched side by side.
 """
 
 from collections.abc import Sequence

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from artgen import colliders
 from artgen.asset.shape import Shape
 from artgen.colliders import Convex, Exact
+from artgen.colliders.polytope import cross
 from artgen.graph import kernel
 from artgen.materials import Material
 from artgen.nodes import inputs
@@ -197,7 +198,7 @@ def _inset(solid: Manifold, distance: float) -> Array:
     """
     mesh = solid.to_mesh64()
     corners = np.array(mesh.vert_properties)[:, :3][np.asarray(mesh.tri_verts).astype(np.int64)]
-    across = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    across = cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     size = np.linalg.norm(across, axis=1)
     longest = np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2).max(axis=1)
     sound = size > 1e-6 * longest**2
@@ -214,7 +215,7 @@ def _inset(solid: Manifold, distance: float) -> Array:
         )
     dual = Manifold.hull_points(np.ascontiguousarray(normals / depth[:, None])).to_mesh64()
     faces = np.array(dual.vert_properties)[:, :3][np.asarray(dual.tri_verts).astype(np.int64)]
-    poles = np.cross(faces[:, 1] - faces[:, 0], faces[:, 2] - faces[:, 0])
+    poles = cross(faces[:, 1] - faces[:, 0], faces[:, 2] - faces[:, 0])
     height = np.einsum("ij,ij->i", poles, faces[:, 0])
     area = np.linalg.norm(poles, axis=1)
     proper = area > 1e-12 * area.max()

@@ -6,6 +6,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from artgen.colliders.polytope import cross
+
 Array = NDArray[np.float64]
 
 _SHARP = 1e-6  # [m]
@@ -113,7 +115,7 @@ def frame(axis: Any, name: str = "axis") -> Array:
     first[0 if near else 1] = 1.0
     across = first - along * (first @ along)
     across /= np.linalg.norm(across)
-    return np.column_stack([across, np.cross(along, across), along]) + 0.0
+    return np.column_stack([across, cross(along, across), along]) + 0.0
 
 
 def frame_is_mirrored(rotation: Array) -> bool:

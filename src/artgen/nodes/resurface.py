@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from artgen.asset.manifolds import manifold_of
 from artgen.asset.shape import Shape
 from artgen.colliders import Pieces
+from artgen.colliders.polytope import cross
 from artgen.nodes.contours import CREASE
 from artgen.nodes.unwrap import boxed_uvs
 
@@ -36,7 +37,7 @@ def faceted_shape(solid: Manifold, pieces: Pieces) -> Shape:
     places = np.array(raw.vert_properties)[:, :3]
     triangles = np.asarray(raw.tri_verts).astype(np.int64)
     corners = places[triangles]
-    across = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    across = cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     size = np.linalg.norm(across, axis=1)
     flat = across / np.maximum(size, 1e-300)[:, None]
     normals = _corner_normals(triangles, flat, across, corners)

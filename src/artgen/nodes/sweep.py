@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from artgen.asset.outline import Contour, Curve, Outline
 from artgen.asset.shape import Shape
+from artgen.colliders.polytope import cross
 from artgen.graph import kernel
 from artgen.nodes.contours import CREASE
 from artgen.nodes.covers import around_sweep
@@ -84,7 +85,7 @@ def _mitres(arriving: Array, leaving: Array, cosine: Array, is_curve: bool) -> A
 
 def _turns_between(source: Array, target: Array) -> Array:
     """Return the least rotations, shape (n, 3, 3), that take unit vectors (n, 3) to others."""
-    axis = np.cross(source, target)
+    axis = cross(source, target)
     cosine = np.einsum("ij,ij->i", source, target)
     skew = np.zeros((len(source), 3, 3))
     skew[:, 0, 1], skew[:, 0, 2], skew[:, 1, 2] = -axis[:, 2], axis[:, 1], -axis[:, 0]
@@ -107,13 +108,13 @@ def _transported(tangents: Array, directions: Array, distance: Array, closed: bo
     course[0::2], course[1::2] = tangents, directions
     ups = np.array(_carried(first, course)[0::2])
     if closed:
-        axis = np.cross(ups[0], ups[-1])
+        axis = cross(ups[0], ups[-1])
         missing = math.atan2(float(axis @ start), float(ups[0] @ ups[-1]))
         angle = -missing * distance / distance[-1]
-        side = np.cross(tangents, ups)
+        side = cross(tangents, ups)
         ups = np.cos(angle)[:, None] * ups + np.sin(angle)[:, None] * side
         ups[-1] = ups[0]
-    return np.stack([np.cross(ups, tangents), ups, tangents], axis=-1)
+    return np.stack([cross(ups, tangents), ups, tangents], axis=-1)
 
 
 def _carried(first: Array, tangents: Array) -> list[Row]:

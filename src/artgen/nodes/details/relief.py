@@ -7,12 +7,13 @@ from numpy.typing import NDArray
 
 from artgen.asset.outline import Contour, Outline
 from artgen.asset.shape import Shape
+from artgen.colliders.polytope import cross
 from artgen.graph import kernel
 from artgen.materials import Material
 from artgen.nodes import inputs
 from artgen.nodes.body import detail
 from artgen.nodes.contours import is_disjoint
-from artgen.nodes.covers import around_extrusion
+from artgen.nodes.covers import around_extrusion, lazily
 from artgen.nodes.details.prisms import prisms
 from artgen.nodes.handles import Array3, Body, Profile, Scalar, Solid, Vector, VectorLike
 from artgen.nodes.surfaces import extrusion, mitres
@@ -49,7 +50,7 @@ def facing_frame(facing: Array, up: Array | None) -> Array:
         shown = ", ".join(f"{value:g}" for value in up)
         raise ValueError(f"up ({shown}) runs along facing: it must point upward on the face")
     upward /= length
-    return np.column_stack([np.cross(upward, out), upward, out]) + 0.0
+    return np.column_stack([cross(upward, out), upward, out]) + 0.0
 
 
 def _allows(contours: Sequence[Contour], bevel: float) -> bool:
@@ -96,7 +97,9 @@ def _relief(
     turn = facing_frame(facing, up)
     contours = profile.contours
     skin = extrusion(contours, length, bevel=bevel) if bevel > 0.0 else prisms(contours, length)
-    pieces = around_extrusion(profile, length, bevel=bevel, taper=0.0, twist=0.0, stations=1)
+    pieces = lazily(
+        lambda: around_extrusion(profile, length, bevel=bevel, taper=0.0, twist=0.0, stations=1)
+    )  # most reliefs are only seen
     return skin.shape(pieces).transformed(inputs.pose(turn, place + turn[:, 2] * (proud - sunk) / 2.0))
 
 
