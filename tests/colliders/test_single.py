@@ -7,9 +7,18 @@ from hypothesis import strategies as st
 
 from artgen.colliders import Convex
 from artgen.colliders.connected import closed_mesh, connected_parts
+from artgen.colliders.polytope import hull_triangles
 from artgen.colliders.single import fewest, single_hull
 from colliders.covering import block, drum, pose
 from support.trays import tray
+
+
+def test_a_large_hull_is_the_same_each_time():
+    points = np.random.default_rng(1293).normal(size=(4000, 3))
+    points /= 10.0 * np.linalg.norm(points, axis=1, keepdims=True)
+    hulls = [hull_triangles(points) for _ in range(25)]
+    assert len({(vertices.tobytes(), triangles.tobytes()) for vertices, triangles, _ in hulls}) == 1
+    assert len({single_hull(points).points.tobytes() for _ in range(5)}) == 1
 
 
 @settings(max_examples=15)

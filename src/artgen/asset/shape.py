@@ -341,6 +341,11 @@ class ComposedShape(Shape):
         corners = np.concatenate([shape.bounds() for shape in self.shapes])
         return np.array([corners.min(axis=0), corners.max(axis=0)])
 
+    @property
+    def vertices(self) -> Array:
+        """The vertices of all solids, shape (n, 3) [m]."""
+        return np.concatenate([shape.vertices for shape in self.shapes])
+
     @cached_property
     def mesh(self) -> Mesh:
         """The triangles of all solids, one after the other."""

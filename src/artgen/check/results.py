@@ -188,7 +188,11 @@ def _extent(low: Array, high: Array, box: Array) -> float:
 
 
 def _named(way: Way, positions: Array) -> dict[str, float]:
-    values = np.round(positions, _POSE_DECIMALS) + 0.0
+    """Return rounded positions by variable, none beyond the end of its range."""
+    boxes = np.array(way.boxes)
+    values = (
+        np.clip(np.round(positions, _POSE_DECIMALS), boxes.min(axis=0)[:, 0], boxes.max(axis=0)[:, 1]) + 0.0
+    )
     return dict(zip(way.variables, values.tolist(), strict=True))
 
 

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from artgen.colliders.convex import TOLERANCE, Array, Convex
 from artgen.colliders.polytope import SNAP, cross
+from artgen.colliders.triangles import triangles_of
 
 _NEEDLE = 1e-7  # [m]: height of a triangle below which it is a needle
 _FLAT = 1e-8  # area of a dual triangle by its longest side squared, below which it is a needle
@@ -89,7 +90,7 @@ class Facets:
 
     @cached_property
     def _triangles(self) -> NDArray[np.int64]:
-        return np.asarray(self._mesh.tri_verts).astype(np.int64)
+        return triangles_of(self._mesh)
 
     @cached_property
     def _across(self) -> tuple[Array, Array, Array]:
@@ -149,7 +150,7 @@ def _corners(planes: Array, centre: Array) -> Array:
     """
     depth = planes[:, 3] - planes[:, :3] @ centre
     dual = Manifold.hull_points(planes[:, :3] / depth[:, None]).to_mesh64()
-    ends = np.array(dual.vert_properties)[:, :3][np.asarray(dual.tri_verts).astype(np.int64)]
+    ends = np.array(dual.vert_properties)[:, :3][triangles_of(dual)]
     first, second = ends[:, 1] - ends[:, 0], ends[:, 2] - ends[:, 0]
     poles = cross(first, second)
     longest = np.maximum(np.einsum("ij,ij->i", first, first), np.einsum("ij,ij->i", second, second))

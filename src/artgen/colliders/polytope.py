@@ -14,6 +14,8 @@ import numpy as np
 from manifold3d import Manifold
 from numpy.typing import NDArray
 
+from artgen.colliders.triangles import triangles_of
+
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
 Indices = NDArray[np.int64]
@@ -253,7 +255,7 @@ def hull_triangles(points: Array) -> tuple[Array, Indices, Array]:
     if solid.is_empty():
         raise ValueError(f"the {len(points)} points lie in one plane; a hull needs a volume")
     mesh = solid.to_mesh64()
-    return np.array(mesh.vert_properties)[:, :3], np.asarray(mesh.tri_verts).astype(np.int64), centre
+    return np.array(mesh.vert_properties)[:, :3], triangles_of(mesh), centre
 
 
 def is_rigid(linear: Array) -> bool:

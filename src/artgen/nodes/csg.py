@@ -15,6 +15,7 @@ from artgen import colliders
 from artgen.asset.shape import Shape
 from artgen.colliders import Convex, Exact
 from artgen.colliders.polytope import cross
+from artgen.colliders.triangles import triangles_of
 from artgen.graph import kernel
 from artgen.materials import Material
 from artgen.nodes import inputs
@@ -26,6 +27,7 @@ from artgen.nodes.resurface import faceted_shape, with_properties
 Array = NDArray[np.float64]
 
 _PAINT = 8  # column of the paint number in the vertex table
+_PLANE_DECIMALS = 9  # of normals and distances [m]
 _FULL = 0.999  # share of its hull that a convex solid fills
 
 
@@ -197,13 +199,16 @@ def _inset(solid: Manifold, distance: float) -> Array:
         ValueError: Nothing is left inside.
     """
     mesh = solid.to_mesh64()
-    corners = np.array(mesh.vert_properties)[:, :3][np.asarray(mesh.tri_verts).astype(np.int64)]
+    corners = np.array(mesh.vert_properties)[:, :3][triangles_of(mesh)]
     across = cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     size = np.linalg.norm(across, axis=1)
     longest = np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2).max(axis=1)
     sound = size > 1e-6 * longest**2
     normals = across[sound] / size[sound, None]
     reach = np.einsum("ij,ij->i", normals, corners[sound, 0]) - distance
+    # triangles of one face have one plane: nearly equal ones would make slivers
+    planes = np.unique(np.round(np.column_stack([normals, reach]), _PLANE_DECIMALS), axis=0)
+    normals, reach = planes[:, :3], planes[:, 3]
     centre = corners.reshape(-1, 3).mean(axis=0)
     if (reach - normals @ centre).min() <= 1e-6:
         centre = _deepest(normals, reach)
@@ -214,7 +219,7 @@ def _inset(solid: Manifold, distance: float) -> Array:
             f"{2.0 * (distance + float(depth.min())):.3g} m thick"
         )
     dual = Manifold.hull_points(np.ascontiguousarray(normals / depth[:, None])).to_mesh64()
-    faces = np.array(dual.vert_properties)[:, :3][np.asarray(dual.tri_verts).astype(np.int64)]
+    faces = np.array(dual.vert_properties)[:, :3][triangles_of(dual)]
     poles = cross(faces[:, 1] - faces[:, 0], faces[:, 2] - faces[:, 0])
     height = np.einsum("ij,ij->i", poles, faces[:, 0])
     area = np.linalg.norm(poles, axis=1)

@@ -75,8 +75,10 @@ class _Articulation:
             "poses": [self._pose(pose) for pose in self._request["poses"]],
         }
         self._place(start)
+        if self._request["base"] == "free":  # it would fall as long as it is driven, beyond single precision
+            self._make_weightless()
         moved = drive_all(self, self._request)
-        said = [*self._astray(), *self._left()]
+        said = [*self._astray(), *self._left(start)]
         for binding in self._bindings.values():
             binding.destroy()
         return {**answer, "moved": moved, "steps": self.steps, "finite": self.finite, "said": said}
@@ -181,10 +183,23 @@ class _Articulation:
                 said.append(f"{name} does not follow {leader}: it is off by {error:.4g}")
         return said
 
-    def _left(self) -> list[str]:
-        """Tell which springs, though stronger than friction, do not bring their joints back by themselves."""
+    def _put_back(self, start: Any) -> None:
+        """Put back what others block and no spring moves: a lifted bucket keeps its lid from falling."""
+        positions = self._read("DOF_POSITION")
+        for joint in self._request["joints"]:
+            if joint["blocked"] and not joint["stiffness"] and joint["name"] in self._joints:
+                number = self._joints[joint["name"]]
+                positions[number] = start[number]
+        self._place(positions)
+
+    def _make_weightless(self) -> None:
         weightless = self._binding("BODY_DISABLE_GRAVITY")
         weightless.write(np.ones(weightless.shape, np.uint8))
+
+    def _left(self, start: Any) -> list[str]:
+        """Tell which springs, though stronger than friction, do not bring their joints back by themselves."""
+        self._make_weightless()
+        self._put_back(start)
         seen = len(self._track)
         for _ in range(round(_RETURN / _LOOK)):
             self.advance(_LOOK)

@@ -11,7 +11,10 @@ _APART = 4.0  # [m]
 _CLEAR = 0.002  # of a free object from the floor before it drops [m]
 _STEPS = 1000
 _TURN = 0.5  # how long a joint takes from one end to the other [s]
-_GROWTH = 0.25  # until a joint that does not move is pushed by all of its effort [s]
+_MOST = 1.5  # to one end [s]
+_NEAR = 0.02  # share of the range that may be missing at its end
+_GROWTH = 15.0  # of a force while its joint hardly moves [1/s]
+_LEAST = 1e-4  # share of the effort that such a force begins with
 _CORNERS = ("p0", "px", "py", "pz")
 
 
@@ -130,9 +133,12 @@ def _driven(mujoco: Any, fields: Fields, joint: dict[str, Any], request: dict[st
     place, degree = model.jnt_qposadr[number], model.jnt_dofadr[number]
     low, high = ends(joint)
     seen = [float(data.qpos[place])]
-    for speed in ((high - low) / _TURN, (low - high) / _TURN):
+    for side, end in ((1.0, high), (-1.0, low)):
         more = 0.0
-        for _ in range(round(1.2 * _TURN / model.opt.timestep)):
+        for _ in range(round(_MOST / model.opt.timestep)):
+            if side * (end - seen[-1]) <= _NEAR * (high - low):
+                break  # it would be pressed into its limit, which gives way
+            speed = side * (high - low) / _TURN
             more = _push(mujoco, model, data, degree, speed, joint["effort"], more)
             seen.append(float(data.qpos[place]))
     return [min(seen), max(seen)]
@@ -147,9 +153,9 @@ def _push(mujoco: Any, model: Any, data: Any, degree: int, speed: float, effort:
     """
     mujoco.mj_forward(model, data)
     if abs(data.qvel[degree]) < 0.5 * abs(speed) or data.qvel[degree] * speed < 0.0:
-        more = min(effort, more + effort * model.opt.timestep / _GROWTH)
+        more = min(effort, max(_LEAST * effort, more * (1.0 + _GROWTH * model.opt.timestep)))
     else:
-        more *= 0.9
+        more *= 0.5
     unit, column = np.zeros((1, model.nv)), np.zeros((1, model.nv))
     unit[0, degree] = 1.0
     mujoco.mj_solveM(model, data, column, unit)

@@ -1,0 +1,77 @@
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from artgen.asset.shape import ComposedShape, Shape
+from artgen.nodes import arrays, primitive, sweep, transform
+from artgen.nodes.path import _polyline
+from artgen.nodes.profile import _circle
+from support.shapes import X, Z
+
+LENGTHS = st.floats(0.01, 0.3)
+
+
+def volume_of(mesh):
+    a, b, c = np.moveaxis(mesh.vertices[mesh.triangles], 1, 0)
+    return np.einsum("ij,ij->", a, np.cross(b, c)) / 6.0
+
+
+def assert_mesh_is_the_manifold(shape):
+    assert volume_of(shape.mesh) == pytest.approx(shape.manifold.volume(), rel=1e-9)
+    np.testing.assert_allclose(
+        shape.bounds(), np.reshape(shape.manifold.bounding_box(), (2, 3)), rtol=0, atol=1e-11
+    )
+    assert len(shape.mesh.triangles) == shape.manifold.num_tri()
+    assert set(shape.mesh.triangles.ravel()) == set(range(len(shape.mesh.vertices)))
+    np.testing.assert_array_equal(shape.vertices, shape.mesh.vertices)
+
+
+@settings(max_examples=20, deadline=None)
+@given(LENGTHS, LENGTHS, LENGTHS, st.sampled_from([0.0, 0.0005, 0.004]))
+def test_a_solid_is_the_same_with_and_without_its_manifold(x, y, z, bevel):
+    corners = tuple(np.array([[0.0, 0.0, 0.0], [x, 0.0, 0.0], [x, 0.0, z + 0.05]]))
+    wire = sweep._sweep(_circle(0.003), _polyline(corners, 0.004, closed=False))
+    for solid in (primitive._box(x, y, z, bevel), primitive._cylinder(x, z, Z, bevel / 4.0), wire):
+        assert_mesh_is_the_manifold(solid)
+        assert_mesh_is_the_manifold(transform._rotate(solid, X, 0.4, np.zeros(3)))
+
+
+def test_solids_that_are_apart_are_one_solid_with_all_their_parts():
+    pin = primitive._cylinder(0.02, 0.2, Z, 0.001)
+    row = arrays._array(pin, np.array([[0.05 * place, 0.0, 0.0] for place in range(4)]))
+    assert isinstance(row, ComposedShape)
+    assert_mesh_is_the_manifold(row)
+    assert len(row.parts) == len(row.manifold.decompose()) == 4
+    assert {len(part) for part in row.parts} == {len(pin.parts[0])}
+    moved = transform._translate(row, X)
+    np.testing.assert_allclose(moved.bounds(), row.bounds() + X)
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        (lambda triangles: triangles[1:], "not a closed manifold: an edge belongs to one face alone"),
+        (
+            lambda triangles: triangles[:, ::-1],
+            r"the volume is -1e-06 m\^3; a solid must have",
+        ),
+        (lambda triangles: triangles[:0], "the result is empty"),
+        (lambda triangles: triangles * 0, "the result is empty"),
+    ],
+    ids=["open", "inside out", "nothing", "points"],
+)
+def test_a_surface_that_is_no_solid_is_refused(change, message):
+    box = primitive._box(0.01, 0.01, 0.01, 0.0)
+    mesh = box.mesh
+    with pytest.raises(ValueError, match=message):
+        Shape.from_mesh(mesh.vertices, mesh.normals, mesh.uvs, change(mesh.triangles), box.pieces)
+
+
+def test_coordinates_must_be_finite():
+    box = primitive._box(0.01, 0.01, 0.01, 0.0)
+    mesh = box.mesh
+    vertices = np.where(mesh.vertices == mesh.vertices.max(), np.nan, mesh.vertices)
+    targets = np.array([np.flatnonzero((mesh.vertices == each).all(axis=1))[0] for each in mesh.vertices])
+    with pytest.raises(ValueError, match="coordinates that are not finite"):
+        Shape.from_mesh(vertices, mesh.normals, mesh.uvs, mesh.triangles, box.pieces, targets=targets)
