@@ -28,6 +28,7 @@ from artgen import (
     sphere,
     spline,
     sweep,
+    union,
     vector,
     weld,
 )
@@ -136,9 +137,21 @@ def weighted_base(
     return weld(part(block, "base", finish), pad(shape, radius), set_in.body.at(at))
 
 
+_LENGTHS = 4  # of a pole on which a ring slides
+
+
 def pole(radius: Scalar, low: Scalar, high: Scalar, finish: Material, *, capped: bool = False) -> Body:
-    """Make an upright tube, with a flange at its foot and, if it is `capped`, a ball that ends it."""
-    tube_ = cylinder(radius, high - low, bevel=0.001).at(0.0, 0.0, (low + high) / 2.0)
+    """Make an upright tube, with a flange at its foot and, if it is `capped`, a ball that ends it.
+
+    On a capped one a ring slides: it collides in short lengths, for PhysX lets a ring jam on a long thin one.
+    """
+    if capped:
+        long = (high - low) / _LENGTHS
+        length = cylinder(radius, long + 0.001)
+        middles = [low + long * (number + 0.5) for number in range(_LENGTHS)]
+        tube_ = union(*(length.at(0.0, 0.0, middle) for middle in middles))
+    else:
+        tube_ = cylinder(radius, high - low, bevel=0.001).at(0.0, 0.0, (low + high) / 2.0)
     flange = cylinder(2.1 * radius, 0.008, bevel=0.0025).at(0.0, 0.0, low + 0.004)
     bodies = [part(tube_, "pole", hollow(finish)), part(flange, "pole", finish)]
     if capped:
