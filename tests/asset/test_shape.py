@@ -75,3 +75,17 @@ def test_coordinates_must_be_finite():
     targets = np.array([np.flatnonzero((mesh.vertices == each).all(axis=1))[0] for each in mesh.vertices])
     with pytest.raises(ValueError, match="coordinates that are not finite"):
         Shape.from_mesh(vertices, mesh.normals, mesh.uvs, mesh.triangles, box.pieces, targets=targets)
+
+
+def test_triangles_without_height_are_cut_another_way():
+    ring = np.array([[0.0, 0.0], [0.1, 0.0], [0.2, 0.0], [0.2, 0.1], [0.0, 0.1]])
+    vertices = np.vstack([np.column_stack([ring, np.full(5, z)]) for z in (0.0, 0.05)])
+    cap = np.array([[0, 1, 2], [0, 2, 3], [0, 3, 4]])  # the first one's corners lie in a row
+    sides = [[[a, b, b + 5], [a, b + 5, a + 5]] for a, b in zip(range(5), [1, 2, 3, 4, 0], strict=True)]
+    triangles = np.vstack([cap[:, ::-1], cap + 5, np.reshape(sides, (-1, 3))])
+    zeros = np.zeros((10, 3))
+    shape = Shape.from_mesh(vertices, zeros, zeros[:, :2], triangles, primitive._box(1, 1, 1, 0.0).pieces)
+    corners = shape.mesh.vertices[shape.mesh.triangles]
+    areas = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
+    assert areas.min() > 1e-4
+    assert shape.manifold.volume() == pytest.approx(0.2 * 0.1 * 0.05)

@@ -24,6 +24,7 @@ Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
 _GRAIN = 1e12  # steps per metre: hides the last digit, in which the sines of different machines differ
+_NEEDLE = 1e-9  # height of a triangle [m]
 _RIGID = 1e-12  # what a rotation may miss orthogonality by
 
 
@@ -107,7 +108,7 @@ class Shape:
         Raises:
             ValueError: The triangles do not close to a solid of positive volume.
         """
-        return MeshShape(
+        shape = MeshShape(
             vertices,
             normals,
             uvs,
@@ -117,6 +118,9 @@ class Shape:
             paints=paints,
             paint_materials=paint_materials,
         )
+        if not shape.has_needles:
+            return shape
+        return Shape(shape.manifold, pieces, shape.paints)  # which turns the edges of needles
 
     def checked(self) -> "Shape":
         """Force the manifold and return the shape if it is a solid.
@@ -236,6 +240,7 @@ class MovedShape(Shape):
 class MeshShape(Shape):
     """A solid of triangles that close; its manifold is made when it is asked for."""
 
+    has_needles: bool  # whether triangles have no height, as some of a face with corners in a row have
     _table: Array  # x y z and the channels of `PROPERTIES` of each vertex, shape (n, 3 + PROPERTIES)
     _triangles: Indices
     _targets: Indices  # for each vertex, the first one at the same point of the surface, shape (n,)
@@ -273,8 +278,8 @@ class MeshShape(Shape):
         table /= _GRAIN
         if paints is not None:
             table[:, 8] = paints[kept]
-        _check_volume(table[:, :3], number[triangles])
         vars(self).update(
+            has_needles=_has_needles(table[:, :3], number[triangles]),
             _table=table,
             _triangles=number[triangles],
             _targets=points,
@@ -378,11 +383,19 @@ def _mesh(table: Array, triangles: Indices) -> Mesh:
     )
 
 
-def _check_volume(points: Array, faces: Indices) -> None:
-    """Refuse a surface that is not finite or encloses no positive volume."""
-    a, b, c = np.moveaxis((points - points[0])[faces], 1, 0)
-    volume = float(np.einsum("ij,ij->", a, cross(b, c))) / 6.0
+def _has_needles(points: Array, triangles: Indices) -> bool:
+    """Tell whether triangles have no height.
+
+    Raises:
+        ValueError: They are not finite or enclose no positive volume.
+    """
+    a, b, c = np.moveaxis((points - points[0])[triangles], 1, 0)
+    first, second, third = b - a, c - a, c - b
+    across = cross(first, second)
+    volume = float(np.einsum("ij,ij->", a, across)) / 6.0
     if not np.isfinite(volume):
         raise ValueError("the surface has coordinates that are not finite")
     if volume <= 0.0:
         raise ValueError(f"the volume is {volume:.3g} m^3; a solid must have a positive one")
+    area, *longest = (np.einsum("ij,ij->i", each, each) for each in (across, first, second, third))
+    return bool((area <= _NEEDLE**2 * np.maximum.reduce(longest)).any())
