@@ -43,6 +43,10 @@ KNOWN = (
         "MJX",
         "on JAX it refuses contacts between cylinders and boxes: `impl='warp'` takes them",
     ),
+    (
+        "mujoco_usd_converter",
+        "two joints of one body become two joints between the same bodies: they move one after the other",
+    ),
     ("Newton", "a drive's target beyond a joint's limits becomes the middle of its range"),
     ("PhysX", "on a GPU, pieces a hundred times as long as thin collide on the processor"),
     ("pinocchio", "a coupled joint's leader has to come before it in the alphabet"),

@@ -108,13 +108,19 @@ def _arm(prim: Any) -> tuple[str, str, str, Any, Any, int]:
 
 
 def _pose(arms: list[Any], pose: dict[str, float], links: list[str]) -> dict[str, Any]:
+    """Return the frames of links; joints between the same bodies move one after the other, as MuJoCo's do."""
     frames = {links[0]: np.eye(4)}
-    remaining = [arm for arm in arms if arm[2] != links[0]]
-    while ready := [arm for arm in remaining if arm[1] in frames]:
-        for name, parent, child, before, after, axis in ready:
-            motion = _motion(axis, pose.get(name, 0.0))
-            frames[child] = frames[parent] @ before @ motion @ np.linalg.inv(after)
-        remaining = [arm for arm in remaining if arm not in ready]
+    pairs = dict.fromkeys((parent, child) for _, parent, child, *_ in arms if child != links[0])
+    remaining = list(pairs)
+    while ready := [pair for pair in remaining if pair[0] in frames]:
+        for pair in ready:
+            frame = frames[pair[0]]
+            *earlier, last = [arm for arm in arms if arm[1:3] == pair]
+            for name, _, _, before, _, axis in earlier:
+                frame = frame @ before @ _motion(axis, pose.get(name, 0.0)) @ np.linalg.inv(before)
+            name, _, child, before, after, axis = last
+            frames[child] = frame @ before @ _motion(axis, pose.get(name, 0.0)) @ np.linalg.inv(after)
+        remaining = [pair for pair in remaining if pair not in ready]
     return in_base(frames, links)
 
 
