@@ -110,7 +110,7 @@ def with_bail(body: Body, can: Can, *, finish: Material, needs: Condition | Depe
     z = can.top - WIRE
     way = spline([(x, 0.0, z), (0.93 * x, 0.45 * y, z), (0.55 * x, 0.88 * y, z), (0.0, y, z),
                   (-0.55 * x, 0.88 * y, z), (-0.93 * x, 0.45 * y, z), (-1.0 * x, 0.0, z)])  # fmt: skip
-    wire = coarse(sweep(circle(WIRE), way), 0.0006)
+    wire = coarse(sweep(circle(WIRE), way), 0.00075)
     grip = cylinder(_GRIP, 0.07, axis=X, bevel=0.0015).at(0.0, y, z - 0.003)
     hold = grasp_on(grip, approach=-Z, closing=(0.0, 1.0, 0.0))
     inner, outer = x + WIRE + 0.0005, can.half_across(can.wall) + 0.001
