@@ -48,7 +48,13 @@ KNOWN = (
         "two joints of one body become two joints between the same bodies: they move one after the other",
     ),
     ("Newton", "a drive's target beyond a joint's limits becomes the middle of its range"),
-    ("PhysX", "on a GPU, pieces a hundred times as long as thin collide on the processor"),
+    (
+        "PhysX",
+        (
+            "on a GPU, pieces a hundred times as long as thin collide on the processor, where rings may jam "
+            "on them: cut such cylinders into lengths"
+        ),
+    ),
     ("pinocchio", "a coupled joint's leader has to come before it in the alphabet"),
     ("PyBullet", "it passes over `<mimic>`"),
     ("robosuite", "it drops an object's `<equality>`: append it to the task"),
