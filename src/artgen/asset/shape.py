@@ -133,11 +133,7 @@ class Shape:
             raise ValueError(f"the surface is not a closed manifold ({status.name})")
         if self.manifold.is_empty():
             raise ValueError("the result is empty")
-        volume = self.manifold.volume()
-        if not np.isfinite(volume):
-            raise ValueError("the surface has coordinates that are not finite")
-        if volume <= 0.0:
-            raise ValueError(f"the volume is {volume:.3g} m^3; a solid must have a positive one")
+        _check_volume(self.manifold.volume())
         return self
 
     def bounds(self) -> Array:
@@ -383,6 +379,14 @@ def _mesh(table: Array, triangles: Indices) -> Mesh:
     )
 
 
+def _check_volume(volume: float) -> None:
+    """Refuse the volume of a surface that is not finite, or that is no solid [m^3]."""
+    if not np.isfinite(volume):
+        raise ValueError("the surface has coordinates that are not finite")
+    if volume <= 0.0:
+        raise ValueError(f"the volume is {volume:.3g} m^3; a solid must have a positive one")
+
+
 def _has_needles(points: Array, triangles: Indices) -> bool:
     """Tell whether triangles have no height.
 
@@ -390,12 +394,7 @@ def _has_needles(points: Array, triangles: Indices) -> bool:
         ValueError: They are not finite or enclose no positive volume.
     """
     a, b, c = np.moveaxis((points - points[0])[triangles], 1, 0)
-    first, second, third = b - a, c - a, c - b
-    across = cross(first, second)
-    volume = float(np.einsum("ij,ij->", a, across)) / 6.0
-    if not np.isfinite(volume):
-        raise ValueError("the surface has coordinates that are not finite")
-    if volume <= 0.0:
-        raise ValueError(f"the volume is {volume:.3g} m^3; a solid must have a positive one")
-    area, *longest = (np.einsum("ij,ij->i", each, each) for each in (across, first, second, third))
+    across = cross(b - a, c - a)
+    _check_volume(float(np.einsum("ij,ij->", a, across)) / 6.0)
+    area, *longest = (np.einsum("ij,ij->i", each, each) for each in (across, b - a, c - a, c - b))
     return bool((area <= _NEEDLE**2 * np.maximum.reduce(longest)).any())

@@ -189,8 +189,7 @@ class Search:
         place = frames(path)
         self._try_known(planes, items, place)
         self._record(items, planes, threshold)
-        rows = np.flatnonzero(planes.best <= threshold)
-        rows = self._try_axis(items, rows, path, threshold)
+        rows = self._try_axis(items, np.flatnonzero(planes.best <= threshold), path, threshold)
         if not len(rows):
             return []
         distance, towards, frame = self._try_distance(planes, items, place, rows, threshold)
@@ -299,10 +298,14 @@ class Search:
             free[row] = np.isnan(self._depth(items, int(row)))
         np.minimum.at(self._guaranteed, items.way[free], apart[free])
 
+    def _are_pieces(self, items: Items) -> Mask:
+        """Tell which items are pieces, not boxes around several."""
+        return self.nodes.leaf[items.first] & self.nodes.leaf[items.second]
+
     def _judge(self, items: Items, distance: Array) -> Mask:
         """Look for witnesses among open pieces that seem to touch, and return what to go on with."""
-        leaf = self.nodes.leaf[items.first] & self.nodes.leaf[items.second]
-        self._witnesses.in_middles(items, np.flatnonzero(leaf & ~(distance > self.settings.pressed)))
+        touching = self._are_pieces(items) & ~(distance > self.settings.pressed)
+        self._witnesses.in_middles(items, np.flatnonzero(touching))
         return ~self._done[items.way]
 
     def _refute(self, items: Items, distance: Array, threshold: Array) -> bool:
@@ -311,7 +314,7 @@ class Search:
         Returns:
             Whether there are any.
         """
-        leaf = self.nodes.leaf[items.first] & self.nodes.leaf[items.second]
+        leaf = self._are_pieces(items)
         ways = items.way
         close = leaf & (threshold > 0.0) & (distance > 0.0) & (distance < self.tolerances[ways])
         refuted = np.flatnonzero(close & (self.tolerances[ways] > self.least[ways]))
@@ -327,7 +330,7 @@ class Search:
 
         A large cell may hide a collision: it is split further, as long as that leads to few cells.
         """
-        leaf = self.nodes.leaf[items.first] & self.nodes.leaf[items.second]
+        leaf = self._are_pieces(items)
         still = leaf & (motion < self.settings.still)
         close = leaf & (distance < self.tolerances[items.way] + self.settings.close) & (threshold > 0.0)
         large = close & (motion > self.settings.small)
@@ -360,8 +363,7 @@ class Search:
         divide = (larger > 0.0) & ((larger > 0.25 * total) | (total < self.settings.still))
         stuck = self._hopeless(items, distance, threshold, total)
         if stuck.any():
-            leaf = nodes.leaf[items.first] & nodes.leaf[items.second]
-            self._witnesses.in_corners(items, np.flatnonzero(stuck & leaf))
+            self._witnesses.in_corners(items, np.flatnonzero(stuck & self._are_pieces(items)))
             self._give_up(items[stuck], distance[stuck])
         result = []
         halve = np.flatnonzero(~divide & ~stuck)

@@ -243,6 +243,7 @@ def _lifters_of(known: Operation) -> tuple[tuple[str, Any, tuple[Lifter, ...]], 
     )
 
 
+@cache
 def _lifter(hint: Any, operation: str = "") -> Lifter:
     """Return what turns an author's value into a node or literal of one type, or NotImplemented.
 

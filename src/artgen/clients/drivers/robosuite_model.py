@@ -134,11 +134,10 @@ def _driven(mujoco: Any, fields: Fields, joint: dict[str, Any], request: dict[st
     low, high = ends(joint)
     seen = [float(data.qpos[place])]
     for side, end in ((1.0, high), (-1.0, low)):
-        more = 0.0
+        speed, more = side * (high - low) / _TURN, 0.0
         for _ in range(round(_MOST / model.opt.timestep)):
             if side * (end - seen[-1]) <= _NEAR * (high - low):
                 break  # it would be pressed into its limit, which gives way
-            speed = side * (high - low) / _TURN
             more = _push(mujoco, model, data, degree, speed, joint["effort"], more)
             seen.append(float(data.qpos[place]))
     return [min(seen), max(seen)]
