@@ -4,6 +4,7 @@ The hinge's axis runs along X behind the rim, below the underside of the lid: wh
 above the axis stays above it until the lid stands upright.
 """
 
+import math
 from dataclasses import dataclass
 from typing import Literal
 
@@ -20,7 +21,6 @@ from artgen import (
     Z,
     atan2,
     box,
-    coarse,
     cylinder,
     detail,
     dome,
@@ -28,9 +28,12 @@ from artgen import (
     grasp_on,
     material,
     part,
+    polygon,
+    rectangle,
+    revolve,
     weld,
 )
-from artgen.categories.parts.bins import Can
+from artgen.categories.parts.bins import Can, Plan
 from artgen.categories.parts.pedals import Linkage
 from artgen.nodes.handles import Scalar
 
@@ -58,6 +61,8 @@ _CHEEK = 0.0034  # thickness of the cheeks beside it [m]
 _ROUND = 0.0082  # radius of the cheeks about the pin [m]
 _CUSHION = 90.0  # sheet of 0.4 mm around air, 2-3 kg/m2 where it is 25-35 mm high [kg/m3]
 _BELOW = 0.006  # the axis under the rim [m]
+_SOFT = 0.0032  # bevel of a slab [m]
+_WITHIN = 0.0003  # how far facets lie below what is seen of them [m]
 _LIP = 0.020  # how far a lip stands out in front [m]
 
 
@@ -193,15 +198,16 @@ def lid_panel(
         overhang: How far it reaches over the wall [m].
     """
     level = Can(can.plan, can.width, can.depth, low + thick, low, can.corner, can.wall)
-    # no cylinder: simulators find contacts with the flat side of so wide a one only roughly
-    slab = extrude(level.outline(-1.0 * overhang), thick, bevel=0.0032).at(0.0, 0.0, low + thick / 2.0)
-    bodies = [part(slab, "lid", finish)]
+    slab = extrude(level.outline(-1.0 * overhang), thick, bevel=_SOFT).at(0.0, 0.0, low + thick / 2.0)
+    radius = can.width / 2.0 + overhang
+    bodies = _faceted(slab, _disc(radius, thick).at(0.0, 0.0, low), finish, can.plan)
     top = low + thick
     hollow = finish.with_(name=f"{finish.name}_cushion", density=_CUSHION)
     if style == "domed" and can.plan == "round":
-        radius = can.width / 2.0 + overhang - 0.004
-        cushion = coarse(dome(radius, height=0.16 * can.width)).at(0.0, 0.0, top - 0.001)
-        bodies.append(part(cushion, "lid", hollow))
+        radius = radius - 0.004
+        rise = 0.16 * can.width
+        cushion = dome(radius, height=rise).at(0.0, 0.0, top - 0.001)
+        bodies += _faceted(cushion, _cap(radius, rise).at(0.0, 0.0, top - 0.001), hollow, can.plan)
     elif style == "domed":
         rise = 0.016
         slope = extrude(level.outline(0.003 - overhang), rise, taper=0.16, bevel=0.005)
@@ -212,6 +218,32 @@ def lid_panel(
     liner = extrude(level.outline(can.wall + 0.006), 0.0016).at(0.0, 0.0, low)
     bodies.append(detail(liner, "lid", material("black_abs")))
     return weld(*bodies)
+
+
+def _faceted(seen: Solid, met: Solid, finish: Material, plan: Plan) -> list[Body]:
+    """Make one piece of a lid; of a round one what is seen is only that, and what is met has few facets.
+
+    A round slab of its own would collide as four pieces of many vertices, a cushion as eight; simulators find
+    the contacts with the flat side of so wide a cylinder only roughly.
+    """
+    if plan != "round":
+        return [part(seen, "lid", finish)]
+    return [part(met, "lid", finish), detail(seen, "lid", finish)]
+
+
+def _disc(radius: Scalar, thick: Scalar) -> Solid:
+    """Make a disc of few facets within a slab whose underside is at z = 0."""
+    wide, high = radius - 0.8 * _SOFT, thick - 2.0 * _WITHIN
+    return revolve(rectangle(wide, high).at(wide / 2.0, thick / 2.0), sides=30)
+
+
+def _cap(radius: Scalar, rise: Scalar) -> Solid:
+    """Make half of an ellipsoid of few facets within one that is smooth."""
+    turns = (0.0, 0.36, 0.78)
+    wide, high = radius - _WITHIN, rise - _WITHIN
+    line = [(wide * math.cos(turn), high * math.sin(turn)) for turn in turns]
+    flat = 0.22  # of the radius: on top
+    return revolve(polygon([(0.0, 0.0), *line, (flat * wide, 0.975 * high), (0.0, 0.975 * high)]), sides=15)
 
 
 def lid_grip(
