@@ -99,6 +99,7 @@ OVERRIDES: dict[str, dict[str, Any]] = {
         "at": row((0.0, 0.0, 0.0), (1.0, 0.0, 0.0), 3),
     },
     "box": {"bevel": 0.01},
+    "cylinder_between": {"start": (0.0, 0.1, 0.0), "end": (SIZE, 0.4, 0.5), "radius": 0.2, "bevel": 0.01},
     "box_between": {"low": (0.0, 0.0, 0.0), "high": (SIZE, 0.4, 0.5), "bevel": 0.01},
     "cylinder": {"bevel": 0.01},
     "joint": {"rest": -0.25, "limits": None},

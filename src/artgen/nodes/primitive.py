@@ -108,6 +108,28 @@ def cylinder(radius: Scalar, length: Scalar, *, axis: VectorLike = UP, bevel: Sc
 
 
 @kernel
+def _cylinder_between(start: Array3, end: Array3, radius: float, bevel: float) -> Shape:
+    along = inputs.vector("end", end) - inputs.vector("start", start)
+    length = math.hypot(*along)
+    if length <= 0.0:
+        raise ValueError("start and end are the same point; a cylinder between two points has a length")
+    made = _cylinder(radius, length, along, bevel)
+    return made.transformed(inputs.pose(np.eye(3), 0.5 * (start + end)))
+
+
+def cylinder_between(start: VectorLike, end: VectorLike, radius: Scalar, *, bevel: Scalar = 0.0) -> Solid:
+    """Make a cylinder from a point to another one: a pin, a post, a rod, a straight wire.
+
+    Args:
+        start: The middle of one end [m].
+        end: The middle of the other one [m].
+        radius: Its radius [m]; the facets stay inside of it.
+        bevel: Radius to which both rims are rounded [m].
+    """
+    return Solid.record(_cylinder_between, start=start, end=end, radius=radius, bevel=bevel)
+
+
+@kernel
 def _bore(radius: float, length: float, axis: Array3) -> Shape:
     inputs.positive("radius", radius)
     inputs.positive("length", length)
