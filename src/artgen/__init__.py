@@ -36,13 +36,26 @@ from artgen.nodes.condition import Condition, Dependency
 from artgen.nodes.csg import enclosed, hull, intersection, shell, split, union
 from artgen.nodes.extrude import extrude
 from artgen.nodes.half_section import half_section
-from artgen.nodes.handles import Body, Bool, Float, Path, Points, Profile, Solid, Vector
+from artgen.nodes.handles import (
+    Body,
+    Bool,
+    Float,
+    Path,
+    Points,
+    Profile,
+    Scalar,
+    Solid,
+    Span,
+    Vector,
+    VectorLike,
+)
 from artgen.nodes.hold import Frame, frame, grasp_on, push_on
 from artgen.nodes.joint import Coupling, Joint, Prismatic, Revolute
 from artgen.nodes.loft import loft
 from artgen.nodes.path import arc, bezier, helix, line, polyline, spline
 from artgen.nodes.points import along, grid, points, ring_points, row
 from artgen.nodes.primitive import (
+    board,
     bore,
     box,
     box_between,
@@ -118,8 +131,11 @@ __all__ = [
     "Profile",
     "RenderError",
     "Revolute",
+    "Scalar",
     "Solid",
+    "Span",
     "Vector",
+    "VectorLike",
     "X",
     "Y",
     "Z",
@@ -130,6 +146,7 @@ __all__ = [
     "array",
     "atan2",
     "bezier",
+    "board",
     "bore",
     "bow",
     "box",

@@ -5,8 +5,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from artgen.errors import EvaluationError
 from artgen.graph import evaluate
 from artgen.nodes import primitive
+from artgen.nodes.inputs import pose
+from artgen.nodes.primitive import board, box_between, cylinder_between
 from support.shapes import X, Y, Z, check_metric, check_shape, relative_volume, same_bytes
 
 LENGTHS = st.floats(0.002, 2.0)
@@ -38,6 +41,38 @@ def test_a_sharp_box_is_exact_and_its_own_collider():
     (piece,) = shape.pieces.outer(1e-6)
     assert (piece.kind, piece.size) == ("box", (0.1, 0.2, 0.3))
     check_metric(shape)
+
+
+def test_a_board_lies_between_its_planes_as_a_box_between_their_corners_does():
+    span = board((-0.2, 0.3), (0.1, 0.12), (0.0, 0.7), bevel=0.002)
+    shape = evaluate(span).value
+    np.testing.assert_allclose(shape.bounds(), [[-0.2, 0.1, 0.0], [0.3, 0.12, 0.7]], atol=1e-12)
+    corners = box_between((-0.2, 0.1, 0.0), (0.3, 0.12, 0.7), bevel=0.002)
+    assert span.node.key == corners.node.key
+
+
+def test_a_board_whose_planes_are_swapped_names_the_axis():
+    with pytest.raises(EvaluationError, match=r"0\.2 m apart along y: the lowest one comes first"):
+        evaluate(board((0.0, 1.0), (0.3, 0.1), (0.0, 1.0)))
+
+
+@few
+@given(LENGTHS, AXES, st.floats(0.0, 0.9))
+def test_a_cylinder_between_two_points_is_one_along_their_line(length, axis, share):
+    radius, start = 0.01, np.array([0.3, -0.2, 0.1])
+    end = start + length * axis / np.linalg.norm(axis)
+    bevel = share * min(radius, length / 2.0)
+    shape = primitive._cylinder_between(start, end, radius, bevel)
+    check_shape(shape)
+    same = primitive._cylinder(radius, length, end - start, bevel).transformed(
+        pose(np.eye(3), (start + end) / 2.0)
+    )
+    same_bytes(shape, same)
+
+
+def test_a_cylinder_from_a_point_to_itself_is_refused():
+    with pytest.raises(EvaluationError, match="start and end are the same point"):
+        evaluate(cylinder_between((0.1, 0.2, 0.3), (0.1, 0.2, 0.3), 0.01))
 
 
 @pytest.mark.parametrize("size", [(0.1, 0.2, 0.9), (0.9, 0.1, 0.2), (0.2, 0.9, 0.1)])

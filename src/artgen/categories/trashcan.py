@@ -19,6 +19,7 @@ from artgen import (
     Body,
     Float,
     Material,
+    Scalar,
     by,
     category,
     choice,
@@ -61,7 +62,6 @@ from artgen.categories.parts.trashcan_kinds import (
 )
 from artgen.categories.parts.trashcan_marks import Sort, maker_mark, sort_mark
 from artgen.categories.parts.trashcan_shells import Dress, Looks
-from artgen.nodes.handles import Scalar
 
 Style = Literal["pedal", "lift", "swing", "ball", "disc", "butterfly", "touch", "open"]
 

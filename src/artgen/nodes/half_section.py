@@ -16,7 +16,7 @@ _FLAT = 0.01  # [m]: how far a line runs off the plane before it is no half sect
 
 
 @kernel
-def _half_section(path: Curve, wall: float | None, inset: float) -> Outline:
+def _half_section(path: Curve, wall: float | None, inset: float, bore: float, within: float) -> Outline:
     if path.closed:
         raise ValueError("the line of a half section must be open: from its lower end to its upper one")
     if np.abs(path.points[:, 1]).max() > _FLAT * max(1.0, float(np.abs(path.points).max())):
@@ -24,10 +24,17 @@ def _half_section(path: Curve, wall: float | None, inset: float) -> Outline:
     line = path.points[:, [0, 2]]
     if line[:, 0].min() < -_ON_AXIS:
         raise ValueError(f"the line reaches x = {line[:, 0].min():g} m; x is the radius, so it starts at 0")
+    if inputs.between("within", within, 0.0, 0.01) > 0.0:
+        low, high = line[:, 1].min(), line[:, 1].max()
+        line = _chords(line, 0.5 * within)
+        path = Curve(np.column_stack([line[:, 0], np.zeros(len(line)), line[:, 1]]))
+        inset = inset + 0.5 * within
     outward, corners = _normals(path, line)
     outer = _on_axis(line - inputs.finite("inset", inset) * corners)
+    if within > 0.0:  # a slanted end moves along its normal, beyond the end of the line
+        outer[:, 1] = np.clip(outer[:, 1], low, high)
     if wall is None:
-        made = _solid(outer, outward)
+        made = _solid(outer, outward, inputs.between("bore", bore, 0.0, float(outer[:, 0].max())))
     else:
         inner = _on_axis(line - (inset + inputs.positive("wall", wall)) * corners)
         made = _shell(outer, inner, outward, smooth=path.tangents is not None)
@@ -37,7 +44,14 @@ def _half_section(path: Curve, wall: float | None, inset: float) -> Outline:
     return Outline((made,))
 
 
-def half_section(path: Path, *, wall: Scalar | None = None, inset: Scalar = 0.0) -> Profile:
+def half_section(
+    path: Path,
+    *,
+    wall: Scalar | None = None,
+    inset: Scalar = 0.0,
+    bore: Scalar = 0.0,
+    within: Scalar = 0.0,
+) -> Profile:
     """Make the profile that `revolve` turns, from the line of its outside.
 
     Args:
@@ -45,8 +59,28 @@ def half_section(path: Path, *, wall: Scalar | None = None, inset: Scalar = 0.0)
             the profile's y. A spline makes a smooth thing.
         wall: Thickness of a shell inside of the line, open at both ends; a solid by default [m].
         inset: How far the outside is moved inward [m].
+        bore: Radius of the hole along the axis of a thing without wall [m].
+        within: How deep below the line straight runs may lie that stand for it; 0 follows the line [m].
+            They nowhere stand out of it: a core of few facets hides within a smooth skin.
     """
-    return Profile.record(_half_section, path=path, wall=wall, inset=inset)
+    return Profile.record(_half_section, path=path, wall=wall, inset=inset, bore=bore, within=within)
+
+
+def _chords(line: Array, off: float) -> Array:
+    """Return those points of a line between which straight runs stay within a distance of it [m]."""
+    first, last = line[0], line[-1]
+    along = last - first
+    length = float(np.hypot(*along))
+    if len(line) < 3:
+        return line
+    if length < _ON_AXIS:
+        apart = np.hypot(*(line - first).T)
+    else:
+        apart = np.abs(along[0] * (line[:, 1] - first[1]) - along[1] * (line[:, 0] - first[0])) / length
+    far = int(np.argmax(apart))
+    if apart[far] <= off:
+        return np.stack([first, last])
+    return np.concatenate([_chords(line[: far + 1], off)[:-1], _chords(line[far:], off)])
 
 
 def _normals(path: Curve, line: Array) -> tuple[Array, Array]:
@@ -72,9 +106,9 @@ def _on_axis(points: Array) -> Array:
     return points
 
 
-def _solid(outer: Array, outward: Array) -> Contour:
-    first = [] if outer[0, 0] == 0.0 else [[0.0, outer[0, 1]]]
-    last = [] if outer[-1, 0] == 0.0 else [[0.0, outer[-1, 1]]]
+def _solid(outer: Array, outward: Array, bore: float = 0.0) -> Contour:
+    first = [] if outer[0, 0] <= bore else [[bore, outer[0, 1]]]
+    last = [] if outer[-1, 0] <= bore else [[bore, outer[-1, 1]]]
     points = np.concatenate([np.array(part, float).reshape(-1, 2) for part in (first, outer, last)])
     return _with_normals(points, outward, len(first))
 

@@ -22,6 +22,8 @@ Scalar = Union["Float", float, int]
 VectorLike = Union["Vector", Sequence["Scalar"], NDArray[np.float64]]
 PointsLike = Union["Points", Sequence["VectorLike"], NDArray[np.float64]]
 Condition_ = Union["Bool", bool]
+Span = tuple[Scalar, Scalar]
+"""From where to where something is along an axis [m]."""
 
 LITERAL_TYPES[Material] = LiteralType("material", Material.to_data, Material.from_data)
 

@@ -20,7 +20,7 @@ from artgen.nodes.covers import (
     moved,
 )
 from artgen.nodes.cuboid import rounded_box
-from artgen.nodes.handles import Array3, Scalar, Solid, VectorLike
+from artgen.nodes.handles import Array3, Scalar, Solid, Span, VectorLike
 from artgen.nodes.surfaces import bevel_steps, extrusion, lathe, sides_of
 
 Array = NDArray[np.float64]
@@ -72,6 +72,19 @@ def box_between(low: VectorLike, high: VectorLike, *, bevel: Scalar = 0.0) -> So
         bevel: Radius to which all edges are rounded [m], at most half the shortest side.
     """
     return Solid.record(_box_between, low=low, high=high, bevel=bevel)
+
+
+def board(x: Span, y: Span, z: Span, *, bevel: Scalar = 0.0) -> Solid:
+    """Make a box from plane to plane, as the boards of a carcass and the walls of a tub are.
+
+    Args:
+        x: From where to where along X, least first [m].
+        y: The same along Y [m].
+        z: The same along Z [m].
+        bevel: Radius to which all edges are rounded [m], at most half the shortest side.
+    """
+    low, high = zip(x, y, z, strict=True)
+    return box_between(low, high, bevel=bevel)
 
 
 def _axial(radius: float, half: float, bevel: float, top_radius: float | None = None) -> Contour:

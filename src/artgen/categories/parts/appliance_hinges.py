@@ -5,6 +5,8 @@ from artgen import (
     Joint,
     Material,
     Revolute,
+    Scalar,
+    VectorLike,
     Z,
     box,
     cylinder,
@@ -14,7 +16,6 @@ from artgen import (
     rectangle,
     weld,
 )
-from artgen.nodes.handles import Scalar, VectorLike
 
 _HAND = 60.0  # the most that a hand pulls with; 15-45 N open a refrigerator [N]
 

@@ -3,8 +3,7 @@
 import math
 from dataclasses import dataclass
 
-from artgen import Float, Profile, atan2, bow, cos, polygon, sin, sqrt
-from artgen.nodes.handles import Scalar
+from artgen import Float, Profile, Scalar, atan2, bow, cos, polygon, sin, sqrt
 
 _STEPS = 24
 """Sides of an arch: 0.3 mm between chord and arc at a radius of 0.9 m."""

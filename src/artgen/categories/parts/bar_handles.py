@@ -13,6 +13,7 @@ from artgen import (
     Body,
     Float,
     Material,
+    Scalar,
     Solid,
     Y,
     Z,
@@ -32,7 +33,6 @@ from artgen import (
 )
 from artgen.categories.parts.bars import bent_bar, rod
 from artgen.categories.parts.finish import casting
-from artgen.nodes.handles import Scalar
 
 BarStyle = Literal["round", "square", "bow", "strap", "pro", "arched"]
 """A rod on two posts; a square one; a bent rod; a flat strap; a thick tube with end caps; a curved blade."""

@@ -3,8 +3,7 @@
 import math
 from collections.abc import Callable, Sequence
 
-from artgen import Profile, Solid, Vector, cylinder, enclosed, line, norm, polyline, sweep, vector
-from artgen.nodes.handles import Scalar
+from artgen import Profile, Scalar, Solid, Vector, cylinder, enclosed, line, norm, polyline, sweep, vector
 
 Way = tuple[int, int, int]
 """The direction of a straight run: an axis or its opposite."""

@@ -10,8 +10,10 @@ from typing import Literal
 
 from artgen import (
     Profile,
+    Scalar,
     Solid,
     Vector,
+    VectorLike,
     Z,
     circle,
     coarse,
@@ -22,7 +24,6 @@ from artgen import (
     sqrt,
     vector,
 )
-from artgen.nodes.handles import Scalar, VectorLike
 
 Plan = Literal["round", "square", "rectangle", "half_round"]
 """Seen from above; a half-round bin has its flat side at the back, to stand against a wall."""
@@ -150,7 +151,7 @@ class Can:
     @property
     def front(self) -> Scalar:
         """Where the wall is in front, at the rim [m]."""
-        return -1.0 * self.depth / 2.0
+        return -self.depth / 2.0
 
     @property
     def back(self) -> Scalar:
@@ -163,12 +164,12 @@ class Can:
         x, y = share * self.width / 2.0 - inset, share * self.depth / 2.0 - inset
         if self.plan == "round":
             x, y = math.sqrt(0.5) * x, math.sqrt(0.5) * y
-            return [(-1.0 * x, -1.0 * y), (x, -1.0 * y), (x, y), (-1.0 * x, y)]
+            return [(-x, -y), (x, -y), (x, y), (-x, y)]
         if self.plan == "half_round":
-            return [(-0.62 * x, -0.62 * y), (0.62 * x, -0.62 * y), (x, y), (-1.0 * x, y)]
+            return [(-0.62 * x, -0.62 * y), (0.62 * x, -0.62 * y), (x, y), (-x, y)]
         near = 0.3 * self.corner
         x, y = x - near, y - near
-        return [(-1.0 * x, -1.0 * y), (x, -1.0 * y), (x, y), (-1.0 * x, y)]
+        return [(-x, -y), (x, -y), (x, y), (-x, y)]
 
     def face(self, z: Scalar) -> Vector:
         """Return the point of the front at a height, in the middle [m]."""

@@ -2,10 +2,9 @@
 
 from dataclasses import dataclass
 
-from artgen import Float, Frame, Material, Solid, box, frame
+from artgen import Float, Frame, Material, Scalar, Solid, box, frame
 from artgen.categories.parts.arch import Arch
 from artgen.categories.parts.entrance import Fittings
-from artgen.nodes.handles import Scalar
 
 EASED = 0.0008
 """Edges of boards are sanded to this radius [m]: joints show as a fine line."""

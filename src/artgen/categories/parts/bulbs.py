@@ -3,6 +3,7 @@
 from artgen import (
     Body,
     Material,
+    Scalar,
     array,
     box,
     cylinder,
@@ -15,7 +16,6 @@ from artgen import (
     weld,
 )
 from artgen.categories.parts.finish import recess
-from artgen.nodes.handles import Scalar
 
 SOCKET = 0.042
 """Length of a socket below its mouth [m]."""

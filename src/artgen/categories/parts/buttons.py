@@ -13,7 +13,9 @@ from artgen import (
     Material,
     Prismatic,
     Profile,
+    Scalar,
     Solid,
+    VectorLike,
     Y,
     box,
     circle,
@@ -27,7 +29,6 @@ from artgen import (
     rectangle,
     weld,
 )
-from artgen.nodes.handles import Scalar, VectorLike
 
 ButtonShape = Literal["round", "square", "pill", "bar"]
 """The outline of a cap: a circle, a soft square, round ends, or a plain bar."""

@@ -12,6 +12,7 @@ from artgen import (
     Body,
     Material,
     Profile,
+    Scalar,
     Y,
     circle,
     coloured,
@@ -23,7 +24,6 @@ from artgen import (
 )
 from artgen.categories.parts.buttons import PLAY, ButtonShape, button_outline
 from artgen.nodes.details.displays import Color
-from artgen.nodes.handles import Scalar
 
 PANE = 0.0006
 """How far an inlay stands out of its face [m]."""
@@ -128,7 +128,7 @@ def icon_row(
     film = found[0]
     for one in found[1:]:
         film = film | one
-    return details.printed(film, (0.0, -1.0 * proud, 0.0), material=ink, proud=_FILM)
+    return details.printed(film, (0.0, -proud, 0.0), material=ink, proud=_FILM)
 
 
 def lamp_row(
@@ -159,7 +159,7 @@ def lamp_row(
             film = circle(_LAMP).at(found[0], level)
             for place in found[1:]:
                 film = film | circle(_LAMP).at(place, level)
-            solid = details.relief(film, (0.0, -1.0 * proud, 0.0), proud=0.0003)
+            solid = details.relief(film, (0.0, -proud, 0.0), proud=0.0003)
             bodies.append(detail(solid, "print", finish))
     return weld(*bodies)
 
@@ -219,7 +219,7 @@ def control_panel(
 def _beside(count: int, pitch: Scalar, aside: Scalar) -> list[Scalar]:
     """Return places at both sides of a display, which leaves `aside` free at either side of x = 0 [m]."""
     half = (count + 1) // 2
-    left = [-1.0 * aside - (half - index - 0.5) * pitch for index in range(half)]
+    left = [-aside - (half - index - 0.5) * pitch for index in range(half)]
     return [*left, *(aside + (index + 0.5) * pitch for index in range(count - half))]
 
 

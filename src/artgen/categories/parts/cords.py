@@ -6,7 +6,9 @@ from artgen import (
     Body,
     Float,
     Material,
+    Scalar,
     Solid,
+    VectorLike,
     X,
     Y,
     box,
@@ -22,7 +24,6 @@ from artgen import (
     vector,
     weld,
 )
-from artgen.nodes.handles import Scalar, VectorLike
 
 CORD = 0.0032
 """Radius of the cord of a small appliance, H03VV-F 3 x 0.75 mm2 [m]."""
@@ -71,7 +72,7 @@ def cord_stub(
         reach: How far behind the plane it comes down, more than 0.035 [m].
         label: Semantic label.
     """
-    fall = -1.0 * (height - radius)
+    fall = -(height - radius)
     path = polyline(_down(reach, fall), fillet=_bend(fall))
     return _seen([*strain_relief(radius=radius), sweep(circle(radius), path)], label, finish)
 
@@ -97,7 +98,7 @@ def mains_cord(
         reach: How far behind the plane it lies, more than 0.04 [m].
         label: Semantic label.
     """
-    fall = -1.0 * (height - radius)
+    fall = -(height - radius)
     run = side * 1.0 * (length - 0.052)
     path = polyline([*_down(reach, fall), (run, reach, fall)], fillet=_bend(fall))
     end = vector(run, reach, fall)

@@ -2,9 +2,8 @@
 
 import math
 
-from artgen import Body, Material, Y, box, circle, detail, extrude, rectangle, ring, slot
+from artgen import Body, Material, Scalar, Y, box, circle, detail, extrude, rectangle, ring, slot
 from artgen.categories.parts.finish import recess
-from artgen.nodes.handles import Scalar
 
 _PLUG = 0.0066  # radius of the plug of a euro-profile cylinder [m]
 _OUT = 0.0018  # how far that cylinder stands out of its plate [m]

@@ -13,7 +13,9 @@ from artgen import (
     Material,
     Profile,
     Revolute,
+    Scalar,
     Solid,
+    VectorLike,
     X,
     Y,
     box,
@@ -28,7 +30,6 @@ from artgen import (
     weld,
 )
 from artgen.nodes.details.dials import SWEEP
-from artgen.nodes.handles import Scalar, VectorLike
 
 DialStyle = Literal["round", "fluted", "bar", "skirted", "capped"]
 """A plain cylinder, one with flutes, a bar on a disc, a knob on a skirt, or one with a cap of metal."""
@@ -116,7 +117,7 @@ def dial(
         reach = 0.82 * radius
     if mark is not None:
         line = details.pointer(0.42 * reach, 0.97 * reach, 0.0015 if style == "bar" else 0.0019)
-        bodies.append(details.printed(line, (0.0, -1.0 * front, 0.0), material=mark))
+        bodies.append(details.printed(line, (0.0, -front, 0.0), material=mark))
     return weld(*bodies)
 
 

@@ -7,7 +7,7 @@ turned over.
 from dataclasses import dataclass
 from functools import cached_property
 
-from artgen import Body, Material, Solid, details, material, part, weld
+from artgen import Body, Material, Scalar, Solid, Span, board, details, material, part, weld
 from artgen.categories.parts.buttons import ButtonShape, button_press, push_button
 from artgen.categories.parts.control_panels import (
     PANE,
@@ -19,9 +19,7 @@ from artgen.categories.parts.control_panels import (
     places,
 )
 from artgen.categories.parts.dials import DialStyle, dial, dial_print, dial_turn
-from artgen.categories.parts.dishwasher_space import Span, board
 from artgen.nodes.details.displays import Color
-from artgen.nodes.handles import Scalar
 
 ICONS = ("power", "wash", "timer", "leaf", "cup", "rinse", "drop", "start_pause")
 """What the buttons do: the first and the last ones are there on every machine."""
@@ -111,24 +109,24 @@ class Console:
         y: Span = (0.0, self.thickness)
         wide, tall = self.opening
         if not self.buttons and not wide:
-            return [board((-1.0 * x, x), y, (-1.0 * z, z), bevel=0.0015)]
+            return [board((-x, x), y, (-z, z), bevel=0.0015)]
         end = -wide if wide else x  # of what is left of the opening
         boards = []
         if wide:
             boards += [
-                board((wide, x), y, (-1.0 * z, z)),
+                board((wide, x), y, (-z, z)),
                 board((-wide - LAP, wide + LAP), y, (tall, z)),
-                board((-wide - LAP, wide + LAP), y, (-1.0 * z, -tall)),
+                board((-wide - LAP, wide + LAP), y, (-z, -tall)),
             ]
         if not self.buttons:
-            return [*boards, board((-1.0 * x, end), y, (-1.0 * z, z))]
+            return [*boards, board((-x, end), y, (-z, z))]
         left, right = self._channel
         half = 0.5 * self._cap_height + 0.0012
         return [
             *boards,
-            board((-1.0 * x, end), y, (half, z)),
-            board((-1.0 * x, end), y, (-1.0 * z, -1.0 * half)),
-            board((-1.0 * x, left), y, (-half - LAP, half + LAP)),
+            board((-x, end), y, (half, z)),
+            board((-x, end), y, (-z, -half)),
+            board((-x, left), y, (-half - LAP, half + LAP)),
             board((right, end), y, (-half - LAP, half + LAP)),
         ]
 
@@ -170,11 +168,11 @@ class Console:
             bodies.append(lamp_row(at, level=-0.0105, lit=1, proud=proud))
         if self.show:
             size = (0.052, 0.020) if tall else (0.044, 0.014)
-            screen = details.display(self.show, *size, at=(self.aside, -1.0 * proud, 0.0), color=self.color)
+            screen = details.display(self.show, *size, at=(self.aside, -proud, 0.0), color=self.color)
             bodies.append(screen)
         if self.dial:
             ring = dial_print(0.021 if tall else 0.015, ink=ink, style="ticks", count=6)
-            bodies.append(ring.at(self.far, -1.0 * proud, 0.0))
+            bodies.append(ring.at(self.far, -proud, 0.0))
         if not bodies:
             bodies.append(lamp_row([self.aside], proud=proud))
         return weld(*bodies)

@@ -10,8 +10,10 @@ from artgen import (
     Frame,
     Joint,
     Prismatic,
+    Scalar,
     Y,
     Z,
+    board,
     coloured,
     cylinder,
     detail,
@@ -21,8 +23,7 @@ from artgen import (
     rectangle,
     weld,
 )
-from artgen.categories.parts.dishwasher_space import DISH, Space, board
-from artgen.nodes.handles import Scalar
+from artgen.categories.parts.dishwasher_space import DISH, Space
 
 FLAP_TRAVEL = 0.036
 """How far the detergent flap slides [m]."""

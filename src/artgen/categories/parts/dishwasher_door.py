@@ -11,9 +11,12 @@ from artgen import (
     Joint,
     Material,
     Revolute,
+    Scalar,
     Solid,
+    Span,
     X,
     Y,
+    board,
     box,
     coloured,
     cylinder,
@@ -30,8 +33,7 @@ from artgen.categories.parts.bar_handles import BarStyle, Grip, bar_handle, pock
 from artgen.categories.parts.control_panels import ink_on
 from artgen.categories.parts.dishwasher_console import LAP, Console
 from artgen.categories.parts.dishwasher_dispenser import Dispenser
-from artgen.categories.parts.dishwasher_space import DISH, Controls, Space, Span, board
-from artgen.nodes.handles import Scalar
+from artgen.categories.parts.dishwasher_space import DISH, Controls, Space
 
 HandleKind = Literal["bar", "pocket", "recessed"]
 """A bar before the front, a pocket in the upper edge, or a recess in the front with a blade in it."""
@@ -65,9 +67,9 @@ def _frame_of(half: Scalar, y: Span, z: Span, wide: Scalar, opening: Span) -> li
     """Make the four boards around an opening in the middle of a wall."""
     low, high = z
     return [
-        board((-1.0 * half, half), y, (low, opening[0])),
-        board((-1.0 * half, half), y, (opening[1], high)),
-        board((-1.0 * half, -1.0 * wide), y, (opening[0] - LAP, opening[1] + LAP)),
+        board((-half, half), y, (low, opening[0])),
+        board((-half, half), y, (opening[1], high)),
+        board((-half, -wide), y, (opening[0] - LAP, opening[1] + LAP)),
         board((wide, half), y, (opening[0] - LAP, opening[1] + LAP)),
     ]
 
@@ -161,7 +163,7 @@ class Front:
         space, half, low = self.space, self._half, self.space.door_bottom
         front, inner, dish = space.front, space.inner, space.inner - DISH
         wooden = self.finish.name.startswith(("oak", "walnut", "ash", "lacquered"))
-        skin = board((-1.0 * half, half), (front, front + SKIN), (low, self._skin_top), bevel=0.003)
+        skin = board((-half, half), (front, front + SKIN), (low, self._skin_top), bevel=0.003)
         grip = self._grip
         if grip is not None and self.handle == "recessed" and self.controls == "top":
             skin = skin - grip.cut
@@ -170,8 +172,8 @@ class Front:
         level = top - _RIM
         solids = self._around_grip(core, behind, level, top)
         beside = space.inside - 0.034
-        solids.append(board((-1.0 * half, half), behind, (low, low + 0.058), bevel=0.003))
-        for x in ((beside, half), (-1.0 * half, -1.0 * beside)):
+        solids.append(board((-half, half), behind, (low, low + 0.058), bevel=0.003))
+        for x in ((beside, half), (-half, -beside)):
             solids.append(board(x, behind, (low + 0.056, level + 0.002), bevel=0.003))
         stuff = filled(self.liner, 285.0, "liner")
         return [
@@ -191,28 +193,26 @@ class Front:
         half, low, wide = self._half, self.space.door_bottom, 0.5 * self.length
         front, inner, dish = self.space.front, behind[1], behind[0]
         solids: list[Solid] = []
-        rim = board((-1.0 * half, half), behind, (level, top), bevel=0.003)
+        rim = board((-half, half), behind, (level, top), bevel=0.003)
         match self.handle:
             case "bar":
-                solids = [board((-1.0 * half, half), core, (low, top)), rim]
+                solids = [board((-half, half), core, (low, top)), rim]
             case "recessed":
                 z = self.handle_height
                 solids = [
                     *_frame_of(half, core, (low, top), wide, (z - _HALF_RECESS, z + _HALF_RECESS)),
-                    board((-1.0 * wide, wide), (front + _RECESS, dish), (z - _HALF_RECESS, z + _HALF_RECESS)),
+                    board((-wide, wide), (front + _RECESS, dish), (z - _HALF_RECESS, z + _HALF_RECESS)),
                     rim,
                 ]
             case "pocket":
                 bottom = top - _POCKET
                 solids = [
-                    board((-1.0 * half, half), core, (low, bottom)),
-                    board((-1.0 * half, half), behind, (level, bottom)),
-                    board(
-                        (-1.0 * wide - LAP, wide + LAP), (front + _BEHIND_POCKET, inner), (bottom - LAP, top)
-                    ),
+                    board((-half, half), core, (low, bottom)),
+                    board((-half, half), behind, (level, bottom)),
+                    board((-wide - LAP, wide + LAP), (front + _BEHIND_POCKET, inner), (bottom - LAP, top)),
                     *(
                         board(
-                            (wide, half) if side > 0 else (-1.0 * half, -1.0 * wide),
+                            (wide, half) if side > 0 else (-half, -wide),
                             (front + SKIN - 0.001 + LAP, inner),
                             (bottom - 2.0 * LAP, top),
                         )
@@ -276,12 +276,12 @@ class Front:
         space = self.space
         floor = space.inner - DISH
         vent = cylinder(0.031, 0.006, axis=Y, bevel=0.002).at(
-            -1.0 * self.dispenser.beside, floor + 0.002, self.top - 0.16
+            -self.dispenser.beside, floor + 0.002, self.top - 0.16
         )
         slots = details.vent_slots(0.044, 0.036, 7, slot=0.003, direction="horizontal")
         grille = details.relief(
             slots,
-            (-1.0 * self.dispenser.beside, floor + 0.005, self.top - 0.16),
+            (-self.dispenser.beside, floor + 0.005, self.top - 0.16),
             facing=(0.0, 1.0, 0.0),
             proud=0.0003,
         )

@@ -12,9 +12,11 @@ from artgen import (
     Material,
     Prismatic,
     Revolute,
+    Scalar,
     Y,
     Z,
     array,
+    board,
     box,
     coloured,
     cylinder,
@@ -30,9 +32,8 @@ from artgen import (
     vector,
     weld,
 )
-from artgen.categories.parts.dishwasher_space import ROLLER, UNDER, Size, Space, board
+from artgen.categories.parts.dishwasher_space import ROLLER, UNDER, Size, Space
 from artgen.categories.parts.wire_baskets import Basket, Grip, rollers
-from artgen.nodes.handles import Scalar
 
 UPPER_ROLLER = 0.0095
 """Radius of the rollers of the upper racks [m]."""
@@ -165,16 +166,16 @@ class Racks:
         high, low, sheet = 0.115, 0.0070, 0.0026
         half = 0.5 * wide
         walls = [
-            board((-1.0 * half, half), (-deep / 2, deep / 2), (low, low + sheet)),
+            board((-half, half), (-deep / 2, deep / 2), (low, low + sheet)),
             *(
-                board((-1.0 * half, half), (y - sheet / 2, y + sheet / 2), (low, low + high), bevel=0.001)
+                board((-half, half), (y - sheet / 2, y + sheet / 2), (low, low + high), bevel=0.001)
                 for y in (-deep / 2, deep / 2)
             ),
             *(
                 board((x - sheet / 2, x + sheet / 2), (-deep / 2, deep / 2), (low, low + high), bevel=0.001)
-                for x in (-1.0 * half, half)
+                for x in (-half, half)
             ),
-            board((-1.0 * half, half), (-sheet / 2, sheet / 2), (low, low + high + 0.004), bevel=0.001),
+            board((-half, half), (-sheet / 2, sheet / 2), (low, low + high + 0.004), bevel=0.001),
         ]
         bodies = [part(each, "cutlery_basket", self.plastic) for each in walls]
         hole = grid(
@@ -291,14 +292,14 @@ class Racks:
         half: Scalar = 1.0 * reach
         outline = polygon(
             [
-                (-1.0 * half, -0.013),
+                (-half, -0.013),
                 (-0.3 * half, -0.019),
                 (0.3 * half, -0.019),
                 (half, -0.013),
                 (half, 0.013),
                 (0.3 * half, 0.019),
                 (-0.3 * half, 0.019),
-                (-1.0 * half, 0.013),
+                (-half, 0.013),
             ],
         )
         blade = extrude(outline, _BLADE, axis=Z, bevel=0.0016).at(0.0, 0.0, -_BLADE / 2.0)

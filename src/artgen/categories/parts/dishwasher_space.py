@@ -4,8 +4,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal
 
-from artgen import Float, Solid, atan2, box_between, cos, min_, sin, sqrt
-from artgen.nodes.handles import Scalar
+from artgen import Float, Scalar, atan2, cos, min_, sin, sqrt
 
 Build = Literal["built_in", "freestanding"]
 """For a kitchen front, with bare sheet sides, or with painted sides and a worktop."""
@@ -15,8 +14,6 @@ Controls = Literal["front", "top"]
 
 Size = Literal["full", "slim"]
 """60 or 45 cm wide."""
-
-Span = tuple[Scalar, Scalar]
 
 SEAL = 0.006
 """Between the inside of the door and the tub, where the gasket is [m]."""
@@ -35,12 +32,6 @@ UNDER = 0.020
 
 _LEAST = 0.0008  # between the lower rack and the door at the angle at which the rack may move [m]
 _FLOOR = 0.047  # from the treads of the lower rack down to the floor of the tub [m]
-
-
-def board(x: Span, y: Span, z: Span, *, bevel: Scalar = 0.0) -> Solid:
-    """Make a board between coordinates [m]."""
-    low, high = zip(x, y, z, strict=True)
-    return box_between(low, high, bevel=bevel)
 
 
 @dataclass(frozen=True)

@@ -6,8 +6,11 @@ from functools import cached_property
 from artgen import (
     Body,
     Material,
+    Scalar,
+    VectorLike,
     Z,
     array,
+    board,
     box,
     coloured,
     cylinder,
@@ -20,9 +23,8 @@ from artgen import (
 )
 from artgen.categories.parts.appliance_finish import DARK, filled
 from artgen.categories.parts.cords import cord_stub
-from artgen.categories.parts.dishwasher_space import Build, Space, board
+from artgen.categories.parts.dishwasher_space import Build, Space
 from artgen.categories.parts.hoses import drain_hose, inlet_hose
-from artgen.nodes.handles import Scalar, VectorLike
 
 _SHEET = 0.004  # thickness that stands for the sheet of side panels [m]
 _FEET = 0.022  # from the floor to the base [m]
@@ -125,7 +127,7 @@ class Cabinet:
             board((-outer, outer), (back, back + 0.012), (low - 0.001, high + 0.001)),
             *(
                 board(
-                    (side * wide, side * outer) if side > 0 else (-outer, -1.0 * wide),
+                    (side * wide, side * outer) if side > 0 else (-outer, -wide),
                     (front, back + 0.001),
                     (low - 0.001, high + 0.001),
                 )
@@ -271,7 +273,7 @@ class Cabinet:
             part(panel, "body", zinc),
             part(wall, "body", zinc),
             drain_hose([(0.0, 0.016, 0.0), (0.05, 0.016, -0.01), (0.06, 0.016, 0.14)], radius=0.009).at(
-                -1.0 * side, plane, low
+                -side, plane, low
             ),
             inlet_hose([(0.0, 0.021, 0.0), (-0.06, 0.021, 0.0), (-0.07, 0.021, 0.16)], radius=0.0055).at(
                 side, plane, low

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from artgen import (
     Body,
     Material,
+    Scalar,
     Y,
     box,
     cylinder,
@@ -22,7 +23,6 @@ from artgen import (
 )
 from artgen.categories.parts.finish import casting, recess
 from artgen.categories.parts.screws import screws
-from artgen.nodes.handles import Scalar
 
 LETTER_PLATE = 0.30
 """Width of a letter plate [m]."""

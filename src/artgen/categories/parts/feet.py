@@ -3,8 +3,7 @@
 from collections.abc import Sequence
 from typing import Literal
 
-from artgen import Body, Material, array, cylinder, details, enclosed, material, part
-from artgen.nodes.handles import Scalar, VectorLike
+from artgen import Body, Material, Scalar, VectorLike, array, cylinder, details, enclosed, material, part
 
 FootStyle = Literal["pad", "round", "levelling"]
 """A rubber pad, a rounded knob, or a disc on a screw by which an appliance is levelled."""
@@ -70,5 +69,5 @@ def corner_feet(
         label: Semantic label.
     """
     x, y = width / 2 - inset, depth / 2 - inset
-    corners = [(-1.0 * x, -1.0 * y), (x, -1.0 * y), (x, y), (-1.0 * x, y)]
+    corners = [(-x, -y), (x, -y), (x, y), (-x, y)]
     return feet(corners, radius=radius, height=height, style=style, finish=finish, label=label)

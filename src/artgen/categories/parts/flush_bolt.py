@@ -10,6 +10,7 @@ from artgen import (
     Joint,
     Material,
     Prismatic,
+    Scalar,
     Solid,
     X,
     Y,
@@ -23,7 +24,6 @@ from artgen import (
     union,
     weld,
 )
-from artgen.nodes.handles import Scalar
 
 _ROD = 0.010  # width of the square bolt [m]
 _PLAY = 0.0004  # around the bolt in the leaf [m]

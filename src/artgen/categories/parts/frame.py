@@ -12,6 +12,7 @@ from artgen import (
     Body,
     Float,
     Material,
+    Scalar,
     Solid,
     X,
     Y,
@@ -30,7 +31,6 @@ from artgen import (
     weld,
 )
 from artgen.categories.parts.arch import Arch
-from artgen.nodes.handles import Scalar
 
 JAMB = 0.034
 """Thickness of jambs and head [m]."""

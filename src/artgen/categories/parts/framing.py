@@ -6,11 +6,10 @@ Each board is a part of its own, so that each has its own grain.
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from artgen import Body, Float, Solid, Y, extrude, part, weld
+from artgen import Body, Float, Scalar, Solid, Y, extrude, part, weld
 from artgen.categories.parts.blank import EASED, Blank
 from artgen.categories.parts.entrance import fitted
 from artgen.categories.parts.infill import Fill, Opening
-from artgen.nodes.handles import Scalar
 
 _TOP_RAIL = 0.115  # [m]
 _BOTTOM_RAIL = 0.200  # the kick rail is the widest [m]

@@ -13,6 +13,7 @@ from typing import Literal
 from artgen import (
     Body,
     Material,
+    Scalar,
     Solid,
     X,
     Y,
@@ -35,7 +36,6 @@ from artgen import (
 from artgen.categories.parts.appliance_finish import DARK, filled
 from artgen.categories.parts.cords import cord_stub
 from artgen.categories.parts.feet import feet
-from artgen.nodes.handles import Scalar
 
 SEAL_GAP = 0.010
 """Between a closed door and the cabinet, filled by the gasket [m]."""
@@ -102,9 +102,7 @@ class Cell:
 
     def mirrored(self) -> "Cell":
         """Return its mirror image in the plane x = 0."""
-        return Cell(
-            -1.0 * self.right, -1.0 * self.left, self.low, self.high, self.rear, self.humped, self.top
-        )
+        return Cell(-self.right, -self.left, self.low, self.high, self.rear, self.humped, self.top)
 
 
 @dataclass(frozen=True)
@@ -200,7 +198,7 @@ def cabinet(
     bodies += _kick_plate(case, kick)
     bodies += _back(case, low, back)
     x, y0, y1 = case.width / 2 - 0.05, case.mouth + 0.04, case.back - 0.05
-    places = [(-1.0 * x, y0), (x, y0), (x, y1), (-1.0 * x, y1)]
+    places = [(-x, y0), (x, y0), (x, y1), (-x, y1)]
     return weld(*bodies, feet(places, radius=0.015, height=FOOT, style="pad", finish=material("black_abs")))
 
 
@@ -237,9 +235,7 @@ def _coves(case: Case, cell: Cell) -> list[Solid]:
     upper = along.mirror(Z).at(cell.left, middle, cell.high)
     rear = up.mirror(Y).at(cell.left, cell.rear, z)
     return [
-        way
-        for one in (lower, upper, rear)
-        for way in (one, one.at(-1.0 * cell.middle).mirror(X).at(cell.middle))
+        way for one in (lower, upper, rear) for way in (one, one.at(-cell.middle).mirror(X).at(cell.middle))
     ]
 
 
@@ -281,7 +277,7 @@ def _machinery(case: Case, low: Cell) -> list[Body]:
         ],
         fillet=0.012,
     )  # fmt: skip
-    tray = box(0.16, 0.12, 0.035, bevel=0.004).at(-1.0 * x - 0.02, y, floor + 0.020)
+    tray = box(0.16, 0.12, 0.035, bevel=0.004).at(-x - 0.02, y, floor + 0.020)
     return [
         part(pot, "compressor", black),
         part(plate, "compressor", _SHEET),

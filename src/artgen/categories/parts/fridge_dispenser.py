@@ -1,10 +1,9 @@
 """The dispenser of water and ice in the front of a refrigerator's door."""
 
-from artgen import Material, box, cylinder, detail, details, frustum, material, part, rectangle, weld
+from artgen import Material, Scalar, box, cylinder, detail, details, frustum, material, part, rectangle, weld
 from artgen.categories.parts.appliance_finish import DARK
 from artgen.categories.parts.bar_handles import Grip, niche
 from artgen.categories.parts.control_panels import control_panel
-from artgen.nodes.handles import Scalar
 
 _SHEET = 0.002
 

@@ -6,6 +6,7 @@ from typing import Literal
 from artgen import (
     Body,
     Material,
+    Scalar,
     Solid,
     X,
     Y,
@@ -27,7 +28,6 @@ from artgen.categories.parts.fridge_dispenser import dispenser
 from artgen.categories.parts.fridge_leaf import CHEEK, LINING_INSET, SEAL_INSET, Leaf
 from artgen.categories.parts.seals import door_gasket
 from artgen.categories.parts.shelves import door_bin
-from artgen.nodes.handles import Scalar
 
 BIN_SHY = 0.002
 """How much less deep than the ridges beside them bins are: drawers strike the ridges first [m]."""
@@ -120,13 +120,13 @@ def slab(
         return board.at(middle, case.front + thick / 2, upward)
     half = (right - left) / 2
     edge = [(share * half, back - dress.rise(share)) for share, back in _BOW]
-    swell = [(share * half, -1.0 * dress.rise(share)) for share in _BOWED]
+    swell = [(share * half, -dress.rise(share)) for share in _BOWED]
     corners = [
-        (-1.0 * half, thick),
+        (-half, thick),
         (half, thick),
         *edge,
         *swell,
-        *((-1.0 * x, y) for x, y in reversed(edge)),
+        *((-x, y) for x, y in reversed(edge)),
     ]
     return extrude(polygon(corners), high - low, bevel=ease).at(middle, case.front, upward)
 

@@ -9,6 +9,7 @@ from artgen import (
     Joint,
     Material,
     Prismatic,
+    Scalar,
     box,
     detail,
     material,
@@ -25,7 +26,6 @@ from artgen.categories.parts.fridge_doors import Dress, framing, lining, slab
 from artgen.categories.parts.fridge_leaf import CHEEK
 from artgen.categories.parts.seals import door_gasket
 from artgen.categories.parts.shelves import LIP_REACH, drawer_box, open_box
-from artgen.nodes.handles import Scalar
 
 SLACK = 0.012
 """How far a drawer comes forward until it strikes the ridges, or the flat inside, of its closed door [m]."""

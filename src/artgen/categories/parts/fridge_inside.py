@@ -9,6 +9,7 @@ from artgen import (
     Joint,
     Material,
     Revolute,
+    Scalar,
     Y,
     array,
     atan2,
@@ -26,7 +27,6 @@ from artgen.categories.parts.appliance_finish import DARK, filled
 from artgen.categories.parts.fridge_case import Cell
 from artgen.categories.parts.fridge_drawers import SLACK
 from artgen.categories.parts.shelves import LIP_REACH, egg_tray, glass_shelf, wire_shelf
-from artgen.nodes.handles import Scalar
 
 ShelfKind = Literal["glass", "wire"]
 

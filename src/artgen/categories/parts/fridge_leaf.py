@@ -4,10 +4,9 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal
 
-from artgen import Float, Joint, Vector, atan2, max_, sqrt, vector
+from artgen import Float, Joint, Scalar, Vector, atan2, max_, sqrt, vector
 from artgen.categories.parts.appliance_hinges import door_swing
 from artgen.categories.parts.fridge_case import SEAL_GAP, Case, Cell
-from artgen.nodes.handles import Scalar
 
 PIN = 0.020
 """From the outer edge and from the front of a door to the axis of its hinge [m]."""
@@ -147,4 +146,4 @@ class Leaf:
 
     def frees(self, left: Scalar, right: Scalar) -> Float:
         """Return the angle from which on it is out of the way of what comes out between two sides [rad]."""
-        return self.clears(-1.0 * right if self.mirrored else left)
+        return self.clears(-right if self.mirrored else left)

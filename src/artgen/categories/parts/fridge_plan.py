@@ -4,12 +4,11 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal
 
-from artgen import Body, Material, X
+from artgen import Body, Material, Scalar, X
 from artgen.categories.parts.appliance_hinges import hinge_bracket, hinge_cover
 from artgen.categories.parts.fridge_case import Case, Cell
 from artgen.categories.parts.fridge_drawers import Front
 from artgen.categories.parts.fridge_leaf import PIN, Leaf
-from artgen.nodes.handles import Scalar
 
 Layout = Literal["single", "top_freezer", "bottom_freezer", "french", "side_by_side"]
 """One door; a freezer above or below; two doors over freezer drawers; freezer and refrigerator abreast."""
@@ -115,7 +114,7 @@ class Divided:
         side = case.width / 2 - case.wall
         bottom = low + (_FLOOR if lowest else _HALF_WALL)
         top = case.top - _CEILING if highest else high - _HALF_WALL
-        return Cell(-1.0 * side, side, bottom, top, case.rear, humped=lowest, top=highest)
+        return Cell(-side, side, bottom, top, case.rear, humped=lowest, top=highest)
 
     @cached_property
     def _edge(self) -> Scalar:
@@ -141,9 +140,7 @@ class Divided:
     ) -> Leaf:
         """Plan a door as wide as the cabinet, between two heights."""
         edge, case = self._edge, self.case
-        return Leaf(
-            name, name, case, cell, -1.0 * edge, edge, low, high, cell.right, ridge, bins, handle=handle
-        )
+        return Leaf(name, name, case, cell, -edge, edge, low, high, cell.right, ridge, bins, handle=handle)
 
     def _fronts(self, low: Scalar, high: Scalar) -> tuple[Front, ...]:
         """Divide the freezer into drawers of equal fronts."""
@@ -154,7 +151,7 @@ class Divided:
             bottom, top = edges[index], edges[index + 1]
             cell = self._cell(bottom, top, lowest=index == 0)
             start = bottom if index == 0 else bottom + half
-            fronts.append(Front(cell, -1.0 * self._edge, self._edge, start, top - half))
+            fronts.append(Front(cell, -self._edge, self._edge, start, top - half))
         return tuple(fronts)
 
     def _pair(self, cell: Cell, low: Scalar, high: Scalar) -> tuple[Leaf, Leaf]:
@@ -166,7 +163,7 @@ class Divided:
                 f"door_{side}",
                 self.case,
                 cell,
-                -1.0 * edge,
+                -edge,
                 half,
                 low,
                 high,
@@ -190,12 +187,12 @@ class Divided:
         )
         cold = Cell(split + _HALF_WALL, whole.right, whole.low, whole.high, whole.rear, humped=True, top=True)
         freezer = Leaf(
-            "freezer_door", "freezer_door", case, frozen, -1.0 * self._edge, split - half, low, high,
+            "freezer_door", "freezer_door", case, frozen, -self._edge, split - half, low, high,
             frozen.right, self.freezer_ridge, max(1, self.bins - 1), meets=True,
         )  # fmt: skip
         turned = cold.mirrored()
         door = Leaf(
-            "door", "door", case, turned, -1.0 * self._edge, -1.0 * (split + half), low, high,
+            "door", "door", case, turned, -self._edge, -(split + half), low, high,
             turned.right, self.ridge, self.bins, mirrored=True, meets=True,
         )  # fmt: skip
         return Plan(cold, (frozen,), (door,), freezer, abreast=True)

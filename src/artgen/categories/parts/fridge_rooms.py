@@ -3,12 +3,11 @@
 from dataclasses import dataclass
 from typing import Literal
 
-from artgen import Body, Material, material
+from artgen import Body, Material, Scalar, material
 from artgen.categories.parts.appliance_finish import LINER
 from artgen.categories.parts.fridge_case import Case, Cell
 from artgen.categories.parts.fridge_drawers import Slot, drawer_front, rows
 from artgen.categories.parts.fridge_inside import ShelfKind, eggs, fittings, ice_box, shelf
-from artgen.nodes.handles import Scalar
 
 _ICE_HIGH = 0.170  # of an ice box, from the underside of its floor to the ceiling [m]
 _SHELF_SHY = 0.008  # between the ridges of a door and the shelves [m]

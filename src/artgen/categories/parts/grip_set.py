@@ -7,6 +7,7 @@ from artgen import (
     Joint,
     Material,
     Revolute,
+    Scalar,
     X,
     Y,
     Z,
@@ -27,7 +28,6 @@ from artgen import (
 )
 from artgen.categories.parts.cylinders import plug
 from artgen.categories.parts.finish import casting
-from artgen.nodes.handles import Scalar
 
 THUMB_RANGE = 0.28
 """How far a thumb piece is pressed down [rad]."""

@@ -3,10 +3,9 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from artgen import Body, Bool, Condition, Dependency, Float, Joint, Material, Revolute
+from artgen import Body, Bool, Condition, Dependency, Float, Joint, Material, Revolute, Scalar
 from artgen.categories.parts.blank import Blank
 from artgen.categories.parts.hinge import hinge_frame, hinge_leaf, hinge_offset
-from artgen.nodes.handles import Scalar
 
 _TOP = 0.19  # from the top of the leaf to the middle of the upper hinge [m]
 _BOTTOM = 0.28  # from the bottom of the leaf to the middle of the lower hinge [m]

@@ -11,6 +11,7 @@ from collections.abc import Sequence
 from artgen import (
     Body,
     Material,
+    Scalar,
     X,
     Z,
     array,
@@ -26,7 +27,6 @@ from artgen import (
     weld,
 )
 from artgen.categories.parts.screws import screws
-from artgen.nodes.handles import Scalar
 
 KNUCKLE_CLEARANCE = 0.001
 """Distance from the knuckles to the face of the leaf [m]."""

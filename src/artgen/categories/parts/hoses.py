@@ -6,7 +6,9 @@ Each starts on the plane y = 0 about the origin and leaves to +y; turn it about 
 from artgen import (
     Body,
     Material,
+    Scalar,
     Solid,
+    VectorLike,
     Y,
     array,
     circle,
@@ -19,7 +21,6 @@ from artgen import (
     sweep,
     weld,
 )
-from artgen.nodes.handles import Scalar, VectorLike
 
 _PITCH = 0.006  # of the ribs of a drain hose [m]
 _RIBS = 3

@@ -10,7 +10,9 @@ from typing import Literal, NamedTuple
 from artgen import (
     Body,
     Material,
+    Scalar,
     Solid,
+    VectorLike,
     X,
     Z,
     array,
@@ -26,7 +28,6 @@ from artgen import (
     sqrt,
     sweep,
 )
-from artgen.nodes.handles import Scalar, VectorLike
 
 _PANE = 0.005  # toughened glass [m]
 _BOARDS = 3  # of which the slats of a section are cut

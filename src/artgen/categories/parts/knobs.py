@@ -8,6 +8,7 @@ from artgen import (
     Float,
     Frame,
     Material,
+    Scalar,
     Solid,
     X,
     Y,
@@ -26,7 +27,6 @@ from artgen import (
 from artgen.categories.parts.finish import casting
 from artgen.categories.parts.locks import with_button
 from artgen.categories.parts.roses import NECK_GAP, PIN, SIDES, Faces, spindle
-from artgen.nodes.handles import Scalar
 
 _PIN_DEPTH = 0.012  # depth of the hole of a privacy pin in a knob [m]
 _PAST_JAMB = 0.8  # at the back a hand comes from the side of the hinges, past the jamb [rad]

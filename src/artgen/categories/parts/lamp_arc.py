@@ -3,6 +3,7 @@
 import math
 
 from artgen import (
+    Scalar,
     Y,
     center_of_mass,
     circle,
@@ -27,7 +28,6 @@ from artgen.categories.parts.lamp_arms import (
 from artgen.categories.parts.lamp_bases import hollow
 from artgen.categories.parts.lamp_jointed import ArmLooks, Carried
 from artgen.categories.parts.shades import Head
-from artgen.nodes.handles import Scalar
 
 _HANG = 0.024  # from the hinge of the shade to the top of its housing [m]
 _TUBE = 0.0105  # radius of the bow [m]

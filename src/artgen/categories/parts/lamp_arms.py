@@ -13,7 +13,9 @@ from artgen import (
     Material,
     Prismatic,
     Revolute,
+    Scalar,
     Solid,
+    VectorLike,
     Y,
     Z,
     array,
@@ -34,7 +36,6 @@ from artgen import (
     tube,
     weld,
 )
-from artgen.nodes.handles import Scalar, VectorLike
 
 ArmStyle = Literal["rods", "tube", "flat"]
 """Thin round bars, a round tube or square bars, or flat bars."""
@@ -254,7 +255,7 @@ def braked_hinge(
     least = feel * reach
     low, high = limits
     if not sprung:
-        most = max_(1.0 * load.high, -1.0 * load.low)
+        most = max_(load.high, -load.low)
         friction = max_(_HOLDS * max_(most, 0.0), least)
         effort = friction + max_(most, 0.0) + 20.0 * reach
         return Revolute(
@@ -313,7 +314,7 @@ def collar(finish: Material, *, bore: Scalar, out: Scalar, height: Scalar = 0.05
     pair = array(plate, at=[((start + out) / 2.0, side * _OUTER, 0.0) for side in (-1, 1)])
     knob = cylinder(0.013, 0.014, axis=(1.0, 0.0, 0.0), bevel=0.002)
     shaft = cylinder(0.004, 0.016, axis=(1.0, 0.0, 0.0))
-    back = -1.0 * (bore + 0.009)
+    back = -(bore + 0.009)
     return weld(
         part(ring, "slider", finish),
         part(pair, "slider", finish, separate=_PAIR),

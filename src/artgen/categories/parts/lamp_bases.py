@@ -8,6 +8,7 @@ from artgen import (
     Body,
     Float,
     Material,
+    Scalar,
     Solid,
     Vector,
     box,
@@ -34,7 +35,6 @@ from artgen import (
 )
 from artgen.categories.parts.lamp_jointed import Carried
 from artgen.categories.parts.switches import Switch
-from artgen.nodes.handles import Scalar
 
 BaseShape = Literal["round", "square", "hexagonal"]
 """The outline of a base."""
@@ -131,7 +131,7 @@ def weighted_base(
     block = base_block(shape, radius, height)
     if set_in is None:
         return weld(part(block, "base", finish), pad(shape, radius))
-    at = vector(0.0, -1.0 * front, height)
+    at = vector(0.0, -front, height)
     if set_in.hole is not None:
         block = block - set_in.hole.at(at)
     return weld(part(block, "base", finish), pad(shape, radius), set_in.body.at(at))
@@ -339,8 +339,8 @@ def harp(
     course = polyline(
         [
             (-0.014, 0.0, saddle),
-            (-1.0 * half, 0.0, saddle + 0.30 * rise),
-            (-1.0 * half, 0.0, saddle + 0.70 * rise),
+            (-half, 0.0, saddle + 0.30 * rise),
+            (-half, 0.0, saddle + 0.70 * rise),
             (-0.012, 0.0, top),
             (0.012, 0.0, top),
             (half, 0.0, saddle + 0.70 * rise),

@@ -2,10 +2,9 @@
 
 from dataclasses import dataclass
 
-from artgen import Body, Material, bezier, box, circle, detail, part, sweep, weld
+from artgen import Body, Material, Scalar, bezier, box, circle, detail, part, sweep, weld
 from artgen.categories.parts.cords import CORD, strain_relief
 from artgen.categories.parts.switches import Switch
-from artgen.nodes.handles import Scalar
 
 CASE = (0.034, 0.080, 0.024)
 """Width, length and height of a case on the cord [m]."""

@@ -11,6 +11,7 @@ from artgen import (
     Float,
     Joint,
     Material,
+    Scalar,
     Vector,
     Y,
     atan2,
@@ -46,7 +47,6 @@ from artgen.categories.parts.lamp_arms import (
     turret_turn,
 )
 from artgen.categories.parts.shades import Head
-from artgen.nodes.handles import Scalar
 
 POST = 0.050
 """Height of the hinge of a lower arm above the base [m]."""
@@ -138,7 +138,7 @@ def _headed(body: Body, hung: Body, head: Head, *, at: Vector, lean: Scalar, til
     """Attach a head to the end of an arm that leans by an angle; the head looks down and a little forward."""
     filled = head.spread(_HANG, _BESIDE) + 0.03 - lean
     looks = max_(tilt, filled + _BACK)  # a wide shade looks farther forward, off its arm
-    placed = hung.rotate(Y, -1.0 * looks).at(at)
+    placed = hung.rotate(Y, -looks).at(at)
     return body.attach(placed, head_hinge(placed, pivot=at, limits=(_UP, min_(looks - filled, 1.1))))
 
 
@@ -156,7 +156,7 @@ def one_arm(head: Head, looks: ArmLooks, *, length: Scalar, lean: Scalar, tilt: 
     weight, heavy = GRAVITY * mass(hung), norm(center_of_mass(hung))
     reach = head.reach + _HANG
     lowest = _steepest((reach + _OVER) / length)
-    back = -1.0 * min_(0.6, lowest)
+    back = -min_(0.6, lowest)
     bar = arm("arm_lower", looks.style, length, finish=looks.finish, outer=False)
     own = mass(bar)
     placed = bar.rotate(Y, lean).at(0.0, 0.0, POST)
@@ -199,13 +199,13 @@ def two_arms(
     first = arm("arm_lower", looks.style, lower, finish=looks.finish, outer=True, spring=_SPRING)
     second = arm("arm_upper", looks.style, upper, finish=looks.finish, outer=False, spring=_SPRING)
     own, beyond = GRAVITY * mass(first), GRAVITY * mass(second)
-    low, high = -1.0 * lean - 0.42, 0.16
+    low, high = -lean - 0.42, 0.16
     folded = _steepest(
         (reach + _OVER - lower * math.cos(high)) / upper
     )  # of the upper arm, the lower one at its most
     bent = folded - high  # angle between the arms
     straight = 0.45
-    elbow = vector(*_tip(lower, -1.0 * lean)) + (0.0, 0.0, POST)
+    elbow = vector(*_tip(lower, -lean)) + (0.0, 0.0, POST)
     end = elbow + vector(*_tip(upper, rise))
     turned = second.rotate(Y, rise).at(elbow)
     turned = _headed(turned, hung, head, at=end, lean=rise, tilt=tilt)
@@ -233,7 +233,7 @@ def two_arms(
         sprung=True,
         damping=0.1,
     )
-    chain = first.rotate(Y, -1.0 * lean).at(0.0, 0.0, POST).attach(turned, bend)
+    chain = first.rotate(Y, -lean).at(0.0, 0.0, POST).attach(turned, bend)
     body = turret(looks.finish, height=POST, outer=False).attach(chain, swing)
     far = lower * math.sin(high)
     moment = (own * far / 2.0 + beyond * (far + upper / 2.0) + weight * (far + upper + heavy)) / GRAVITY
@@ -254,10 +254,10 @@ def light_bar(looks: ArmLooks, *, length: Scalar, bar: Scalar, lean: Scalar) -> 
     first = arm("arm_lower", looks.style, length, finish=looks.finish, outer=True)
     shade = _bar(looks.finish, bar)
     own, weight, heavy = GRAVITY * mass(first), GRAVITY * mass(shade), norm(center_of_mass(shade))
-    low, high = -1.0 * lean - 0.45, 0.40
+    low, high = -lean - 0.45, 0.40
     folded = _steepest((0.045 - length * math.cos(high)) / bar)
     bent = min_(folded - high, 2.2)
-    top = vector(*_tip(length, -1.0 * lean)) + (0.0, 0.0, POST)
+    top = vector(*_tip(length, -lean)) + (0.0, 0.0, POST)
     between = math.pi / 2.0 + lean
     straight = 0.35
     ends = (low + straight, max_(high + bent, 1.6))
@@ -278,7 +278,7 @@ def light_bar(looks: ArmLooks, *, length: Scalar, bar: Scalar, lean: Scalar) -> 
         feel=5.0,
         reach=length,
     )
-    chain = first.rotate(Y, -1.0 * lean).at(0.0, 0.0, POST)
+    chain = first.rotate(Y, -lean).at(0.0, 0.0, POST)
     chain = chain.attach(shade.rotate(Y, math.pi / 2.0).at(top), hinge)
     body = turret(looks.finish, height=POST, outer=False).attach(chain, swing)
     far = length * math.sin(0.40)

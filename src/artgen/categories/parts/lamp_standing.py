@@ -7,6 +7,7 @@ from artgen import (
     Float,
     Material,
     Revolute,
+    Scalar,
     Y,
     Z,
     clamp,
@@ -20,7 +21,6 @@ from artgen.categories.parts.bulbs import lamp_holder
 from artgen.categories.parts.lamp_bases import harp
 from artgen.categories.parts.pull_chain import SPOUT, chain_pull, pull_chain, spout
 from artgen.categories.parts.shades import HUB, STUD, FabricShade, ShadeKind, drop_of
-from artgen.nodes.handles import Scalar
 
 _GAP = 0.0004  # above and below the hub of a shade [m]
 _SEAT = 0.0027  # of the hub above the bar of a harp [m]

@@ -14,6 +14,7 @@ from artgen import (
     Material,
     Prismatic,
     Profile,
+    Scalar,
     Solid,
     X,
     Z,
@@ -28,7 +29,6 @@ from artgen import (
     weld,
 )
 from artgen.categories.parts.screws import Way, screws
-from artgen.nodes.handles import Scalar
 
 PLAY = 0.0004
 """Clearance around a sliding bolt [m]."""

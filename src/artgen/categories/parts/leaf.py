@@ -10,6 +10,7 @@ from artgen import (
     Body,
     Float,
     Material,
+    Scalar,
     Y,
     array,
     box,
@@ -30,7 +31,6 @@ from artgen.categories.parts.entrance import fitted
 from artgen.categories.parts.finish import across, known
 from artgen.categories.parts.framing import Row, framed
 from artgen.categories.parts.infill import Opening, Relief, Sticking, panels_in, panes_in, slats_in
-from artgen.nodes.handles import Scalar
 
 _GLASS = known("glass", "frosted_glass", "tinted_glass")
 _LOCK_STRIP = 0.120  # from the lock edge to an upright inlay, which the lock must not reach [m]

@@ -11,7 +11,9 @@ from artgen import (
     Material,
     Profile,
     Revolute,
+    Scalar,
     Solid,
+    VectorLike,
     X,
     Y,
     box,
@@ -33,7 +35,6 @@ from artgen import (
     union,
 )
 from artgen.categories.parts.roses import NECK_GAP, SIDES, Faces, spindle
-from artgen.nodes.handles import Scalar, VectorLike
 
 _FLATNESS = 0.6  # thickness of a flat or oval grip over its height
 _BEND = 0.018  # radius of the bends of a bar [m]
@@ -188,4 +189,4 @@ def _hold_on_wave(
     reach = _FLATNESS * girth - length
     run, fall = 0.32 * reach, -0.20 * girth
     at = (0.84 * reach, out, -0.35 * girth)
-    return grasp_on(arm, approach=approach, closing=(fall, 0.0, -1.0 * run), at=at)
+    return grasp_on(arm, approach=approach, closing=(fall, 0.0, -run), at=at)

@@ -15,6 +15,7 @@ from artgen import (
     Joint,
     Material,
     Revolute,
+    Scalar,
     Solid,
     X,
     Y,
@@ -35,7 +36,6 @@ from artgen import (
 )
 from artgen.categories.parts.bins import Can, Plan
 from artgen.categories.parts.pedals import Linkage
-from artgen.nodes.handles import Scalar
 
 LidStyle = Literal["flat", "domed", "stepped"]
 """A slab with soft edges, a cushion, or a slab with a smaller one on it."""
@@ -198,7 +198,7 @@ def lid_panel(
         overhang: How far it reaches over the wall [m].
     """
     level = Can(can.plan, can.width, can.depth, low + thick, low, can.corner, can.wall)
-    slab = extrude(level.outline(-1.0 * overhang), thick, bevel=_SOFT).at(0.0, 0.0, low + thick / 2.0)
+    slab = extrude(level.outline(-overhang), thick, bevel=_SOFT).at(0.0, 0.0, low + thick / 2.0)
     radius = can.width / 2.0 + overhang
     bodies = _faceted(slab, _disc(radius, thick).at(0.0, 0.0, low), finish, can.plan)
     top = low + thick

@@ -13,7 +13,9 @@ from artgen import (
     Material,
     Prismatic,
     Revolute,
+    Scalar,
     Solid,
+    VectorLike,
     X,
     Y,
     box,
@@ -35,7 +37,6 @@ from artgen.categories.parts.cylinders import plug
 from artgen.categories.parts.finish import casting
 from artgen.categories.parts.latch import DEADBOLT, PLAY
 from artgen.categories.parts.roses import PIN, SPINDLE, spindle_hole
-from artgen.nodes.handles import Scalar, VectorLike
 
 THROW = 0.025
 """How far a deadbolt comes out: 1 inch, the least that ANSI/BHMA A156.5 accepts [m]."""

@@ -4,7 +4,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Literal
 
-from artgen import Body, Condition, Joint, Material, Solid, Vector, box, cylinder, detail, weld
+from artgen import Body, Condition, Joint, Material, Scalar, Solid, Vector, box, cylinder, detail, weld
 from artgen.categories.parts.finish import recess
 from artgen.categories.parts.latch import (
     DEADBOLT,
@@ -30,7 +30,6 @@ from artgen.categories.parts.locks import (
 from artgen.categories.parts.pulls import pull_handle
 from artgen.categories.parts.push_bar import push_bar_case, push_slide
 from artgen.categories.parts.roses import Fixing, rose, spindle_hole
-from artgen.nodes.handles import Scalar
 
 HandleKind = Literal["lever", "knob", "push_bar", "pull", "none"]
 

@@ -14,6 +14,7 @@ from artgen import (
     Material,
     Prismatic,
     Revolute,
+    Scalar,
     Solid,
     X,
     Z,
@@ -32,7 +33,6 @@ from artgen import (
     sqrt,
     weld,
 )
-from artgen.nodes.handles import Scalar
 
 ROLLER = 0.004
 """Radius of the roller on which the rod stands [m]."""
@@ -124,7 +124,7 @@ class Linkage:
             pivot=(0.0, y, z),
             limits=(0.0, self.angle),
             stiffness=stiffness,
-            rest=-1.0 * preload * self.front / stiffness,
+            rest=-preload * self.front / stiffness,
             damping=damping,
             friction=0.04,
             armature=0.002,
@@ -147,8 +147,8 @@ class Linkage:
         hub = cylinder(_HUB, _ARM, axis=X, bevel=0.001)
         roller = cylinder(ROLLER, _ARM, axis=X).at(0.0, rear, 0.0)
         outline = rectangle(width, deep, radius=0.4 * deep)
-        plate = extrude(outline, _PLATE, bevel=0.0022).at(0.0, -1.0 * front, 0.0005)
-        at = (0.0, -1.0 * front - 0.15 * deep, 0.0)
+        plate = extrude(outline, _PLATE, bevel=0.0022).at(0.0, -front, 0.0005)
+        at = (0.0, -front - 0.15 * deep, 0.0)
         rubber = material("rubber")
         top = 0.0005 + _PLATE / 2.0
         sheet = extrude(rectangle(width - 0.012, deep - 0.012, radius=0.4 * (deep - 0.012)), 0.0016)
@@ -157,10 +157,8 @@ class Linkage:
         body = weld(
             part(plate, "pedal", finish, push=push_on(plate, direction=-Z, at=at)),
             *(part(each, "pedal", finish) for each in (arm, hub, roller)),
-            detail(sheet.at(0.0, -1.0 * front, top), "pedal", rubber),
-            details.printed(
-                sign, (0.0, -1.0 * front, top + 0.0008), material=light, facing=Z, up=(0.0, 1.0, 0.0)
-            ),
+            detail(sheet.at(0.0, -front, top), "pedal", rubber),
+            details.printed(sign, (0.0, -front, top + 0.0008), material=light, facing=Z, up=(0.0, 1.0, 0.0)),
         )
         y, z = self.pin
         return body.rotate(X, -0.5 * self.angle).at(0.0, y, z)
@@ -226,6 +224,6 @@ class Linkage:
         """
         y, z = axis
         plate = box(0.0032, self.crank, 0.006, bevel=0.0008).at(0.0, -0.5 * self.crank, 0.0)
-        pin = cylinder(PIN, 0.0164, axis=X).at(0.0, -1.0 * self.crank, 0.0)
+        pin = cylinder(PIN, 0.0164, axis=X).at(0.0, -self.crank, 0.0)
         level = [plate.at(0.0066, 0.0, 0.0), plate.at(-0.0066, 0.0, 0.0), pin]
         return [each.rotate(X, self.opening / 2.0).at(0.0, y, z) for each in level]

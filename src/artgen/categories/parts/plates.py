@@ -4,6 +4,7 @@ from artgen import (
     Body,
     Float,
     Material,
+    Scalar,
     Y,
     box,
     details,
@@ -17,7 +18,6 @@ from artgen import (
 )
 from artgen.categories.parts.blank import Blank
 from artgen.categories.parts.screws import Way, screws
-from artgen.nodes.handles import Scalar
 
 ASTRAGAL_GAP = 0.002
 """Between the active leaf and the strip behind it [m]."""

@@ -5,6 +5,7 @@ from artgen import (
     Joint,
     Material,
     Prismatic,
+    Scalar,
     Solid,
     X,
     Y,
@@ -20,7 +21,6 @@ from artgen import (
     tube,
     weld,
 )
-from artgen.nodes.handles import Scalar
 
 CHAIN_BALLS = 26
 """How many balls of a chain are seen."""
@@ -66,10 +66,10 @@ def pull_chain(travel: Scalar, hang: Scalar, *, finish: Material, knob: Material
     """
     above = travel + _IN_SPOUT
     rod = capsule(_CORE, hang + above).at(0.0, 0.0, (above - hang) / 2.0)
-    pull: Solid = cylinder(0.0052, 0.016, bevel=0.0022).at(0.0, 0.0, -1.0 * hang)
+    pull: Solid = cylinder(0.0052, 0.016, bevel=0.0022).at(0.0, 0.0, -hang)
     neck = frustum(0.0044, 0.0020, 0.006).at(0.0, 0.0, 0.0105 - hang)
     step = (0.5 * above + hang - 0.0135) / (CHAIN_BALLS - 1)
-    balls = array(sphere(_BALL), at=row((0.0, 0.0, 0.5 * above), (0.0, 0.0, -1.0 * step), CHAIN_BALLS))
+    balls = array(sphere(_BALL), at=row((0.0, 0.0, 0.5 * above), (0.0, 0.0, -step), CHAIN_BALLS))
     hold = grasp_on(pull, approach=Y, closing=X)
     return weld(
         part(pull, "pull_chain", knob, grasp=hold),
@@ -93,7 +93,7 @@ def chain_pull(travel: Scalar, *, force: Scalar) -> Joint:
         axis=(0.0, 0.0, -1.0),
         limits=(0.0, travel),
         stiffness=stiffness,
-        rest=-1.0 * preload / stiffness,
+        rest=-preload / stiffness,
         damping=2.0,
         friction=0.2,
         armature=0.02,  # the ratchet of the switch

@@ -7,6 +7,7 @@ from artgen import (
     Body,
     Float,
     Material,
+    Scalar,
     Solid,
     X,
     Y,
@@ -26,7 +27,6 @@ from artgen import (
 from artgen.categories.parts.bars import bent_bar, rod
 from artgen.categories.parts.finish import casting
 from artgen.categories.parts.roses import SIDES, Faces
-from artgen.nodes.handles import Scalar
 
 _SUNK = 0.0005  # how deep feet are let into the leaf [m]
 _BOW = 0.022  # radius of the bends of a bow [m]

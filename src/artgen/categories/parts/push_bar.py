@@ -6,6 +6,7 @@ from artgen import (
     Joint,
     Material,
     Prismatic,
+    Scalar,
     box,
     detail,
     generator,
@@ -15,7 +16,6 @@ from artgen import (
     weld,
 )
 from artgen.categories.parts.finish import casting, recess
-from artgen.nodes.handles import Scalar
 
 _CHANNEL_DEPTH = 0.028  # how far the flanges of the rail stand out of the leaf [m]
 _SHEET = 0.0028  # thickness of the rail [m]

@@ -10,6 +10,7 @@ from typing import Literal
 from artgen import (
     Body,
     Material,
+    Scalar,
     Solid,
     Y,
     Z,
@@ -27,7 +28,6 @@ from artgen import (
 from artgen.categories.parts.cylinders import key_cylinder
 from artgen.categories.parts.finish import casting, recess
 from artgen.categories.parts.screws import Drive, Way, screws
-from artgen.nodes.handles import Scalar
 
 Faces = Literal["both", "front", "back"]
 """The faces of a leaf on which something sits; the front faces -y."""

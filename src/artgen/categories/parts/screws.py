@@ -3,9 +3,8 @@
 from collections.abc import Sequence
 from typing import Literal
 
-from artgen import Body, Material, array, detail, details
+from artgen import Body, Material, Scalar, VectorLike, array, detail, details
 from artgen.categories.parts.finish import recess
-from artgen.nodes.handles import Scalar, VectorLike
 
 Drive = Literal["slot", "phillips", "hex"]
 """What turns a screw."""

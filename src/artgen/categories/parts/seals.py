@@ -1,7 +1,6 @@
 """Gaskets of doors: profiles of rubber with a magnet in them, in the gap between a door and its cabinet."""
 
-from artgen import Body, Material, Solid, Y, box, detail, extrude, part, rectangle, weld
-from artgen.nodes.handles import Scalar
+from artgen import Body, Material, Scalar, Solid, Y, box, detail, extrude, part, rectangle, weld
 
 
 def door_gasket(

@@ -13,6 +13,7 @@ from artgen import (
     Float,
     Frame,
     Material,
+    Scalar,
     Solid,
     Z,
     atan2,
@@ -36,7 +37,6 @@ from artgen import (
     weld,
 )
 from artgen.categories.parts.bulbs import bulb, vents
-from artgen.nodes.handles import Scalar
 
 ShadeKind = Literal["cone", "drum", "dome", "curved", "globe"]
 """The form of a shade; a curved one is a bell."""
@@ -111,7 +111,7 @@ def metal_head(
         lining: Its inside.
         trim: Of the housing.
     """
-    top = -1.0 * HOUSING_TOP
+    top = -HOUSING_TOP
     points = [(r, top + z) for r, z in _metal_outline(kind, radius, depth)]
     low, high = points[0], points[-1]
     housing = cylinder(HOUSING, HOUSING_TOP + 0.006, bevel=0.002).at(0.0, 0.0, -0.5 * (HOUSING_TOP + 0.006))
@@ -133,7 +133,7 @@ def metal_head(
         vents(HOUSING, -0.5 * HOUSING_TOP, trim),
     )
     reach = norm(vector(low[0], 0.0, low[1]))
-    corners = ((HOUSING, 0.0), *((r, -1.0 * z) for r, z in points))
+    corners = ((HOUSING, 0.0), *((r, -z) for r, z in points))
     return Head(body, reach, corners)
 
 
@@ -141,13 +141,13 @@ def _metal_outline(kind: str, radius: Scalar, depth: Scalar) -> list[Point]:
     """Return the outline from the rim up to the neck, its top at 0."""
     match kind:
         case "cone":
-            return [(radius, -1.0 * depth), (NECK, 0.0)]
+            return [(radius, -depth), (NECK, 0.0)]
         case "drum":
-            return [(radius, -1.0 * depth), (radius, 0.0)]
+            return [(radius, -depth), (radius, 0.0)]
         case "curved":  # a bell: it flares at the rim
             inner = 0.62 * (radius - NECK) + NECK
             return [
-                (radius, -1.0 * depth),
+                (radius, -depth),
                 (inner + 0.10 * (radius - NECK), -0.66 * depth),
                 (NECK + 0.46 * (radius - NECK), -0.26 * depth),
                 (NECK, 0.0),

@@ -6,7 +6,9 @@ from collections.abc import Sequence
 from artgen import (
     Body,
     Material,
+    Scalar,
     Solid,
+    VectorLike,
     X,
     Y,
     Z,
@@ -22,7 +24,6 @@ from artgen import (
     ring,
     weld,
 )
-from artgen.nodes.handles import Scalar, VectorLike
 
 GLASS = 0.004
 """Thickness of a pane of toughened glass [m]."""

@@ -14,6 +14,7 @@ from artgen import (
     Material,
     Prismatic,
     Profile,
+    Scalar,
     Solid,
     X,
     Y,
@@ -36,7 +37,6 @@ from artgen import (
     weld,
 )
 from artgen.categories.parts.toaster_plan import Plan
-from artgen.nodes.handles import Scalar
 
 LeverStyle = Literal["tab", "bar", "ball", "tee", "paddle"]
 """A flat tab, a round bar across, a ball, a square bar on a neck, or a wide paddle."""

@@ -77,7 +77,7 @@ def _walls(plan: Plan, level: Float, tall: Float) -> Solid:
     begin, end = plan.chamber
     half = plan.span / 2 + _MICA + 0.0006  # within the bevels of a classic body
     back = box(2 * half, _WALL, tall).at(0.0, end + _WALL / 2, level)
-    edges = [-1.0 * half, *(x + side * GAP for x in plan.middles for side in (-1, 1)), half]
+    edges = [-half, *(x + side * GAP for x in plan.middles for side in (-1, 1)), half]
     boards = [
         box(right - left, _WALL, tall).at(0.5 * (left + right), begin - _WALL / 2, level)
         for left, right in zip(edges[::2], edges[1::2], strict=True)

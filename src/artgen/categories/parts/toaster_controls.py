@@ -11,6 +11,7 @@ from artgen import (
     Body,
     Material,
     Profile,
+    Scalar,
     Solid,
     Vector,
     array,
@@ -34,7 +35,6 @@ from artgen.categories.parts.dials import DialStyle, dial, dial_print, dial_turn
 from artgen.categories.parts.finish import recess
 from artgen.categories.parts.toaster_carriage import ARM, slit
 from artgen.categories.parts.toaster_plan import Plan
-from artgen.nodes.handles import Scalar
 
 Layout = Literal["beside", "below"]
 """Whether dials and buttons are beside the lever, or dials below levers with buttons about them."""
@@ -98,7 +98,7 @@ def end_site(plan: Plan, levers: int, layout: Layout, lean: int) -> Site:
     at: tuple[Scalar, ...] = (0.0,)
     if levers > 1:
         aside = plan.pitch * plan.slots / 4
-        at = (-1.0 * aside, aside)
+        at = (-aside, aside)
     elif layout == "beside":
         half = min_(half, _NEAREST + 0.030)
         at = (-lean * min_(half - 0.022, _NEAREST),)
@@ -120,7 +120,7 @@ def side_site(plan: Plan) -> Site:
     half = 0.060
     lever = half - 0.022
     return Site(
-        middle=-1.0 * plan.bay - lever,
+        middle=-plan.bay - lever,
         plane=_RECESS + plan.inset - plan.width / 2,
         low=plan.foot + 0.021,  # between the rounded corners of the sleeve
         high=plan.height - 0.021,

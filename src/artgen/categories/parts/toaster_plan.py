@@ -9,8 +9,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal
 
-from artgen import Float, Profile, min_, polygon, rectangle
-from artgen.nodes.handles import Scalar
+from artgen import Float, Profile, Scalar, min_, polygon, rectangle
 
 BodyStyle = Literal["box", "rounded", "retro", "steel", "classic"]
 """A plain box; one with round shoulders; a bulging one; a steel sleeve between plastic ends; bevelled."""
@@ -171,8 +170,8 @@ class Plan:
                 return _cornered(x, z, upper=self._bevel, steep=1.5)
             case "retro":
                 low, high = 0.93 * x - 0.013, 0.895 * x - 0.013
-                left = [(-1.0 * high, z), (-1.0 * x, -0.06 * z), (-1.0 * low, -1.0 * z)]
-                return polygon([(low, -1.0 * z), (x, -0.06 * z), (high, z), *left])
+                left = [(-high, z), (-x, -0.06 * z), (-low, -z)]
+                return polygon([(low, -z), (x, -0.06 * z), (high, z), *left])
 
     @cached_property
     def _steel(self) -> Float:
@@ -223,9 +222,6 @@ def _cornered(
         radius: Radius to which corners are rounded [m].
     """
     right: list[tuple[Scalar, Scalar]] = [(x, z - steep * upper), (x - upper, z)]
-    if lower is None:
-        right = [(x, -1.0 * z), *right]
-    else:
-        right = [(x - lower, -1.0 * z), (x, steep * lower - z), *right]
-    left = [(-1.0 * each, level) for each, level in reversed(right)]
+    right = [(x, -z), *right] if lower is None else [(x - lower, -z), (x, steep * lower - z), *right]
+    left = [(-each, level) for each, level in reversed(right)]
     return polygon([*right, *left], radius=radius)

@@ -134,7 +134,7 @@ def _sleeve(plan: Plan, cuts: Cuts) -> Solid:
     sleeve = sleeve - array(hole, at=[(x, 0.0, 0.0) for x in plan.middles])
     middle = 0.5 * (plan.height + plan.foot)
     for cut in cuts.side:
-        sleeve = sleeve - cut.at(0.0, 0.0, -1.0 * middle)
+        sleeve = sleeve - cut.at(0.0, 0.0, -middle)
     return sleeve
 
 
@@ -185,7 +185,7 @@ def underside(plan: Plan) -> Body:
     neck = box(0.030, 0.006, plan.foot - 0.004, bevel=0.0008).at(0.0, 0.0, plan.foot / 2)
     lip = box(0.034, 0.016, 0.0022, bevel=0.0008).at(0.0, 0.0, 0.0032)
     reach = 0.22 * plan.length
-    hooks = array(neck | lip, at=[(0.0, -1.0 * reach, 0.0), (0.0, reach, 0.0)])
+    hooks = array(neck | lip, at=[(0.0, -reach, 0.0), (0.0, reach, 0.0)])
     return weld(
         detail(dark.at(0.0, 0.0, plan.foot), "base", black), detail(hooks, "cord_wrap", material("black_abs"))
     )

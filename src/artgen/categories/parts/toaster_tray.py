@@ -7,6 +7,7 @@ from artgen import (
     Joint,
     Material,
     Prismatic,
+    Scalar,
     Solid,
     Vector,
     X,
@@ -20,7 +21,6 @@ from artgen import (
     weld,
 )
 from artgen.categories.parts.toaster_plan import Plan
-from artgen.nodes.handles import Scalar
 
 TrayWay = Literal["back", "side"]
 """Whether the tray leaves at the end of the slots, or across them."""

@@ -8,6 +8,7 @@ from artgen import (
     Material,
     Prismatic,
     Revolute,
+    Scalar,
     X,
     Z,
     box,
@@ -25,7 +26,6 @@ from artgen import (
     weld,
 )
 from artgen.categories.parts.bins import Can
-from artgen.nodes.handles import Scalar
 
 WIRE = 0.0028
 """Radius of the bail [m]."""
@@ -109,7 +109,7 @@ def with_bail(body: Body, can: Can, *, finish: Material, needs: Condition | Depe
     x, y = half - WIRE - 0.0022, -_REACH * can.depth / 2.0
     z = can.top - WIRE
     way = spline([(x, 0.0, z), (0.93 * x, 0.45 * y, z), (0.55 * x, 0.88 * y, z), (0.0, y, z),
-                  (-0.55 * x, 0.88 * y, z), (-0.93 * x, 0.45 * y, z), (-1.0 * x, 0.0, z)])  # fmt: skip
+                  (-0.55 * x, 0.88 * y, z), (-0.93 * x, 0.45 * y, z), (-x, 0.0, z)])  # fmt: skip
     wire = coarse(sweep(circle(WIRE), way), 0.00075)
     grip = cylinder(_GRIP, 0.07, axis=X, bevel=0.0015).at(0.0, y, z - 0.003)
     hold = grasp_on(grip, approach=-Z, closing=(0.0, 1.0, 0.0))

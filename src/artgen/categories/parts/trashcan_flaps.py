@@ -13,6 +13,7 @@ from artgen import (
     Joint,
     Material,
     Revolute,
+    Scalar,
     Solid,
     Y,
     Z,
@@ -30,7 +31,6 @@ from artgen import (
 )
 from artgen.categories.parts.bins import Can
 from artgen.categories.parts.pedals import PIN, Linkage
-from artgen.nodes.handles import Scalar
 
 _THICK = 0.009  # of flaps [m]
 _EDGE = 0.0055  # radius of their outer edge, about the axis [m]
@@ -159,7 +159,7 @@ class Flaps:
         start, end = self.back - 0.006, self.crank_y + 0.0062
         shaft = cylinder(_SHAFT, end - start, axis=Y).at(side * self.axis, (start + end) / 2.0, self.level)
         plate = box(linkage.crank, 0.0032, 0.006, bevel=0.0008).at(-0.5 * side * linkage.crank, 0.0046, 0.0)
-        pin = cylinder(PIN, 0.0124, axis=Y).at(-1.0 * side * linkage.crank, 0.0, 0.0)
+        pin = cylinder(PIN, 0.0124, axis=Y).at(-side * linkage.crank, 0.0, 0.0)
         turned = [each.rotate(Y, -0.5 * side * linkage.opening) for each in (plate, pin)]
         return [shaft, *(each.at(side * self.axis, self.crank_y, self.level) for each in turned)]
 

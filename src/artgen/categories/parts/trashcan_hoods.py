@@ -15,6 +15,7 @@ from artgen import (
     Prismatic,
     Profile,
     Revolute,
+    Scalar,
     Solid,
     X,
     Z,
@@ -34,7 +35,6 @@ from artgen import (
     weld,
 )
 from artgen.categories.parts.bins import Can
-from artgen.nodes.handles import Scalar
 
 Turning = Literal["swing", "disc", "ball", "ring"]
 """What a hood carries; a ring carries nothing, and holds a bag."""
@@ -120,7 +120,7 @@ class Hood:
     def body(self, trim: Material) -> Body:
         """Make the hood: the link `hood`."""
         level = self._level
-        out = -1.0 * (_OVER + _SKIN)
+        out = -(_OVER + _SKIN)
         skirt = level.band(self.can.top - _SKIRT, self.low + 0.004, outer=out, inner=-_OVER)
         if self.kind == "swing":
             ring = level.outline(out) - level.outline(0.0015)
@@ -154,7 +154,7 @@ class Hood:
             solid = ear.at(side * (x + _EAR / 2.0 - 0.0015), 0.0, z)
             hold = grasp_on(
                 solid,
-                approach=(-1.0 * side, 0.0, 0.0),
+                approach=(-side, 0.0, 0.0),
                 closing=Z,
                 at=(side * (x + 0.012), 0.0, z),
                 depth=0.016,
@@ -231,7 +231,7 @@ class Hood:
         height = (radius * radius - y * y) ** 0.5
         return push_on(
             shape,
-            direction=(0.0, -1.0 * y, -1.0 * height),
+            direction=(0.0, -y, -height),
             at=(0.0, y, self.axis + rise - radius + height - 0.004),
         )
 
@@ -267,7 +267,7 @@ class Hood:
             "lid_hinge",
             axis=X,
             pivot=(0.0, 0.0, self.axis),
-            limits=(-1.0 * opening, opening),
+            limits=(-opening, opening),
             stiffness=stiffness,
             friction=held,
             damping=damping,

@@ -3,7 +3,22 @@
 from dataclasses import dataclass
 from typing import Literal
 
-from artgen import Body, Condition, Dependency, Joint, Material, Solid, box, material, min_, part, tan, weld
+from artgen import (
+    Body,
+    Condition,
+    Dependency,
+    Joint,
+    Material,
+    Scalar,
+    Solid,
+    VectorLike,
+    box,
+    material,
+    min_,
+    part,
+    tan,
+    weld,
+)
 from artgen.categories.parts.bins import Can
 from artgen.categories.parts.lids import GAP, SPARE, STEP, Grip, Hinge, LidStyle, lid_grip, lid_panel
 from artgen.categories.parts.pedals import SLOT, Linkage
@@ -14,7 +29,6 @@ from artgen.categories.parts.trashcan_hoods import Hood, Turning
 from artgen.categories.parts.trashcan_marks import bag, plate, top_mark
 from artgen.categories.parts.trashcan_shells import Dress, Looks, rolled_rim, stand
 from artgen.categories.parts.trashcan_touch import ROOM, Catch, sprung_lid
-from artgen.nodes.handles import Scalar, VectorLike
 
 Carry = Literal["none", "loop", "bail"]
 """By what an inner bucket is carried; none has no bucket."""

@@ -7,6 +7,8 @@ from artgen import (
     Body,
     Material,
     Profile,
+    Scalar,
+    VectorLike,
     Z,
     coloured,
     detail,
@@ -15,7 +17,6 @@ from artgen import (
     polygon,
 )
 from artgen.categories.parts.bins import Can
-from artgen.nodes.handles import Scalar, VectorLike
 
 Sort = Literal["none", "recycling", "paper", "plastic", "glass", "food"]
 """What a bin is for, if it says so."""

@@ -3,10 +3,9 @@
 from dataclasses import dataclass
 from typing import Literal
 
-from artgen import Body, Material, Solid, detail, material, part, weld
+from artgen import Body, Material, Scalar, Solid, detail, material, part, weld
 from artgen.categories.parts.bins import Can
 from artgen.categories.parts.feet import feet
-from artgen.nodes.handles import Scalar
 
 Dress = Literal["plain", "base_band", "beads", "ring"]
 """What goes around a wall: nothing, a band at the foot, two beads, or a bright ring under the rim."""

@@ -13,6 +13,7 @@ from artgen import (
     Joint,
     Material,
     Revolute,
+    Scalar,
     Solid,
     X,
     Y,
@@ -26,7 +27,6 @@ from artgen import (
 from artgen.categories.parts.bins import Can
 from artgen.categories.parts.buttons import button_press
 from artgen.categories.parts.lids import Hinge
-from artgen.nodes.handles import Scalar
 
 ROOM = 0.027
 """What the catch needs behind the front wall [m]."""

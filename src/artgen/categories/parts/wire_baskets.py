@@ -14,8 +14,10 @@ from artgen import (
     Float,
     Material,
     Points,
+    Scalar,
     Solid,
     Vector,
+    VectorLike,
     X,
     Y,
     Z,
@@ -35,7 +37,6 @@ from artgen import (
     vector,
     weld,
 )
-from artgen.nodes.handles import Scalar, VectorLike
 
 Grip = Literal["bar", "plate"]
 """The grip in front of a rack: a round bar or a flat moulded plate."""
@@ -157,12 +158,12 @@ class Basket:
         low = 3.0 * wire - _SUNK
         front, back = self.front - self.rim, self.back - self.rim
         column: list[VectorLike] = [
-            (0.0, -1.0 * y, front), (0.0, -1.0 * y, wire), (0.0, y, wire), (0.0, y, back)
+            (0.0, -y, front), (0.0, -y, wire), (0.0, y, wire), (0.0, y, back)
         ]  # fmt: skip
         level = (front + back) / 2.0 - 0.5 * wire
         cross: list[VectorLike] = [
-            (-1.0 * x, 0.0, level),
-            (-1.0 * x, 0.0, low),
+            (-x, 0.0, level),
+            (-x, 0.0, low),
             (x, 0.0, low),
             (x, 0.0, level),
         ]
@@ -182,11 +183,11 @@ class Basket:
         for number, down in enumerate(self._down):
             high, far = self.front - down, self.back - down
             loop: list[VectorLike] = [
-                (0.0, -1.0 * y, high),
-                (x, -1.0 * y, high),
+                (0.0, -y, high),
+                (x, -y, high),
                 (x, y, far),
-                (-1.0 * x, y, far),
-                (-1.0 * x, -1.0 * y, high),
+                (-x, y, far),
+                (-x, -y, high),
             ]
             path = polyline(loop, fillet=_CORNER, closed=True)
             bent.append(details.bent_wires(path, wire if number else self.rim, at=_HERE))
@@ -223,7 +224,7 @@ class Basket:
         places = row(start, way, rows)
         length = (count - 1) * pitch
         rail = array(cylinder(self.wire, length + 0.008, axis=along), at=places)
-        path = line(Z * 0.0, aside * (-1.0 * height * lean) + Z * height)
+        path = line(Z * 0.0, aside * (-height * lean) + Z * height)
         middle = start + way * (0.5 * (rows - 1))
         stand = grid(middle, along * pitch, way, columns=count, rows=rows)
         tines = details.bent_wires(path, _TINE, at=stand)

@@ -17,6 +17,7 @@ from artgen.nodes.details.screws import drive_recess, rivet, screw, screw_head
 from artgen.nodes.details.seals import foot, gasket, gasket_section, seam
 from artgen.nodes.details.segments import seven_segment
 from artgen.nodes.details.vents import louvre_section, louvres, perforation, vent_slots
+from artgen.nodes.details.wrap import wrap, wrapped
 
 __all__ = [
     "BRANDS",
@@ -53,4 +54,6 @@ __all__ = [
     "tine_row",
     "vent_slots",
     "wire_rack",
+    "wrap",
+    "wrapped",
 ]
