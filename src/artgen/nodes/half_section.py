@@ -1,5 +1,7 @@
 """Half sections of turned things: what a lathe turns, drawn as the line of its outside."""
 
+from collections.abc import Sequence
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -16,7 +18,10 @@ _FLAT = 0.01  # [m]: how far a line runs off the plane before it is no half sect
 
 
 @kernel
-def _half_section(path: Curve, wall: float | None, inset: float, bore: float, within: float) -> Outline:
+def _half_section(
+    path: Curve | tuple[Curve, ...], wall: float | None, inset: float, bore: float, within: float
+) -> Outline:
+    path = path if isinstance(path, Curve) else _joined(path)
     if path.closed:
         raise ValueError("the line of a half section must be open: from its lower end to its upper one")
     if np.abs(path.points[:, 1]).max() > _FLAT * max(1.0, float(np.abs(path.points).max())):
@@ -26,7 +31,8 @@ def _half_section(path: Curve, wall: float | None, inset: float, bore: float, wi
         raise ValueError(f"the line reaches x = {line[:, 0].min():g} m; x is the radius, so it starts at 0")
     if inputs.between("within", within, 0.0, 0.01) > 0.0:
         low, high = line[:, 1].min(), line[:, 1].max()
-        line = _chords(line, 0.5 * within)
+        apart = np.append(True, np.linalg.norm(np.diff(line, axis=0), axis=1) > _ON_AXIS)
+        line = _chords(line[apart], 0.5 * within)
         path = Curve(np.column_stack([line[:, 0], np.zeros(len(line)), line[:, 1]]))
         inset = inset + 0.5 * within
     outward, corners = _normals(path, line)
@@ -45,7 +51,7 @@ def _half_section(path: Curve, wall: float | None, inset: float, bore: float, wi
 
 
 def half_section(
-    path: Path,
+    path: Path | Sequence[Path],
     *,
     wall: Scalar | None = None,
     inset: Scalar = 0.0,
@@ -56,7 +62,8 @@ def half_section(
 
     Args:
         path: The outside from the lower end to the upper one, in the plane y = 0: x is the radius, z becomes
-            the profile's y. A spline makes a smooth thing.
+            the profile's y. A spline makes a smooth thing; several paths make one with sharp knees between
+            them, and steps where they are apart.
         wall: Thickness of a shell inside of the line, open at both ends; a solid by default [m].
         inset: How far the outside is moved inward [m].
         bore: Radius of the hole along the axis of a thing without wall [m].
@@ -81,6 +88,24 @@ def _chords(line: Array, off: float) -> Array:
     if apart[far] <= off:
         return np.stack([first, last])
     return np.concatenate([_chords(line[: far + 1], off)[:-1], _chords(line[far:], off)])
+
+
+def _joined(paths: Sequence[Curve]) -> Curve:
+    """Return the paths from end to end as one, whose points where they meet are there twice."""
+    points: list[Array] = []
+    tangents: list[Array] = []
+    for path in paths:
+        if path.tangents is None:
+            raise ValueError("a half section of several paths takes lines, arcs and splines, no polylines")
+        if points:
+            gap = path.points[0] - points[-1][-1]
+            length = float(np.linalg.norm(gap))
+            if length > _ON_AXIS:
+                points.append(np.stack([points[-1][-1], path.points[0]]))
+                tangents.append(np.stack([gap / length] * 2))
+        points.append(path.points)
+        tangents.append(path.tangents)
+    return Curve(np.concatenate(points), False, np.concatenate(tangents))
 
 
 def _normals(path: Curve, line: Array) -> tuple[Array, Array]:

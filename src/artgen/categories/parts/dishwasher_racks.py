@@ -20,6 +20,7 @@ from artgen import (
     box,
     coloured,
     cylinder,
+    cylinder_between,
     detail,
     details,
     extrude,
@@ -326,9 +327,9 @@ class Racks:
         """Make the post on which the lower spray arm turns, to be welded to the tub."""
         top = self.floor - 0.009 - _BLADE - 0.0045
         low = self.space.floor - 0.001
-        post = cylinder(0.019, top - low, axis=Z, bevel=0.002)
-        grey = coloured("polypropylene", "grey")
-        return part(post.at(0.0, self.space.rack_middle, (top + low) / 2.0), "tub", grey)
+        y = self.space.rack_middle
+        post = cylinder_between((0.0, y, low), (0.0, y, top), 0.019, bevel=0.002)
+        return part(post, "tub", coloured("polypropylene", "grey"))
 
     def upper_arm(self, name: str) -> Body:
         """Make the spray arm under the upper rack."""

@@ -19,6 +19,7 @@ from artgen import (
     Y,
     Z,
     array,
+    board,
     box,
     circle,
     cylinder,
@@ -204,20 +205,15 @@ def cabinet(
 
 def _hollow(case: Case, whole: Cell) -> Solid:
     """Make what is cut out of the block for all cells together."""
-    deep = whole.rear - case.mouth + 0.01
-    room = box(whole.width, deep, whole.height)
-    return room.at(whole.middle, whole.rear - deep / 2, (whole.low + whole.high) / 2)
+    return board((whole.left, whole.right), (case.mouth - 0.01, whole.rear), (whole.low, whole.high))
 
 
 def _partition(case: Case, one: Cell, other: Cell, *, abreast: bool) -> Solid:
     """Make the wall between two cells, which reaches into those around it by half a millimetre."""
-    deep = one.rear - case.mouth + _IN_WALL
-    middle = case.mouth + deep / 2
+    y = (case.mouth, one.rear + _IN_WALL)
     if abreast:
-        wall = box(other.left - one.right, deep, one.height + 2 * _IN_WALL, bevel=0.002)
-        return wall.at((other.left + one.right) / 2, middle, (one.low + one.high) / 2)
-    floor = box(one.width + 2 * _IN_WALL, deep, other.low - one.high, bevel=0.002)
-    return floor.at(one.middle, middle, (other.low + one.high) / 2)
+        return board((one.right, other.left), y, (one.low - _IN_WALL, one.high + _IN_WALL), bevel=0.002)
+    return board((one.left - _IN_WALL, one.right + _IN_WALL), y, (one.high, other.low), bevel=0.002)
 
 
 def _coves(case: Case, cell: Cell) -> list[Solid]:

@@ -10,6 +10,7 @@ from artgen import (
     Solid,
     X,
     Y,
+    board,
     box,
     details,
     extrude,
@@ -159,8 +160,7 @@ def lining(case: Case, left: Scalar, right: Scalar, low: Scalar, high: Scalar, *
         thick: Of the front part [m].
     """
     deep = case.thickness - thick + 0.001
-    board = box(right - left, deep, high - low, bevel=0.005)
-    return board.at((left + right) / 2, case.face - deep / 2, (low + high) / 2)
+    return board((left, right), (case.face - deep, case.face), (low, high), bevel=0.005)
 
 
 def door(leaf: Leaf, dress: Dress, *, brand: str = "", display: str = "", water: bool = False) -> Body:

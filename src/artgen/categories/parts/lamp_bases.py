@@ -14,6 +14,7 @@ from artgen import (
     box,
     circle,
     cylinder,
+    cylinder_between,
     detail,
     extrude,
     frustum,
@@ -151,7 +152,7 @@ def pole(radius: Scalar, low: Scalar, high: Scalar, finish: Material, *, capped:
         middles = [low + long * (number + 0.5) for number in range(_LENGTHS)]
         tube_ = union(*(length.at(0.0, 0.0, middle) for middle in middles))
     else:
-        tube_ = cylinder(radius, high - low, bevel=0.001).at(0.0, 0.0, (low + high) / 2.0)
+        tube_ = cylinder_between((0.0, 0.0, low), (0.0, 0.0, high), radius, bevel=0.001)
     flange = cylinder(2.1 * radius, 0.008, bevel=0.0025).at(0.0, 0.0, low + 0.004)
     bodies = [part(tube_, "pole", hollow(finish)), part(flange, "pole", finish)]
     if capped:
@@ -284,7 +285,7 @@ def neck(form: BodyForm, radius: Scalar, *, low: Scalar, high: Scalar, finish: M
     """
     wide = max_(_BODIES[form][-1][0] * radius + 0.003, 0.016)
     cap = cylinder(wide, 0.006, bevel=0.002).at(0.0, 0.0, low + 0.002)
-    stem = cylinder(0.0095, high - low, bevel=0.001).at(0.0, 0.0, (low + high) / 2.0)
+    stem = cylinder_between((0.0, 0.0, low), (0.0, 0.0, high), 0.0095, bevel=0.001)
     ring = cylinder(0.0125, 0.008, bevel=0.0028).at(0.0, 0.0, low + 0.45 * (high - low))
     return weld(part(cap, "pole", finish), part(stem, "pole", hollow(finish)), part(ring, "pole", finish))
 

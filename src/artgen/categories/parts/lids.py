@@ -21,6 +21,7 @@ from artgen import (
     Y,
     Z,
     atan2,
+    board,
     box,
     cylinder,
     detail,
@@ -98,20 +99,19 @@ class Hinge:
         """
         y, z = self.axis
         near, far = self.can.back - 0.004, y + 0.008
-        long, high = far - near, z - self.foot
-        cheek = box(_CHEEK, long, high, bevel=0.0012)
         round_ = cylinder(_ROUND, _CHEEK, axis=X, bevel=0.0012)
         parts: list[Body] = []
+        cheek = board((-_CHEEK / 2.0, _CHEEK / 2.0), (near, far), (self.foot, z), bevel=0.0012)
         for side in (-1, 1):
             x = side * (_HALF + 0.0005 + _CHEEK / 2.0)
-            parts.append(part(cheek.at(x, (near + far) / 2.0, (z + self.foot) / 2.0), label, finish))
+            parts.append(part(cheek.at(x, 0.0, 0.0), label, finish))
             parts.append(part(round_.at(x, y, z), label, finish))
-        width = 2.0 * (_HALF + _CHEEK)
-        cover = box(width, 0.003, high - 0.010, bevel=0.0012)
-        parts.append(part(cover.at(0.0, far - 0.0012, self.foot + (high - 0.010) / 2.0), label, finish))
+        half = _HALF + _CHEEK
+        cover = board((-half, half), (far - 0.0027, far + 0.0003), (self.foot, z - 0.010), bevel=0.0012)
+        parts.append(part(cover, label, finish))
         if sill:
-            plate = box(width, long, 0.003, bevel=0.001)
-            parts.append(part(plate.at(0.0, (near + far) / 2.0, self.foot + 0.0015), label, finish))
+            plate = board((-half, half), (near, far), (self.foot, self.foot + 0.003), bevel=0.001)
+            parts.append(part(plate, label, finish))
         head = cylinder(0.0034, _CHEEK, axis=X, bevel=0.0008)
         for side in (-1, 1):
             out = _HALF + _CHEEK / 2.0 + 0.0012
@@ -128,9 +128,8 @@ class Hinge:
         top = low + 0.7 * thick
         rise = top - 0.001 - z
         neck = box(2.0 * _HALF - 0.002, 0.010, rise, bevel=0.0015).at(0.0, y - 0.0015, z + rise / 2.0)
-        front = self.can.back - 0.010
-        bridge = box(2.0 * _HALF, y + 0.004 - front, top - low, bevel=0.0015)
-        return [hub, neck, bridge.at(0.0, (y + 0.004 + front) / 2.0, (top + low) / 2.0)]
+        bridge = board((-_HALF, _HALF), (self.can.back - 0.010, y + 0.004), (low, top), bevel=0.0015)
+        return [hub, neck, bridge]
 
     def turn(
         self,

@@ -20,6 +20,7 @@ from artgen import (
     Y,
     box,
     cylinder,
+    cylinder_between,
     detail,
     enclosed,
     extrude,
@@ -148,7 +149,7 @@ def turn_button(
     disc = cylinder(0.0055, 0.003, axis=Y, bevel=0.0008).at(0.0, side * (face + _GAP + 0.0015), -below)
     wing = box(0.0032, 0.007, 0.0105, bevel=0.0012).at(0.0, side * (face + _GAP + 0.0050), -below)
     inner, outer = face - depth + 0.0015, face + 0.002
-    stem = cylinder(PIN, outer - inner, axis=Y).at(0.0, side * (inner + outer) / 2, -below)
+    stem = cylinder_between((0.0, side * inner, -below), (0.0, side * outer, -below), PIN)
     hold = (
         _hold_from_below(face, side, below)
         if below
@@ -180,8 +181,7 @@ def push_button(
         below: How far below the spindle it sits [m].
     """
     inner, outer = face - depth + PIN_TRAVEL + 0.0015, face + PIN_TRAVEL + 0.0015
-    pin = cylinder(PIN, outer - inner, axis=Y, bevel=0.0008)
-    pin = pin.at(0.0, side * (inner + outer) / 2, -below)
+    pin = cylinder_between((0.0, side * inner, -below), (0.0, side * outer, -below), PIN, bevel=0.0008)
     # a finger presses the lower half of the pin, away from the neck of a lever above it
     press = push_on(pin, direction=(0.0, -side, 0.0), at=(0.0, side * outer, -below - 0.002))
     return part(pin, "lock", finish, push=press)

@@ -88,7 +88,7 @@ def push_bar(
     middle, span = _bar_span(length)
     back = thickness / 2 + _SHEET + _BOTTOM + travel
     front = thickness / 2 + _BAR_REACH
-    bar = box(span, front - back, _BAR_HEIGHT, bevel=0.004).at(middle, side * (front + back) / 2, 0.0)
+    bar = box(span, front - back, _BAR_HEIGHT, bevel=0.004).align((middle, side * front, 0.0), y=side)
     at = (middle + 0.25 * span, side * front, 0.0)  # nearer to the lock: far from the hinges
     return part(bar, "handle", casting(finish, _FULL), push=push_on(bar, direction=(0.0, -side, 0.0), at=at))
 

@@ -18,6 +18,7 @@ from artgen import (
     Z,
     atan2,
     cylinder,
+    cylinder_between,
     detail,
     frame,
     grasp_on,
@@ -339,7 +340,7 @@ def _spokes(reach: Scalar, level: Scalar, wire: Material) -> list[Body]:
     bodies = []
     for turn in (math.pi / 2.0, math.pi * 7.0 / 6.0, math.pi * 11.0 / 6.0):
         out = vector(math.cos(turn), math.sin(turn), 0.0)
-        spoke = cylinder(0.0017, end - start, axis=out).at(out * ((start + end) / 2.0) + Z * level)
+        spoke = cylinder_between(out * start + Z * level, out * end + Z * level, 0.0017)
         bodies.append(part(spoke, "shade", wire))
     return bodies
 

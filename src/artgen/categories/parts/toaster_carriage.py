@@ -20,6 +20,7 @@ from artgen import (
     Y,
     Z,
     array,
+    board,
     box,
     capsule,
     cylinder,
@@ -137,7 +138,8 @@ def _inlay(wide: float, face: float, tall: float, accent: Material) -> Body:
 def arm(reach: Scalar) -> Body:
     """Make the arm that goes from a lever through its slit to y = `reach` behind the panel."""
     near = -_OUT - 0.0012  # not under a finger that presses the middle of a flat lever
-    bar = box(ARM[0], reach - near, ARM[1], bevel=0.0008).at(0.0, 0.5 * (reach + near), 0.0)
+    wide, high = ARM[0] / 2, ARM[1] / 2
+    bar = board((-wide, wide), (near, reach), (-high, high), bevel=0.0008)
     return part(bar, "carriage", material("steel"))
 
 
@@ -156,8 +158,9 @@ def carriage(plan: Plan, middles: Sequence[Float], *, post: Scalar, height: Scal
     front, back = plan.bay, end - _ENDS
     upright = box(0.014, _STEEL, height - level + 0.010).at(post, front, 0.5 * (height + level) + 0.0035)
     left, right = min_(middles[0], post) - 0.004, max_(middles[-1], post) + 0.004
-    cross = box(right - left, _STEEL - 0.0006, 0.0074).at(0.5 * (left + right), front, level + 0.0025)
-    rail = box(_STEEL, back - front, 0.006).at(0.0, 0.5 * (front + back), level + 0.0015)
+    thin, half = _STEEL / 2 - 0.0003, _STEEL / 2
+    cross = board((left, right), (front - thin, front + thin), (level - 0.0012, level + 0.0062))
+    rail = board((-half, half), (front, back), (level - 0.0015, level + 0.0045))
     count = 8 if plan.long else 5
     first, last = begin + _ENDS + 0.002, back - 0.002
     prong = capsule(0.0012, _PRONGS, axis=X).at(0.0, first, level + 0.0045)

@@ -7,10 +7,11 @@ from artgen import (
     Float,
     Material,
     Solid,
-    Y,
     array,
+    board,
     box,
     cylinder,
+    cylinder_between,
     detail,
     material,
     part,
@@ -79,7 +80,7 @@ def _walls(plan: Plan, level: Float, tall: Float) -> Solid:
     back = box(2 * half, _WALL, tall).at(0.0, end + _WALL / 2, level)
     edges = [-half, *(x + side * GAP for x in plan.middles for side in (-1, 1)), half]
     boards = [
-        box(right - left, _WALL, tall).at(0.5 * (left + right), begin - _WALL / 2, level)
+        board((left, right), (begin - _WALL, begin), (level - tall / 2, level + tall / 2))
         for left, right in zip(edges[::2], edges[1::2], strict=True)
     ]
     return union(back, *boards)
@@ -92,6 +93,7 @@ def _guides(plan: Plan, level: Float, tall: Float, steel: Material) -> tuple[Bod
     first, last = begin + 0.008, end - 0.008
     wire = cylinder(_GUIDE, tall - 0.004).at(0.0, first, level + 0.002)
     wires = array(wire, at=row((0.0, 0.0, 0.0), (0.0, (last - first) / (count - 1), 0.0), count))
-    rod = cylinder(_GUIDE, end - begin + 0.002, axis=Y).at(0.0, 0.5 * (begin + end), level - 0.1 * tall)
+    low = level - 0.1 * tall
+    rod = cylinder_between((0.0, begin - 0.001, low), (0.0, end + 0.001, low), _GUIDE)
     at = [(x + side * (plan.slot_width / 2 + _GUIDE), 0.0, 0.0) for x in plan.middles for side in (-1, 1)]
     return part(array(rod, at=at), "guide_wire", steel), detail(array(wires, at=at), "guide_wire", steel)

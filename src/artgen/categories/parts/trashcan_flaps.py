@@ -21,6 +21,7 @@ from artgen import (
     box,
     coarse,
     cylinder,
+    cylinder_between,
     detail,
     extrude,
     grasp_on,
@@ -156,8 +157,8 @@ class Flaps:
 
     def _crank(self, side: int, linkage: Linkage) -> list[Solid]:
         """Make the shaft of a flap and the crank at its end, at rest."""
-        start, end = self.back - 0.006, self.crank_y + 0.0062
-        shaft = cylinder(_SHAFT, end - start, axis=Y).at(side * self.axis, (start + end) / 2.0, self.level)
+        x, z = side * self.axis, self.level
+        shaft = cylinder_between((x, self.back - 0.006, z), (x, self.crank_y + 0.0062, z), _SHAFT)
         plate = box(linkage.crank, 0.0032, 0.006, bevel=0.0008).at(-0.5 * side * linkage.crank, 0.0046, 0.0)
         pin = cylinder(PIN, 0.0124, axis=Y).at(-side * linkage.crank, 0.0, 0.0)
         turned = [each.rotate(Y, -0.5 * side * linkage.opening) for each in (plate, pin)]
