@@ -84,11 +84,12 @@ def _options(
 @app.command(name="list")
 def list_categories() -> None:
     """List the categories."""
-    table = _table("category", "what it is", "labels", "parameters")
+    table = _table("category", "what it is", "joints", "parameters", "labels")
     for name in categories():
         category = find(name)
         summary = (category.__doc__ or "").strip().partition("\n")[0]
-        table.add_row(name, summary, ", ".join(category.labels), str(len(category.parameters())))
+        joints = "" if category.joints is None else _range(*category.joints)
+        table.add_row(name, summary, joints, str(len(category.parameters())), ", ".join(category.labels))
     _console().print(table)
 
 
@@ -197,6 +198,10 @@ app.command()(colliders)
 app.command()(export)
 app.command()(render)
 app.command()(sheet)
+
+
+def _range(least: int, most: int) -> str:
+    return str(least) if least == most else f"{least}-{most}"
 
 
 def _kind(parameter: Parameter) -> str:

@@ -14,6 +14,7 @@ import pytest
 from artgen.asset import Asset
 from artgen.catalog import categories, find
 from artgen.graph import Cache, Graph
+from artgen.nodes.joints_of import joints_of
 from artgen.survey.coverage import coverage
 from artgen.survey.products import misfits
 from support.agreement import check_formats_agree
@@ -89,6 +90,20 @@ def test_a_graph_round_trips_through_json_and_source(category: str, seed: int) -
     namespace: dict[str, object] = {}
     exec(graph.to_python(), namespace)  # noqa: S102 - the source is our own
     assert Graph(namespace["build"]()).key == graph.key  # type: ignore[operator]
+
+
+@cases
+def test_a_graph_tells_the_joints_of_its_asset_before_it_is_made(category: str, seed: int) -> None:
+    asset = asset_of(category, seed)
+    if asset.attempt > 0:
+        pytest.skip("the first draw was ruled out")
+    planned = {joint.name: joint for joint in joints_of(find(category).graph(seed))}
+    assert set(planned) == {joint.name for joint in asset.joints}
+    for joint in asset.joints:
+        leader = "" if joint.follows is None else joint.follows.leader
+        told = planned[joint.name]
+        assert (told.kind, told.follows, told.needs) == (joint.kind, leader, joint.needs is not None)
+        assert told.unlimited == (joint.limits is None)
 
 
 @cases

@@ -78,7 +78,8 @@ _PLASTICS = (
         "cord", "rating_plate", "door", "panel", "handle", "print", "display", "vent", "hinge", "dispenser",
         "rinse_cap", "detergent_flap", "button", "knob", "rack", "grip", "roller", "cutlery_basket",
         "cup_shelf", "spray_arm",
-    )
+    ),
+    joints=(4, 15),
 )  # fmt: skip
 def dishwasher(
     *,
@@ -200,7 +201,7 @@ def dishwasher(
     rack_friction: Float = uniform(3.0, 8.0, "N"),
     pull: Float = uniform(17.0, 24.0, "N", doc="at the handle, to begin to open the door"),
 ) -> Body:
-    """Make a dishwasher with its door, console, racks and spray arms."""
+    """Make a dishwasher: door, console, racks, spray arms, detergent flap."""
     worktop = build == "freestanding" and controls == "front" and handle != "pocket"
     slim = size == "slim"
     girth = 0.0080

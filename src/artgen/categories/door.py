@@ -98,7 +98,10 @@ _INTERIOR = (*(5.0 / len(_VENEERS),) * len(_VENEERS), *(0.55 * each for each in 
 _EXTERIOR = (*(4.5 / len(_WOODS),) * len(_WOODS), *(0.55 * each for each in OUTDOORS))
 
 
-@category(labels=("frame", "seal", "threshold", "door", "glass", "plate", "flush_bolt", *HARDWARE_LABELS))
+@category(
+    labels=("frame", "seal", "threshold", "door", "glass", "plate", "flush_bolt", *HARDWARE_LABELS),
+    joints=(1, 7),
+)
 def door(
     *,
     use: Literal["interior", "exterior"] = choice(
@@ -236,7 +239,7 @@ def door(
     hinge_friction: Float = uniform(0.6, 1.5, "N m", doc="keeps an open door where it is left"),
     hinge_damping: Float = uniform(0.5, 2.0, "N m s/rad"),
 ) -> Body:
-    """Make a door with its frame, hinges, handle, latch and locks."""
+    """Make a door of one or two leaves in its frame: hinges, handle, latch, locks."""
     meeting = 1.25 * side_gap if layout == "double" else side_gap  # between the leaf and what its bolts enter
     arched = width * rise if frame == "arched" else None
     fittings = Fittings(metal, kick=kick_plate, sweep=sweep)

@@ -63,7 +63,7 @@ _FEET = (
 _FOOT_WEIGHTS = (4.0, *(1.0,) * (len(_FEET) - 1))
 
 
-@category(labels=("stand", "door", *HARDWARE_LABELS, "grip", "thumb_latch"))
+@category(labels=("stand", "door", *HARDWARE_LABELS, "grip", "thumb_latch"), joints=(2, 4))
 def handle(
     *,
     kind: Literal["lever", "knob", "grip_set"] = choice(
@@ -116,7 +116,7 @@ def handle(
     maker: str = choice(*details.BRANDS, doc="whose name is on the stand and on the latch"),
     model: int = count(101, 989, doc="number on the stand"),
 ) -> Body:
-    """Build a handle with both its sides, spindle and latch on a display stand.
+    """Make a lever, knob or grip set on a stand: both sides, spindle, latch, lock.
 
     Links: base (a piece of door leaf on a foot, with roses and faceplate), handle, latch; lock where there
     is one; thumb_latch on a grip set. Joints: handle_turn (sprung), latch_slide and thumb_press (both follow

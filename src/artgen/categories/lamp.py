@@ -70,7 +70,8 @@ _STEM = 0.14  # between the hub of a tripod and its socket, where a chain hangs 
 
 
 @category(
-    labels=("base", "foot", "pole", *ARM_LABELS, "shade", "socket", "bulb", "harp", "finial", *SWITCH_LABELS)
+    labels=("base", "foot", "pole", *ARM_LABELS, "shade", "socket", "bulb", "harp", "finial", *SWITCH_LABELS),
+    joints=(1, 5),
 )
 def lamp(
     *,
@@ -326,7 +327,7 @@ def lamp(
         "black", "white", weights=(0.65, 0.35), doc="of switch and cord"
     ),
 ) -> Body:
-    """Make a lamp."""
+    """Make a lamp for a desk, a table or the floor: arms, shade, switch."""
     dark, ink = plastic(plastics)
     coat = metal if matching else finish
     deep = shade_radius * shade_height

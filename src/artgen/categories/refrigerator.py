@@ -81,7 +81,7 @@ _TRIMS = (
 _MORE = 0.12  # how much further than its drawers need a door opens [rad]
 
 
-@category(labels=_LABELS)
+@category(labels=_LABELS, joints=(1, 7))
 def refrigerator(
     *,
     layout: Layout = choice(
@@ -278,7 +278,7 @@ def refrigerator(
     drawer_friction: Float = uniform(3.0, 8.0, "N", doc="of plastic drawers on plastic rails"),
     drawer_pull: Float = uniform(15.0, 30.0, "N", doc="of gasket and runners of freezer drawers"),
 ) -> Body:
-    """Make a refrigerator with its doors, drawers and interior."""
+    """Make a refrigerator: doors, freezer doors, drawers, shelves and bins inside."""
     case = Case(width, depth, height - COVER, kick_height, door_thickness, wall, gap)
     # drawers fill a freezer up to the flat inside of its door
     full = layout == "bottom_freezer" or (layout == "top_freezer" and freezer_drawers > 0)

@@ -85,7 +85,8 @@ _FLAT_SIDES: tuple[BodyStyle, ...] = ("box", "steel")  # which may have controls
         "vent",
         "screw",
         "rating_plate",
-    )
+    ),
+    joints=(3, 9),
 )
 def toaster(
     *,
@@ -199,7 +200,7 @@ def toaster(
     maker: str = choice(*details.BRANDS),
     watts: int = by("slots", {1: choice(850, 1000), 2: choice(850, 950, 1100), 4: choice(1500, 1750, 1800)}),
 ) -> Body:
-    """Make a toaster with its levers up."""
+    """Make a toaster with its levers up: carriages, buttons, knobs, crumb tray."""
     require(levers == 1 or controls == "end", "two levers stand side by side on an end")
     require(controls == "end" or style in _FLAT_SIDES, "the sides of this body are not flat")
     plan = Plan(

@@ -95,7 +95,8 @@ _DARK = material("black_abs")
         "screw",
         "print",
         "rating_plate",
-    )
+    ),
+    joints=(1, 5),
 )
 def trashcan(
     *,
@@ -244,7 +245,7 @@ def trashcan(
     maker: str = choice(*details.BRANDS),
     model: int = count(100, 989),
 ) -> Body:
-    """Make a bin."""
+    """Make a waste bin: lid, flaps or none, pedal, button, inner bucket."""
     require(
         plan in _PLANS.get(style, ("round", "square", "rectangle", "half_round")),
         f"a {style} bin is no {plan} one; choose plan= of {', '.join(_PLANS.get(style, ()))}",

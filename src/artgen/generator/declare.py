@@ -7,6 +7,7 @@ from typing import Any
 from artgen.errors import BuildError, ParameterError
 from artgen.generator.generator import Generator
 from artgen.generator.parameter import spelled
+from artgen.graph.node import authors_line
 from artgen.nodes.handles import Body
 from artgen.sampling import choice
 
@@ -23,19 +24,27 @@ def generator(function: Callable[..., Any]) -> Generator:
     return Generator(function)
 
 
-def category(*, labels: tuple[str, ...]) -> Callable[[Callable[..., Any]], Generator]:
+def category(
+    *, labels: tuple[str, ...], joints: tuple[int, int] | None = None
+) -> Callable[[Callable[..., Any]], Generator]:
     """Make a category of a function and enter it in the catalog under its name.
 
     Args:
         labels: Every semantic label that its parts may carry.
+        joints: How many joints its assets have, least and most, for who looks for one in `artgen list`.
 
     Raises:
-        BuildError: Another category has that name, a parameter has no distribution or value, or the function
-            does not return a Body.
+        BuildError: Another category has that name, a parameter has no distribution or value, the function
+            does not return a Body, or `joints` is no range.
     """
+    if joints is not None and not 0 <= joints[0] <= joints[1]:
+        raise BuildError(
+            f"joints={joints}: a category says the least and the most of its joints, the least first\n"
+            f"  at {authors_line()}"
+        )
 
     def register(function: Callable[..., Any]) -> Generator:
-        made = Generator(function, labels)
+        made = Generator(function, labels, joints)
         for name in made.signature.parameters:
             if name not in made.own:
                 raise BuildError(

@@ -39,16 +39,23 @@ class Generator(Variant):
         function: The author's function.
         name: Its name.
         labels: Semantic labels of the parts that it may make; empty for sub-generators.
+        joints: How many joints its assets have, least and most; None where it is not said.
         where: File and line of the function.
         signature: The function's signature.
         own: Its own parameters by name, without those of the generators that they choose.
     """
 
-    def __init__(self, function: Callable[..., Any], labels: tuple[str, ...] = ()) -> None:
+    def __init__(
+        self,
+        function: Callable[..., Any],
+        labels: tuple[str, ...] = (),
+        joints: tuple[int, int] | None = None,
+    ) -> None:
         functools.update_wrapper(self, function)
         self.function = function
         self.name: str = function.__name__
         self.labels = labels
+        self.joints = joints
         self.where = f"{function.__code__.co_filename}:{function.__code__.co_firstlineno}"
         self.signature = inspect.signature(function)
         self.own = read_parameters(function, self.where)

@@ -1,0 +1,124 @@
+"""What joints a body will have, read from its graph before any geometry is made."""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+from functools import cache
+from typing import Any
+
+from artgen.asset import Tree
+from artgen.graph import Graph
+from artgen.graph.kernel import OPERATIONS
+from artgen.graph.node import Node
+
+
+@dataclass(frozen=True)
+class PlannedJoint:
+    """A joint as the author wrote it.
+
+    Attributes:
+        name: Its name, with the suffixes of copies.
+        kind: Whether it turns or slides.
+        unlimited: Whether it has no limits, and follows nothing.
+        follows: Name of the joint that it is coupled to; empty for none.
+        needs: Whether other joints have to stand somewhere before it may move.
+    """
+
+    name: str
+    kind: str
+    unlimited: bool
+    follows: str
+    needs: bool
+
+
+def joints_of(graph: Graph) -> tuple[PlannedJoint, ...]:
+    """Return the joints of the body that a graph makes, those nearest to its base first.
+
+    Of bodies that a `switch` chooses between, both count; of a `repeat` whose points are not listed in the
+    graph, one copy counts.
+    """
+    found: dict[int, tuple[PlannedJoint, ...]] = {}
+    for node in graph.nodes:  # inputs come before the nodes that use them
+        if _makes_body(node.op):
+            found[id(node)] = _joints(node, found)
+    return found[id(graph.result.node)]
+
+
+@cache
+def _makes_body(op: str) -> bool:
+    return op in OPERATIONS and OPERATIONS[op].result is Tree
+
+
+def _joints(node: Node, found: Mapping[int, tuple[PlannedJoint, ...]]) -> tuple[PlannedJoint, ...]:
+    below = {
+        joint.name: joint
+        for name, value in node.inputs.items()
+        if name != "child"
+        for body in _nodes(value)
+        for joint in found.get(id(body), ())
+    }
+    if "child" in node.inputs:
+        branch = (
+            *(_planned(joint) for joint in node.inputs["joints"]),
+            *found[id(node.inputs["child"])],
+        )
+        if "at" in node.inputs:
+            copies = [_suffixed(branch, f"_{index}") for index in range(_count(node.inputs["at"]))]
+        else:
+            copies = [branch]
+        below.update({joint.name: joint for copy in copies for joint in copy})
+    joints = tuple(below.values())
+    if node.op == "suffix":
+        return _suffixed(joints, node.inputs["suffix"])
+    return joints
+
+
+def _nodes(value: Any) -> Iterator[Node]:
+    if isinstance(value, Node):
+        yield value
+    elif isinstance(value, tuple):
+        for member in value:
+            yield from _nodes(member)
+
+
+def _planned(joint: Node) -> PlannedJoint:
+    given = joint.inputs
+    follows = _leader(given["follows"])
+    return PlannedJoint(
+        name=given["name"],
+        kind=given["kind"],
+        unlimited=given["limits"] is None and not follows,
+        follows=follows,
+        needs=given["needs"] is not None,
+    )
+
+
+def _leader(coupling: Node | None) -> str:
+    while coupling is not None and "leader" not in coupling.inputs:
+        coupling = coupling.inputs["coupling"]
+    return "" if coupling is None else str(coupling.inputs["leader"])
+
+
+def _suffixed(joints: tuple[PlannedJoint, ...], suffix: str) -> tuple[PlannedJoint, ...]:
+    """Rename joints, and those of them that others follow."""
+    names = {joint.name: joint.name + suffix for joint in joints}
+    return tuple(
+        replace(joint, name=names[joint.name], follows=names.get(joint.follows, joint.follows))
+        for joint in joints
+    )
+
+
+def _count(at: Any) -> int:
+    """Return how many points there are, or 1 where the graph does not list them."""
+    if not isinstance(at, Node):
+        return len(at)
+    match at.op:
+        case "points":
+            return len(at.inputs["vectors"])
+        case "row" | "along" | "ring_points":
+            return int(at.inputs["count"])
+        case "grid":
+            return int(at.inputs["columns"]) * int(at.inputs["rows"])
+        case "points_move" | "points_scale":
+            return _count(at.inputs["points"])
+        case _:
+            return 1

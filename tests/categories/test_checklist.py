@@ -1,0 +1,131 @@
+"""The moving parts of the system that artgen replaces: each of them is there, in every number that it has."""
+
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass
+from functools import cache
+
+import pytest
+
+from artgen.catalog import categories, find
+from artgen.errors import InfeasibleError
+from artgen.nodes.joints_of import PlannedJoint, joints_of
+
+SEEDS = 300
+
+
+@dataclass(frozen=True)
+class Moving:
+    """A row's label, and the joints that stand for it.
+
+    Attributes:
+        joint: Pattern of their names, without the number of a copy.
+        kind: Whether they turn or slide.
+        counts: How many of them an asset has: each of these numbers occurs, and no other one.
+        unlimited: Whether they turn without limits; None where some do.
+    """
+
+    joint: str
+    kind: str
+    counts: Iterable[int]
+    unlimited: bool | None = False
+
+
+def turns(joint: str, counts: Iterable[int], *, unlimited: bool | None = False) -> Moving:
+    return Moving(joint, "revolute", counts, unlimited)
+
+
+def slides(joint: str, counts: Iterable[int]) -> Moving:
+    return Moving(joint, "prismatic", counts)
+
+
+SIDED = "(_left|_right)?"
+
+CHECKLIST: dict[str, dict[str, Moving]] = {
+    "dishwasher": {
+        "door": turns("door_hinge", (1,)),
+        "rack": slides("rack_slide", (1, 2, 3)),
+        "button": slides("button_slide", range(9)),
+        "knob": turns("knob_turn", (0, 1)),
+        "detergent flap": slides("detergent_flap_slide", (1,)),
+        "spray arm": turns("spray_arm_spin", (1, 2), unlimited=True),
+    },
+    "door": {
+        "door": turns(f"door_hinge{SIDED}", (1, 2)),
+        "handle that turns": turns("handle_turn", (0, 1)),
+        "handle that slides": slides("handle_push", (0, 1)),
+        "latch bolt": slides("latch_slide", (0, 1)),
+        "thumb-turn": turns("lock_turn", (0, 1)),
+    },
+    "handle": {
+        "handle": turns("handle_turn", (1,)),
+        "lock that turns": turns("lock_turn", (0, 1)),
+        "lock that is pushed": slides("lock_push", (0, 1)),
+        "thumb latch": turns("thumb_press", (0, 1)),
+        "latch bolt": slides("latch_slide", (1,)),
+    },
+    "lamp": {
+        "arm_lower": turns("arm_lower_hinge", (0, 1)),
+        "arm_upper": turns("arm_upper_hinge", (0, 1)),
+        "arm about z": turns("arm_swivel", (0, 1), unlimited=True),
+        "shade": turns("shade_hinge", (0, 1)),
+        "slide on the pole": slides("height_slide", (0, 1)),
+        "button": slides("switch_slide", (0, 1)),
+        "rocker": turns("switch_rock", (0, 1)),
+        "dial": turns("switch_turn", (0, 1), unlimited=True),
+        "pull chain": slides("switch_pull", (0, 1)),
+    },
+    "refrigerator": {
+        "door": turns(f"door_hinge{SIDED}", (1, 2)),
+        "freezer door": turns("freezer_door_hinge", (0, 1)),
+        "inner drawer": slides("inner_drawer_slide", (0, 1, 2, 3)),
+        "outer drawer": slides("outer_drawer_slide", (0, 1, 2)),
+    },
+    "toaster": {
+        "lever": slides(f"lever_slide{SIDED}", (1, 2)),
+        "button": slides("button_slide", range(5)),
+        "knob": turns(f"knob_turn{SIDED}", (0, 1, 2)),
+        "crumb tray": slides("crumb_tray_slide", (1,)),
+    },
+    "trashcan": {
+        "lid": turns(f"lid_hinge{SIDED}", (0, 1, 2)),
+        "pedal": turns("pedal_hinge", (0, 1)),
+        "bucket": slides("bucket_slide", (0, 1)),
+        "button": slides("button_press", (0, 1)),
+    },
+}
+
+
+@cache
+def drawn(category: str) -> tuple[tuple[PlannedJoint, ...], ...]:
+    """Return the joints of each of many seeds, from their graphs; what cannot be made is left out."""
+    found = []
+    for seed in range(SEEDS):
+        try:
+            found.append(joints_of(find(category).graph(seed)))
+        except InfeasibleError:
+            continue
+    return tuple(found)
+
+
+def matching(joints: Iterable[PlannedJoint], moving: Moving) -> list[PlannedJoint]:
+    pattern = re.compile(f"{moving.joint}(_\\d+)?")
+    return [joint for joint in joints if pattern.fullmatch(joint.name)]
+
+
+@pytest.mark.parametrize("category", categories())
+def test_every_moving_part_of_the_checklist_is_there_in_every_number(category: str) -> None:
+    for label, moving in CHECKLIST[category].items():
+        found = [matching(joints, moving) for joints in drawn(category)]
+        assert {len(joints) for joints in found} == set(moving.counts), f"{category}: {label}"
+        kinds = {joint.kind for joints in found for joint in joints}
+        assert kinds == {moving.kind}, f"{category}: {label}"
+        if moving.unlimited is not None:
+            ends = {joint.unlimited for joints in found for joint in joints}
+            assert ends == {moving.unlimited}, f"{category}: {label}"
+
+
+@pytest.mark.parametrize("category", categories())
+def test_a_category_says_how_many_joints_its_assets_have(category: str) -> None:
+    counts = [len(joints) for joints in drawn(category)]
+    assert find(category).joints == (min(counts), max(counts))
