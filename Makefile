@@ -5,7 +5,7 @@
 #   make clients make an environment for each simulator, validator and converter, in .clients; gigabytes
 #   make test-clients  let all of them read exports
 #   make client-table  write docs/clients.md: every client on many seeds of every category
-#   make survey  measure many samples of every category against what is asked of them; takes hours
+#   make soak    measure 500 samples of every category and write docs/soak.md; takes hours, goes on where it stopped
 #   make coverage-table  write docs/coverage.md: what many seeds of every category draw
 #   make sheets  draw docs/<category>.jpg: twelve samples of every category, closed and open
 #   make bench   time every stage of every category, and the certificate of assets made for it
@@ -15,7 +15,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 STAMP := $(VENV)/.installed
 PYTEST_FLAGS ?= -n auto
-SURVEY_FLAGS ?= --jobs 2
+SOAK_FLAGS ?= --jobs 2
 
 # The first of these that really starts and is new enough (a pyenv shim may exist and yet not start).
 PYTHON ?= $(shell for name in python3.13 python3.12 python3.11 python3 python; do \
@@ -23,7 +23,7 @@ PYTHON ?= $(shell for name in python3.13 python3.12 python3.11 python3 python; d
 	done)
 
 .DEFAULT_GOAL := help
-.PHONY: help install demo test lint types layers pytest clients test-clients client-table survey coverage-table sheets bench format clean
+.PHONY: help install demo test lint types layers pytest clients test-clients client-table soak coverage-table sheets bench format clean
 
 help:
 	@sed -n 's/^#   //p' Makefile
@@ -67,8 +67,8 @@ test-clients: $(STAMP)
 client-table: $(STAMP)
 	$(BIN)/python scripts/client_table.py
 
-survey: $(STAMP)
-	$(BIN)/python scripts/survey.py $(SURVEY_FLAGS)
+soak: $(STAMP)
+	$(BIN)/python scripts/survey.py --page docs/soak.md $(SOAK_FLAGS)
 
 coverage-table: $(STAMP)
 	$(BIN)/python scripts/coverage_table.py

@@ -1,4 +1,4 @@
-"""Measure many samples of categories, and say what fails. `make survey` runs this for all of them.
+"""Measure many samples of categories, and say what fails. `make soak` runs this for all of them.
 
 python scripts/survey.py toaster --seeds 60 --fast
 python scripts/survey.py refrigerator --seeds 500 --jobs 2 --out out/refrigerator.jsonl
@@ -22,6 +22,7 @@ from artgen.catalog import find
 from artgen.commands.progress import progress_bar
 from artgen.survey.alike import SAME, likenesses, same_neighbours
 from artgen.survey.run import survey
+from artgen.survey.soak_page import soak_page
 from artgen.survey.summary import Criterion, criteria, failures, figures, listed
 
 for _name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"):
@@ -47,10 +48,14 @@ def main(
     out: Annotated[
         Path | None, typer.Option(help="The file of records; by default out/survey/<category>.jsonl.")
     ] = None,
+    page: Annotated[
+        Path | None, typer.Option(help="Also write what was found as a page in Markdown, docs/soak.md.")
+    ] = None,
 ) -> None:
     """Measure samples and judge them; exit code 1 if a criterion is not met."""
     console = Console(width=None if sys.stdout.isatty() else 160, highlight=False)
     met = True
+    found = {}
     for name in categories or all_categories():
         if alike:
             met &= _alike(console, name, range(first_seed, first_seed + alike))
@@ -71,6 +76,9 @@ def main(
                 limit=limit,
                 progress=lambda bar=bar, task=task: bar.advance(task),  # type: ignore[misc]
             )
+        found[name] = records
+        if page is not None:  # after each category: an interrupted run leaves what it has
+            page.write_text(soak_page(found), encoding="utf-8")
         asked = criteria(records)
         _show(console, name, asked)
         for what, text in figures(records).items():

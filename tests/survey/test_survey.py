@@ -20,6 +20,7 @@ from artgen.survey import sample
 from artgen.survey.products import PRODUCTS, Product, misfits, size_of
 from artgen.survey.run import read_records, survey
 from artgen.survey.sample import measure
+from artgen.survey.soak_page import soak_page
 from artgen.survey.summary import criteria, failures, figures, listed
 
 ROOT = Path(__file__).parents[2]
@@ -201,7 +202,19 @@ class TestCriteria:
 
 def test_the_script_measures_and_judges(tmp_path) -> None:
     out = tmp_path / "handle.jsonl"
-    arguments = ["handle", "--seeds", "2", "--first-seed", "3", "--fast", "--out", str(out)]
+    page = tmp_path / "soak.md"
+    arguments = [
+        "handle",
+        "--seeds",
+        "2",
+        "--first-seed",
+        "3",
+        "--fast",
+        "--out",
+        str(out),
+        "--page",
+        str(page),
+    ]
     done = subprocess.run(
         [sys.executable, ROOT / "scripts" / "survey.py", *arguments],
         capture_output=True,
@@ -216,6 +229,19 @@ def test_the_script_measures_and_judges(tmp_path) -> None:
     assert [record["seed"] for record in records] == [3, 4]
     met = all(each.passed is not False for each in criteria(records))
     assert done.returncode == (0 if met else 1)
+    assert page.read_text() == soak_page({"handle": records})
+
+
+def test_the_page_tells_what_is_not_met_and_by_which_seeds(record) -> None:
+    record = {**record, "seconds": 0.05}
+    heavy = {**record, "seed": 7, "misfits": ["mass 99 kg, 1 to 2 kg | sold"]}
+    lines = soak_page({"handle": [record, heavy], "lamp": [record]}).splitlines()
+    asked = len(criteria([record]))
+    assert f"| [`handle`](#handle) | 2 | {asked - 1} of {asked} | like a product (1 of 2) |" in lines
+    assert f"| [`lamp`](#lamp) | 1 | {asked} of {asked} | nothing |" in lines
+    assert "| like a product | 1 of 2 | **no**, 1 seed: 7 |" in lines
+    assert "- like no product: 1 seed: 7. `mass 99 kg, 1 to 2 kg | sold`" in lines
+    assert "| links | 4 to 4, median 4 |" in lines
 
 
 def test_seeds_are_listed_up_to_a_dozen() -> None:
