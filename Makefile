@@ -75,6 +75,7 @@ coverage-table: $(STAMP)
 
 sheets: $(STAMP)
 	$(BIN)/python scripts/sheets.py
+	$(BIN)/python scripts/family.py
 
 bench: $(STAMP)
 	$(BIN)/python benchmarks/bench_categories.py

@@ -33,6 +33,7 @@ from artgen import (
     polygon,
     rectangle,
     revolve,
+    union,
     weld,
 )
 from artgen.categories.parts.bins import Can, Plan
@@ -231,9 +232,13 @@ def _faceted(seen: Solid, met: Solid, finish: Material, plan: Plan) -> list[Body
 
 
 def _disc(radius: Scalar, thick: Scalar) -> Solid:
-    """Make a disc of few facets within a slab whose underside is at z = 0."""
+    """Make a disc of few facets within a slab whose underside is at z = 0.
+
+    It is four quarters: what a lid falls on, such as a raised bucket, then meets it at points all around.
+    """
     wide, high = radius - 0.8 * _SOFT, thick - 2.0 * _WITHIN
-    return revolve(rectangle(wide, high).at(wide / 2.0, thick / 2.0), sides=30)
+    quarter = revolve(rectangle(wide, high).at(wide / 2.0, thick / 2.0), angle=math.pi / 2.0, sides=32)
+    return union(*(quarter.rotate(Z, number * math.pi / 2.0) for number in range(4)))
 
 
 def _cap(radius: Scalar, rise: Scalar) -> Solid:

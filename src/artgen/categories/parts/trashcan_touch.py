@@ -41,6 +41,7 @@ _CAP = (0.050, 0.013, 0.016)  # of the button [m]
 _PROUD = 0.009  # how far the button stands out [m]
 _TRAVEL = 0.0062  # of the button [m]
 _FREE = 0.0049  # of its travel, from which the foot passes [m]
+_FRICTION = 0.02  # of the hinge of a lid [N m]
 _GRAVITY = 9.81  # [m/s2]
 
 
@@ -109,7 +110,7 @@ class Catch:
 
 
 def sprung_lid(hinge: Hinge, lid: Body, *, opening: Scalar, needs: Dependency, damping: Scalar) -> Joint:
-    """Make the joint of a lid that a spring opens, a third stronger than its weight.
+    """Make the joint of a lid that a spring opens, a third stronger than its weight and its friction.
 
     Args:
         hinge: Its hinge.
@@ -120,7 +121,7 @@ def sprung_lid(hinge: Hinge, lid: Body, *, opening: Scalar, needs: Dependency, d
     """
     y, z = hinge.axis
     weight: Float = _GRAVITY * mass(lid) * (y - center_of_mass(lid).y)
-    start, end = 1.35 * weight, 0.45 * weight
+    start, end = 1.35 * weight + _FRICTION, 0.45 * weight
     stiffness = (start - end) / opening
     return Revolute(
         "lid_hinge",
@@ -129,7 +130,7 @@ def sprung_lid(hinge: Hinge, lid: Body, *, opening: Scalar, needs: Dependency, d
         limits=(0.0, opening),
         stiffness=stiffness,
         rest=start / stiffness,
-        friction=0.02,
+        friction=_FRICTION,
         damping=damping,
         armature=0.001,
         effort=12.0,

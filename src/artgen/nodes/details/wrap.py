@@ -1,0 +1,91 @@
+"""Print around turned things: a profile bent onto the line that a lathe turns."""
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from artgen.asset.outline import Curve, Outline
+from artgen.asset.shape import Shape
+from artgen.graph import kernel
+from artgen.materials import Material
+from artgen.nodes import inputs
+from artgen.nodes.body import detail
+from artgen.nodes.contours import refined
+from artgen.nodes.covers import around_hull, lazily
+from artgen.nodes.details.prisms import prisms
+from artgen.nodes.handles import Body, Path, Profile, Scalar, Solid
+from artgen.nodes.surfaces import Skin
+
+Array = NDArray[np.float64]
+
+_STEP = 0.10  # of a turn that one straight side of the print may span [rad]
+
+
+@kernel
+def _wrap(profile: Outline, path: Curve, height: float, proud: float) -> Shape:
+    inputs.positive("proud", proud)
+    line = path.points[:, [0, 2]]
+    line = line[np.argsort(line[:, 1], kind="stable")]
+    plan = np.concatenate([contour.points for contour in profile.contours])
+    low, high = height + plan[:, 1].min(), height + plan[:, 1].max()
+    if low < line[0, 1] or high > line[-1, 1]:
+        raise ValueError(
+            f"the print reaches from {low:.4g} to {high:.4g} m, the line only from {line[0, 1]:.4g} to "
+            f"{line[-1, 1]:.4g} m"
+        )
+    radius = float(np.interp(height, line[:, 1], line[:, 0]))
+    wide = float(np.abs(plan[:, 0]).max())
+    if wide > math.pi * radius:
+        raise ValueError(f"the print is {2.0 * wide:.4g} m wide, more than once around {radius:.4g} m")
+    bent = prisms(refined(profile, _STEP * radius).contours, 2.0 * proud)
+    vertices, normals = _bent(bent, line, radius, height)
+    skin = Skin(vertices, normals, bent.uvs, bent.triangles, bent.targets)
+    return skin.shape(lazily(lambda: around_hull(vertices)))
+
+
+def _bent(flat: Skin, line: Array, radius: float, height: float) -> tuple[Array, Array]:
+    """Return vertices and normals of a flat print, out of it along z, bent onto a turned line."""
+    across, up, out = flat.vertices.T
+    level = height + up
+    angle = across / radius - math.pi / 2.0
+    here = np.interp(level, line[:, 1], line[:, 0]) + out
+    cosine, sine = np.cos(angle), np.sin(angle)
+    vertices = np.column_stack([here * cosine, here * sine, level])
+    x, y, z = flat.normals.T
+    normals = np.column_stack([z * cosine - x * sine, z * sine + x * cosine, y])
+    return vertices, normals
+
+
+def wrap(profile: Profile, path: Path, height: Scalar, *, proud: Scalar = 0.0002) -> Solid:
+    """Bend a profile onto a turned thing, to be read from the front.
+
+    Args:
+        profile: What lies there; its x runs to the reader's right and its y upward.
+        path: The line that was turned about z, as for `half_section`; it has to pass the whole print.
+        height: Where the origin of the profile is on the line [m].
+        proud: How far it stands out [m]; it reaches as far into the thing.
+    """
+    return Solid.record(_wrap, profile=profile, path=path, height=height, proud=proud)
+
+
+def wrapped(
+    profile: Profile,
+    path: Path,
+    height: Scalar,
+    *,
+    material: Material,
+    label: str = "print",
+    proud: Scalar = 0.0002,
+) -> Body:
+    """Print a profile around a turned thing, on its front: a film of ink that is only seen.
+
+    Args:
+        profile: What to print, such as `text("Salt", 0.006)`.
+        path: The line that was turned about z, as for `half_section`.
+        height: Where the origin of the profile is on the line [m].
+        material: The ink.
+        label: Semantic label.
+        proud: How far the ink stands out [m]; it reaches as far into the thing.
+    """
+    return detail(wrap(profile, path, height, proud=proud), label, material, reads=(1.0, 0.0, 0.0))
