@@ -42,6 +42,22 @@ def slides(joint: str, counts: Iterable[int]) -> Moving:
 SIDED = "(_left|_right)?"
 
 CHECKLIST: dict[str, dict[str, Moving]] = {
+    "box": {
+        "flap": turns("flap_(front|back|left|right)_hinge", (0, 1, 2, 4)),
+        "lid": turns("lid_hinge", (0, 1)),
+        "tuck": turns("tuck_(front|left|right)_hinge", (0, 1, 3)),
+        "ear of a tuck": turns("ear_(left|right)_hinge", (0, 2)),
+        "lid that lifts off": slides("lid_lift", (0, 1)),
+        "cover": slides("sleeve_lift", (0, 1)),
+        "drawer": slides("drawer_slide", (0, 1)),
+        "bottle": slides("bottle_lift", (0, 2, 3, 6, 12)),
+    },
+    "cooktop": {
+        "burner dial": turns("burner_dial_turn", range(2, 7)),
+        "push of a gas dial": slides("burner_dial_push", (0, 2, 3, 4, 5, 6)),
+        "dial of a timer or fan": turns("(timer|fan)_dial_turn", (0, 1, 2)),
+        "grate": slides("grate_lift", (0, 2, 3, 4, 5, 6)),
+    },
     "dishwasher": {
         "door": turns("door_hinge", (1,)),
         "rack": slides("rack_slide", (1, 2, 3)),
@@ -56,6 +72,13 @@ CHECKLIST: dict[str, dict[str, Moving]] = {
         "handle that slides": slides("handle_push", (0, 1)),
         "latch bolt": slides("latch_slide", (0, 1)),
         "thumb-turn": turns("lock_turn", (0, 1)),
+    },
+    "faucet": {
+        "spout": turns("spout_swivel", (1,)),
+        "handle": turns(f"handle{SIDED}_turn", (1, 2)),
+        "lift of a lever": turns("handle_lift", (0, 1)),
+        "spray head": slides("spray_head_slide", (0, 1)),
+        "rod of the drain": slides("lift_rod_slide", (0, 1)),
     },
     "handle": {
         "handle": turns("handle_turn", (1,)),
@@ -74,6 +97,22 @@ CHECKLIST: dict[str, dict[str, Moving]] = {
         "rocker": turns("switch_rock", (0, 1)),
         "dial": turns("switch_turn", (0, 1), unlimited=True),
         "pull chain": slides("switch_pull", (0, 1)),
+    },
+    "microwave": {
+        "door": turns("door_hinge", (1,)),
+        "plate": turns("plate_spin", (1,), unlimited=True),
+        "ring of rollers": turns("ring_spin", (1,)),
+        "button": slides("button_slide", (0, 1)),
+        "latch": slides("latch_slide", (0, 1)),
+        "key of a keypad": slides("key_slide", (0, 3, 6, 9, 12)),
+        "dial": turns("dial_turn", range(4), unlimited=True),
+    },
+    "oven": {
+        "door": turns("door_hinge", (1,)),
+        "rack": slides("rack_slide", (1, 2, 3)),
+        "drawer": slides("drawer_slide", (0, 1)),
+        "dial": turns("dial_turn", range(7)),
+        "grate": slides("grate_lift", (0, 2, 3)),
     },
     "refrigerator": {
         "door": turns(f"door_hinge{SIDED}", (1, 2)),

@@ -103,7 +103,7 @@ def test_a_graph_tells_the_joints_of_its_asset_before_it_is_made(category: str, 
         leader = "" if joint.follows is None else joint.follows.leader
         told = planned[joint.name]
         assert (told.kind, told.follows, told.needs) == (joint.kind, leader, joint.needs is not None)
-        assert told.unlimited == (joint.limits is None)
+        assert told.unlimited == (joint.limits is None and joint.follows is None)
 
 
 @cases

@@ -417,6 +417,25 @@ def test_what_moves_along_with_what_it_needs_is_a_note():
     assert note.message.endswith("and takes first along")
 
 
+def test_a_spring_at_ease_elsewhere_does_not_hold_what_blocks():
+    """The door before a drawer springs half open, as a flap of a new box: closed, somebody holds it."""
+    first = Revolute(
+        "first",
+        axis=-Z,
+        pivot=(-0.17, -0.165, 0),
+        limits=(0, 2.4),
+        stiffness=0.5,
+        rest=0.9,
+        friction=0.1,
+        damping=0.3,
+    )
+    front = part(box(0.3, 0.01, 0.18).at(0.0, -0.157, 0.12), "front", OAK)
+    child = part(drawer(), "drawer", OAK)
+    result = checked(shell().attach(front, first).attach(child, slide(needs=first > 1.3, limits=(0.0, 0.08))))
+    assert [finding.message for finding in result.faults] == []
+    assert any("is blocked only if somebody holds first" in finding.message for finding in result.findings)
+
+
 def test_a_condition_that_never_holds_is_a_fault():
     fault = the_fault(checked(bolted(needs=lambda lever, lift: lift > 0.05)))
     assert fault.message == "can never move: no position of the other joints satisfies lift > 0.05"

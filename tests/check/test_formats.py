@@ -8,8 +8,10 @@ from pxr import Usd
 
 import artgen
 from artgen import Prismatic, Revolute, X, Y, Z, box, capsule, part, sphere
-from artgen.asset import Asset
+from artgen.asset import Asset, Link
+from artgen.check.compare import _face_findings
 from artgen.check.formats import check_formats
+from artgen.check.reading import Faces
 from support.blocks import STEEL
 
 pytest.importorskip("mujoco")
@@ -238,3 +240,14 @@ def test_a_missing_layer_is_found(copy, capfd):
     found = results(copy)["usd"].findings
     assert any("machine_geometry.usdc" in finding.message for finding in found)
     assert not any(capfd.readouterr())
+
+
+def test_meshes_with_one_bounding_box_are_told_apart_by_their_triangles():
+    """The faces and the edges of a board, which rounding would exchange."""
+    low, high = (np.array([[-0.1, -0.05, -0.01], [0.1, 0.05, 0.01]]) + noise for noise in (0.0, 2e-9))
+    wanted = (Faces("faces", low, 4), Faces("edges", high, 8))
+    found = (Faces("edges", low, 8), Faces("faces", high, 4))
+    assert list(_face_findings("mjcf", Link("board", "board"), "board.xml", wanted, found)) == []
+    fewer = (Faces("edges", low, 7), Faces("faces", high, 4))
+    (fault,) = _face_findings("mjcf", Link("board", "board"), "board.xml", wanted, fewer)
+    assert "edges have 7 triangles in board.xml, not 8" in fault.message

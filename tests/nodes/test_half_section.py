@@ -49,6 +49,39 @@ def test_few_sides_make_few_pieces():
     assert len(link.colliders) == 16
 
 
+def test_several_paths_meet_in_knees_with_steps_where_they_are_apart():
+    foot, bead = (
+        line((0.2, 0.0, 0.0), (0.2, 0.0, 0.1)),
+        spline([(0.1, 0.0, 0.1), (0.15, 0.0, 0.2), (0.1, 0.0, 0.3)]),
+    )
+    (contour,) = value(half_section([foot, bead])).contours
+    assert contour.points[:, 0].max() == pytest.approx(0.2)
+    step = np.flatnonzero(np.isclose(contour.points, (0.2, 0.1)).all(axis=1))
+    assert len(step) == 1
+    assert contour.normals_in[step[0]] == pytest.approx([1.0, 0.0])  # the foot
+    assert contour.normals_out[step[0]] == pytest.approx([0.0, 1.0])  # the ledge above it
+    assert value(revolve(half_section([foot, bead]))).manifold.volume() > math.pi * 0.2**2 * 0.1
+
+
+def test_runs_within_a_line_stay_under_it_and_are_few():
+    path = spline([(0.03, 0.0, 0.0), (0.02, 0.0, 0.03), (0.03, 0.0, 0.06), (0.01, 0.0, 0.08)])
+    (smooth,), (few,) = (value(half_section(path, within=off)).contours for off in (0.0, 0.001))
+    assert len(few.points) < 0.8 * len(smooth.points)
+    skin, core = (value(revolve(half_section(path, within=off), sides=64)).manifold for off in (0.0, 0.001))
+    assert (core - skin).volume() < 1e-12
+    low, high = few.points[:, 1].min(), few.points[:, 1].max()
+    assert (low, high) == pytest.approx((0.0, 0.08))
+    for r, z in few.points[few.points[:, 0] > 0.0]:
+        off = np.hypot(*(smooth.points - (r, z)).T).min()
+        assert off < 0.0022, f"({r:.4f}, {z:.4f}) lies {1e3 * off:.2f} mm from the line"
+
+
+def test_a_bore_leaves_a_hole_along_the_axis():
+    solid = value(revolve(half_section(line((0.2, 0.0, 0.0), (0.2, 0.0, 0.1)), bore=0.1), sides=96))
+    assert solid.manifold.genus() == 1
+    assert solid.manifold.volume() == pytest.approx(math.pi * 0.1 * (0.2**2 - 0.1**2), rel=2e-3)
+
+
 @pytest.mark.parametrize(
     ("path", "wall", "message"),
     [

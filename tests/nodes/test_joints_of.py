@@ -63,6 +63,13 @@ def test_welded_bodies_keep_their_joints() -> None:
     assert names(weld(one, other).at(0.0, 0.0, 1.0)) == ["slide_b", "slide_d"]
 
 
+def test_equal_bodies_that_are_written_twice_each_have_their_joints() -> None:
+    def leaf(tail: str) -> Body:
+        return suffix(block("a").attach(block("b"), Prismatic("slide", axis=X, limits=(0.0, 0.1))), tail)
+
+    assert names(weld(block("frame"), leaf("_0"), leaf("_1"))) == ["slide_0", "slide_1"]
+
+
 @pytest.mark.parametrize("joints", [(3, 2), (-1, 2)])
 def test_a_category_cannot_claim_what_is_no_range(joints: tuple[int, int]) -> None:
     with pytest.raises(BuildError, match=r"the least and the most of its joints[\s\S]*test_joints_of\.py"):

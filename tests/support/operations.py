@@ -79,7 +79,13 @@ OVERRIDES: dict[str, dict[str, Any]] = {
     "frame": {"closing": (1.0, 0.0, 0.0)},
     "frustum": {"bottom_radius": 0.4, "bevel": 0.0},
     "gasket_section": {"size": 0.012},
-    "half_section": {"path": line((0.5, 0.0, 0.0), (0.4, 0.0, SIZE)), "wall": 0.05, "inset": 0.01},
+    "half_section": {
+        "path": line((0.5, 0.0, 0.0), (0.4, 0.0, SIZE)),
+        "wall": None,
+        "inset": 0.01,
+        "bore": 0.05,
+        "within": 0.001,
+    },
     "grasp_on": {"closing": (1.0, 0.0, 0.0), "at": None, "depth": None},
     "helix": {"turns": 2.0},
     "icon": {"name": "power"},
@@ -92,6 +98,7 @@ OVERRIDES: dict[str, dict[str, Any]] = {
     "seven_segment": {"string": "12:30"},
     "tine_row": {"wire": 0.002, "rail": 0.003},
     "vent_slots": {"slot": 0.002, "slant": 0.1},
+    "wrap": {"path": line((0.5, 0.0, 0.0), (0.4, 0.0, 1.0)), "height": 0.5, "proud": 0.002},
     "wire_rack": {"depth": 0.4, "pitch": 0.03, "wire": 0.0015, "frame": 0.003, "corner": 0.02},
     "bent_wires": {
         "path": line((0.0, 0.0, 0.0), (0.0, SIZE, 0.0)),

@@ -1,5 +1,43 @@
 """The categories: importing this package enters them all in the catalog."""
 
-from artgen.categories import dishwasher, door, handle, lamp, refrigerator, toaster, trashcan
+from artgen.categories import (
+    box,
+    cabinet,
+    cooktop,
+    dishwasher,
+    door,
+    drawer,
+    faucet,
+    handle,
+    lamp,
+    microwave,
+    oven,
+    pepper_grinder,
+    plier,
+    refrigerator,
+    soap_dispenser,
+    toaster,
+    trashcan,
+    window,
+)
 
-__all__ = ["dishwasher", "door", "handle", "lamp", "refrigerator", "toaster", "trashcan"]
+__all__ = [
+    "box",
+    "cabinet",
+    "cooktop",
+    "dishwasher",
+    "door",
+    "drawer",
+    "faucet",
+    "handle",
+    "lamp",
+    "microwave",
+    "oven",
+    "pepper_grinder",
+    "plier",
+    "refrigerator",
+    "soap_dispenser",
+    "toaster",
+    "trashcan",
+    "window",
+]

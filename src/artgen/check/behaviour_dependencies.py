@@ -133,6 +133,8 @@ class _Push:
         if motion.stiffness == 0.0:
             return False
         low, high = motion.limits
+        if abs(min(max(motion.rest, low), high) - position) > _GIVES * motion.range:
+            return False  # it is at ease elsewhere, as a flap that springs half open
         far = high if high - position >= position - low else low
         for share in (0.5, 1.0):
             away = position + share * (far - position)

@@ -163,7 +163,10 @@ def _face_findings(
     for faces in wanted:
         if not remaining:
             break
-        nearest = min(remaining, key=lambda each: (_apart(faces, each), abs(faces.count - each.count)))
+        # two meshes of one part may have the same bounds, such as the faces and the edges of a board
+        nearest = min(
+            remaining, key=lambda each: (max(_apart(faces, each), _FACES), abs(faces.count - each.count))
+        )
         remaining.remove(nearest)
         away = _apart(faces, nearest)
         if not away <= _FACES:

@@ -11,6 +11,7 @@ from artgen.asset import Link
 from artgen.asset.shape import Shape
 from artgen.check.stored_solids import link_parts
 from artgen.colliders import Exact
+from artgen.colliders.hull import hull_of
 from artgen.colliders.polytope import Polytope
 
 Array = NDArray[np.float64]
@@ -138,7 +139,7 @@ class _Grown:
     def _solid(self, index: int) -> Manifold:
         if index not in self._solids:
             points, moved = self._grow(self._around.pieces[index], self._length)
-            self._solids[index] = Manifold.hull_points(points)
+            self._solids[index] = hull_of(points)
             self.farthest = max(self.farthest, moved)
         return self._solids[index]
 

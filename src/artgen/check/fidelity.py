@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from artgen.check.distance import Faces
 from artgen.check.rows import distinct_rows
 from artgen.colliders import Convex
+from artgen.colliders.hull import hull_of
 from artgen.colliders.polytope import Polytope
 
 Array = NDArray[np.float64]
@@ -55,9 +56,7 @@ def fidelity(solid: Manifold, convexes: Sequence[Convex]) -> Fidelity:
         convexes: The pieces, in the same coordinates; round ones are compared as they are, to 0.02 mm.
     """
     polytopes = [convex.outer_polytope(_FINE) for convex in convexes]
-    cover = Manifold.batch_boolean(
-        [Manifold.hull_points(np.ascontiguousarray(polytope.points)) for polytope in polytopes], OpType.Add
-    )
+    cover = Manifold.batch_boolean([hull_of(polytope.points) for polytope in polytopes], OpType.Add)
     excess, missing = cover - solid, solid - cover
     volume, hull = solid.volume(), solid.hull()
     outside, place = _sticking_out(missing, polytopes)

@@ -8,6 +8,7 @@ import numpy as np
 from manifold3d import Manifold
 from numpy.typing import NDArray
 
+from artgen.colliders.hull import hull_of
 from artgen.colliders.polytope import cross
 
 Array = NDArray[np.float64]
@@ -143,7 +144,7 @@ class Hierarchy:
     def hull(self, node: int) -> Manifold:
         """Return the piece of a leaf."""
         if node not in self._hulls:
-            self._hulls[node] = Manifold.hull_points(self._nodes[node].vertices)
+            self._hulls[node] = hull_of(self._nodes[node].vertices)
         return self._hulls[node]
 
     def _mesh(self, node: int) -> tuple[Array, Indices]:

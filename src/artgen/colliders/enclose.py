@@ -9,6 +9,7 @@ from manifold3d import Manifold, Mesh64
 from numpy.typing import NDArray
 
 from artgen.colliders.convex import TOLERANCE, Array, Convex
+from artgen.colliders.hull import hull_of
 from artgen.colliders.polytope import SNAP, cross
 from artgen.colliders.triangles import triangles_of
 
@@ -37,7 +38,7 @@ class Facets:
     @classmethod
     def hull(cls, points: Array) -> Self:
         """Make the convex hull of points, shape (n, 3) [m]."""
-        return cls(Manifold.hull_points(np.ascontiguousarray(points)))
+        return cls(hull_of(points))
 
     @cached_property
     def points(self) -> Array:

@@ -14,6 +14,7 @@ import numpy as np
 from manifold3d import Manifold
 from numpy.typing import NDArray
 
+from artgen.colliders.hull import hull_of
 from artgen.colliders.triangles import triangles_of
 
 Array = NDArray[np.float64]
@@ -146,7 +147,7 @@ class Polytope:
 
     def manifold(self) -> Manifold:
         """Return the solid as a manifold."""
-        return Manifold.hull_points(np.ascontiguousarray(self.points))
+        return hull_of(self.points)
 
     def heights(self, planes: Array) -> Array:
         """Return how far each vertex lies outside each plane, shape (k, n) [m]."""
@@ -251,7 +252,7 @@ def hull_triangles(points: Array) -> tuple[Array, Indices, Array]:
     if not np.isfinite(points).all():
         raise ValueError("a hull needs finite points, got NaN or infinity")
     centre = (points.min(axis=0) + points.max(axis=0)) / 2.0
-    solid = Manifold.hull_points(np.ascontiguousarray(points - centre))
+    solid = hull_of(points - centre)
     if solid.is_empty():
         raise ValueError(f"the {len(points)} points lie in one plane; a hull needs a volume")
     mesh = solid.to_mesh64()

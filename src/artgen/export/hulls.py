@@ -5,12 +5,12 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
-from manifold3d import Manifold
 from numpy.typing import NDArray
 
 from artgen.asset import Asset
 from artgen.asset.record import DECIMALS
 from artgen.colliders import Convex
+from artgen.colliders.hull import hull_of
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
@@ -38,7 +38,7 @@ class Hull:
         """Make the surfaces of hull colliders, each taken from asset coordinates to a frame at an origin."""
         # first as asset.json has them, so that an asset which was read from files gives the same hulls
         meshes = [
-            Manifold.hull_points(
+            hull_of(
                 np.round(np.round(convex.points, DECIMALS) - np.round(origin, DECIMALS), HULL_DECIMALS)
             ).to_mesh64()
             for convex, origin in pieces

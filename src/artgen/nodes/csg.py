@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from artgen import colliders
 from artgen.asset.shape import Shape
 from artgen.colliders import Convex, Exact
+from artgen.colliders.hull import hull_of
 from artgen.colliders.polytope import cross
 from artgen.colliders.triangles import triangles_of
 from artgen.graph import kernel
@@ -119,8 +120,8 @@ def _corners(shapes: Sequence[Shape]) -> Array:
 def _hull(solids: tuple[Shape, ...]) -> Shape:
     if not solids:
         raise ValueError("a hull needs at least one solid, got none")
-    vertices = np.ascontiguousarray(_corners(solids))
-    return faceted_shape(Manifold.hull_points(vertices), around_hull(vertices))
+    vertices = _corners(solids)
+    return faceted_shape(hull_of(vertices), around_hull(vertices))
 
 
 def hull(*solids: Solid) -> Solid:
@@ -180,7 +181,7 @@ def _shell(solid: Shape, thickness: float, open: Array3 | None) -> Shape:
         out = inputs.direction("open", open)
         # far enough that rounded edges of the cavity end outside of the solid
         inner = np.concatenate([inner, inner + out * (thickness + float(np.ptp(solid.mesh.vertices @ out)))])
-    cavity = faceted_shape(Manifold.hull_points(np.ascontiguousarray(inner)), around_hull(inner))
+    cavity = faceted_shape(hull_of(inner), around_hull(inner))
     return _combined(
         solid.manifold - cavity.manifold,
         colliders.difference(solid.pieces, cavity.pieces),

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from artgen.asset.outline import Contour, Curve, Outline
 from artgen.graph import kernel
 from artgen.nodes import inputs
-from artgen.nodes.contours import estimated, is_disjoint, side_normals, without_repeats
+from artgen.nodes.contours import estimated, faceted, is_disjoint, side_normals, without_repeats
 from artgen.nodes.handles import Path, Profile, Scalar
 
 Array = NDArray[np.float64]
@@ -37,14 +37,16 @@ def _half_section(
         inset = inset + 0.5 * within
     outward, corners = _normals(path, line)
     outer = _on_axis(line - inputs.finite("inset", inset) * corners)
-    if within > 0.0:  # a slanted end moves along its normal, beyond the end of the line
+    if within > 0.0:  # slanted ends moved along their normals, off the heights where the line ends
         outer[:, 1] = np.clip(outer[:, 1], low, high)
+        ends = [end for end in (0, -1) if outer[end, 0] > 0.0]
+        outer[ends, 1] = line[ends, 1]
     if wall is None:
         made = _solid(outer, outward, inputs.between("bore", bore, 0.0, float(outer[:, 0].max())))
     else:
         inner = _on_axis(line - (inset + inputs.positive("wall", wall)) * corners)
         made = _shell(outer, inner, outward, smooth=path.tangents is not None)
-    made = without_repeats(made)
+    made = without_repeats(made if within == 0.0 else faceted(made.points))
     if not is_disjoint([made.points]):
         raise ValueError("the half section crosses itself: bend its line less, or make its wall thinner")
     return Outline((made,))

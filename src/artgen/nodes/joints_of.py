@@ -36,11 +36,11 @@ def joints_of(graph: Graph) -> tuple[PlannedJoint, ...]:
     Of bodies that a `switch` chooses between, both count; of a `repeat` whose points are not listed in the
     graph, one copy counts.
     """
-    found: dict[int, tuple[PlannedJoint, ...]] = {}
+    found: dict[str, tuple[PlannedJoint, ...]] = {}  # by key: equal nodes may be written more than once
     for node in graph.nodes:  # inputs come before the nodes that use them
         if _makes_body(node.op):
-            found[id(node)] = _joints(node, found)
-    return found[id(graph.result.node)]
+            found[node.key] = _joints(node, found)
+    return found[graph.result.node.key]
 
 
 @cache
@@ -48,18 +48,18 @@ def _makes_body(op: str) -> bool:
     return op in OPERATIONS and OPERATIONS[op].result is Tree
 
 
-def _joints(node: Node, found: Mapping[int, tuple[PlannedJoint, ...]]) -> tuple[PlannedJoint, ...]:
+def _joints(node: Node, found: Mapping[str, tuple[PlannedJoint, ...]]) -> tuple[PlannedJoint, ...]:
     below = {
         joint.name: joint
         for name, value in node.inputs.items()
         if name != "child"
         for body in _nodes(value)
-        for joint in found.get(id(body), ())
+        for joint in found.get(body.key, ())
     }
     if "child" in node.inputs:
         branch = (
             *(_planned(joint) for joint in node.inputs["joints"]),
-            *found[id(node.inputs["child"])],
+            *found[node.inputs["child"].key],
         )
         if "at" in node.inputs:
             copies = [_suffixed(branch, f"_{index}") for index in range(_count(node.inputs["at"]))]

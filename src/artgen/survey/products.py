@@ -64,8 +64,28 @@ PRODUCTS: Mapping[str, tuple[Product, ...]] = {
         Product("single door", (0.64, 1.30), (0.09, 0.36), (2.00, 2.75), (16.0, 110.0)),
         Product("double door", (1.25, 2.40), (0.09, 0.36), (2.00, 2.75), (30.0, 190.0)),
     ),
+    # DIN EN 1116 and furniture: 0.30-0.60 m wide with one door, to 1.20 m with two; handles stand out by
+    # 0.03 m, worktops by 0.04 m
+    "cabinet": (
+        Product("base cabinet", (0.29, 1.21), (0.37, 0.66), (0.71, 0.93), (10.0, 125.0)),
+        Product("wall cabinet", (0.29, 1.01), (0.29, 0.44), (0.59, 0.93), (7.0, 50.0)),
+        Product("tall cabinet", (0.29, 1.11), (0.37, 0.64), (1.59, 2.11), (22.0, 130.0)),
+    ),
     # roses of 0.05-0.08 m and levers of 0.10-0.16 m on a sample board of a shop
     "handle": (Product("handle on a stand", (0.15, 0.40), (0.10, 0.30), (0.20, 0.60), (1.5, 9.0)),),
+    # plates of 0.56-0.92 x 0.50-0.56 m; dials and grates stand up to 0.05 m above them; a foot of a frame more
+    "cooktop": (Product("cooktop", (0.55, 0.94), (0.49, 0.58), (0.06, 0.16), (5.0, 20.0)),),
+    # sample decks of 0.12-0.42 m in shops; spouts reach 0.10-0.25 m and turn, 0.12-0.45 m over the deck
+    "faucet": (Product("faucet on a sample deck", (0.12, 0.50), (0.12, 0.45), (0.12, 0.55), (1.2, 14.0)),),
+    # sides of 0.15-0.80 m of board of 0.5-1.2 kg/m2; a strap, a bow or the end of a tape stands up 0.02-0.03 m;
+    # a full bottle weighs 1.25 kg
+    "box": (
+        Product("shipping box", (0.19, 0.76), (0.11, 0.73), (0.15, 0.66), (0.12, 4.5)),
+        Product("mailer or pizza box", (0.18, 0.42), (0.12, 0.42), (0.055, 0.20), (0.05, 0.6)),
+        Product("tray with a lid", (0.23, 0.43), (0.14, 0.32), (0.12, 0.30), (0.08, 0.8)),
+        Product("wine box", (0.17, 0.40), (0.09, 0.30), (0.34, 0.37), (0.10, 16.5)),
+        Product("gift box", (0.15, 0.31), (0.10, 0.33), (0.074, 0.18), (0.15, 1.2)),
+    ),
     # bodies of 0.45 or 0.60 x 0.57-0.62 x 0.82-0.88 m; handles and hoses stand out by up to 0.06 m
     "dishwasher": (
         Product("slim dishwasher", (0.44, 0.46), (0.56, 0.68), (0.81, 0.89), (30.0, 45.0)),
@@ -76,6 +96,22 @@ PRODUCTS: Mapping[str, tuple[Product, ...]] = {
         Product("table lamp", (0.14, 0.90), (0.14, 0.90), (0.28, 0.90), (0.8, 8.0)),
         Product("floor lamp", (0.16, 1.60), (0.16, 1.60), (1.15, 2.05), (2.0, 22.0)),
     ),
+    # cases of 0.44-0.60 x 0.32-0.45 x 0.25-0.34 m, of 17-32 litres; handles and dials stand out by up to 0.03 m
+    "microwave": (Product("microwave oven", (0.44, 0.60), (0.32, 0.46), (0.25, 0.34), (10.0, 18.0)),),
+    # chests, bedside tables, filing cabinets and banks of 0.4-1.4 x 0.35-0.6 x 0.4-1.3 m; handles stand out
+    # by 0.04 m, tops by 0.016 m at each side
+    "drawer": (
+        Product("bedside table", (0.39, 0.60), (0.34, 0.52), (0.40, 0.70), (8.0, 40.0)),
+        Product("filing cabinet", (0.39, 0.94), (0.50, 0.66), (0.65, 1.31), (15.0, 110.0)),
+        Product("chest of drawers", (0.59, 1.44), (0.40, 0.60), (0.68, 1.31), (25.0, 140.0)),
+        Product("bank of drawers", (0.39, 1.41), (0.52, 0.66), (0.80, 0.94), (22.0, 170.0)),
+    ),
+    # fronts of 0.56-0.60 x 0.60-0.64 m for niches of 60 cm; ranges of 24-30 in, 0.85-0.92 m high, on which
+    # grates stand up by 0.045 m; depths with handles
+    "oven": (
+        Product("built-in oven", (0.55, 0.61), (0.55, 0.66), (0.59, 0.65), (30.0, 45.0)),
+        Product("range", (0.59, 0.77), (0.59, 0.66), (0.84, 0.97), (45.0, 90.0)),
+    ),
     # cabinets of 0.55-0.92 x 0.60-0.80 x 0.80-1.83 m; handles stand out by up to 0.07 m, hinge caps by 0.03 m
     "refrigerator": (
         Product("refrigerator", (0.54, 0.93), (0.58, 0.88), (1.20, 1.87), (50.0, 130.0)),
@@ -85,6 +121,18 @@ PRODUCTS: Mapping[str, tuple[Product, ...]] = {
     "toaster": (Product("toaster", (0.24, 0.46), (0.14, 0.38), (0.17, 0.24), (1.0, 3.5), turns=True),),
     # pedals, lids that overhang and handles stand out of bodies of 0.15-0.45 m by up to 0.08 m
     "trashcan": (Product("trash can", (0.14, 0.53), (0.14, 0.53), (0.24, 0.83), (0.3, 10.0)),),
+    # 0.12-0.40 m high and 50-75 mm wide; cranks reach out to 0.085 m
+    "pepper_grinder": (Product("pepper mill", (0.045, 0.085), (0.045, 0.13), (0.12, 0.40), (0.10, 0.95)),),
+    # frames of 0.4-2.4 x 0.5-1.8 m and 0.06-0.13 m deep; sills stand out by 0.05 m outside and 0.14 m inside,
+    # shutters by 0.09 m; glass of two sheets weighs 20 kg/m2, frames and sashes 10-20 kg/m2
+    "window": (Product("window", (0.47, 2.52), (0.10, 0.42), (0.49, 1.81), (8.0, 190.0)),),
+    # 0.13-0.21 m high with the pump; spouts stand out by up to 0.055 m; those on walls come with a tile
+    "soap_dispenser": (
+        Product("soap bottle", (0.055, 0.095), (0.045, 0.11), (0.13, 0.215), (0.2, 0.9)),
+        Product("soap dispenser on a wall tile", (0.09, 0.145), (0.07, 0.13), (0.19, 0.215), (0.6, 1.6)),
+    ),
+    # 0.13-0.25 m long and 0.1-0.45 kg; closed handles are 0.04-0.09 m wide, grips up to 0.022 m thick
+    "plier": (Product("pliers", (0.035, 0.095), (0.125, 0.256), (0.006, 0.024), (0.08, 0.46)),),
 }
 """What is sold, by the name of the category."""
 

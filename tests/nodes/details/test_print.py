@@ -25,9 +25,12 @@ from artgen.nodes.details import (
     printed,
     raised,
     relief,
+    wrap,
+    wrapped,
 )
 from artgen.nodes.details.icons import icon_outline
 from artgen.nodes.details.lettering import _EMBLEMS
+from artgen.nodes.path import line
 from artgen.nodes.profile import circle, polygon, rectangle
 from artgen.nodes.text import text
 from support.shapes import check_shape, same_bytes
@@ -229,3 +232,25 @@ def test_bands_grow_clockwise_and_pointers_point_up():
         mark = points(value(pointer(0.005, 0.015, 0.001, style=style)))
         assert mark[:, 1].max() == pytest.approx(0.015, rel=1e-6)
         assert np.abs(mark[:, 0]).max() == pytest.approx(0.0005, rel=1e-6)
+
+
+def test_wrapped_print_lies_on_a_turned_wall_and_reads_to_the_right() -> None:
+    wall = line((0.03, 0.0, 0.0), (0.02, 0.0, 0.1))
+    print_ = evaluate(wrap(rectangle(0.03, 0.01).at(0.005, 0.0), wall, 0.05, proud=0.0002)).value
+    x, y, z = np.asarray(print_.mesh.vertices).T
+    radius, own = np.hypot(x, y), 0.03 - 0.1 * z
+    assert np.abs(radius - own).max() == pytest.approx(0.0002, abs=1e-6)
+    assert y.max() < 0.0
+    assert 0.045 - 1e-9 <= z.min() <= z.max() <= 0.055 + 1e-9
+    assert x.max() == pytest.approx(0.0255 * math.sin(0.02 / 0.025), abs=4e-4)
+    assert x.min() == pytest.approx(-0.0255 * math.sin(0.01 / 0.025), abs=4e-4)
+    check_shape(print_)
+
+
+@pytest.mark.parametrize(
+    ("height", "wide", "message"), [(0.002, 0.01, "the line only from"), (0.05, 0.3, "more than once around")]
+)
+def test_print_that_does_not_fit_around_is_refused(height: float, wide: float, message: str) -> None:
+    wall = line((0.03, 0.0, 0.0), (0.03, 0.0, 0.1))
+    with pytest.raises(EvaluationError, match=message):
+        evaluate(wrapped(rectangle(wide, 0.01), wall, height, material=INK))

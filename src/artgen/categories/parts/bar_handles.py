@@ -6,7 +6,9 @@ Grips come as a `Grip`: what to cut out of the front, and the shell to weld into
 """
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 from typing import Literal
 
 from artgen import (
@@ -74,6 +76,7 @@ def bar_handle(
     style: BarStyle = given("round"),
     level: bool = given(False),
     name: str = given("handle"),
+    overhang: Float = given(0.045),
     projection: Float = uniform(0.044, 0.058, "m", doc="face of the front to the middle of the bar"),
     girth: Float = uniform(0.0075, 0.0105, "m", doc="half of the thickness of the bar"),
 ) -> Body:
@@ -85,11 +88,12 @@ def bar_handle(
         style: What it looks like.
         level: Whether it lies along X instead of standing along Z.
         name: Begins the name of its grasp, which has to be the only one of an asset.
+        overhang: From the posts of a round bar to its ends [m].
         projection: From the front to the middle of the bar [m].
         girth: Half of its thickness [m].
     """
-    makers = {
-        "round": _round,
+    makers: dict[BarStyle, Callable[[Scalar, Scalar, Scalar], list[Solid]]] = {
+        "round": partial(_round, overhang=overhang),
         "square": _square,
         "bow": _bow,
         "strap": _strap,
@@ -113,9 +117,9 @@ def _posts(out: Scalar, apart: Scalar, radius: Scalar) -> list[Solid]:
     return [each.at(0.0, 0.0, end * apart / 2) for each in (post, flange) for end in (-1, 1)]
 
 
-def _round(out: Scalar, length: Scalar, girth: Scalar) -> list[Solid]:
+def _round(out: Scalar, length: Scalar, girth: Scalar, overhang: Scalar) -> list[Solid]:
     bar = cylinder(girth, length, bevel=0.0018).at(0.0, -out, 0.0)
-    return [bar, *_posts(out, length - 0.09, 0.7 * girth)]
+    return [bar, *_posts(out, length - 2 * overhang, 0.7 * girth)]
 
 
 def _square(out: Scalar, length: Scalar, girth: Scalar) -> list[Solid]:

@@ -129,6 +129,7 @@ def dial_turn(
     friction: Scalar = 0.045,
     damping: Scalar = 0.003,
     pivot: VectorLike = (0.0, 0.0, 0.0),
+    endless: bool = False,
 ) -> Joint:
     """Make the joint of a dial; positive turns it clockwise for who looks at it.
 
@@ -141,12 +142,13 @@ def dial_turn(
         friction: What holds it where it is left [N m].
         damping: [N m s/rad].
         pivot: A point on the axis [m].
+        endless: Whether it turns without stops, as that of an encoder.
     """
     return Revolute(
         name,
         axis=Y,
         pivot=pivot,
-        limits=(low, high),
+        limits=None if endless else (low, high),
         friction=friction,
         damping=damping,
         armature=0.00002,  # the shaft and the wiper
@@ -162,6 +164,7 @@ def dial_print(
     count: int = 6,
     icons: tuple[str, ...] = (),
     sweep: Scalar = SWEEP,
+    start: Scalar | None = None,
     height: Scalar = 0.0034,
 ) -> Body:
     """Print the scale around a dial on the face y = 0.
@@ -173,21 +176,28 @@ def dial_print(
         count: How many places there are.
         icons: The icons of an `icons` scale, in order.
         sweep: How far the dial turns, both ways together [rad].
+        start: Where the scale begins, clockwise from the top [rad]; by default it is symmetric.
         height: Height of the numbers, or half of that of icons [m].
     """
-    start = radius + 0.002
+    out = radius + 0.002
     match style:
         case "numbers":
             numbers = [str(number + 1) for number in range(count)]
             scale = details.dial_scale(
-                start, count, sweep=sweep, numbers=numbers, number_height=height, width=0.0005
+                out, count, sweep=sweep, start=start, numbers=numbers, number_height=height, width=0.0005
             )
         case "ticks":
             scale = details.dial_scale(
-                start, 2 * count - 1, sweep=sweep, major_every=2, major_length=0.0032, width=0.0005
+                out,
+                2 * count - 1,
+                sweep=sweep,
+                start=start,
+                major_every=2,
+                major_length=0.0032,
+                width=0.0005,
             )
         case "band":
-            scale = details.dial_band(start, 0.0004, 0.0034, sweep=sweep)
+            scale = details.dial_band(out, 0.0004, 0.0034, sweep=sweep, start=start)
         case "icons":
-            scale = details.dial_icons(icons, start + 1.2 * height, 2.0 * height, sweep=sweep)
+            scale = details.dial_icons(icons, out + 1.2 * height, 2.0 * height, sweep=sweep, start=start)
     return details.printed(scale, (0.0, 0.0, 0.0), material=ink)

@@ -37,8 +37,8 @@ _BEVEL = 0.055  # width of the bevels of a fielded panel, moulding included [m]
 Relief = Literal["raised", "recessed"]
 """Whether the fields of panels stand out of their grooves or lie flat in them."""
 
-Sticking = Literal["ogee", "ovolo", "square"]
-"""The moulding around panels: an S, a quarter round, or none."""
+Sticking = Literal["ogee", "ovolo", "square", "ramp"]
+"""The moulding around panels: an S, a quarter round, none, or a plain slope down to the panel."""
 
 
 class Opening(NamedTuple):
@@ -50,6 +50,7 @@ class Opening(NamedTuple):
         centers: Where their centres are [m].
         columns: How many there are.
         finish: What surrounds them.
+        label: Semantic label of the leaf.
     """
 
     width: Scalar
@@ -57,6 +58,7 @@ class Opening(NamedTuple):
     centers: Sequence[VectorLike]
     columns: int
     finish: Material
+    label: str = "door"
 
     def everywhere(self, solid: Solid) -> Solid:
         """Return copies of a solid, made about the origin, in all openings."""
@@ -77,6 +79,7 @@ _SECTIONS: dict[str, tuple[tuple[float, float], ...]] = {
         (1.0, 0.80), (0.90, 0.80), (0.90, 0.72), (0.885, 0.58), (0.84, 0.45), (0.765, 0.33), (0.66, 0.23),
         (0.54, 0.16), (0.40, 0.12), (0.26, 0.11), (0.26, 0.05),
     ),
+    "ramp": ((1.0, 0.93), (0.02, 0.05)),
     "bead": ((1.0, 0.55), (0.97, 0.47), (0.88, 0.40), (0.62, 0.30), (0.40, 0.17), (0.32, 0.09), (0.32, 0.05)),
 }  # fmt: skip
 
@@ -101,7 +104,7 @@ def _sticking(opening: Opening, thickness: Scalar, depth: Scalar, reach: Scalar,
     # swept on the floor, where the section's y is up, then stood up: up becomes the front
     front = sweep(section, ring).rotate(X, math.pi / 2.0).at(0.0, -thickness / 2.0, 0.0)
     faces = (front, front.rotate(Z, math.pi))
-    return [detail(opening.everywhere(face), "door", opening.finish) for face in faces]
+    return [detail(opening.everywhere(face), opening.label, opening.finish) for face in faces]
 
 
 def panels_in(
@@ -116,18 +119,35 @@ def panels_in(
         run = 2.0 * min_(_BEVEL, 0.3 * min_(width, height))
         field = box(width - run, thickness - 0.008, height - run)
         panel = hull(panel, field)
-    bodies = [part(panel.at(center), "door", opening.finish) for center in opening.centers]
+    bodies = [part(panel.at(center), opening.label, opening.finish) for center in opening.centers]
     if sticking == "square":
         return bodies
     return bodies + _sticking(opening, thickness, (thickness - tongue) / 2.0, moulding, sticking)
 
 
-def panes_in(opening: Opening, thickness: Scalar, columns: int, lights: int, glass: Material) -> list[Body]:
-    """Make a pane in its beads, and the muntins over it."""
+def panes_in(
+    opening: Opening,
+    thickness: Scalar,
+    columns: int,
+    lights: int,
+    glass: Material,
+    *,
+    pane: float = _PANE,
+) -> list[Body]:
+    """Make a pane in its beads, and the muntins over it.
+
+    Args:
+        opening: What is glazed.
+        thickness: Of the leaf [m].
+        columns: Panes side by side.
+        lights: Panes above each other.
+        glass: Their material.
+        pane: Thickness of the glass [m].
+    """
     width, height = opening.width - 0.002, opening.height - 0.002
     bodies = [
-        part(opening.everywhere(box(width, _PANE, height)), "glass", glass),
-        *_sticking(opening, thickness, (thickness - _PANE) / 2.0, 0.013, "bead"),
+        part(opening.everywhere(box(width, pane, height)), "glass", glass),
+        *_sticking(opening, thickness, (thickness - pane) / 2.0, 0.013, "bead"),
     ]
     center = opening.centers[0]
     for number, across in ((columns, True), (lights, False)):
@@ -143,7 +163,7 @@ def panes_in(opening: Opening, thickness: Scalar, columns: int, lights: int, gla
             ((at - number / 2.0) * pitch, 0.0, 0.0) if across else (0.0, 0.0, (at - number / 2.0) * pitch)
             for at in range(1, number)
         ]
-        bodies.append(part(array(bar, at=places).at(center), "door", opening.finish))
+        bodies.append(part(array(bar, at=places).at(center), opening.label, opening.finish))
     return bodies
 
 
@@ -162,6 +182,6 @@ def slats_in(opening: Opening, thickness: Scalar, slats: int) -> list[Body]:
     tilted = slat.rotate(X, atan2(up, out))
     # neighbours are of different boards
     return [
-        part(array(tilted, at=places[first::_BOARDS]).at(opening.centers[0]), "door", opening.finish)
+        part(array(tilted, at=places[first::_BOARDS]).at(opening.centers[0]), opening.label, opening.finish)
         for first in range(_BOARDS)
     ]

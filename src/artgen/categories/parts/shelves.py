@@ -111,7 +111,13 @@ def wire_shelf(
 
 
 def open_box(
-    width: Scalar, depth: Scalar, height: Scalar, *, wall: Scalar = _SHEET, front: Scalar = _SHEET
+    width: Scalar,
+    depth: Scalar,
+    height: Scalar,
+    *,
+    wall: Scalar = _SHEET,
+    front: Scalar = _SHEET,
+    floor: Scalar | None = None,
 ) -> list[Solid]:
     """Make floor, back, sides and front of a box without a lid; its front is y = 0 and its floor z = 0.
 
@@ -119,15 +125,17 @@ def open_box(
         width: Along X [m].
         depth: From the front to +y [m].
         height: Of its sides [m].
-        wall: Thickness of floor, back and sides [m].
+        wall: Thickness of back and sides [m].
         front: Thickness of the front [m].
+        floor: Thickness of the floor [m]; by default that of the walls.
     """
     ease, less = 0.0012, 0.0006  # boards end inside of those that they meet
+    sole = wall if floor is None else floor
     deep = depth - (front + wall) / 2
     side = box(wall, deep, height - less, bevel=ease)
     return [
         box(width, front, height, bevel=ease).at(0.0, front / 2, height / 2),
-        box(width - less, deep, wall, bevel=ease).at(0.0, (depth + front / 2) / 2, wall / 2 + less / 2),
+        box(width - less, deep, sole, bevel=ease).at(0.0, (depth + front / 2) / 2, sole / 2 + less / 2),
         box(width - wall, wall, height - 0.004, bevel=ease).at(0.0, depth - wall / 2, height / 2),
         *(
             side.at(way * (width - wall) / 2, (depth + front / 2) / 2 - wall / 4, height / 2)

@@ -7,12 +7,13 @@ from numpy.typing import NDArray
 
 from artgen.asset.outline import Curve, Outline
 from artgen.asset.shape import Shape
+from artgen.colliders import Bounded
 from artgen.graph import kernel
 from artgen.materials import Material
 from artgen.nodes import inputs
 from artgen.nodes.body import detail
 from artgen.nodes.contours import refined
-from artgen.nodes.covers import around_hull, lazily
+from artgen.nodes.covers import around_hull
 from artgen.nodes.details.prisms import prisms
 from artgen.nodes.handles import Body, Path, Profile, Scalar, Solid
 from artgen.nodes.surfaces import Skin
@@ -41,7 +42,7 @@ def _wrap(profile: Outline, path: Curve, height: float, proud: float) -> Shape:
     bent = prisms(refined(profile, _STEP * radius).contours, 2.0 * proud)
     vertices, normals = _bent(bent, line, radius, height)
     skin = Skin(vertices, normals, bent.uvs, bent.triangles, bent.targets)
-    return skin.shape(lazily(lambda: around_hull(vertices)))
+    return skin.shape(Bounded(around_hull(vertices).outer, lambda tolerance: ()))  # no piece lies within
 
 
 def _bent(flat: Skin, line: Array, radius: float, height: float) -> tuple[Array, Array]:

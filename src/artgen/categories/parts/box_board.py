@@ -1,0 +1,211 @@
+"""Corrugated board and its creases: sheets with a printed face and fluted edges, that fold at their scores.
+
+A sheet lies in the plane of its crease's frame: the crease runs along x, the sheet from there along +y, its
+outer face looks along +z. The edges at a crease are mitred, so that sheet and wall close to a sharp corner
+and neither touches the other from there to three quarters of a turn: both outer faces meet at the axis.
+"""
+
+import math
+from dataclasses import dataclass
+from typing import Literal, TypeVar
+
+from artgen import (
+    Body,
+    Condition,
+    Dependency,
+    Joint,
+    Material,
+    Profile,
+    Revolute,
+    Scalar,
+    Solid,
+    X,
+    Z,
+    box_between,
+    cylinder,
+    detail,
+    extrude,
+    material,
+    max_,
+    polygon,
+)
+
+Flute = Literal["b", "c", "eb", "bc", "grey"]
+"""B and C flute, the double walls EB and BC, and the solid greyboard of set-up boxes."""
+
+THICK: dict[Flute, float] = {"b": 0.003, "c": 0.004, "eb": 0.005, "bc": 0.0068, "grey": 0.003}
+"""Thickness of boards (FEFCO: B 2.5-3.1, C 3.6-4.4, EB 4.1-5.0, BC 6.1-7.0 mm) [m]."""
+
+LAYER = 0.0009
+"""Air between two sheets that lie on each other [m]."""
+
+SLIT = 0.0025
+"""Between the free edges of flaps, and beside those that fold between walls [m]."""
+
+FOLD = 0.0003
+"""How far the axis of a crease lies outside of both faces: the liner stretches around the bend [m]."""
+
+_GAP = 0.0002  # from the corner to where each sheet ends, on its face [m]
+_BEAD = 0.00045  # radius of the liner's bulge about the axis, within that of the sheets' edges [m]
+_WAVES: dict[Flute, int] = {"b": 1, "c": 1, "eb": 2, "bc": 2, "grey": 1}
+_FAR = 2.5  # beyond any sheet [m]
+
+Thing = TypeVar("Thing", Solid, Body)
+
+
+@dataclass(frozen=True)
+class Feel:
+    """How a crease resists, for each metre of its length.
+
+    Attributes:
+        stiffness: Of the spring towards `rest` [N m/rad per m].
+        rest: How far a flap of a new box springs open again [rad].
+        friction: Moment of a bent crease, which holds flaps in place [N m per m].
+        damping: [N m s/rad per m].
+    """
+
+    stiffness: Scalar
+    rest: Scalar
+    friction: Scalar
+    damping: Scalar
+
+
+@dataclass(frozen=True)
+class Board:
+    """What a box is cut from.
+
+    Attributes:
+        flute: Its kind.
+        outside: Liner of the outer face.
+        inside: Liner of the inner face.
+    """
+
+    flute: Flute
+    outside: Material
+    inside: Material
+
+    @property
+    def thick(self) -> float:
+        """Its thickness [m]."""
+        return THICK[self.flute]
+
+    @property
+    def edge(self) -> Material:
+        """What a cut shows: liners and the wave between them, or the wrap of greyboard."""
+        if self.flute == "grey":
+            return self.outside
+        tile = (self.thick / _WAVES[self.flute], 0.064)
+        return material("cardboard_edge").with_(name=f"{self.flute}_flute_edge", tile=tile)
+
+    def sheet(self, outline: Profile, *, relief: Scalar | None = 0.0) -> Solid:
+        """Cut a sheet with its outer face at z = 0.
+
+        Args:
+            outline: Its outline, from y = 0 on where it has a crease there.
+            relief: How much farther from its crease it is mitred at y = 0 [m]; None where it has no crease.
+        """
+        core = extrude(outline, 3.0 * self.thick).at(0.0, 0.0, -self.thick / 2.0).paint(self.edge)
+        cut = core & self._slab()
+        return cut if relief is None else cut - self._mitre().at(0.0, relief, 0.0)
+
+    def creased(self, solid: Solid, *creases: "Crease") -> Solid:
+        """Mitre the edges of a sheet, or of a wall, to which others are joined by creases."""
+        for crease in creases:
+            solid = solid - crease.beside(self._mitre())
+        return solid
+
+    def _slab(self) -> Solid:
+        """Make the board without end, a little longer along x, along which its texture runs."""
+        upper = box_between((-_FAR - 0.1, -_FAR, -2.0 * self.thick), (_FAR + 0.1, _FAR, 0.0))
+        lower = box_between((-_FAR - 0.1, -_FAR, -self.thick), (_FAR + 0.1, _FAR, self.thick))
+        return upper.paint(self.outside) & lower.paint(self.inside)
+
+    def _mitre(self) -> Solid:
+        """Make what a crease takes of the sheet beside it."""
+        t = self.thick
+        wedge = polygon([(_GAP - 2.0 * t, 2.0 * t), (_GAP + 3.0 * t, -3.0 * t), (_GAP - 2.0 * t, -3.0 * t)])
+        return extrude(wedge, 2.0 * _FAR, axis=X).paint(self.inside)
+
+
+@dataclass(frozen=True)
+class Crease:
+    """Where a sheet is joined to a wall or to another sheet, in the frame of that one.
+
+    Attributes:
+        x: Middle of the crease, where both outer faces would meet [m].
+        y: The same [m].
+        z: The same [m].
+        turn: About z, from the frame's y to the way of the sheet [rad].
+        folded: Whether the sheet hangs down at rest: it is joined to a sheet in the plane of the frame.
+            Otherwise it closes a box whose wall hangs down.
+        lean: By how much more it is folded [rad].
+    """
+
+    x: Scalar
+    y: Scalar
+    z: Scalar = 0.0
+    turn: float = 0.0
+    folded: bool = False
+    lean: Scalar | None = None
+
+    def place(self, thing: Thing) -> Thing:
+        """Move what was made in the crease's own frame to where it is at rest."""
+        moved = thing
+        if self.lean is not None:
+            moved = moved.rotate(X, -self.lean, about=(0.0, -FOLD, FOLD))
+        if self.folded:
+            moved = moved.rotate(X, -math.pi / 2.0)
+        return moved.rotate(Z, self.turn).at(self.x, self.y, self.z)
+
+    def beside(self, cutter: Solid) -> Solid:
+        """Move a cutter for the sheet to the edge of what it is joined to."""
+        mirrored = cutter.mirror((0.0, 1.0, 0.0))
+        if not self.folded:  # the wall hangs down from the corner
+            mirrored = mirrored.rotate(X, math.pi / 2.0)
+        return mirrored.rotate(Z, self.turn).at(self.x, self.y, self.z)
+
+    def bead(self, length: Scalar, label: str, finish: Material) -> Body:
+        """Show the liner that runs through the crease, in the frame of what the sheet is joined to."""
+        bulge = cylinder(_BEAD, length, axis=X).at(0.0, FOLD if self.folded else -FOLD, FOLD)
+        return detail(bulge.rotate(Z, self.turn).at(self.x, self.y, self.z), label, finish)
+
+    def joint(
+        self,
+        name: str,
+        *,
+        feel: Feel,
+        length: Scalar,
+        reach: Scalar,
+        opening: Scalar,
+        needs: Condition | Dependency | None = None,
+        holding: Scalar = 0.0,
+    ) -> Joint:
+        """Make the hinge that a crease is.
+
+        Args:
+            name: Its name.
+            feel: How it resists.
+            length: Of the crease [m].
+            reach: From the crease to the free edge, where a hand pulls [m].
+            opening: How far it opens [rad].
+            needs: Where it may.
+            holding: Weight that friction holds at least [N m].
+        """
+        cosine, sine = math.cos(self.turn), math.sin(self.turn)
+        across, up = (FOLD, FOLD) if self.folded else (-FOLD, FOLD)
+        return Revolute(
+            name,
+            axis=(cosine, sine, 0.0),
+            pivot=(self.x - sine * across, self.y + cosine * across, self.z + up),
+            limits=(0.0, opening),
+            stiffness=feel.stiffness * length,
+            rest=feel.rest,
+            friction=max_(feel.friction * length, holding),
+            damping=feel.damping * length,
+            armature=2e-5,
+            effort=0.01
+            + length * (1.6 * feel.friction + 5.0 * feel.stiffness + 16.0 * reach**2)
+            + 1.5 * holding,
+            velocity=12.0,
+            needs=needs,
+        )

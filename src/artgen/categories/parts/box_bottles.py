@@ -1,0 +1,148 @@
+"""Bottles that stand in the cells of a wine box and are lifted out by their necks."""
+
+import functools
+import operator
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+from artgen import (
+    Body,
+    Condition,
+    Joint,
+    Material,
+    Prismatic,
+    Scalar,
+    X,
+    Y,
+    Z,
+    coloured,
+    cylinder_between,
+    detail,
+    extrude,
+    frustum,
+    grasp_on,
+    mass,
+    material,
+    part,
+    regular_polygon,
+    tube,
+    weld,
+)
+
+Wine = Literal["red", "white", "rose"]
+
+_FULL = 1450.0  # kg/m3: 0.5 kg of glass and 0.75 l in it, 1.25 kg on the 0.86 l of its facets
+_RADIUS, _NECK = 0.0372, 0.0142  # of a Bordeaux bottle [m]
+_BODY, _SHOULDER, _TALL = 0.192, 0.226, 0.300  # where body and shoulder end, and the top [m]
+_GRAVITY = 9.81  # [m/s2]
+
+
+def _glass(name: str, color: tuple[float, float, float]) -> Material:
+    return material("black_glass").with_(name=f"{name}_bottle", base_color=color, density=_FULL)
+
+
+_GLASS = {
+    "red": _glass("green", (0.012, 0.026, 0.012)),
+    "white": _glass("yellow_green", (0.16, 0.20, 0.05)),
+    "rose": _glass("pink", (0.52, 0.18, 0.13)),
+}
+_FOIL = {
+    "red": coloured("abs", "burgundy"),
+    "white": coloured("abs", "mustard"),
+    "rose": coloured("abs", "silver"),
+}
+
+
+@dataclass(frozen=True)
+class Bottles:
+    """What stands in the cells.
+
+    Attributes:
+        wine: Which.
+        columns: Cells along x.
+        rows: Cells along y.
+        cell: Their side [m].
+        floor: On which they stand [m].
+        ceiling: Lower face of the lid, or of the minor flaps over some of them [m].
+        higher: How much higher the major flaps are over the others [m].
+    """
+
+    wine: Wine
+    columns: int
+    rows: int
+    cell: Scalar
+    floor: Scalar
+    ceiling: Scalar
+    higher: Scalar = 0.0
+
+    def under(self, lid: Joint, angle: float, body: Body) -> Body:
+        """Put a bottle into each cell, to be lifted out where a lid is open beyond an angle [rad]."""
+        needs = [lid > angle] * (self.columns * self.rows)
+        return self._put(body, needs, [self.ceiling] * len(needs))
+
+    def below(self, flaps: Sequence[Joint], angle: float, body: Body) -> Body:
+        """Put a bottle into each cell, to be lifted out where the flaps over it are open beyond an angle.
+
+        Args:
+            flaps: Those in front, at the back, at the left and at the right, as long as half the depth.
+            angle: How far they have to be open [rad].
+            body: The box.
+        """
+        needs, ceilings = [], []
+        for row in range(self.rows):
+            for column in range(self.columns):
+                far = (row, self.rows - 1 - row, column, self.columns - 1 - column)
+                over = [
+                    flap > angle
+                    for flap, cells in zip(flaps, far, strict=True)
+                    if cells + 0.08 < self.rows / 2.0
+                ]
+                needs.append(functools.reduce(operator.and_, over))
+                by_minor = min(far[2:]) + 0.08 < self.rows / 2.0
+                ceilings.append(self.ceiling if by_minor else self.ceiling + self.higher)
+        return self._put(body, needs, ceilings)
+
+    def _put(self, body: Body, needs: Sequence[Condition], ceilings: Sequence[Scalar]) -> Body:
+        bottle, low = self._bottle(), self.floor + 0.0006
+        effort = 1.03 * _GRAVITY * mass(bottle) + 0.3  # what it is lifted with pushes no flap open
+        for number, (need, ceiling) in enumerate(zip(needs, ceilings, strict=True)):
+            row, column = divmod(number, self.columns)
+            x = self.cell * (column - (self.columns - 1) / 2.0)
+            y = self.cell * (row - (self.rows - 1) / 2.0)
+            slide = Prismatic(
+                f"bottle_lift_{number}",
+                axis=Z,
+                limits=(0.0, 0.32),
+                friction=0.3,
+                damping=3.0,
+                effort=effort,
+                velocity=1.0,
+                needs=need.beyond(ceiling - low - _TALL - 0.002),
+            )
+            body = body.attach(bottle.at(x, y, low).suffixed(f"_{number}"), slide)
+        return body
+
+    def _bottle(self) -> Body:
+        """Make a bottle that stands on the origin."""
+        glass, foil = _GLASS[self.wine], _FOIL[self.wine].with_(name=f"{self.wine}_foil", texture="")
+        body = cylinder_between((0.0, 0.0, 0.0), (0.0, 0.0, _BODY), _RADIUS, bevel=0.004)
+        shoulder = frustum(_RADIUS, _NECK + 0.003, _SHOULDER - _BODY + 0.004).at(
+            0.0, 0.0, (_SHOULDER + _BODY) / 2.0 - 0.003
+        )
+        neck = cylinder_between((0.0, 0.0, _SHOULDER - 0.004), (0.0, 0.0, _TALL), _NECK, bevel=0.001)
+        across = X if self.rows == 1 else Y  # a lid stands behind a single row
+        # few facets carry the weight and collide, just under the round skin
+        core = extrude(regular_polygon(12, _RADIUS - 0.0001), _BODY).at(0.0, 0.0, _BODY / 2.0)
+        stem = extrude(regular_polygon(12, _NECK - 0.0001), _TALL - _BODY + 0.01)
+        stem = stem.at(0.0, 0.0, (_TALL + _BODY - 0.01) / 2.0)
+        hold = grasp_on(stem, approach=-Z, closing=across, depth=0.010)
+        paper = coloured("abs", "cream").with_(name="wine_label", texture="", specular_roughness=0.7)
+        sleeve = tube(_NECK + 0.0003, _NECK - 0.001, 0.052).at(0.0, 0.0, _TALL - 0.0257)
+        around = tube(_RADIUS + 0.0002, _RADIUS - 0.001, 0.085).at(0.0, 0.0, 0.082)
+        return weld(
+            part(core | stem, "bottle", glass, grasp=hold),
+            *(detail(each, "bottle", glass) for each in (body, shoulder, neck)),
+            detail(sleeve, "bottle", foil),
+            detail(around, "bottle", paper),
+        )

@@ -1,0 +1,131 @@
+"""What boxes are made of: kraft and white liners, prints in colour, wrapping papers, ribbons and inks."""
+
+from artgen import COLORS, Material, coloured, material
+
+_KRAFT = material("cardboard")
+_GREYBOARD = 620.0  # solid board of set-up boxes, with its wrap [kg/m3]
+
+
+def _liner(name: str, color: tuple[float, float, float], roughness: float = 0.7) -> Material:
+    return _KRAFT.with_(name=name, base_color=color, specular_roughness=roughness)
+
+
+def _printed(color: str) -> Material:
+    return _liner(f"printed_{color}", COLORS[color], 0.5)
+
+
+def _wrap(name: str, color: tuple[float, float, float], texture: str = "", rough: float = 0.5) -> Material:
+    return material("abs").with_(
+        name=f"cardboard_{name}",
+        base_color=color,
+        specular_roughness=rough,
+        texture=texture,
+        density=_GREYBOARD,
+        friction=0.4,
+    )
+
+
+KRAFT = (_KRAFT, _liner("light_kraft", (0.56, 0.41, 0.25)), _liner("dark_kraft", (0.36, 0.235, 0.125)))
+"""Brown boards."""
+
+WHITE = _liner("white_liner", (0.76, 0.745, 0.71))
+"""Bleached liner."""
+
+PRINTS = tuple(
+    map(
+        _printed,
+        (
+            "black",
+            "navy",
+            "teal",
+            "forest",
+            "sage",
+            "blush",
+            "coral",
+            "mustard",
+            "lavender",
+            "sky",
+            "burgundy",
+        ),
+    )
+)
+"""Boards that are printed all over, of mailers and shoe boxes."""
+
+COLORFUL = (0.8,) * len(PRINTS)
+"""How often each of them is sold."""
+
+WRAPS = (
+    _wrap("wrap_black", COLORS["black"], rough=0.35),
+    _wrap("wrap_white", COLORS["white"], rough=0.4),
+    _wrap("wrap_ivory", COLORS["ivory"], "linen"),
+    _wrap("wrap_navy", COLORS["navy"], "linen"),
+    _wrap("wrap_burgundy", COLORS["burgundy"]),
+    _wrap("wrap_red", COLORS["red"], rough=0.38),
+    _wrap("wrap_forest", COLORS["forest"], "linen"),
+    _wrap("wrap_blush", COLORS["blush"]),
+    _wrap("wrap_sage", COLORS["sage"], "linen"),
+    _wrap("wrap_sky", COLORS["sky"]),
+    _wrap("wrap_lavender", COLORS["lavender"]),
+    _wrap("wrap_taupe", COLORS["taupe"], "linen"),
+    _wrap("wrap_mint", COLORS["mint"]),
+)
+"""Papers that set-up boxes are wrapped in."""
+
+LININGS = (
+    _wrap("lining_white", COLORS["white"]),
+    _wrap("lining_black", COLORS["black"]),
+    _wrap("lining_cream", COLORS["cream"]),
+    _wrap("lining_grey", COLORS["light_grey"]),
+)
+"""What set-up boxes are lined with."""
+
+
+def _satin(color: str) -> Material:
+    return material("abs").with_(
+        name=f"satin_{color}",
+        base_color=COLORS[color],
+        specular_roughness=0.3,
+        texture="",
+        coat_weight=0.25,
+        density=400.0,
+    )
+
+
+RIBBONS = (
+    *map(_satin, ("red", "white", "navy", "burgundy", "forest", "blush", "black")),
+    material("abs").with_(
+        name="satin_gold",
+        base_color=(0.58, 0.38, 0.13),
+        specular_roughness=0.28,
+        texture="",
+        base_metalness=0.35,
+        density=400.0,
+    ),
+)
+"""Satin ribbons."""
+
+STRAPS = (
+    material("linen").with_(name="webbing", base_color=(0.50, 0.42, 0.31)),
+    material("linen").with_(name="dark_webbing", base_color=(0.05, 0.05, 0.055)),
+    material("leather_grain_abs").with_(name="leather", base_color=(0.20, 0.085, 0.035), density=900.0),
+)
+"""Webbing and leather of straps."""
+
+GOLD = material("satin_brass").with_(name="gold_foil", specular_roughness=0.25)
+"""Hot foil."""
+
+
+def ink(name: str) -> Material:
+    """Return a printing ink of a colour of the table."""
+    return coloured("abs", name).with_(name=f"ink_{name}", texture="", specular_roughness=0.6)
+
+
+def contrast(finish: Material) -> Material:
+    """Return the ink or foil that shows on a finish."""
+    mean = sum(finish.base_color) / 3.0
+    return ink("graphite") if mean > 0.2 else ink("white")
+
+
+def foam(lining: Material) -> Material:
+    """Return the foam of inserts under a lining's colour."""
+    return material("foam").with_(name="insert_foam", base_color=lining.base_color)

@@ -1,0 +1,374 @@
+"""Lids on a crease at the back: tucked in at the front with a flap, locked by ears or by flaps at the sides.
+
+A tuck swings out as the lid rises, by its reach squared over twice the depth of the lid. It therefore leans
+in a little, and so does the inner layer of the rolled front wall, which holds its tip.
+"""
+
+import math
+from dataclasses import dataclass
+from typing import Literal
+
+from artgen import (
+    Body,
+    Float,
+    Joint,
+    Profile,
+    Scalar,
+    Solid,
+    X,
+    Z,
+    atan2,
+    box_between,
+    extrude,
+    grasp_on,
+    max_,
+    min_,
+    part,
+    polygon,
+    push_on,
+    rectangle,
+    sqrt,
+    weld,
+)
+from artgen.categories.parts.box_board import LAYER, Board, Crease, Feel
+from artgen.categories.parts.box_bottles import Bottles
+from artgen.categories.parts.box_marks import TAPE, pull_tab
+
+Sides = Literal["over", "tucked"]
+"""Whether a lid lies on the walls at its sides, or goes between them with a flap at either side."""
+
+_SLACK = 0.020  # by which a tuck can be turned with its lid closed [rad]
+_PLAY = 0.043  # by how much more until it touches the wall [rad]
+_TIP = 0.0004  # from its tip to the wall if it stands upright [m]
+_BESIDE = 0.0012  # from ears and side flaps to the walls [m]
+_UPRIGHT = 1.66  # from here on a lid leaves the space over the box free [rad]
+_AWAY = 2.0  # from here on its tuck does so as well [rad]
+_HANGING = 3.40  # from here on a dust flap is below what closes over it [rad]
+
+
+@dataclass(frozen=True)
+class Lidded:
+    """A box whose lid hangs on its back wall.
+
+    Attributes:
+        board: What it is cut from.
+        width: Along x, outside [m].
+        depth: Along y, outside [m].
+        height: Closed [m].
+        sides: How the lid meets the walls at the sides.
+        ears: Whether the tuck has ears, which go in beside the walls.
+        dust: Reach of flaps at the walls under the lid [m]; None where there are none.
+        opening: How far the lid opens [rad].
+    """
+
+    board: Board
+    width: Scalar
+    depth: Scalar
+    height: Scalar
+    sides: Sides
+    ears: bool
+    dust: Scalar | None
+    opening: Scalar
+
+    @property
+    def tuck(self) -> Float:
+        """Reach of the tuck [m]."""
+        return min_(0.15 * self.depth + 0.005, 0.72 * self.height)
+
+    @property
+    def gap(self) -> Float:
+        """From the front edge of the lid to the wall: the tip of the tuck swings out by that much [m]."""
+        swing = self.tuck / (2.0 * (self.depth - 2.0 * self.board.thick - 0.003))
+        return max_(0.0015, 2.0 * _TIP + self.tuck * (swing - _PLAY))
+
+    @property
+    def reach(self) -> Scalar:
+        """From the crease of the lid to that of its tuck [m]."""
+        return self.depth - 2.0 * self.board.thick - self.gap
+
+    @property
+    def low(self) -> Scalar:
+        """Height of the walls at the sides [m]."""
+        return self.height if self.sides == "tucked" else self.height - self.board.thick - LAYER
+
+    @property
+    def inner(self) -> Scalar:
+        """Half of the width between the walls at the sides [m]."""
+        return self.width / 2.0 - (2.0 if self.ears else 1.0) * self.board.thick
+
+    @property
+    def half(self) -> Scalar:
+        """Half of the lid's width [m]."""
+        return self.inner - _BESIDE if self.sides == "tucked" else self.width / 2.0 - 0.0012
+
+    @property
+    def hinge(self) -> Crease:
+        """The crease at the back."""
+        return Crease(0.0, self.depth / 2.0, self.height, turn=math.pi)
+
+    def dust_creases(self) -> dict[str, Crease]:
+        """Return the creases of the dust flaps, if there are some."""
+        if self.dust is None:
+            return {}
+        return {
+            "left": Crease(-self.width / 2.0, self._dust_middle, self.low, turn=-math.pi / 2.0),
+            "right": Crease(self.width / 2.0, self._dust_middle, self.low, turn=math.pi / 2.0),
+        }
+
+    @property
+    def _dust_ends(self) -> tuple[Scalar, Scalar]:
+        """Where dust flaps begin and end along y: behind the tuck and its ears, before the back wall [m]."""
+        front = 3.0 * self.board.thick + self.gap + 0.003 + 0.07 * self.tuck
+        if self.ears:
+            front = front + self.ear + 0.004
+        return front - self.depth / 2.0, self.depth / 2.0 - 3.0 * self.board.thick
+
+    @property
+    def _dust_middle(self) -> Scalar:
+        start, end = self._dust_ends
+        return (start + end) / 2.0
+
+    def creased(self, walls: Solid) -> Solid:
+        """Cut the tops of walls that end at the height of the box to where the lid wants them."""
+        t, lowered = self.board.thick, walls
+        if self.sides == "over":
+            for side in (-1.0, 1.0):
+                low = (side * self.width / 2.0 - 1.6 * t, -self.depth / 2.0 - 0.01, self.low)
+                high = (side * self.width / 2.0 + 1.6 * t, self.depth / 2.0 + 0.01, self.height + 0.01)
+                lowered = lowered - box_between(low, high).paint(self.board.edge)
+        return self.board.creased(lowered, self.hinge, *self.dust_creases().values())
+
+    def rims(self, label: str = "box") -> list[Body]:
+        """Make the lip of the front wall, and the second layer of the walls where ears go in."""
+        t, front, half = self.board.thick, -self.depth / 2.0, self.inner - 0.0003
+        layer, tip = front + 2.0 * t, self.height - self.tuck
+        wedge = polygon(
+            [
+                (layer - 0.6 * t, self.height - 0.5 * self.tuck),
+                (layer, self.height - 0.5 * self.tuck),
+                (layer + self.gap - _TIP, tip),
+                (layer + self.gap - _TIP, 0.85 * tip),
+                (layer - 0.6 * t, 0.85 * tip),
+            ]
+        )
+        low, high = (-half, front + t - 0.0003, 0.8 * tip), (half, layer, self.height - 0.0002)
+        made = [
+            box_between(low, high, bevel=0.0008) | extrude(wedge, 2.0 * half - 0.001, axis=X),
+        ]
+        if self.ears:
+            top = self.low - 0.0002 if self.dust is None else self.low - t - LAYER
+            for side in (-1.0, 1.0):
+                x = _span(side, self.inner, self.inner + t + 0.0003)
+                low = (x[0], front + t + 0.0006, t - 0.0002)
+                made.append(box_between(low, (x[1], self.depth / 2.0 - t - 0.0006, top), bevel=0.0008))
+        return [part(each, label, self.board.outside) for each in made]
+
+    def attached(
+        self, body: Body, feel: Feel, *, printed: list[Body], swing: Scalar, bottles: Bottles | None = None
+    ) -> Body:
+        """Join the lid and all that hangs on it.
+
+        Args:
+            body: The box.
+            feel: How its creases resist.
+            printed: Print on the lid, in the frame of the sheet.
+            swing: How far dust flaps open if nothing stops them [rad].
+            bottles: What is lifted out where lid and flaps are open.
+        """
+        sheet = 1.2 * self.board.outside.density * self.board.thick * 2.0 * self.half * self.reach
+        turn = self.hinge.joint(
+            "lid_hinge",
+            feel=feel,
+            length=2.0 * self.half,
+            reach=self.reach,
+            opening=self.opening,
+            holding=9.81 * sheet * 0.62 * self.reach,  # a lid stays up, with its flaps out
+        )
+        body = weld(body, self.hinge.bead(2.0 * self.half, "box", self.board.outside))
+        body = body.attach(self.hinge.place(self._lid(feel, turn, printed)), turn)
+        if bottles is not None:
+            body = bottles.under(turn, _AWAY, body)
+        if self.dust is None:
+            return body
+        opening = min_(swing, math.pi + 0.9 * self.low / self.dust)
+        start, end = self._dust_ends
+        wide = end - start
+        for side, crease in self.dust_creases().items():
+            outline = polygon(
+                [
+                    (-wide / 2.0, 0.0),
+                    (wide / 2.0, 0.0),
+                    (wide / 2.0 - 0.006, self.dust),
+                    (-wide / 2.0 + 0.006, self.dust),
+                ]
+            )
+            sheet = self.board.sheet(outline)
+            below = push_on(
+                sheet, direction=Z, at=(0.33 * wide, 0.48 * self.dust, 0.0)
+            )  # beside what is below
+            flap = part(sheet, "flap_minor", self.board.outside, name=f"flap_{side}", push=below)
+            hinge = crease.joint(
+                f"flap_{side}_hinge",
+                feel=feel,
+                length=wide,
+                reach=self.dust,
+                opening=opening,
+                needs=(turn > _UPRIGHT).until(_HANGING),
+            )
+            body = weld(body, crease.bead(wide, "box", self.board.outside))
+            body = body.attach(crease.place(flap), hinge)
+        return body
+
+    def _lid(self, feel: Feel, turn: Joint, printed: list[Body]) -> Body:
+        """Make the lid with its flaps, in its own frame."""
+        front = Crease(0.0, self.reach, folded=True, lean=_PLAY - _TIP / self.tuck + _SLACK)
+        sides = self._side_creases()
+        sheet = self.board.sheet(rectangle(2.0 * self.half, self.reach).at(0.0, self.reach / 2.0))
+        sheet = self.board.creased(sheet, front, *sides.values())
+        tab = pull_tab().at(0.0, self.reach - 0.006, 0.0)
+        lid = weld(
+            part(sheet, "lid", self.board.outside),
+            part(
+                tab,
+                "tape",
+                TAPE,
+                name="tab",
+                grasp=grasp_on(tab, approach=-Z, closing=(0.0, 1.0, 0.0), depth=0.016),
+            ),
+            front.bead(2.0 * self.half - 0.004, "lid", self.board.outside),
+            *(
+                each.bead(self._wing_end - self._wing_start, "lid", self.board.outside)
+                for each in sides.values()
+            ),
+            *printed,
+        )
+        free = (turn > self._clear).beyond(_SLACK)
+        width = 2.0 * (self.inner - _BESIDE)
+        lid = lid.attach(
+            front.place(self._tuck(feel, turn, width)),
+            front.joint(
+                "tuck_front_hinge", feel=feel, length=width, reach=self.tuck, opening=3.05, needs=free
+            ),
+        )
+        for side, crease in sides.items():
+            lid = lid.attach(crease.place(self._wing(side)), self._wing_joint(side, crease, feel, turn))
+        return lid
+
+    @property
+    def ear(self) -> Float:
+        """Reach of an ear from the tuck backward [m]."""
+        return min_(0.056, 0.24 * self.reach)
+
+    @property
+    def _clear(self) -> Scalar:
+        """Angle of the lid from which on the tuck clears the box however it is turned [rad]."""
+        far = sqrt(self.tuck**2 + self.ear**2) if self.ears else self.tuck
+        return 1.13 * (far + 0.008) / self.reach
+
+    def _tuck(self, feel: Feel, turn: Joint, width: Scalar) -> Body:
+        """Make the tuck with its ears, in its own frame."""
+        half, cut = width / 2.0, 0.30 * self.tuck
+        outline = _tongue(half, self.tuck, shoulder=self.tuck - cut, tip=half - cut)
+        creases: dict[str, Crease] = {}
+        start, long = self.board.thick + 0.004, self.tuck - cut - self.board.thick - 0.008
+        if self.ears:
+            outline = rectangle(width, self.tuck).at(0.0, self.tuck / 2.0)
+            long = self.tuck - start - 0.003
+            middle = start + long / 2.0
+            creases = {
+                "left": Crease(-half, middle, turn=math.pi / 2.0, folded=True),
+                "right": Crease(half, middle, turn=-math.pi / 2.0, folded=True),
+            }
+        sheet = self.board.creased(self.board.sheet(outline, relief=0.0005), *creases.values())
+        edge = grasp_on(
+            sheet,
+            approach=(0.0, -1.0, 0.0),
+            closing=Z,
+            at=(0.0, self.tuck / 2.0, 0.0),
+            depth=min_(0.016, 0.55 * self.tuck),
+        )
+        tuck = part(sheet, "tuck", self.board.outside, name="tuck_front", grasp=edge)
+        for side, crease in creases.items():
+            bend = _tongue(long / 2.0, self.ear, shoulder=0.6 * self.ear, tip=long / 4.0)
+            ear = self.board.sheet(bend)
+            grip = grasp_on(ear, approach=(0.0, -1.0, 0.0), closing=Z, depth=0.014)
+            joint = crease.joint(
+                f"ear_{side}_hinge",
+                feel=feel,
+                length=long,
+                reach=self.ear,
+                opening=1.5,
+                needs=(turn > self._ears_clear).beyond(0.35 * _BESIDE / self.ear),
+            )
+            body = part(ear, "tuck", self.board.outside, name=f"ear_{side}", grasp=grip)
+            tuck = weld(tuck, crease.bead(long - 0.002, "tuck", self.board.outside))
+            tuck = tuck.attach(crease.place(body), joint)
+        return tuck
+
+    @property
+    def _ears_clear(self) -> Scalar:
+        """Angle of the lid from which on the ears are above the walls [rad]."""
+        return max_(atan2(self.tuck + 0.012, self.reach - self.ear), self._clear)
+
+    def _side_creases(self) -> dict[str, Crease]:
+        """Return the creases of the flaps at the sides of the lid, if it has some."""
+        if self.sides == "over":
+            return {}
+        middle = (self._wing_start + self._wing_end) / 2.0
+        return {
+            "left": Crease(-self.half, middle, turn=math.pi / 2.0, folded=True),
+            "right": Crease(self.half, middle, turn=-math.pi / 2.0, folded=True),
+        }
+
+    @property
+    def _wing_start(self) -> Scalar:
+        """Where flaps at the sides begin, from the crease of the lid [m]."""
+        return 0.30 * self.reach
+
+    @property
+    def _wing_end(self) -> Scalar:
+        """Where they end, behind the tuck and its ears [m]."""
+        ears = self.ear + 0.004 if self.ears else 0.0
+        return self.reach - ears - 0.014 - 0.05 * self.tuck - self.board.thick
+
+    @property
+    def _wing_reach(self) -> Scalar:
+        """How far down they go [m]."""
+        return 0.8 * self.tuck
+
+    def _wing(self, side: str) -> Body:
+        """Make a flap at a side of the lid, in its own frame."""
+        half, deep = (self._wing_end - self._wing_start) / 2.0, self._wing_reach
+        outline = _tongue(half, deep, shoulder=0.5 * deep, tip=half - 0.3 * deep)
+        sheet = self.board.sheet(outline)
+        grip = grasp_on(sheet, approach=(0.0, -1.0, 0.0), closing=Z, depth=min_(0.016, 0.55 * deep))
+        return part(sheet, "tuck", self.board.outside, name=f"tuck_{side}", grasp=grip)
+
+    def _wing_joint(self, side: str, crease: Crease, feel: Feel, turn: Joint) -> Joint:
+        clear = atan2(self._wing_reach + 0.010, self._wing_start)
+        return crease.joint(
+            f"tuck_{side}_hinge",
+            feel=feel,
+            length=self._wing_end - self._wing_start,
+            reach=self._wing_reach,
+            opening=2.6,
+            needs=(turn > clear).beyond(0.4 * _BESIDE / self._wing_reach),
+        )
+
+
+def _span(side: float, near: Scalar, far: Scalar) -> tuple[Scalar, Scalar]:
+    """Return a span at one side of the middle, least first."""
+    return (near, far) if side > 0.0 else (-far, -near)
+
+
+def _tongue(half: Scalar, reach: Scalar, *, shoulder: Scalar, tip: Scalar) -> Profile:
+    """Make the outline of a flap that narrows from a shoulder on to its tip.
+
+    Args:
+        half: Half of its width at the crease [m].
+        reach: From the crease to the tip [m].
+        shoulder: Where it begins to narrow [m].
+        tip: Half of its width at the tip [m].
+    """
+    corners = [(half, 0.0), (half, shoulder), (tip, reach)]
+    return polygon([*corners, *((-x, y) for x, y in reversed(corners))])

@@ -1,0 +1,184 @@
+"""Where things are on a cooktop: the field of its burners, the strip of its dials, and who belongs to whom.
+
+Seen from above: x to the right, y to the back, the origin in the middle of the plate.
+"""
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Literal
+
+from artgen import min_
+from artgen.nodes.handles import Scalar
+
+BurnerKind = Literal["gas", "radiant", "coil", "induction"]
+"""Flames, glowing bands under glass, tubes of steel, or coils under glass that heat the pot itself."""
+
+DialSide = Literal["front", "left", "right", "back"]
+"""The border of the plate at which the dials are."""
+
+BurnerSize = Literal["small", "medium", "large", "wok"]
+"""Sizes of burners, as shops name them: simmer, standard, rapid, wok."""
+
+EDGE = 0.013
+"""From the edge of the plate to the print around a dial [m]."""
+
+PRINT = 0.009
+"""How far the print around a dial reaches out of it [m]."""
+
+SIGN = 0.014
+"""Size of the sign beside a dial that shows its burner [m]."""
+
+_MARGIN = 0.016  # from the edge of the plate to the field of the burners [m]
+_END = 0.030  # from the edge of the plate to the first dial of a row, besides its radius [m]
+
+# How many burners each column has, from left to right, by the numbers of burners and of rows.
+COLUMNS: dict[tuple[int, int], tuple[int, ...]] = {
+    (2, 1): (1, 1),
+    (3, 1): (1, 1, 1),
+    (3, 2): (2, 1),
+    (4, 1): (1, 1, 1, 1),
+    (4, 2): (2, 2),
+    (5, 2): (2, 1, 2),
+    (6, 2): (2, 2, 2),
+}
+
+# Their sizes in the same order, in a column from the front to the back.
+_SIZES: dict[tuple[int, int], tuple[BurnerSize, ...]] = {
+    (2, 1): ("large", "medium"),
+    (3, 1): ("medium", "wok", "small"),
+    (3, 2): ("small", "medium", "wok"),
+    (4, 1): ("medium", "large", "medium", "small"),
+    (4, 2): ("large", "medium", "small", "medium"),
+    (5, 2): ("medium", "large", "wok", "small", "medium"),
+    (6, 2): ("large", "medium", "small", "medium", "medium", "large"),
+}
+
+
+@dataclass(frozen=True)
+class Place:
+    """Where a burner is.
+
+    Attributes:
+        x: Its middle [m].
+        y: Its middle [m].
+        size: How large it is.
+        reach: Half the width of the square around it that is its own [m].
+    """
+
+    x: Scalar
+    y: Scalar
+    size: BurnerSize
+    reach: Scalar
+
+
+@dataclass(frozen=True)
+class Column:
+    """Burners behind each other.
+
+    Attributes:
+        x: Middle of the column [m].
+        width: Its width [m].
+        depth: Its depth [m].
+        burners: Its burners, from the front to the back.
+    """
+
+    x: Scalar
+    width: Scalar
+    depth: Scalar
+    burners: tuple[Place, ...]
+
+
+@dataclass(frozen=True)
+class Plan:
+    """The plan of a cooktop.
+
+    Attributes:
+        burners: How many burners there are.
+        rows: In how many rows.
+        dials: How many dials there are, the burners' first.
+        side: Where they are.
+        width: Of the plate [m].
+        depth: Of the plate [m].
+        radius: Of the dials [m].
+        pitch: Distance between dials, where there is room for it [m].
+        mirrored: Whether the large burners are on the right.
+    """
+
+    burners: int
+    rows: int
+    dials: int
+    side: DialSide
+    width: Scalar
+    depth: Scalar
+    radius: Scalar
+    pitch: Scalar
+    mirrored: bool
+
+    @cached_property
+    def strip(self) -> Scalar:
+        """Width of the strip with the dials and their print [m]."""
+        return EDGE + 2.0 * (self.radius + PRINT) + SIGN + 0.003
+
+    @cached_property
+    def field(self) -> tuple[Scalar, Scalar, Scalar, Scalar]:
+        """Left, right, front and back of the field with the burners [m]."""
+        x, y = self.width / 2 - _MARGIN, self.depth / 2 - _MARGIN
+        inner = self.strip - _MARGIN
+        return (
+            -x + (inner if self.side == "left" else 0.0),
+            x - (inner if self.side == "right" else 0.0),
+            -y + (inner if self.side == "front" else 0.0),
+            y - (inner if self.side == "back" else 0.0),
+        )
+
+    @cached_property
+    def columns(self) -> list[Column]:
+        """The columns of burners, from left to right."""
+        left, right, front, back = self.field
+        counts = COLUMNS[self.burners, self.rows]
+        sizes = iter(_SIZES[self.burners, self.rows])
+        # a wok's column is wider than its neighbours
+        shares = [1.12 if number == 1 and max(counts) > 1 else 1.0 for number in counts]
+        found: list[Column] = []
+        start, deep = 0.0, back - front
+        for number, share in zip(counts, shares, strict=True):
+            width = (right - left) * (share / sum(shares))
+            x = left + (right - left) * ((start + share / 2.0) / sum(shares))
+            start += share
+            x, way = (-x + left + right, -1) if self.mirrored else (x, 1)
+            tall = deep / number
+            burners = tuple(
+                Place(x, front + tall * (row + 0.5), next(sizes), 0.5 * min_(width, tall))
+                for row in range(number)
+            )
+            found.insert(0 if way < 0 else len(found), Column(x, width, deep, burners))
+        return found
+
+    @cached_property
+    def places(self) -> list[Place]:
+        """Where the burners are, column by column from left to right, each from front to back."""
+        return [place for column in self.columns for place in column.burners]
+
+    @cached_property
+    def dial_places(self) -> list[tuple[Scalar, Scalar]]:
+        """Where the dials are, from left to right or from front to back [m]."""
+        across = self.side in ("front", "back")
+        span = (self.width if across else self.depth) - 2.0 * (self.radius + _END)
+        pitch = min_(self.pitch, span / max(self.dials - 1, 1))
+        inset = EDGE + PRINT + self.radius
+        level = (self.depth if across else self.width) / 2 - inset
+        level = -level if self.side in ("front", "left") else level
+        row = [(number - (self.dials - 1) / 2.0) * pitch for number in range(self.dials)]
+        return [(along, level) if across else (level, along) for along in row]
+
+    @cached_property
+    def sign_step(self) -> tuple[Scalar, Scalar]:
+        """The way from a dial to the sign of its burner [m]."""
+        away = self.radius + PRINT + SIGN / 2.0
+        ways: dict[DialSide, tuple[Scalar, Scalar]] = {
+            "front": (0.0, away),
+            "back": (0.0, -away),
+            "left": (away, 0.0),
+            "right": (-away, 0.0),
+        }
+        return ways[self.side]

@@ -1,0 +1,128 @@
+"""The drawer under the oven of a range: for pans, on runners, with a grip let into its front."""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+from artgen import Body, Joint, Material, Prismatic, Solid, Y, coloured, detail, material, part, weld
+from artgen.categories.parts.appliance_finish import filled
+from artgen.categories.parts.bar_handles import Grip, recessed_grip
+from artgen.categories.parts.oven_body import FOOT, LOW
+from artgen.categories.parts.oven_space import LAP, Space, Span, board
+from artgen.nodes.handles import Scalar
+
+_FACE = 0.030  # thickness of the front [m]
+_POCKET = 0.0275  # depth of the grip [m]
+_WIDE = 0.050  # height of the grip: a finger of 9 mm above and below its blade [m]
+_SHEET = 0.003  # of the box [m]
+_BESIDE = 0.0175  # from the box to the side of the range, for the runner [m]
+_PLAY = 0.0016  # between box and runner [m]
+
+
+@dataclass(frozen=True)
+class Drawer:
+    """A drawer.
+
+    Attributes:
+        space: The measures of the range.
+        finish: Of its front.
+        metal: Of the blade of its grip.
+        grip: Length of the grip [m].
+        share: How far it comes out, as a share of its depth.
+        friction: Of its runners [N].
+    """
+
+    space: Space
+    finish: Material
+    metal: Material
+    grip: Scalar
+    share: Scalar
+    friction: Scalar
+
+    @cached_property
+    def _tall(self) -> Span:
+        """The lower and upper edge of the front [m]."""
+        return (FOOT + LOW, self.space.under_door)
+
+    @cached_property
+    def _box(self) -> tuple[Scalar, Span, Span]:
+        """Half the width of the box, and where it is along y and z [m]."""
+        space = self.space
+        low = self._tall[0]
+        # the slab of the cavity's floor, 24 mm thick, is above it
+        top = space.floor - 0.024 - 0.012
+        return (
+            space.half - _BESIDE,
+            (space.front + _FACE - LAP, space.rear - 0.10),
+            (FOOT + LOW + 0.006, low + 0.62 * (top - low)),
+        )
+
+    def body(self) -> Body:
+        """Make the drawer: the link `drawer`."""
+        space, half = self.space, self.space.half - 0.0015
+        low, high = self._tall
+        middle = (low + high) / 2.0 + 0.010
+        lining = coloured("abs", "graphite").with_(name="grip_lining")
+        grip: Grip = recessed_grip(
+            self.grip,
+            finish=self.metal,
+            lining=lining,
+            width=_WIDE,
+            deep=_POCKET,
+            level=True,
+            name="drawer_grip",
+        ).at(0.0, space.front, middle)
+        face = board((-1.0 * half, half), (space.front, space.front + _FACE), (low, high), bevel=0.0022)
+        steel = coloured("powder_coat", "graphite").with_(name="drawer_sheet", density=1900.0)
+        bodies = [
+            part(face - grip.cut, "drawer", filled(self.finish, 360.0, "front")),
+            *(part(each, "drawer", steel) for each in self._boards()),
+        ]
+        return weld(bodies[0], grip.shell, *bodies[1:])
+
+    def _boards(self) -> list[Solid]:
+        x, (y0, y1), (z0, z1) = self._box
+        less = 0.0004
+        floor = board((less - x, x - less), (y0, y1 - less), (z0, z0 + _SHEET))
+        sides = [
+            board(
+                (x - _SHEET, x) if way > 0 else (-1.0 * x, _SHEET - x),
+                (y0, y1),
+                (z0 + less, z1),
+                bevel=0.0008,
+            )
+            for way in (-1, 1)
+        ]
+        ends = [
+            board((_SHEET - x - less, x - _SHEET + less), y, (z0 + less, z1 - less))
+            for y in ((y1 - _SHEET, y1 - less), (y0 + LAP, y0 + _SHEET))
+        ]
+        return [floor, *sides, *ends]
+
+    def runners(self) -> Body:
+        """Make the runners at both sides of the bay, to be welded to the cabinet."""
+        space = self.space
+        x, (_, end), (z0, z1) = self._box
+        z = (z0 + 0.45 * (z1 - z0), z0 + 0.45 * (z1 - z0) + 0.030)
+        steel = material("zinc")
+        solids = [
+            board(
+                (x + _PLAY, space.half - 0.0025) if way > 0 else (0.0025 - space.half, -1.0 * x - _PLAY),
+                (space.mouth + 0.004, end - 0.01),
+                z,
+            )
+            for way in (-1, 1)
+        ]
+        return weld(*(detail(each, "rail", steel) for each in solids))
+
+    def slide(self) -> Joint:
+        """Make the joint by which it is drawn out, to the front."""
+        _, (y0, y1), _ = self._box
+        return Prismatic(
+            "drawer_slide",
+            axis=-Y,
+            limits=(0.0, self.share * (y1 - y0)),
+            friction=self.friction,
+            damping=10.0,
+            effort=60.0,
+            velocity=1.5,
+        )

@@ -1,0 +1,323 @@
+"""The halves of pliers: jaw, lapped joint and handle of one forging, with the pivot at the origin.
+
+Jaws point to +y, and the pivot's axis is Z. A half has its jaw at the right (x > 0) and its handle at the
+left, and in the lap it has the lower half of the thickness. The other half is the same one turned over,
+rotated by pi about Y, so that its jaw is at the left and its lap on top. It opens by turning about +Z.
+
+Where the halves cross, each is a plate of half the thickness; whatever is of full thickness stays `clear` of
+the pivot, and within a sector that the other half does not sweep when it opens.
+"""
+
+import math
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Literal, NamedTuple
+
+from artgen import Float, Profile, Solid, Y, Z, circle, extrude, loft, min_, polygon, rectangle, union
+from artgen.nodes.handles import Scalar
+
+Style = Literal["combination", "needle_nose", "cutter", "slip_joint"]
+
+LAP_GAP = 0.00015
+"""Half of the gap between the plates [m]."""
+
+_OFF = 0.0006  # from a plate to the shoulders around it [m]
+_STEPS = 4  # chords of a shoulder's arc
+RECESSED = 0.00035  # from the middle to the face of a jaw under its teeth or edges [m]
+_CLOSED = 0.0001  # from the middle to an edge that cuts [m]
+
+
+class Head(NamedTuple):
+    """Proportions of a style, in shares of the whole length unless it says otherwise.
+
+    Attributes:
+        jaw: From the pivot to the tip.
+        lap: Radius of the plates.
+        thick: Thickness at the pivot.
+        outline: Of a jaw, from its root to its tip: share of its length, and half width in radii of the lap;
+            it grows thinner as it grows narrower.
+        grips: The part of the jaw that has teeth, in shares of its length.
+        pipe: The middle and half of the length of the round grip for pipes; half of 0 for none.
+        cuts: The part of the jaw that has cutting edges.
+    """
+
+    jaw: float
+    lap: float
+    thick: float
+    outline: tuple[tuple[float, float], ...]
+    grips: tuple[float, float]
+    pipe: tuple[float, float]
+    cuts: tuple[float, float]
+
+
+HEADS: dict[Style, Head] = {
+    # after 180 mm combination, 200 mm long-nose, 160 mm diagonal and 200 mm slip-joint pliers
+    "combination": Head(
+        0.262,
+        0.060,
+        0.058,
+        ((0.0, 1.07), (0.25, 1.07), (0.6, 0.92), (0.96, 0.66), (1.0, 0.58)),
+        (0.595, 0.985),
+        (0.47, 0.115),
+        (0.02, 0.365),
+    ),
+    "needle_nose": Head(
+        0.365,
+        0.050,
+        0.047,
+        ((0.0, 1.07), (0.12, 1.02), (0.35, 0.72), (0.97, 0.21), (1.0, 0.16)),
+        (0.33, 0.985),
+        (0.0, 0.0),
+        (0.02, 0.32),
+    ),
+    "cutter": Head(
+        0.190,
+        0.068,
+        0.062,
+        ((0.0, 1.07), (0.30, 1.07), (0.72, 0.78), (0.96, 0.44), (1.0, 0.34)),
+        (0.0, 0.0),
+        (0.0, 0.0),
+        (0.05, 0.97),
+    ),
+    "slip_joint": Head(
+        0.235,
+        0.050,
+        0.050,
+        ((0.0, 1.30), (0.25, 1.28), (0.6, 1.02), (0.95, 0.72), (1.0, 0.62)),
+        (0.62, 0.985),
+        (0.36, 0.20),
+        (0.0, 0.0),
+    ),
+}
+
+
+@dataclass(frozen=True)
+class Forging:
+    """The measures of both halves.
+
+    Attributes:
+        style: What they are for.
+        length: Over all [m].
+        slip: How far the pivot of slip-joint pliers moves; 0 for others [m].
+        spread: Half of the distance between the handles at their widest, closed [m].
+    """
+
+    style: Style
+    length: Float
+    slip: Scalar
+    spread: Float
+
+    @property
+    def head(self) -> Head:
+        """Its proportions."""
+        return HEADS[self.style]
+
+    @property
+    def jaw(self) -> Float:
+        """From the pivot to the tip [m]."""
+        return self.head.jaw * self.length
+
+    @property
+    def lap(self) -> Float:
+        """Radius of the plates [m]."""
+        return self.head.lap * self.length
+
+    @property
+    def thick(self) -> Float:
+        """Thickness at the pivot [m]."""
+        return self.head.thick * self.length
+
+    @property
+    def rear(self) -> Float:
+        """From the pivot to the end of the handles [m]."""
+        return self.length - self.jaw
+
+    @property
+    def keen(self) -> bool:
+        """Whether the whole jaw cuts."""
+        return self.style == "cutter"
+
+    @property
+    def clear(self) -> Float:
+        """Radius within which the jaw's shoulder leaves room for the other plate [m]."""
+        return self.lap + _OFF + 0.45 * self.slip
+
+    @property
+    def _tail(self) -> tuple[float, float]:
+        """Angles between which the shoulder of the handle lies; the other half keeps clear of them [rad]."""
+        degrees = (210.0, 252.0) if self.style == "slip_joint" else (204.0, 262.0)
+        return math.radians(degrees[0]), math.radians(degrees[1])
+
+    @property
+    def clear_below(self) -> Float:
+        """Radius within which the handle's shoulder leaves room for the other plate, where it slides [m]."""
+        return self.lap + _OFF + 1.0 * self.slip
+
+    @property
+    def _root(self) -> float:
+        """Angle at which the shoulder of the jaw begins, past what the other half sweeps [rad]."""
+        return math.radians(20.0 if self.style != "slip_joint" else 30.0)
+
+    def level(self, share: float) -> Float:
+        """Return where a share of the jaw is, from its root on, y [m]."""
+        start = self.clear
+        return start + share * (self.jaw - start)
+
+    def half_width(self, share: float) -> Float:
+        """Return the half width of the head at a share of the jaw [m]."""
+        return self._width(share) * self.lap
+
+    def height(self, share: float) -> Float:
+        """Return the thickness of a jaw at a share of its length [m]."""
+        return self._thinned(self._width(share))
+
+    def _thinned(self, width: float) -> Float:
+        """Return the thickness of a jaw where its half width is so many radii of the lap [m]."""
+        return width / self.head.outline[0][1] * self.thick
+
+    def _width(self, share: float) -> float:
+        rows = self.head.outline
+        for low, high in pairwise(rows):
+            if share <= high[0]:
+                along = (share - low[0]) / (high[0] - low[0])
+                return low[1] + along * (high[1] - low[1])
+        return rows[-1][1]
+
+    def jaw_solid(self) -> Solid:
+        """Make the jaw in front of the lap, without what stands out of its face."""
+        sections = [
+            _jaw_section(width * self.lap, self._thinned(width), keen=self.keen)
+            for _, width in self.head.outline
+        ]
+        solid = loft(sections, [self.level(high[0]) for high in self.head.outline], axis=Y)
+        middle, half = self.head.pipe
+        if half == 0.0:
+            return solid
+        # six sides: the lining has the teeth
+        long, deep = half * self.jaw, self.pipe_depth
+        corners = [
+            (deep * math.cos(angle), self.level(middle) + long * math.sin(angle))
+            for angle in (math.radians(15.0 * step) for step in (-6, -3.6, -1.2, 1.2, 3.6, 6))
+        ]
+        tool = polygon([(-0.01, self.level(middle) - long), *corners, (-0.01, self.level(middle) + long)])
+        return solid - extrude(tool, 0.05, axis=Z)
+
+    @property
+    def pipe_depth(self) -> Float:
+        """How deep the round grip goes into a jaw [m]."""
+        return 0.34 * self.half_width(self.head.pipe[0])
+
+    def shoulders(self) -> list[Solid]:
+        """Make what joins jaw and handle to the lap at full thickness, outside of the other half's plate."""
+        first, last = self._root, math.radians(90.0)
+        outer = self.half_width(0.0)
+        jaw = _arc(self.clear, first, last)
+        # the face of the jaw goes on down to the lap
+        jaw[-1] = (RECESSED, self.clear)
+        low = jaw[0][1]
+        eased = 0.20 * self.lap
+        top = self.level(0.02)
+        jaw_root = polygon([*reversed(jaw), (outer, low + eased), (outer, top), (RECESSED, top)])
+        start, end = self._tail
+        handle = _arc(self.clear_below, start, end)
+        bottom = -self.clear_below - 0.35 * self.lap
+        left, right = self.neck
+        beside = min_(-0.99 * outer, handle[0][0] - 0.0006)
+        shoulder = (beside, handle[0][1] - eased)
+        handle_root = polygon([*handle, (right, bottom), (left, bottom), shoulder])
+        return [extrude(each, self.thick, axis=Z) for each in (jaw_root, handle_root)]
+
+    @property
+    def neck(self) -> tuple[Scalar, Scalar]:
+        """Where the handle begins below the lap, x from left to right [m]."""
+        return -0.92 * self.lap - 0.55 * self.slip, -0.10 * self.lap - 0.55 * self.slip
+
+    def plate(self, hole: Profile | None) -> Solid:
+        """Make the lower plate with a hole for the pivot, and its webs to the shoulders.
+
+        Args:
+            hole: What is cut out of it, inside 0.45 radii of the lap; or the slot of slip-joint pliers.
+        """
+        high = self.thick / 2.0 - LAP_GAP
+        start, end = self._tail
+        webs = [
+            self._web(self.clear + 0.0012, self._root, math.radians(90.0), RECESSED),
+            self._web(self.clear_below + 0.0012, start + 0.03, end - 0.03, None),
+        ]
+        disc = circle(self.lap)
+        if self.style == "slip_joint":
+            outline = disc | circle(0.78 * self.lap).at(-self.slip) | webs[0] | webs[1]
+            flat = extrude(outline if hole is None else outline - hole, high, axis=Z)
+        else:
+            plate = extrude(disc, high, axis=Z)
+            plate = plate if hole is None else plate - extrude(hole, 2.0 * high, axis=Z)
+            flat = union(plate, *(extrude(web, high, axis=Z) for web in webs))
+        return flat.at(0.0, 0.0, -LAP_GAP - high / 2.0)
+
+    def _web(self, radius: Scalar, start: float, end: float, face: Scalar | None) -> Profile:
+        """Make a web from the disc to a shoulder between two angles; one of a jaw ends at its face."""
+        points = _arc(radius, start, end)
+        if face is not None:
+            points[-1] = (face, radius)
+        inner = 0.66 * self.lap
+        corners = [(inner * math.cos(angle), inner * math.sin(angle)) for angle in (end, start)]
+        return polygon([*points, *corners])
+
+    def course(self) -> list[tuple[Scalar, Scalar]]:
+        """Return the middle line of the handle: y and x of its stations, from the lap down [m]."""
+        top = -self.clear_below - 0.30 * self.lap
+        left, right = self.neck
+        start = (left + right) / 2.0
+        long = self.rear + top  # what is left below it
+        shares = (0.0, 0.10, 0.22, 0.36, 0.50, 0.64, 0.78, 0.90, 1.0)
+        # how far it has gone from the neck to its widest: out in an S, and a little back at its end
+        outs = (0.0, 0.16, 0.46, 0.74, 0.91, 1.0, 1.0, 0.94, 0.86)
+        ends = self.spread
+        return [
+            (top - share * long, start - out * (ends + start))
+            for share, out in zip(shares, outs, strict=True)
+        ]
+
+    def handle_solid(self, width: Scalar, thick: Scalar) -> Solid:
+        """Make the handle: a bar of rounded section.
+
+        Args:
+            width: Of the bar, in the plane of the tool [m].
+            thick: Across [m].
+        """
+        stations = self.course()
+        left, right = self.neck
+        sections, heights = [], []
+        for index, (y, x) in enumerate(reversed(stations)):
+            near = index / (len(stations) - 1)
+            wide = (right - left) if near == 1.0 else width
+            tall = self.thick if near == 1.0 else thick
+            radius = 0.0015 if near == 1.0 else 0.0028
+            sections.append(rectangle(wide, tall, radius=radius).at(x))
+            heights.append(y)
+        return loft(sections, heights, axis=Y)
+
+
+def _arc(radius: Scalar, start: float, end: float) -> list[tuple[Scalar, Scalar]]:
+    """Return points whose chords stay outside of a radius, counter-clockwise [m]."""
+    step = (end - start) / _STEPS
+    out = radius / math.cos(step / 2.0)
+    return [
+        (out * math.cos(start + step * index), out * math.sin(start + step * index))
+        for index in range(_STEPS + 1)
+    ]
+
+
+_BACK = [
+    (0.45 + 0.55 * math.cos(angle), math.sin(angle))
+    for angle in (math.radians(22.5 * step) for step in range(-4, 5))
+]
+"""The round back of a jaw, for a width of 1 and a height of 2."""
+
+
+def _jaw_section(width: Scalar, high: Scalar, *, keen: bool) -> Profile:
+    """Make the section of a jaw: flat or keen at its face, round on its back."""
+    if keen:
+        edge = [(0.12, 1.0), (0.0, 0.04), (0.0, -0.04), (0.12, -1.0)]
+        return polygon([*_BACK, *edge]).scale(width, high / 2.0).at(_CLOSED)
+    return polygon([*_BACK, (0.0, 1.0), (0.0, -1.0)]).scale(width, high / 2.0).at(RECESSED)

@@ -1,0 +1,165 @@
+"""Turned and thrown things: what a lathe or a potter's wheel makes, closed or hollow.
+
+What is seen is a smooth skin. What weighs and collides is a core of few facets that lies within it, nowhere
+deeper than a millimetre: a smooth solid would collide as hundreds of corners that nobody can tell apart.
+"""
+
+from collections.abc import Sequence
+
+from artgen import (
+    Body,
+    Frame,
+    Material,
+    Path,
+    Scalar,
+    Solid,
+    Z,
+    coarse,
+    cylinder_between,
+    detail,
+    enclosed,
+    half_section,
+    line,
+    part,
+    revolve,
+    spline,
+    split,
+    weld,
+)
+
+Point = tuple[Scalar, Scalar]
+"""Radius and height of a point of an outline [m]."""
+
+Run = Sequence[Point]
+"""Points of an outline from the lower end up, smooth between; two make a straight run."""
+
+Drawn = tuple[float, float, float]
+"""A point of a form: radius over the thing's radius; share of the thing's height, and what is added to that,
+over the radius, so that beads keep their shape on tall things and short ones."""
+
+SIDES = 20
+"""Facets of a core: off a circle of 30 mm by 0.4 mm, and three rings of them are one collider."""
+
+_SMOOTH = 48  # of a skin: off a circle of 30 mm by less than 0.07 mm
+_GLASS_SIDES = 42  # of a blown vessel: with 0.7 mm to spare, 2 of them are one collider
+_GLASS_OFF = 0.0007  # [m]
+
+_WITHIN = 0.0005  # how deep the straight runs of a core lie below the outline [m]
+
+
+def path_of(run: Run) -> Path:
+    """Return the line of a run: straight through two points, a spline through more."""
+    points = [(radius, 0.0, height) for radius, height in run]
+    return line(*points) if len(points) == 2 else spline(points)
+
+
+def drawn(form: Sequence[Sequence[Drawn]], radius: Scalar, low: Scalar, height: Scalar) -> list[Run]:
+    """Return the outline of a thing from its drawing.
+
+    Args:
+        form: Its runs.
+        radius: Radius of the thing [m].
+        low: Height of its lower end [m].
+        height: Its height [m].
+    """
+    return [[(r * radius, low + share * height + rest * radius) for r, share, rest in run] for run in form]
+
+
+def core(runs: Sequence[Run], *, sides: int = SIDES, within: Scalar = _WITHIN) -> Solid:
+    """Make the solid of few facets that lies within a turned thing.
+
+    Args:
+        runs: Its outline; runs meet in sharp knees, with steps where they are apart.
+        sides: Facets of the full circle.
+        within: How deep its straight runs lie below the outline at most [m].
+    """
+    return revolve(half_section([path_of(run) for run in runs], within=within), sides=sides)
+
+
+def skin(runs: Sequence[Run], *, bore: Scalar = 0.0) -> Solid:
+    """Make the smooth solid of a turned thing, to be a `detail` around its core.
+
+    Args:
+        runs: Its outline.
+        bore: Radius of a hole along its axis [m].
+    """
+    return revolve(half_section([path_of(run) for run in runs], bore=bore), sides=_SMOOTH)
+
+
+def turned(
+    runs: Sequence[Run],
+    label: str,
+    finish: Material,
+    *,
+    hole: Solid | None = None,
+    bore: Scalar = 0.0,
+    sides: int = SIDES,
+    name: str | None = None,
+    grasp: Frame | Sequence[Frame] = (),
+) -> Body:
+    """Make a closed turned thing about z.
+
+    Args:
+        runs: Its outline; runs meet in sharp knees, with steps where they are apart.
+        label: Semantic label.
+        finish: Its material.
+        hole: What is cut out of its core: a square hole costs four colliders for each bend of the outline.
+        bore: Radius of the hole along the axis that is seen [m].
+        sides: Facets of the core.
+        name: Name of the link; by default the label.
+        grasp: Where a hand takes hold.
+    """
+    body = core(runs, sides=sides)
+    if hole is not None:
+        body = coarse(body, 0.0005) - hole
+    return weld(
+        part(body, label, finish, name=name, grasp=grasp), detail(skin(runs, bore=bore), label, finish)
+    )
+
+
+def blown(
+    path: Path,
+    label: str,
+    finish: Material,
+    *,
+    foot: Scalar,
+    wall: Scalar,
+    level: Scalar,
+    name: str | None = None,
+) -> Body:
+    """Make a vessel that one can look into, open above: its glass is seen from both sides, so it has no core.
+
+    Where it is full, it collides as if it were solid; above, as 21 sectors for each bend of its outline, so
+    that straight slopes are worth having.
+
+    Args:
+        path: Its outline from the edge of its floor, on z = 0, up: without sharp knees, convex to the level.
+        label: Semantic label.
+        finish: Its glass or plastic.
+        foot: Radius of its floor [m].
+        wall: Thickness of its wall [m].
+        level: Up to which height it is `filled` [m].
+        name: Name of the link; by default the label.
+    """
+    vessel = revolve(half_section(path, wall=wall), sides=_GLASS_SIDES)
+    upper = split(vessel, point=(0.0, 0.0, level), normal=Z)
+    # a hair more, so that both have corners of their own
+    lower = split(vessel, point=(0.0, 0.0, level + 0.0001), normal=-Z)
+    pane = cylinder_between((0.0, 0.0, 0.0), (0.0, 0.0, 1.4 * wall), foot - 0.5 * wall)
+    return weld(
+        part(coarse(upper, _GLASS_OFF), label, finish, name=name),
+        part(enclosed(lower | pane), label, finish),
+    )
+
+
+def filled(path: Path, *, wall: Scalar, level: Scalar) -> Solid:
+    """Make what fills a blown vessel up to a height, a hair off its wall.
+
+    Args:
+        path: The outline of the vessel.
+        wall: Thickness of its wall [m].
+        level: Where the filling ends [m].
+    """
+    inside = revolve(half_section(path, inset=wall + 0.0002))
+    kept = split(inside, point=(0.0, 0.0, level), normal=-Z)
+    return split(kept, point=(0.0, 0.0, 1.4 * wall + 0.0002), normal=Z)

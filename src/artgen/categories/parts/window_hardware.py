@@ -1,0 +1,237 @@
+"""Hardware of hinged sashes: barrel hinges, and levers that drive cams in the edge of a sash.
+
+Hinged sashes are drawn about the middle of their opening with their hinges at the left; they open to -y. The
+front plane of the frame is y = 0.
+"""
+
+from typing import Literal, NamedTuple
+
+from artgen import (
+    Body,
+    Float,
+    Joint,
+    Material,
+    Prismatic,
+    Revolute,
+    X,
+    Y,
+    Z,
+    array,
+    box,
+    box_between,
+    cylinder,
+    cylinder_between,
+    detail,
+    details,
+    enclosed,
+    grasp_on,
+    hull,
+    part,
+    polyline,
+    rectangle,
+    sweep,
+    union,
+    weld,
+)
+from artgen.categories.parts.window_plan import LIP, REBATE, SEALED, Section
+from artgen.nodes.handles import Scalar
+
+BARREL = 0.0065
+"""Radius of hinges [m]."""
+
+_BESIDE = 0.0020  # from a barrel to the lip beside it [m]
+_APART = 0.0005  # between the halves of a hinge [m]
+
+_TRAVEL = 0.016  # of the cams for a quarter turn of the lever [m]
+QUARTER = 1.57
+RELEASED = 1.30
+"""Angle of the lever at which the cams have left their keeps [rad]."""
+
+_CAM = (0.008, 0.010)  # of a cam: along y, along z [m]
+_KEEP = (0.009, 0.012)
+_PLAY = 0.0009  # a closed window rattles by this much [m]
+_EDGE_GAP = 0.0003
+
+LeverStyle = Literal["straight", "tapered", "bent"]
+
+
+class Pin(NamedTuple):
+    """The axis of the hinges of a sash, parallel to Z.
+
+    Attributes:
+        x: [m].
+        y: [m].
+    """
+
+    x: Scalar
+    y: Scalar
+
+    @staticmethod
+    def beside(width: Scalar, section: Section) -> "Pin":
+        """Put the axis beside the lip of a sash in an opening of some width."""
+        return Pin(-width / 2.0 - LIP - _BESIDE - BARREL, -SEALED - section.lip / 2.0)
+
+
+def barrel_hinges(
+    pin: Pin, levels: list[Scalar], *, tall: float, to: Scalar, face: Scalar, finish: Material
+) -> tuple[Body, Body]:
+    """Make barrel hinges: the upper half turns with the sash, the lower one stands on the frame.
+
+    Args:
+        pin: Their axis.
+        levels: Heights of their middles [m].
+        tall: Height of one [m].
+        to: Where the sash begins beside the axis, x [m].
+        face: Where the frame begins behind the axis, y [m].
+        finish: Their metal.
+
+    Returns:
+        What is welded to the frame, and what is welded to the sash.
+    """
+    half = tall / 2.0 - _APART
+    barrel = enclosed(cylinder(BARREL, half, axis=Z, bevel=0.001))
+    up, down = (_APART + half) / 2.0 + _APART / 2.0, -(_APART + half) / 2.0 - _APART / 2.0
+    arm = box_between((0.0, -0.0025, -0.4 * half), (to - pin.x + 0.001, 0.0025, 0.4 * half)).at(0.0, 0.0, up)
+    post = box_between((-0.004, 0.0, -0.4 * half), (0.004, face - pin.y + 0.001, 0.4 * half)).at(
+        0.0, 0.0, down
+    )
+    tip = cylinder(0.55 * BARREL, 0.003, axis=Z, bevel=0.001)
+    places = [(pin.x, pin.y, level) for level in levels]
+    on_sash = [
+        part(array(barrel.at(0.0, 0.0, up), at=places), "hinge", finish),
+        part(array(arm, at=places), "hinge", finish),
+        detail(array(tip.at(0.0, 0.0, up + half / 2.0 + 0.001), at=places), "hinge", finish),
+    ]
+    on_frame = [
+        part(array(barrel.at(0.0, 0.0, down), at=places), "hinge", finish),
+        part(array(post, at=places), "hinge", finish),
+        detail(array(tip.at(0.0, 0.0, down - half / 2.0 - 0.001), at=places), "hinge", finish),
+    ]
+    return weld(*on_frame), weld(*on_sash)
+
+
+def lever_turn(name: str, *, pivot: tuple[Scalar, Scalar, Scalar], limit: Scalar, friction: Scalar) -> Joint:
+    """Make the joint of a lever that hangs down while it locks, held by the detents of its gear.
+
+    Args:
+        name: Of the joint.
+        pivot: A point on its axis [m].
+        limit: How far it turns: a quarter, or half a turn with a position for airing [rad].
+        friction: Of gear, cams and detents; EN 13115 allows 10 N m for handles of class 1 [N m].
+    """
+    return Revolute(
+        name,
+        axis=Y,
+        pivot=pivot,
+        limits=(0.0, limit),
+        friction=friction,
+        damping=0.05,
+        armature=0.0008,
+        effort=12.0,
+    )
+
+
+def window_lever(
+    at: tuple[Scalar, Scalar, Scalar], *, side: int, style: LeverStyle, length: Scalar, finish: Material
+) -> tuple[Body, Body]:
+    """Make a lever and its rose on a stile.
+
+    Args:
+        at: Where its axis meets the face of the stile [m].
+        side: -1 for a face that looks to -y.
+        style: A straight bar, one that grows wider, or one whose end returns to the sash.
+        length: From the axis to the end [m].
+        finish: Their metal.
+
+    Returns:
+        The rose, to be welded to the sash, and the lever: the link `handle`.
+    """
+    x, face, z = at
+    rose = box(0.028, 0.0115, 0.066, bevel=0.0045).at(x, face + side * 0.0055, z)
+    caps = [
+        details.screw(
+            0.0032, (x, face + side * 0.0112, z + up), facing=(0.0, side, 0.0), material=finish, label="screw"
+        )
+        for up in (-0.022, 0.022)
+    ]
+    start, out = face + side * 0.0117, face + side * 0.040
+    neck = cylinder_between((x, start, z), (x, out + side * 0.006, z), 0.0088, bevel=0.0015)
+    low = z - length
+    match style:
+        case "straight":
+            grip = box(0.018, 0.012, length - 0.004, bevel=0.0045).at(x, out, (z + low) / 2.0 + 0.002)
+        case "tapered":
+            top = box(0.014, 0.010, 0.012, bevel=0.004).at(x, out, z - 0.002)
+            end = box(0.023, 0.011, 0.014, bevel=0.005).at(x, out, low + 0.007)
+            grip = hull(top, end)
+        case "bent":
+            course = polyline(
+                [(x, out, z - 0.001), (x, out, low + 0.006), (x, out - side * 0.016, low + 0.006)],
+                fillet=0.009,
+            )
+            grip = sweep(rectangle(0.017, 0.011, radius=0.004), course)
+    hold = grasp_on(grip, approach=(0.0, -side, 0.0), closing=X, at=(x, out, z - 0.62 * length))
+    lever = part(union(neck, grip), "handle", finish, grasp=hold)
+    return weld(part(rose, "handle", finish), *caps), lever
+
+
+class CamLock(NamedTuple):
+    """Cams in the edge of a sash, which a lever slides behind keeps on the frame.
+
+    Attributes:
+        rod: What slides: the link `bolt`.
+        keeps: To be welded to the frame.
+        slide: The joint of the rod.
+        passed: Angle of the pane at which the cams are out of the keeps' way [rad].
+    """
+
+    rod: Body
+    keeps: Body
+    slide: Joint
+    passed: Float | Scalar
+
+
+def cam_lock(
+    turn: Joint, pin: Pin, width: Scalar, level: Scalar, reach: Scalar, *, name: str, finish: Material
+) -> CamLock:
+    """Make cams at the lock edge of a sash, in the groove between it and the frame.
+
+    Args:
+        turn: The joint of the lever.
+        pin: Axis of the sash.
+        width: Of the opening [m].
+        level: Height of the lever [m].
+        reach: From the lever to the cams above and below [m].
+        name: Of the joint.
+        finish: Their metal.
+    """
+    edge = width / 2.0 - REBATE
+    middle = 0.029  # of the cams, in depth [m]
+    deep, tall = _CAM
+    out = REBATE - 0.0034
+    cam = box_between(
+        (edge + _EDGE_GAP, middle - deep / 2.0, -tall / 2.0),
+        (edge + out, middle + deep / 2.0, tall / 2.0),
+        bevel=0.0012,
+    )
+    rail = box_between(
+        (edge + _EDGE_GAP, middle - 0.006, level - reach - 0.012),
+        (edge + _EDGE_GAP + 0.0022, middle + 0.006, level + reach + 0.012),
+    )
+    heights = [level - reach, level + reach]
+    rod = part(union(rail, *(cam.at(0.0, 0.0, z) for z in heights)), "lock", finish, name="bolt")
+    front = middle - deep / 2.0 - _PLAY
+    keep = box_between(
+        (width / 2.0 - 0.0066, front - _KEEP[0], -_KEEP[1] / 2.0),
+        (width / 2.0 + 0.001, front, _KEEP[1] / 2.0),
+        bevel=0.0015,
+    )
+    plate = box(0.0012, 0.024, 0.046, bevel=0.0004).at(width / 2.0 - 0.0005, middle - 0.004, 0.0)
+    places = [(0.0, 0.0, z) for z in heights]
+    keeps = weld(
+        part(array(keep, at=places), "keep", finish), detail(array(plate, at=places), "keep", finish)
+    )
+    slide = Prismatic(name, axis=Z, follows=(_TRAVEL / QUARTER) * turn, damping=2.0, friction=0.3)
+    # until the back of the cam has passed the front of the keep
+    passed = 1.05 * (deep + _PLAY + _KEEP[0] + 0.003) / (edge - pin.x)
+    return CamLock(rod, keeps, slide, passed)

@@ -1,0 +1,158 @@
+"""The category `box`: what each construction has, in which order it closes, and how its creases resist."""
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from manifold3d import Manifold, OpType
+
+from artgen import Asset, Cache
+from artgen.categories.box import box
+from artgen.categories.parts.box_board import LAYER, THICK
+from artgen.check.hand_force import hand_forces
+
+MAJOR = {"flap_front_hinge", "flap_back_hinge"}
+MINOR = {"flap_left_hinge", "flap_right_hinge"}
+STYLES = {
+    "slotted": MAJOR | MINOR,
+    "half_slotted": MAJOR | MINOR | {"sleeve_lift"},
+    "mailer": {"lid_hinge", "tuck_front_hinge"},
+    "pizza": {"lid_hinge", "tuck_front_hinge", "tuck_left_hinge", "tuck_right_hinge"},
+    "wine": set[str](),
+    "tray": {"lid_lift"},
+    "gift": set[str](),
+}
+
+
+def made(seed: int, **chosen: object) -> Asset:
+    return box.generate(seed, certify=False, cache=Cache(), **chosen)
+
+
+def solid(asset: Asset, link: str, **q: float) -> Manifold:
+    """Return the solids of a link where it stands at a pose."""
+    pieces = [piece.shape.manifold for piece in asset.link(link).pieces if not piece.visual]
+    return Manifold.batch_boolean(pieces, OpType.Add).transform(asset.pose(q)[link][:3, :4])
+
+
+def touch(asset: Asset, a: str, b: str, **q: float) -> bool:
+    return not (solid(asset, a, **q) ^ solid(asset, b, **q)).is_empty()
+
+
+@pytest.mark.parametrize("style", STYLES)
+def test_every_construction_has_its_joints_and_is_certified(style: str) -> None:
+    asset = box.generate(11, style=style, on_collision="fail", cache=Cache())
+    names = {joint.name for joint in asset.joints}
+    assert names >= STYLES[style]
+    assert names
+
+
+@settings(max_examples=12, deadline=None)
+@given(seed=st.integers(0, 10**6), style=st.sampled_from(sorted(STYLES)))
+def test_any_seed_of_any_construction_can_be_built(seed: int, style: str) -> None:
+    asset = made(seed, style=style)
+    assert {joint.name for joint in asset.joints} >= STYLES[style]
+    assert sum(len(link.colliders) for link in asset.links) < 200
+    assert all(force < 60.0 for force in hand_forces(asset).values())
+
+
+@pytest.mark.parametrize("flute", ["b", "c", "eb", "bc"])
+def test_closed_flaps_lie_on_each_other_a_board_and_a_hair_apart(flute: str) -> None:
+    asset = made(3, style="slotted", flute=flute)
+    thick = THICK[flute]  # type: ignore[index]
+    heights = {}
+    for side in ("front", "back", "left", "right"):
+        sheet = next(piece for piece in asset.link(f"flap_{side}").pieces if piece.label.startswith("flap"))
+        low, high = sheet.shape.bounds()[:, 2]
+        assert high - low == pytest.approx(thick, abs=1e-6), "it lies flat"
+        heights[side] = low
+    assert heights["front"] == pytest.approx(heights["back"])
+    assert heights["front"] - heights["left"] == pytest.approx(thick + LAYER, abs=1e-6)
+    assert heights["left"] == pytest.approx(heights["right"])
+
+
+def test_minor_flaps_fold_in_before_major_ones_and_hang_down_when_they_are_free() -> None:
+    asset = made(3, style="slotted", swing=4.4)
+    assert asset.blocked({"flap_left_hinge": 0.8}) == ("flap_left_hinge",)
+    assert touch(asset, "flap_left", "flap_front", flap_left_hinge=0.8)
+    wide = {"flap_front_hinge": 2.0, "flap_back_hinge": 2.0}
+    assert asset.blocked({**wide, "flap_left_hinge": 0.8}) == ()
+    assert asset.blocked({"flap_front_hinge": 2.0, "flap_left_hinge": 0.8}) == ("flap_left_hinge",)
+    hanging = asset.joint("flap_left_hinge").limits[1]
+    assert hanging > 3.4
+    assert asset.blocked({"flap_left_hinge": hanging}) == ()
+    assert not touch(asset, "flap_left", "flap_front", flap_left_hinge=hanging)
+
+
+@pytest.mark.parametrize("style", ["mailer", "pizza"])
+def test_a_tuck_moves_once_its_lid_is_up_and_a_lid_takes_a_closed_tuck_along(style: str) -> None:
+    asset = made(2, style=style)
+    assert "tuck_front_hinge" in asset.blocked({"tuck_front_hinge": 0.6})
+    assert touch(asset, "tuck_front", "box", tuck_front_hinge=0.6)
+    for angle in np.linspace(0.0, 0.4, 9).tolist():
+        assert not touch(asset, "tuck_front", "box", lid_hinge=angle)
+    assert asset.blocked({"lid_hinge": 1.2, "tuck_front_hinge": 1.4}) == ()
+
+
+def test_a_deep_mailer_has_dust_flaps_under_its_lid_beside_ears_of_the_tuck() -> None:
+    asset = box.generate(
+        1,
+        style="mailer",
+        size="large",
+        sides="over",
+        dusted=True,
+        ears=True,
+        on_collision="fail",
+        cache=Cache(),
+    )
+    assert {joint.name for joint in asset.joints} >= MINOR | {"ear_left_hinge", "ear_right_hinge"}
+    assert asset.blocked({"flap_left_hinge": 0.5, "lid_hinge": 1.0}) == ("flap_left_hinge",)
+    assert asset.blocked({"flap_left_hinge": 0.5, "lid_hinge": 1.8}) == ()
+
+
+@pytest.mark.parametrize("bottles", [2, 3, 6, 12])
+def test_a_bottle_is_lifted_out_where_the_flaps_over_it_are_open(bottles: int) -> None:
+    asset = box.generate(4, style="wine", bottles=bottles, wine="red", on_collision="fail", cache=Cache())
+    lifts = [joint for joint in asset.joints if joint.name.startswith("bottle_lift")]
+    assert len(lifts) == bottles
+    assert all(1.1 < asset.link(joint.child).mass_properties.mass < 1.4 for joint in lifts)
+    assert asset.blocked({"bottle_lift_0": 0.2}) == ("bottle_lift_0",)
+    assert lifts[0].needs is not None
+    over = dict.fromkeys(lifts[0].needs.condition.joints(), 2.1)
+    assert over.keys() == ({"lid_hinge"} if bottles < 6 else {"flap_front_hinge", "flap_left_hinge"})
+    opened = {**over, "flap_back_hinge": 2.1} if bottles >= 6 else over
+    assert asset.blocked({**opened, "bottle_lift_0": 0.2}) == ()
+
+
+def test_a_fresh_crease_springs_back_by_30_to_60_degrees_and_a_worked_one_holds() -> None:
+    fresh, worked = (made(6, style="slotted", crease=crease) for crease in ("fresh", "worked"))
+    for name in MAJOR:
+        joint = fresh.joint(name)
+        assert joint.stiffness > 0.0
+        assert math.radians(29.0) < joint.rest < math.radians(61.0)
+        assert worked.joint(name).stiffness == 0.0
+    for name in MINOR:
+        assert fresh.joint(name).stiffness == 0.0, "the minor flaps lie under the major ones"
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_a_box_weighs_what_its_board_does(seed: int) -> None:
+    asset = made(seed, style="slotted", taped=False)
+    width, aspect, height = (asset.parameters[name] for name in ("width", "aspect", "height"))
+    depth = aspect * width
+    around = 2.0 * (width + depth) * height
+    flaps = 2.0 * (width + depth) * depth  # at the top and at the bottom, each as long as half the depth
+    assert asset.mass == pytest.approx(180.0 * THICK[asset.parameters["flute"]] * (around + flaps), rel=0.08)
+
+
+@pytest.mark.parametrize("style", ["tray", "gift", "half_slotted"])
+def test_what_lifts_off_comes_free_and_slides_down_by_itself(style: str) -> None:
+    asset = made(5, style=style, closure="lift") if style == "gift" else made(5, style=style)
+    name = "sleeve_lift" if style == "half_slotted" else "lid_lift"
+    joint = asset.joint(name)
+    weight = 9.81 * sum(link.mass_properties.mass for link in asset.links[1:])
+    assert joint.friction < 0.9 * weight
+    low = solid(asset, joint.child, **{name: joint.limits[1]}).bounding_box()[2]
+    high = solid(asset, asset.links[0].name).bounding_box()[5]
+    assert low > high

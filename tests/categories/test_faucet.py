@@ -1,0 +1,116 @@
+"""The category `faucet`: what turns, lifts and slides in each style, and what brings it back."""
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from artgen import Asset, Cache
+from artgen.categories.faucet import faucet
+
+_MIXER = {"spout_swivel", "handle_turn", "handle_lift"}
+_TWO = {"spout_swivel", "handle_left_turn", "handle_right_turn"}
+STYLES = {
+    "widespread": _TWO,
+    "bridge": _TWO,
+    "wall": _TWO,
+    "single_hole": _MIXER,
+    "vessel": _MIXER,
+    "gooseneck": _MIXER,
+    "pull_down": _MIXER | {"spray_head_slide"},
+}
+
+
+def made(seed: int, **overrides: object) -> Asset:
+    return faucet.generate(seed, cache=Cache(), certify=False, **overrides)
+
+
+def grasped(asset: Asset, link: str, **q: float) -> np.ndarray:
+    """Return where the first grasp of a link is at a pose, shape (3,) [m]."""
+    pose = asset.pose(q)[link]
+    return pose[:3, :3] @ asset.link(link).grasps[0].frame[:3, 3] + pose[:3, 3]
+
+
+@pytest.mark.parametrize("style", STYLES)
+def test_every_style_has_its_joints_and_is_certified(style: str) -> None:
+    asset = faucet.generate(5, cache=Cache(), on_collision="fail", style=style, **_rodless(style))
+    assert {joint.name for joint in asset.joints} == STYLES[style]
+    assert asset.certificate is not None
+    assert asset.certificate.proven
+
+
+def _rodless(style: str) -> dict[str, object]:
+    return {"rod": False} if style in ("widespread", "single_hole") else {}
+
+
+@pytest.mark.parametrize(
+    ("style", "axis"), [("single_hole", (0, 0, 1)), ("vessel", (0, 0, 1)), ("gooseneck", (1, 0, 0))]
+)
+def test_a_single_lever_has_two_joints_on_one_pair_of_links(style: str, axis: tuple[int, int, int]) -> None:
+    asset = made(3, style=style, side="right")
+    turn, lift = asset.joint("handle_turn"), asset.joint("handle_lift")
+    assert (turn.parent, turn.child) == (lift.parent, lift.child) == ("deck", "handle")
+    assert turn.limits == pytest.approx((-0.9, 0.9))
+    assert lift.limits == pytest.approx((0.0, asset.parameters["lift"]))
+    np.testing.assert_allclose(turn.axis, axis, atol=1e-9)
+    assert turn.axis @ lift.axis == pytest.approx(0.0, abs=1e-9)
+    # lifted, the lever goes away from its seat, along the axis of the turn
+    moved = grasped(asset, "handle", handle_lift=lift.limits[1]) - grasped(asset, "handle")
+    assert moved @ turn.axis > 0.02
+
+
+def test_levers_of_hot_and_cold_come_to_the_front_as_they_open() -> None:
+    asset = made(1, style="widespread", handle="lever")
+    for name, side in (("handle_left", -1), ("handle_right", 1)):
+        shut, opened = grasped(asset, name), grasped(asset, name, **{f"{name}_turn": 1.57})
+        pivot = asset.joint(f"{name}_turn").pivot
+        assert side * (shut - pivot)[0] > 0.03
+        assert (opened - pivot)[1] < -0.03
+        assert abs((opened - pivot)[0]) < 0.002
+
+
+@pytest.mark.parametrize("style", STYLES)
+def test_a_spout_turns_about_its_foot_at_its_reach(style: str) -> None:
+    asset = made(2, style=style)
+    swivel = asset.joint("spout_swivel")
+    assert 1.57 <= swivel.limits[1] <= math.pi
+    assert swivel.limits[0] == pytest.approx(-swivel.limits[1])
+    np.testing.assert_allclose(swivel.axis, (0.0, 0.0, 1.0), atol=1e-9)
+    low = asset.link("spout").bounds()[0]
+    assert swivel.pivot[1] - low[1] == pytest.approx(asset.parameters["reach"], abs=0.02)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_a_spray_head_is_drawn_back_and_its_hose_stays_in_the_spout(seed: int) -> None:
+    asset = made(seed, style="pull_down")
+    slide, head = asset.joint("spray_head_slide"), asset.link("spray_head")
+    weight = 9.81 * head.mass_properties.mass
+    assert -slide.stiffness * slide.rest > weight + slide.friction  # even where the spring is weakest
+    travel = slide.limits[1]
+    hose = max(piece.shape.bounds()[1, 2] for piece in head.pieces if piece.label == "hose")
+    grip = max(piece.shape.bounds()[1, 2] for piece in head.pieces if piece.label == "spray_head")
+    assert hose - travel > grip + 0.005
+    assert grip - travel - 0.09 > 0.0  # it hangs over the floor
+
+
+@pytest.mark.parametrize("style", ["widespread", "single_hole"])
+def test_the_rod_of_a_drain_stays_where_it_is_put(style: str) -> None:
+    asset = faucet.generate(6, cache=Cache(), on_collision="fail", style=style, rod=True)
+    rod = asset.joint("lift_rod_slide")
+    assert rod.friction > 9.81 * asset.link("lift_rod").mass_properties.mass
+    top = asset.parameters["deck_thickness"] + 0.004
+    low = asset.link("lift_rod").bounds()[0, 2]
+    assert low > 0.004
+    assert low + rod.limits[1] < top + 0.012  # lifted, it is still in its collar
+
+
+@settings(max_examples=10, deadline=None)
+@given(seed=st.integers(0, 10_000), style=st.sampled_from(sorted(STYLES)))
+def test_any_seed_of_any_style_can_be_built_within_the_budget(seed: int, style: str) -> None:
+    asset = made(seed, style=style)
+    counts = [len(link.colliders) for link in asset.links]
+    assert max(counts) <= 64
+    assert sum(counts) < 200
+    assert {joint.name for joint in asset.joints} - {"lift_rod_slide"} == STYLES[style]

@@ -1,0 +1,113 @@
+"""What is special to windows: locks that hold, sashes that stay, panels that pass each other, counts."""
+
+import numpy as np
+import pytest
+
+from artgen import generate
+from artgen.asset import Asset
+
+
+def window(seed: int = 4, **overrides: object) -> Asset:
+    return generate("window", seed, certify=False, **overrides)
+
+
+@pytest.mark.parametrize("opens", ["inwards", "outwards"])
+def test_a_lever_slides_cams_out_of_their_keeps(opens: str) -> None:
+    asset = window(style="casement", layout="single", opens=opens, lever_turn="quarter", shutters="none")
+    ajar = {"pane_hinge": 0.01}
+    assert asset.blocked(ajar)
+    assert not asset.blocked({**ajar, "handle_turn": 1.5})
+    assert not asset.blocked({"pane_hinge": 0.6})  # once open, the lever may be turned back
+    bolt = asset.joint("bolt_slide")
+    assert bolt.follows is not None
+    assert bolt.follows.leader == "handle_turn"
+    assert bolt.follows.ratio * 1.57 == pytest.approx(0.016)
+    # the cams stand behind the keeps: the sash strikes them within a degree
+    assert min(asset.clearance({"pane_hinge": 0.012}).values()) <= 0.0
+
+
+@pytest.mark.parametrize(("opens", "way"), [("inwards", 1.0), ("outwards", -1.0)])
+def test_a_casement_opens_to_its_side(opens: str, way: float) -> None:
+    asset = window(style="casement", layout="single", opens=opens, shutters="none")
+    pane = asset.link("pane")
+    center = np.append(pane.mass_properties.center, 1.0)
+    moved = asset.pose({"pane_hinge": 0.5, "handle_turn": 1.5})["pane"] @ center
+    assert way * (moved[1] - center[1]) > 0.1
+
+
+def test_hands_of_a_row_alternate_or_are_the_same() -> None:
+    for hands, expected in (("same", {1}), ("opposite", {1, -1})):
+        asset = window(style="casement", layout="row", hands=hands)
+        axes = {round(asset.joint(f"pane_hinge_{number}").axis[2]) for number in range(4)}
+        assert len(axes) == len(expected)
+
+
+def test_an_awning_hangs_at_its_top_and_is_light_enough_to_lift() -> None:
+    asset = window(style="awning", stay="friction", width=1.1, height=0.75)
+    hinge = asset.joint("pane_hinge")
+    assert abs(hinge.axis[0]) == pytest.approx(1.0)
+    pane = asset.link("pane")
+    assert hinge.pivot[2] > pane.bounds()[1, 2] - 0.02
+    weight = 9.81 * sum(asset.link(name).mass_properties.mass for name in ("pane", "handle", "bolt"))
+    arm = hinge.pivot[2] - pane.mass_properties.center[2]
+    load = weight * arm * np.sin(hinge.limits[1])
+    assert hinge.friction == pytest.approx(1.15 * load, rel=0.05)  # it stays wherever it is left
+    assert (hinge.friction + load) / (2.0 * arm) < 60.0
+
+
+def test_an_awning_without_a_stay_falls_shut() -> None:
+    hinge = window(style="awning", stay="none").joint("pane_hinge")
+    assert hinge.friction < 0.5
+
+
+def test_balances_carry_hung_sashes() -> None:
+    asset = window(style="double_hung", shutters="none")
+    for name in ("lower", "upper"):
+        joint = asset.joint(f"pane_slide_{name}")
+        carried = {f"pane_{name}", "lock"} if name == "lower" else {f"pane_{name}"}
+        weight = 9.81 * sum(asset.link(link).mass_properties.mass for link in carried)
+        for at in joint.limits:
+            left = weight * -joint.axis[2] + joint.stiffness * (joint.rest - at)
+            assert abs(left) < joint.friction
+
+
+def test_a_sash_lock_holds_both_hung_sashes() -> None:
+    asset = window(style="double_hung", shutters="none")
+    for name in ("pane_slide_lower", "pane_slide_upper"):
+        assert asset.blocked({name: 0.05})
+        assert not asset.blocked({name: 0.05, "lock_turn": 2.0})
+    assert asset.joint("lock_turn").limits == pytest.approx((0.0, np.pi))
+
+
+@pytest.mark.parametrize(("layout", "moving"), [("pair", 1), ("row", 2)])
+def test_panels_slide_past_fixed_ones(layout: str, moving: int) -> None:
+    asset = window(style="sliding", layout=layout, shutters="none")
+    slides = [joint for joint in asset.joints if joint.name.startswith("pane_slide")]
+    assert len(slides) == moving
+    width = asset.parameters["width"]
+    for joint in slides:
+        sash = np.ptp(asset.link(joint.child).bounds()[:, 0])
+        assert 0.6 * sash < joint.limits[1] < sash
+        assert joint.limits[1] < width / (2 * moving)
+        assert asset.blocked({joint.name: 0.01})
+
+
+@pytest.mark.parametrize(("layout", "panes"), [("single", 1), ("pair", 2), ("row", 4), ("cross", 4)])
+def test_panes_and_bars_are_counted(layout: str, panes: int) -> None:
+    asset = window(style="casement", layout=layout, columns=2, rows=1, shutters="none")
+    sashes = [link for link in asset.links if link.name.startswith("pane")]
+    assert len(sashes) == panes
+    for sash in sashes:
+        assert [piece.label for piece in sash.pieces if not piece.visual].count("glass") == 1
+
+
+def test_shutters_hang_in_front_of_the_window() -> None:
+    asset = window(style="double_hung", shutters="louvred")
+    frame = asset.link("frame").bounds()
+    for side in ("left", "right"):
+        leaf = asset.link(f"shutter_{side}").bounds()
+        assert leaf[1, 1] < 0.0
+        hinge = asset.joint(f"shutter_hinge_{side}")
+        assert hinge.limits[1] > 1.5
+        assert frame[0, 0] - 0.001 < leaf[0, 0]
+        assert leaf[1, 0] < frame[1, 0] + 0.001
