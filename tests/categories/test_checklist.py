@@ -52,6 +52,9 @@ CHECKLIST: dict[str, dict[str, Moving]] = {
         "drawer": slides("drawer_slide", (0, 1)),
         "bottle": slides("bottle_lift", (0, 2, 3, 6, 12)),
     },
+    "cabinet": {
+        "door": turns(f"door_hinge{SIDED}", (1, 2)),
+    },
     "cooktop": {
         "burner dial": turns("burner_dial_turn", range(2, 7)),
         "push of a gas dial": slides("burner_dial_push", (0, 2, 3, 4, 5, 6)),
@@ -72,6 +75,9 @@ CHECKLIST: dict[str, dict[str, Moving]] = {
         "handle that slides": slides("handle_push", (0, 1)),
         "latch bolt": slides("latch_slide", (0, 1)),
         "thumb-turn": turns("lock_turn", (0, 1)),
+    },
+    "drawer": {
+        "drawer": slides("drawer_slide", (1, 2, 3, 4, 5, 6, 8, 9, 10, 12)),
     },
     "faucet": {
         "spout": turns("spout_swivel", (1,)),
@@ -114,11 +120,22 @@ CHECKLIST: dict[str, dict[str, Moving]] = {
         "dial": turns("dial_turn", range(7)),
         "grate": slides("grate_lift", (0, 2, 3)),
     },
+    "pepper_grinder": {
+        "top": turns("top_turn", (0, 1), unlimited=True),
+        "crank": turns("crank_turn", (0, 1), unlimited=True),
+        "knob of the crank": turns("knob_spin", (0, 1), unlimited=True),
+    },
     "refrigerator": {
         "door": turns(f"door_hinge{SIDED}", (1, 2)),
         "freezer door": turns("freezer_door_hinge", (0, 1)),
         "inner drawer": slides("inner_drawer_slide", (0, 1, 2, 3)),
         "outer drawer": slides("outer_drawer_slide", (0, 1, 2)),
+    },
+    "soap_dispenser": {
+        "nozzle that slides": slides("nozzle_slide", (0, 1)),
+        "nozzle that turns": turns("nozzle_turn", (0, 1), unlimited=True),
+        "button on a wall": slides("button_slide", (0, 1)),
+        "lever on a wall": turns("lever_hinge", (0, 1)),
     },
     "toaster": {
         "lever": slides(f"lever_slide{SIDED}", (1, 2)),

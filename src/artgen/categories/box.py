@@ -59,7 +59,6 @@ Style = Literal["slotted", "half_slotted", "mailer", "pizza", "wine", "tray", "g
 
 
 @category(
-    joints=(1, 16),
     labels=(
         "box",
         "flap_major",
@@ -77,6 +76,7 @@ Style = Literal["slotted", "half_slotted", "mailer", "pizza", "wine", "tray", "g
         "label",
         "print",
     ),
+    joints=(1, 16),
 )
 def box(
     *,
@@ -276,7 +276,7 @@ def box(
     maker: str = choice(*details.BRANDS),
     model: int = count(100, 989),
 ) -> Body:
-    """Make a box, closed."""
+    """Make a cardboard or gift box, closed: flaps, tucks, ears, lid, drawer, bottles."""
     fresh = crease == "fresh"
     feel = Feel(stiffness if fresh else 0.0, springback if fresh else 0.0, friction, damping)
     draft = Draft(

@@ -57,7 +57,8 @@ _WORKTOP, _LEG, _METAL = worktops(), leg_finishes(), hardware()
     labels=(
         "body", "back", "shelf", "pin", "top", "plinth", "leg", "bracket", "door", "glass", "handle", "hinge",
         "bumper", "screw",
-    )
+    ),
+    joints=(1, 2),
 )  # fmt: skip
 def cabinet(
     *,
@@ -180,7 +181,7 @@ def cabinet(
     pull: Float = uniform(5.0, 9.0, "N", doc="at the free edge of a door, against the snap of its hinges"),
     hinge_damping: Float = uniform(0.2, 0.8, "N m s/rad"),
 ) -> Body:
-    """Make a cabinet with its doors shut."""
+    """Make a base, wall or tall cabinet with its doors shut: hinges, shelves, pulls."""
     require(hinge == "concealed" or grip != "edge", "a door between the sides has no free edge")
     slab = top_thickness if top == "worktop" else 0.0
     case = Carcass(

@@ -201,7 +201,7 @@ def cooktop(
         "burners", {2: 3500, 3: choice(5400, 5800), 4: choice(6600, 7200), 5: 7800, 6: choice(8900, 9400)}
     ),
 ) -> Body:
-    """Make a cooktop with all burners off."""
+    """Make a gas, coil, radiant or induction cooktop, off: dials that push and turn, grates."""
     extras = dials - burners
     require(0 <= extras <= 2, "there are up to two dials more than burners")
     gas = burner == "gas"

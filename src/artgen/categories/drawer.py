@@ -68,7 +68,8 @@ _SLABS = choice("flat", "beaded", weights=(0.7, 0.3))  # many framed fronts woul
     labels=(
         "body", "back", "top", "plinth", "leg", "foot", "drawer", "front", "runner", "handle", "label_holder",
         "lock", "cylinder", "print", "screw",
-    )
+    ),
+    joints=(1, 12),
 )  # fmt: skip
 def drawer(
     *,
@@ -315,7 +316,7 @@ def drawer(
     ),
     slide_damping: Float = uniform(4.0, 12.0, "N s/m"),
 ) -> Body:
-    """Make a piece of furniture with its drawers shut."""
+    """Make a chest, bedside table, filing cabinet or bank with its drawers shut."""
     slab = 0.0 if top == "flush" else top_thickness
     case = Carcass(
         width=width,

@@ -183,7 +183,7 @@ def faucet(
     head_force: Float = uniform(9.0, 14.0, "N", doc="by which it is drawn back", within=(5.0, 30.0)),
     rod_friction: Float = uniform(5.0, 9.0, "N"),
 ) -> Body:
-    """Make a faucet that is shut, its spout to the front."""
+    """Make a faucet, shut: spout, one or two handles, spray head, lift rod."""
     board = Board(deck_margin, deck_thickness, surface, rod)
     arm = Lever(lever, lever_length, lift, handle_friction, side)
     ring = 2 * girth + 0.010  # height of the ring of a straight spout

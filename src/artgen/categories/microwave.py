@@ -171,7 +171,7 @@ def microwave(
     maker: str = choice(*details.BRANDS),
     signed: Literal["door", "panel"] = choice("door", "panel", doc="where the maker's name is"),
 ) -> Body:
-    """Make a microwave oven with its door closed."""
+    """Make a microwave oven, closed: door, latch, turntable, keys, dials."""
     girth, projection = 0.0072, 0.034
     space = Space(
         width=width,

@@ -208,7 +208,7 @@ def oven(
     maker: str = choice(*details.BRANDS),
     signed: Literal["door", "panel"] = choice("door", "panel", doc="where the maker's name is"),
 ) -> Body:
-    """Make an oven with its door closed and its dials off."""
+    """Make an oven or a range, closed: door, racks, drawer, dials."""
     girth = 0.0080
     space = Space(
         build=build,

@@ -61,7 +61,8 @@ _RINGS = {"table": 9, "kitchen": 13, "restaurant": 19}
         "knob",
         "screw",
         "print",
-    )
+    ),
+    joints=(1, 2),
 )
 def pepper_grinder(
     *,
@@ -162,7 +163,7 @@ def pepper_grinder(
     ),
     maker: str = choice(*details.BRANDS),
 ) -> Body:
-    """Make a pepper mill."""
+    """Make a pepper or salt mill: a head that turns, or a crank with its knob."""
     require(build != "clear" or style in _STRAIGHT, "a clear tube is straight: style must be cylinder")
     radius = diameter / 2.0
     crown = head_height * HEAD_HEIGHT[top] * radius

@@ -100,7 +100,7 @@ def plier(
     squeeze: Float = uniform(0.45, 0.75, "N m", doc="of a spring, jaws closed"),
     maker: str = choice(*details.BRANDS),
 ) -> Body:
-    """Make pliers, closed."""
+    """Make combination, needle-nose, slip-joint or cutting pliers, closed."""
     slip = style == "slip_joint"
     key = Key.of(length)
     forging = Forging(style, length, key.way if slip else 0.0, spread * length)

@@ -81,7 +81,8 @@ _CLEAR: tuple[Shape, ...] = ("round", "square", "cube", "hexagonal", "cone", "be
         "label",
         "screw",
         "print",
-    )
+    ),
+    joints=(1, 2),
 )
 def soap_dispenser(
     *,
@@ -203,7 +204,7 @@ def soap_dispenser(
     ),
     maker: str = choice(*details.BRANDS),
 ) -> Body:
-    """Make a soap dispenser with its pump up."""
+    """Make a soap dispenser, its pump up: a nozzle that slides and turns, or a button."""
     if style == "box":
         body = wall_box(
             box_width,

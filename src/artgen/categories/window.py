@@ -28,7 +28,6 @@ from artgen import (
     category,
     choice,
     count,
-    require,
     shades,
     uniform,
     weld,
@@ -201,7 +200,7 @@ def window(
     ),
     drag: Float = uniform(9.0, 18.0, "N", doc="of rollers, balances and brushes"),
 ) -> Body:
-    """Make a window, shut and locked."""
+    """Make a casement, awning, sliding or double-hung window, shut and locked."""
     section = SECTIONS[kind]
     wide, tall = width - 2.0 * section.frame, height - SILL - 2.0 * section.frame
     glazing = Glazing(glass, sheets, columns, rows, finish)
@@ -229,9 +228,10 @@ def window(
             body = sliding(draft, 2 if layout == "pair" else 4, bar=bar, drag=drag)
             body = body.mirror(X) if hand == "right" else body
         case "double_hung":
-            if rows == 3:
-                require(height > 1.28, "a finger on the meeting rail finds no room under the lowest bar")
             body = double_hung(draft, lifts=lifts, drag=drag)
+            if rows == 3:
+                room = height > 1.28
+                body = body.require(room, "a finger on the meeting rail finds no room under the lowest bar")
 
     deep = section.back if hinged else Tracks.of(section).back
     front, back = (-deep, 0.0) if opens == "inwards" else (0.0, deep)

@@ -73,12 +73,12 @@ PRODUCTS: Mapping[str, tuple[Product, ...]] = {
     ),
     # roses of 0.05-0.08 m and levers of 0.10-0.16 m on a sample board of a shop
     "handle": (Product("handle on a stand", (0.15, 0.40), (0.10, 0.30), (0.20, 0.60), (1.5, 9.0)),),
-    # plates of 0.56-0.92 x 0.50-0.56 m; dials and grates stand up to 0.05 m above them; a foot of a frame more
+    # plates of 0.56-0.92 x 0.50-0.56 m; dials and grates stand up to 0.05 m above them; a frame adds 0.02 m
     "cooktop": (Product("cooktop", (0.55, 0.94), (0.49, 0.58), (0.06, 0.16), (5.0, 20.0)),),
     # sample decks of 0.12-0.42 m in shops; spouts reach 0.10-0.25 m and turn, 0.12-0.45 m over the deck
     "faucet": (Product("faucet on a sample deck", (0.12, 0.50), (0.12, 0.45), (0.12, 0.55), (1.2, 14.0)),),
-    # sides of 0.15-0.80 m of board of 0.5-1.2 kg/m2; a strap, a bow or the end of a tape stands up 0.02-0.03 m;
-    # a full bottle weighs 1.25 kg
+    # sides of 0.15-0.80 m of board of 0.5-1.2 kg/m2; a strap, a bow or the end of a tape stands up by
+    # 0.02-0.03 m; a full bottle weighs 1.25 kg
     "box": (
         Product("shipping box", (0.19, 0.76), (0.11, 0.73), (0.15, 0.66), (0.12, 4.5)),
         Product("mailer or pizza box", (0.18, 0.42), (0.12, 0.42), (0.055, 0.20), (0.05, 0.6)),
@@ -96,7 +96,7 @@ PRODUCTS: Mapping[str, tuple[Product, ...]] = {
         Product("table lamp", (0.14, 0.90), (0.14, 0.90), (0.28, 0.90), (0.8, 8.0)),
         Product("floor lamp", (0.16, 1.60), (0.16, 1.60), (1.15, 2.05), (2.0, 22.0)),
     ),
-    # cases of 0.44-0.60 x 0.32-0.45 x 0.25-0.34 m, of 17-32 litres; handles and dials stand out by up to 0.03 m
+    # cases of 0.44-0.60 x 0.32-0.45 x 0.25-0.34 m, of 17-32 litres; handles and dials stand 0.03 m out
     "microwave": (Product("microwave oven", (0.44, 0.60), (0.32, 0.46), (0.25, 0.34), (10.0, 18.0)),),
     # chests, bedside tables, filing cabinets and banks of 0.4-1.4 x 0.35-0.6 x 0.4-1.3 m; handles stand out
     # by 0.04 m, tops by 0.016 m at each side

@@ -18,6 +18,7 @@ from artgen import (
     X,
     Z,
     atan2,
+    board,
     box_between,
     extrude,
     grasp_on,
@@ -151,16 +152,16 @@ class Lidded:
                 (layer - 0.6 * t, 0.85 * tip),
             ]
         )
-        low, high = (-half, front + t - 0.0003, 0.8 * tip), (half, layer, self.height - 0.0002)
-        made = [
-            box_between(low, high, bevel=0.0008) | extrude(wedge, 2.0 * half - 0.001, axis=X),
-        ]
+        bar = board(
+            (-half, half), (front + t - 0.0003, layer), (0.8 * tip, self.height - 0.0002), bevel=0.0008
+        )
+        made = [bar | extrude(wedge, 2.0 * half - 0.001, axis=X)]
         if self.ears:
             top = self.low - 0.0002 if self.dust is None else self.low - t - LAYER
             for side in (-1.0, 1.0):
                 x = _span(side, self.inner, self.inner + t + 0.0003)
-                low = (x[0], front + t + 0.0006, t - 0.0002)
-                made.append(box_between(low, (x[1], self.depth / 2.0 - t - 0.0006, top), bevel=0.0008))
+                y = (front + t + 0.0006, self.depth / 2.0 - t - 0.0006)
+                made.append(board(x, y, (t - 0.0002, top), bevel=0.0008))
         return [part(each, label, self.board.outside) for each in made]
 
     def attached(
@@ -175,14 +176,14 @@ class Lidded:
             swing: How far dust flaps open if nothing stops them [rad].
             bottles: What is lifted out where lid and flaps are open.
         """
-        sheet = 1.2 * self.board.outside.density * self.board.thick * 2.0 * self.half * self.reach
+        weight = 9.81 * 1.2 * self.board.outside.density * self.board.thick * 2.0 * self.half * self.reach
         turn = self.hinge.joint(
             "lid_hinge",
             feel=feel,
             length=2.0 * self.half,
             reach=self.reach,
             opening=self.opening,
-            holding=9.81 * sheet * 0.62 * self.reach,  # a lid stays up, with its flaps out
+            holding=weight * 0.62 * self.reach,  # a lid stays up, with its flaps out
         )
         body = weld(body, self.hinge.bead(2.0 * self.half, "box", self.board.outside))
         body = body.attach(self.hinge.place(self._lid(feel, turn, printed)), turn)

@@ -140,7 +140,7 @@ class Forging:
     @property
     def clear(self) -> Float:
         """Radius within which the jaw's shoulder leaves room for the other plate [m]."""
-        return self.lap + _OFF + 0.45 * self.slip
+        return self.lap + _OFF + 0.54 * self.slip
 
     @property
     def _tail(self) -> tuple[float, float]:

@@ -29,7 +29,7 @@ from artgen import (
     weld,
 )
 from artgen.categories.parts.pulls import pull_handle
-from artgen.categories.parts.sashes import Glazing, lipped_sash, plain_sash, slide_face
+from artgen.categories.parts.sashes import PANE, Glazing, lipped_sash, plain_sash, slide_face
 from artgen.categories.parts.window_frame import (
     TRACK,
     Tracks,
@@ -303,10 +303,11 @@ def double_hung(draft: Draft, *, lifts: int, drag: Scalar) -> Body:
     lower = weld(plain_sash(wide, tall, section, draft.glazing).at(0.0, tracks.inner, 0.0), lift)
     lower = weld(lower.at(0.0, 0.0, -level).suffixed("_lower"), lock.base).attach(lock.cam, lock.turn)
     # a finger on the meeting rail, beside the glass, pushes the upper sash down
+    inset = min(0.0045, (section.slide - PANE) / 2.0 - 0.0095)  # of the finger from the face
     beside = {0: 0.25, 1: 0.25, 2: 1.0 / 3.0}.get(draft.glazing.columns, 0.125)  # between two bars
     rail = face - tall / 2.0 - under(section.eased) - 0.00005
     press = frame(
-        (beside * (wide - 2.0 * face), upper_face - tracks.outer - 0.0045, rail), approach=-Z, closing=X
+        (beside * (wide - 2.0 * face), upper_face - tracks.outer - inset, rail), approach=-Z, closing=X
     )
     upper = plain_sash(wide, tall, section, draft.glazing, push=press).at(0.0, tracks.outer, level)
     upper = weld(upper.suffixed("_upper"), lock.keeper)
