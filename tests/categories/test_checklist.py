@@ -125,6 +125,10 @@ CHECKLIST: dict[str, dict[str, Moving]] = {
         "crank": turns("crank_turn", (0, 1), unlimited=True),
         "knob of the crank": turns("knob_spin", (0, 1), unlimited=True),
     },
+    "plier": {
+        "jaw": turns("jaw_hinge", (1,)),
+        "slip joint": slides("pivot_slide", (0, 1)),
+    },
     "refrigerator": {
         "door": turns(f"door_hinge{SIDED}", (1, 2)),
         "freezer door": turns("freezer_door_hinge", (0, 1)),
@@ -149,6 +153,14 @@ CHECKLIST: dict[str, dict[str, Moving]] = {
         "bucket": slides("bucket_slide", (0, 1)),
         "button": slides("button_press", (0, 1)),
     },
+    "window": {
+        "pane that turns": turns("pane_hinge", (0, 1, 2, 4)),
+        "pane that slides": slides("pane_slide(_upper|_lower)?", (0, 1, 2)),
+        "lock that turns": turns("handle_turn|lock_turn", (0, 1, 2, 4)),
+        "lock that slides": slides("lock_slide", (0, 1, 2)),
+        "bolt of a lock": slides("bolt_slide", (0, 1, 2, 4)),
+        "shutter": turns(f"shutter_hinge{SIDED}", (0, 2)),
+    },
 }
 
 
@@ -165,7 +177,7 @@ def drawn(category: str) -> tuple[tuple[PlannedJoint, ...], ...]:
 
 
 def matching(joints: Iterable[PlannedJoint], moving: Moving) -> list[PlannedJoint]:
-    pattern = re.compile(f"{moving.joint}(_\\d+)?")
+    pattern = re.compile(f"({moving.joint})(_\\d+)?")
     return [joint for joint in joints if pattern.fullmatch(joint.name)]
 
 

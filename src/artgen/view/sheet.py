@@ -30,6 +30,7 @@ _INK, _GREY = (30, 30, 32), (110, 110, 114)
 _PAGE = 1.5  # width of a page over its height
 _BYTES = 350_000  # what a sheet may take on a page of documentation
 _HEIGHTS, _ABOVE = (0.25, 2.0), (0.42, 0.2)  # of assets, and from how far above they are seen [m, rad]
+_FLAT, _OVER = (0.08, 0.4), (0.85, 0.42)  # height over the longer side of flat ones, and the same for them
 _UPRIGHT = 0.7  # vertical part of an axis from which a hinge is that of a door
 _EVEN, _MIDDLE = 0.3, 0.5  # doors at both sides are as large but for this; how far aside is enough then
 _MARGIN = 0.05  # share of a picture that stays free along its edges
@@ -52,7 +53,7 @@ def sheet(
     """Return a page of pictures: a cell for each asset, closed and open, and from behind, shape (h, w, 3).
 
     Each asset fills its pictures, whose shape suits most of the first ones. It is seen from the side from
-    which one looks into it when it is open, and from the higher the smaller it is.
+    which one looks into it when it is open, and from the higher the smaller and the flatter it is.
 
     Args:
         assets: Makers of the assets, each called when its turn comes.
@@ -105,7 +106,11 @@ def shots(asset: Asset) -> tuple[tuple[Mapping[str, float], View], ...]:
     It is closed, open, and closed from behind.
     """
     low, high = asset.bounds()
-    above = float(np.interp(high[2] - low[2], _HEIGHTS, _ABOVE))
+    size = high - low
+    flat = (
+        float(np.interp(size[2] / max(size[:2]), _FLAT, _OVER)) if size[2] < _FLAT[1] * max(size[:2]) else 0.0
+    )
+    above = max(float(np.interp(size[2], _HEIGHTS, _ABOVE)), flat)
     q = opened(asset)
     front = View(_side(asset, q) * ASIDE, above, margin=_MARGIN)
     return ({}, front), (q, front), ({}, replace(front, azimuth=front.azimuth + math.pi))
