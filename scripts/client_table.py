@@ -25,6 +25,7 @@ from artgen.clients.exported import read_exported
 from artgen.clients.registry import CLIENTS, chosen_clients
 from artgen.clients.run import ask
 from artgen.export import LAYOUTS
+from artgen.survey.markdown import escaped
 
 ROOT = Path(__file__).parents[1]
 SOURCE = ROOT / "src" / "artgen"
@@ -263,7 +264,7 @@ def _cell(found: Sequence[dict[str, Any]]) -> str:
     text = f"{states['passed']} of {len(found)}"
     worst = next((each for each in found if each["state"] != "passed"), None)
     return (
-        text if worst is None else f"{text}; {worst['asset']} {worst['state']}: {_escaped(worst['message'])}"
+        text if worst is None else f"{text}; {worst['asset']} {worst['state']}: {escaped(worst['message'])}"
     )
 
 
@@ -294,7 +295,7 @@ def _tolerated(results: dict[Task, list[dict[str, Any]]]) -> Iterator[str]:
         "| --- | --- | --- |",
     )
     for (client, reason), message in sorted(rows.items()):
-        yield f"| {client} | {_escaped(_placeless(message))} | {reason} |"
+        yield f"| {client} | {escaped(_placeless(message))} | {reason} |"
 
 
 def _placeless(message: str) -> str:
@@ -309,16 +310,12 @@ def _not_run(results: dict[Task, list[dict[str, Any]]]) -> Iterator[str]:
         task.client: found[0]["message"] for task, found in results.items() if found[0]["state"] == "absent"
     }
     for client, message in absent.items():
-        yield f"- {client.name}: {_escaped(message)}"
+        yield f"- {client.name}: {escaped(message)}"
     for client in CLIENTS.values():
         if client not in absent and not any(task.client is client for task in results):
             yield f"- {client.name}: it was not asked for"
     for name, reason in ELSEWHERE:
         yield f"- {name}: {reason}"
-
-
-def _escaped(text: str) -> str:
-    return text.replace("|", r"\|").replace("\n", " ")
 
 
 if __name__ == "__main__":

@@ -21,6 +21,7 @@ from artgen import (
     Float,
     Generator,
     Material,
+    Scalar,
     X,
     Z,
     by,
@@ -46,7 +47,6 @@ from artgen.categories.parts.furniture_finish import (
 )
 from artgen.categories.parts.furniture_fronts import FrontLook, FrontStyle
 from artgen.categories.parts.furniture_pulls import bar_pull, cup_pull, edge_pull, knob_pull
-from artgen.nodes.handles import Scalar
 
 _GLASS = known("glass", "frosted_glass", "tinted_glass")
 _FINISH = boards("wood", "lacquer", "melamine", "decor")

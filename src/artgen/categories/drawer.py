@@ -20,6 +20,7 @@ from artgen import (
     Float,
     Generator,
     Material,
+    Scalar,
     by,
     category,
     choice,
@@ -56,7 +57,6 @@ from artgen.categories.parts.furniture_finish import (
 from artgen.categories.parts.furniture_fronts import FrontLook, FrontStyle
 from artgen.categories.parts.furniture_pulls import bar_pull, cup_pull, groove_pull, knob_pull
 from artgen.categories.parts.runners import RunnerStyle
-from artgen.nodes.handles import Scalar
 
 _FINISH, _ACCENT = boards("wood", "lacquer", "melamine", "decor", "steel"), accents()
 _WORKTOP, _LEG, _METAL = worktops(), leg_finishes(), hardware()

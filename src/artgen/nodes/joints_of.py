@@ -1,6 +1,6 @@
 """What joints a body will have, read from its graph before any geometry is made."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cache
 from typing import Any
@@ -8,7 +8,7 @@ from typing import Any
 from artgen.asset import Tree
 from artgen.graph import Graph
 from artgen.graph.kernel import OPERATIONS
-from artgen.graph.node import Node
+from artgen.graph.node import Node, nodes_in
 
 
 @dataclass(frozen=True)
@@ -53,7 +53,7 @@ def _joints(node: Node, found: Mapping[str, tuple[PlannedJoint, ...]]) -> tuple[
         joint.name: joint
         for name, value in node.inputs.items()
         if name != "child"
-        for body in _nodes(value)
+        for body in nodes_in(value)
         for joint in found.get(body.key, ())
     }
     if "child" in node.inputs:
@@ -70,14 +70,6 @@ def _joints(node: Node, found: Mapping[str, tuple[PlannedJoint, ...]]) -> tuple[
     if node.op == "suffix":
         return _suffixed(joints, node.inputs["suffix"])
     return joints
-
-
-def _nodes(value: Any) -> Iterator[Node]:
-    if isinstance(value, Node):
-        yield value
-    elif isinstance(value, tuple):
-        for member in value:
-            yield from _nodes(member)
 
 
 def _planned(joint: Node) -> PlannedJoint:

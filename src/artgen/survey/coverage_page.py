@@ -3,6 +3,7 @@
 from collections.abc import Iterable, Iterator
 
 from artgen.survey.coverage import BINS, Coverage, Options, Spread
+from artgen.survey.markdown import escaped
 from artgen.version import __version__
 
 
@@ -49,7 +50,7 @@ def _of_category(each: Coverage) -> Iterator[str]:
 
 
 def _row_of_options(each: Options) -> str:
-    counts = ", ".join(f"{_escaped(option)} {count}" for option, count in each.counts.items())
+    counts = ", ".join(f"{escaped(option)} {count}" for option, count in each.counts.items())
     return f"| `{each.name}` | {counts} |"
 
 
@@ -57,10 +58,6 @@ def _row_of_spread(each: Spread) -> str:
     unit = f" {each.unit}" if each.unit else ""
     reached = f"{each.least:.4g} to {each.most:.4g}" if each.drawn else "nothing"
     return (
-        f"| `{each.name}` | {_escaped(each.branch)} | {each.low:g} to {each.high:g}{unit} | {each.drawn} | "
+        f"| `{each.name}` | {escaped(each.branch)} | {each.low:g} to {each.high:g}{unit} | {each.drawn} | "
         f"{reached} | {each.hit} of {BINS} |"
     )
-
-
-def _escaped(text: str) -> str:
-    return text.replace("|", r"\|")

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 
+from artgen.survey.markdown import escaped
 from artgen.survey.summary import Criterion, Record, criteria, failures, figures, listed
 from artgen.version import __version__
 
@@ -36,16 +37,14 @@ def _row_of(name: str, records: Sequence[Record]) -> str:
     asked = criteria(records)
     met = sum(each.passed is True for each in asked)
     wrong = "; ".join(f"{each.name} ({each.found})" for each in asked if each.passed is not True)
-    return (
-        f"| [`{name}`](#{name}) | {len(records)} | {met} of {len(asked)} | {_escaped(wrong) or 'nothing'} |"
-    )
+    return f"| [`{name}`](#{name}) | {len(records)} | {met} of {len(asked)} | {escaped(wrong) or 'nothing'} |"
 
 
 def _of_category(name: str, records: Sequence[Record]) -> Iterator[str]:
     yield from ("", f"## {name}", "", "| asked | found | met |", "| --- | --- | --- |")
     yield from map(_row_of_criterion, criteria(records))
     yield from ("", "| measured | of all samples |", "| --- | --- |")
-    yield from (f"| {what} | {_escaped(text)} |" for what, text in figures(records).items())
+    yield from (f"| {what} | {escaped(text)} |" for what, text in figures(records).items())
     wrong = failures(records)
     if wrong:
         yield from ("", "What was found wrong, with the first message of each kind:", "")
@@ -55,8 +54,4 @@ def _of_category(name: str, records: Sequence[Record]) -> Iterator[str]:
 
 def _row_of_criterion(each: Criterion) -> str:
     seeds = f", {listed(each.seeds)}" if each.seeds else ""
-    return f"| {_escaped(each.name)} | {_escaped(each.found)} | {_STATES[each.passed]}{seeds} |"
-
-
-def _escaped(text: str) -> str:
-    return text.replace("|", r"\|")
+    return f"| {escaped(each.name)} | {escaped(each.found)} | {_STATES[each.passed]}{seeds} |"

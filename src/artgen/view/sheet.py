@@ -107,10 +107,8 @@ def shots(asset: Asset) -> tuple[tuple[Mapping[str, float], View], ...]:
     """
     low, high = asset.bounds()
     size = high - low
-    flat = (
-        float(np.interp(size[2] / max(size[:2]), _FLAT, _OVER)) if size[2] < _FLAT[1] * max(size[:2]) else 0.0
-    )
-    above = max(float(np.interp(size[2], _HEIGHTS, _ABOVE)), flat)
+    flat = np.interp(size[2] / max(size[:2]), _FLAT, _OVER, right=0.0)
+    above = float(max(np.interp(size[2], _HEIGHTS, _ABOVE), flat))
     q = opened(asset)
     front = View(_side(asset, q) * ASIDE, above, margin=_MARGIN)
     return ({}, front), (q, front), ({}, replace(front, azimuth=front.azimuth + math.pi))

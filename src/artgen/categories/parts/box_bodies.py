@@ -5,6 +5,7 @@ import math
 from artgen import (
     Body,
     Material,
+    Scalar,
     Solid,
     X,
     Y,
@@ -17,7 +18,6 @@ from artgen import (
 )
 from artgen.categories.parts.box_board import LAYER, SLIT, Board
 from artgen.categories.parts.box_marks import seam
-from artgen.nodes.handles import Scalar
 
 _ROUND = 0.0018  # radius of upright edges, where the liner is scored [m]
 _HOLE = (0.082, 0.030)  # of hand holes [m]

@@ -6,7 +6,9 @@ from artgen import (
     Body,
     Material,
     Profile,
+    Scalar,
     Solid,
+    VectorLike,
     box_between,
     circle,
     coloured,
@@ -17,7 +19,6 @@ from artgen import (
     rectangle,
 )
 from artgen.categories.parts.trashcan_marks import recycling
-from artgen.nodes.handles import Scalar, VectorLike
 
 _FILM = 0.00012  # by which print and labels stand out [m]
 

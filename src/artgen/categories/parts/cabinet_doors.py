@@ -7,13 +7,12 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
-from artgen import Body, Joint, Material, Revolute, array, detail, dome, weld
+from artgen import Body, Joint, Material, Revolute, Scalar, VectorLike, array, detail, dome, weld
 from artgen.categories.parts.carcass import Carcass
 from artgen.categories.parts.cup_hinges import AXIS, DOOR_GAP, cup_hinges_on_door, cup_hinges_on_side
 from artgen.categories.parts.furniture_finish import CLEAR_RUBBER, ZINC
 from artgen.categories.parts.furniture_fronts import FrontLook, front
 from artgen.categories.parts.hinge import hinge_frame, hinge_leaf, hinge_offset
-from artgen.nodes.handles import Scalar, VectorLike
 
 HingeStyle = Literal["concealed", "butt"]
 """Cups in the back of a door that lies on the carcass; knuckles before one that stands between its sides."""

@@ -11,7 +11,9 @@ from typing import Literal
 from artgen import (
     Body,
     Material,
+    Scalar,
     Solid,
+    VectorLike,
     array,
     board,
     box,
@@ -26,7 +28,6 @@ from artgen import (
 )
 from artgen.categories.parts.feet import corner_feet
 from artgen.categories.parts.furniture_finish import ZINC
-from artgen.nodes.handles import Scalar, VectorLike
 
 LegStyle = Literal["tapered", "splayed", "square", "turned", "metal"]
 """Round and slimmer below; the same, leaning outward; square posts; a bun under a neck; a slim tube."""

@@ -7,6 +7,7 @@ from artgen import (
     Body,
     Material,
     Profile,
+    Scalar,
     Solid,
     X,
     Y,
@@ -28,7 +29,6 @@ from artgen.categories.parts.appliance_finish import filled
 from artgen.categories.parts.cooktop_burners import BOWL, coil_hole
 from artgen.categories.parts.cooktop_plan import BurnerKind, Plan
 from artgen.categories.parts.cords import cord_stub
-from artgen.nodes.handles import Scalar
 
 Trim = Literal["none", "frame", "sides"]
 """What guards the edge of a glass plate: nothing, a frame of steel, or bars at its left and right."""

@@ -11,7 +11,9 @@ from artgen import (
     Body,
     Material,
     Profile,
+    Scalar,
     Solid,
+    VectorLike,
     Z,
     box_between,
     circle,
@@ -33,7 +35,6 @@ from artgen import (
     weld,
 )
 from artgen.categories.parts.cooktop_plan import BurnerSize, Place
-from artgen.nodes.handles import Scalar, VectorLike
 
 GAS_RADIUS: dict[BurnerSize, float] = {"small": 0.025, "medium": 0.034, "large": 0.045, "wok": 0.060}
 """Radius of a spreader: burners of 1.0, 1.75, 3.0 and 4-5 kW [m]."""

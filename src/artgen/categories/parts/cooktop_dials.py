@@ -14,7 +14,9 @@ from artgen import (
     Material,
     Prismatic,
     Revolute,
+    Scalar,
     Solid,
+    VectorLike,
     X,
     Z,
     array,
@@ -32,7 +34,6 @@ from artgen import (
 )
 from artgen.categories.parts.cooktop_plan import SIGN, Plan
 from artgen.categories.parts.dials import DialStyle, dial, dial_print
-from artgen.nodes.handles import Scalar, VectorLike
 
 SWEEP = 4.7
 """How far a dial turns from off [rad]."""

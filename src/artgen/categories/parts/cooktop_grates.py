@@ -12,6 +12,7 @@ from artgen import (
     Joint,
     Material,
     Prismatic,
+    Scalar,
     Solid,
     Y,
     Z,
@@ -27,7 +28,6 @@ from artgen import (
     weld,
 )
 from artgen.categories.parts.cooktop_plan import Column, Place
-from artgen.nodes.handles import Scalar
 
 GrateStyle = Literal["continuous", "single", "diagonal"]
 """One for each column of burners, one for each burner, or the same with fingers from the corners."""

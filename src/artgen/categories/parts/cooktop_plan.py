@@ -7,8 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal
 
-from artgen import min_
-from artgen.nodes.handles import Scalar
+from artgen import Scalar, min_
 
 BurnerKind = Literal["gas", "radiant", "coil", "induction"]
 """Flames, glowing bands under glass, tubes of steel, or coils under glass that heat the pot itself."""

@@ -11,10 +11,22 @@ carcass at y > 0.
 
 from collections.abc import Sequence
 
-from artgen import Body, Material, array, board, circle, cylinder, detail, extrude, part, rectangle
+from artgen import (
+    Body,
+    Material,
+    Scalar,
+    VectorLike,
+    array,
+    board,
+    circle,
+    cylinder,
+    detail,
+    extrude,
+    part,
+    rectangle,
+)
 from artgen.categories.parts.finish import recess
 from artgen.categories.parts.screws import screws
-from artgen.nodes.handles import Scalar, VectorLike
 
 DOOR_GAP = 0.002
 """Between the back of a closed door and the carcass [m]."""

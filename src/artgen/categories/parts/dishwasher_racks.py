@@ -10,7 +10,6 @@ from artgen import (
     Float,
     Joint,
     Material,
-    Prismatic,
     Revolute,
     Scalar,
     Y,
@@ -34,7 +33,7 @@ from artgen import (
     weld,
 )
 from artgen.categories.parts.dishwasher_space import ROLLER, UNDER, Size, Space
-from artgen.categories.parts.wire_baskets import Basket, Grip, rollers
+from artgen.categories.parts.wire_baskets import Basket, Grip, rack_slide, rollers
 
 UPPER_ROLLER = 0.0095
 """Radius of the rollers of the upper racks [m]."""
@@ -271,16 +270,7 @@ class Racks:
             name: Name of the joint.
             needs: Where the door has to stand.
         """
-        return Prismatic(
-            name,
-            axis=-Y,
-            limits=(0.0, self.space.slide),
-            friction=self.friction,
-            damping=8.0,
-            effort=14.0,
-            velocity=1.5,
-            needs=needs,
-        )
+        return rack_slide(name, travel=self.space.slide, friction=self.friction, damping=8.0, needs=needs)
 
     @cached_property
     def low_ends(self) -> tuple[Scalar, Scalar, Scalar]:

@@ -5,6 +5,7 @@ from functools import cached_property
 from typing import Literal
 
 from artgen import Float, Scalar, atan2, cos, min_, sin, sqrt
+from artgen.categories.parts.appliance_space import ApplianceSpace
 
 Build = Literal["built_in", "freestanding"]
 """For a kitchen front, with bare sheet sides, or with painted sides and a worktop."""
@@ -34,16 +35,11 @@ _LEAST = 0.0008  # between the lower rack and the door at the angle at which the
 _FLOOR = 0.047  # from the treads of the lower rack down to the floor of the tub [m]
 
 
-@dataclass(frozen=True)
-class Space:
+@dataclass(frozen=True, kw_only=True)
+class Space(ApplianceSpace):
     """The measures of a dishwasher.
 
     Attributes:
-        width: Of everything [m].
-        height: Of everything [m].
-        depth: Of everything, the handle included [m].
-        projection: Of the handle before the door [m].
-        thickness: Of the door [m].
         plinth: Height of the hinge above the floor [m].
         wall: Thickness of a side wall, panel and tub together [m].
         roof: From the ceiling of the tub to the very top [m].
@@ -52,27 +48,12 @@ class Space:
         travel: How far racks roll out, as a share of their depth.
     """
 
-    width: Float
-    height: Float
-    depth: Float
-    projection: Scalar
-    thickness: Float
     plinth: Float
     wall: Scalar
     roof: Scalar
     swing: Float
     clearance: Float
     travel: Float
-
-    @cached_property
-    def front(self) -> Scalar:
-        """The outer face of the door, along y [m]."""
-        return self.projection - self.depth / 2.0
-
-    @cached_property
-    def inner(self) -> Scalar:
-        """The rim of the door's liner, along y [m]."""
-        return self.front + self.thickness
 
     @cached_property
     def mouth(self) -> Scalar:

@@ -13,6 +13,7 @@ from artgen import (
     Joint,
     Material,
     Prismatic,
+    Scalar,
     X,
     min_,
     part,
@@ -23,7 +24,6 @@ from artgen.categories.parts.furniture_fronts import FrontLook, front
 from artgen.categories.parts.furniture_pulls import GROOVE
 from artgen.categories.parts.runners import SIDE_PLAY, RunnerStyle, fixed_member, moving_member
 from artgen.categories.parts.shelves import open_box
-from artgen.nodes.handles import Scalar
 
 Mounting = Literal["overlay", "inset"]
 """Whether fronts lie on the edges of the carcass or stand between them."""

@@ -12,7 +12,9 @@ from artgen import (
     Material,
     Profile,
     Revolute,
+    Scalar,
     Solid,
+    VectorLike,
     X,
     Y,
     Z,
@@ -38,7 +40,6 @@ from artgen import (
     weld,
 )
 from artgen.categories.parts.finish import casting
-from artgen.nodes.handles import Scalar, VectorLike
 
 HandleStyle = Literal["lever", "blade", "cross", "knob"]
 """A round lever, a flat one, a cross with balls, or a fluted knob."""

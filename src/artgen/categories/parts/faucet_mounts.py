@@ -5,7 +5,9 @@ from artgen import (
     Joint,
     Material,
     Prismatic,
+    Scalar,
     Solid,
+    VectorLike,
     X,
     Y,
     Z,
@@ -31,7 +33,6 @@ from artgen import (
 )
 from artgen.categories.parts.feet import corner_feet
 from artgen.categories.parts.finish import casting
-from artgen.nodes.handles import Scalar, VectorLike
 
 PADS = 0.004
 """Height of the rubber pads under a deck or a foot [m]."""

@@ -11,6 +11,7 @@ from artgen import (
     Prismatic,
     Profile,
     Revolute,
+    Scalar,
     Vector,
     X,
     Y,
@@ -35,7 +36,6 @@ from artgen import (
     weld,
 )
 from artgen.categories.parts.finish import casting
-from artgen.nodes.handles import Scalar
 
 SpoutStyle = Literal["gooseneck", "arc", "angular", "low", "beam"]
 """A swan's neck, a low arc, a bent square tube, one that hangs from a bar, or a straight one."""

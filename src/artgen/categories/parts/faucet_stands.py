@@ -7,7 +7,21 @@ import math
 from dataclasses import dataclass, field
 from typing import Literal
 
-from artgen import Body, Material, Vector, X, Y, Z, cylinder, cylinder_between, material, part, vector, weld
+from artgen import (
+    Body,
+    Material,
+    Scalar,
+    Vector,
+    X,
+    Y,
+    Z,
+    cylinder,
+    cylinder_between,
+    material,
+    part,
+    vector,
+    weld,
+)
 from artgen.categories.parts.faucet_handles import LeverStyle, mixer
 from artgen.categories.parts.faucet_mounts import (
     BEHIND,
@@ -22,7 +36,6 @@ from artgen.categories.parts.faucet_mounts import (
 )
 from artgen.categories.parts.faucet_spouts import core_radius
 from artgen.categories.parts.finish import casting
-from artgen.nodes.handles import Scalar
 
 ROD_AT = 0.053
 """The rod of a drain behind the axis of the spout [m]."""

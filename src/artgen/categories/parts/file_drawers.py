@@ -3,9 +3,22 @@
 Both are drawn on the face y = 0.
 """
 
-from artgen import Body, Material, Y, box, coloured, detail, details, extrude, material, rectangle, ring, text
+from artgen import (
+    Body,
+    Material,
+    Scalar,
+    Y,
+    box,
+    coloured,
+    detail,
+    details,
+    extrude,
+    material,
+    rectangle,
+    ring,
+    text,
+)
 from artgen.categories.parts.cylinders import plug
-from artgen.nodes.handles import Scalar
 
 INDEXES = ("A-F", "G-K", "L-R", "S-Z", "2021", "2022", "2023", "2024")
 """What is written on the cards."""

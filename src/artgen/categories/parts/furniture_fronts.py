@@ -3,10 +3,9 @@
 from dataclasses import dataclass
 from typing import Literal
 
-from artgen import Body, Material, Solid, Y, box, detail, extrude, min_, part, rectangle
+from artgen import Body, Material, Scalar, Solid, Y, box, detail, extrude, min_, part, rectangle
 from artgen.categories.parts.blank import EASED
 from artgen.categories.parts.infill import Opening, Sticking, panels_in, panes_in
-from artgen.nodes.handles import Scalar
 
 FrontStyle = Literal["flat", "beaded", "shaker", "ramped", "fielded", "glazed"]
 """A slab; one with a bead around it; a frame around a flat panel, plain or moulded; one whose frame slopes

@@ -11,6 +11,7 @@ from artgen import (
     Body,
     Float,
     Material,
+    Scalar,
     Solid,
     X,
     Y,
@@ -41,7 +42,6 @@ from artgen import (
 )
 from artgen.categories.parts.bar_handles import BarStyle, bar_handle
 from artgen.categories.parts.finish import casting
-from artgen.nodes.handles import Scalar
 
 _SUNK = 0.0006  # how deep feet are let into the front [m]
 _SHEET = 0.0024  # wall of a cup [m]

@@ -205,14 +205,12 @@ def crank(sizes: Crank, low: Scalar, looks: HeadLooks) -> Body:
             (0.0, 0.006, level + thick / 2.0),
             (0.0, -0.35 * reach, level + thick / 2.0 + 0.0005),
             (0.0, -0.72 * reach, end - 0.004),
-            (0.0, -1.0 * reach, end),
-            (0.0, -1.0 * reach - 0.006, end),
+            (0.0, -reach, end),
+            (0.0, -reach - 0.006, end),
         ]
     )
     arm = sweep(rectangle(0.0105, thick, radius=0.0012), line)
-    eye = cylinder_between(
-        (0.0, -1.0 * reach, end - 0.0022), (0.0, -1.0 * reach, end + 0.0026), 0.0076, bevel=0.0008
-    )
+    eye = cylinder_between((0.0, -reach, end - 0.0022), (0.0, -reach, end + 0.0026), 0.0076, bevel=0.0008)
     grip = _knob_runs(sizes.knob, end + 0.0026 + GAP)
     top = end + 0.0026 + GAP + 1.9 * sizes.knob
     pin = cylinder_between((0.0, 0.0, end), (0.0, 0.0, top + GAP + 0.0008), _PIN)
@@ -223,7 +221,7 @@ def crank(sizes: Crank, low: Scalar, looks: HeadLooks) -> Body:
     spin = Revolute(
         "knob_spin",
         axis=Z,
-        pivot=(0.0, -1.0 * reach, 0.0),
+        pivot=(0.0, -reach, 0.0),
         friction=sizes.friction,
         damping=0.0002,
         armature=0.00001,
@@ -234,12 +232,12 @@ def crank(sizes: Crank, low: Scalar, looks: HeadLooks) -> Body:
         part(arm, "crank", metal),
         part(hub, "crank", metal),
         part(eye, "crank", metal),
-        part(pin.at(0.0, -1.0 * reach), "crank", metal),
-        part(head_.at(0.0, -1.0 * reach), "crank", metal),
+        part(pin.at(0.0, -reach), "crank", metal),
+        part(head_.at(0.0, -reach), "crank", metal),
         shaft(level + thick),
         finial_of("nut" if looks.finial == "ball" else looks.finial, metal, level + thick - 0.0003),
     )
-    return turning.attach(knob.at(0.0, -1.0 * reach), spin)
+    return turning.attach(knob.at(0.0, -reach), spin)
 
 
 def _knob_runs(radius: Scalar, low: Scalar) -> list[Run]:

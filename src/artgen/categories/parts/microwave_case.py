@@ -6,8 +6,11 @@ from functools import cached_property
 from artgen import (
     Body,
     Material,
+    Scalar,
     Solid,
+    Span,
     Y,
+    board,
     box,
     circle,
     coloured,
@@ -22,9 +25,8 @@ from artgen import (
 from artgen.categories.parts.appliance_finish import DARK, filled
 from artgen.categories.parts.cords import mains_cord
 from artgen.categories.parts.feet import feet
-from artgen.categories.parts.microwave_space import FRAME, SHAFT, SHEET, Space, Span, board
+from artgen.categories.parts.microwave_space import FRAME, SHAFT, SHEET, Space
 from artgen.categories.parts.screws import screws
-from artgen.nodes.handles import Scalar
 
 _LAP = 0.0005  # by which boards reach into each other, so that they have no corners in common [m]
 _WALL = 0.0035  # thickness of the cavity's right wall [m]
@@ -118,7 +120,7 @@ class Case:
         front, rear = space.mouth - 0.0016, space.rear
         sides = [
             board(x, (front, rear), (low, high - 0.0006), bevel=0.0010)
-            for x in ((-1.0 * half, SHEET - half), (half - SHEET, 1.0 * half))
+            for x in ((-half, SHEET - half), (half - SHEET, 1.0 * half))
         ]
         top = board((0.0006 - half, half - 0.0006), (front, rear), (high - SHEET, high), bevel=0.0010)
         wide = (0.001 - half, half - 0.001)

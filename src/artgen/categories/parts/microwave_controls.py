@@ -4,15 +4,28 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal
 
-from artgen import Body, Joint, Material, Profile, Solid, detail, details, part, rectangle, weld
+from artgen import (
+    Body,
+    Joint,
+    Material,
+    Profile,
+    Scalar,
+    Solid,
+    Span,
+    board,
+    detail,
+    details,
+    part,
+    rectangle,
+    weld,
+)
 from artgen.categories.parts.appliance_finish import filled
 from artgen.categories.parts.buttons import PLAY, ButtonShape, button_outline, button_press, push_button
 from artgen.categories.parts.control_panels import ink_on
 from artgen.categories.parts.dials import DialStyle, dial, dial_print, dial_turn
 from artgen.categories.parts.microwave_door import PANE, FaceStyle
-from artgen.categories.parts.microwave_space import EDGE, Space, Span, board
+from artgen.categories.parts.microwave_space import EDGE, Space
 from artgen.nodes.details.displays import Color
-from artgen.nodes.handles import Scalar
 
 Controls = Literal["keypad", "mixed", "dials"]
 """Keys, keys with one dial, or dials alone."""
@@ -282,7 +295,7 @@ class Panel:
             name="button",
         )
         word = details.lettering(["OPEN"], 0.0052, tracking=0.25)
-        out = -1.0 * (self.eject_travel + 0.0016)
+        out = -(self.eject_travel + 0.0016)
         return weld(cap, details.printed(word, (0.0, out, 0.0), material=ink_on(self.cap))).at(*at)
 
     def press(self) -> Joint:
@@ -316,7 +329,7 @@ class Panel:
             )
             if name.isdigit():
                 figure = details.lettering([name], 0.0058)
-                cap = weld(cap, details.printed(figure, (0.0, -1.0 * proud, 0.0), material=ink))
+                cap = weld(cap, details.printed(figure, (0.0, -proud, 0.0), material=ink))
             press = button_press(
                 f"key_slide_{number}", travel=self.travel, preload=0.4, force=self.force, pivot=at
             )

@@ -12,10 +12,13 @@ from artgen import (
     Prismatic,
     Profile,
     Revolute,
+    Scalar,
     Solid,
+    Span,
     Y,
     Z,
     array,
+    board,
     coloured,
     cylinder,
     detail,
@@ -29,8 +32,7 @@ from artgen import (
 from artgen.categories.parts.appliance_finish import filled
 from artgen.categories.parts.bar_handles import BarStyle, Grip, bar_handle, recessed_grip
 from artgen.categories.parts.control_panels import ink_on
-from artgen.categories.parts.microwave_space import Space, Span, board
-from artgen.nodes.handles import Scalar
+from artgen.categories.parts.microwave_space import Space
 
 HandleKind = Literal["bar", "pocket", "none"]
 """A bar on the door, a recess with a blade in it, or none: a button opens the door."""
@@ -256,7 +258,7 @@ class Door:
         a, b = space.across
         choke = rectangle(b - a + 0.030, space.ceiling - space.floor + 0.022, radius=0.010)
         choke = choke - rectangle(x1 - x0 + 0.006, z1 - z0 + 0.006, radius=0.008).at(
-            -1.0 * ((x0 + x1) / 2.0 - (a + b) / 2.0), (z0 + z1) / 2.0 - (space.floor + space.ceiling) / 2.0
+            -((x0 + x1) / 2.0 - (a + b) / 2.0), (z0 + z1) / 2.0 - (space.floor + space.ceiling) / 2.0
         )  # seen from behind, x runs the other way
         cover = details.relief(
             choke,

@@ -3,10 +3,8 @@
 from dataclasses import dataclass
 from functools import cached_property
 
-from artgen import Float, Solid, box_between, min_
-from artgen.nodes.handles import Scalar
-
-Span = tuple[Scalar, Scalar]
+from artgen import Float, Scalar, Span, min_
+from artgen.categories.parts.appliance_space import ApplianceSpace
 
 SEAL = 0.0028
 """Between the inside of the door and the cavity's frame, of which the choke leaves 2-3 mm [m]."""
@@ -39,58 +37,22 @@ _BEHIND = 0.020  # from the back of the cavity to that of the case [m]
 _PIVOT = (0.0062, 0.0170)  # of the hinge, from the left edge and the inside of the door [m]
 
 
-def board(x: Span, y: Span, z: Span, *, bevel: Scalar = 0.0) -> Solid:
-    """Make a board between coordinates [m]."""
-    low, high = zip(x, y, z, strict=True)
-    return box_between(low, high, bevel=bevel)
-
-
-@dataclass(frozen=True)
-class Space:
+@dataclass(frozen=True, kw_only=True)
+class Space(ApplianceSpace):
     """The measures of a microwave oven.
 
     Attributes:
-        width: Of everything [m].
-        height: Of everything [m].
-        depth: Of everything, a handle included [m].
-        projection: Of a handle before the door [m].
-        thickness: Of the door [m].
         panel: Width of the control panel [m].
         foot: Height of the feet [m].
     """
 
-    width: Float
-    height: Float
-    depth: Float
-    projection: Scalar
-    thickness: Float
     panel: Float
     foot: Float
-
-    @cached_property
-    def half(self) -> Scalar:
-        """Half the width [m]."""
-        return self.width / 2.0
-
-    @cached_property
-    def front(self) -> Scalar:
-        """The face of door and panel, along y [m]."""
-        return self.projection - self.depth / 2.0
-
-    @cached_property
-    def inner(self) -> Scalar:
-        """The inside of the door, along y [m]."""
-        return self.front + self.thickness
 
     @cached_property
     def mouth(self) -> Scalar:
         """The front of the cavity's frame, along y [m]."""
         return self.inner + SEAL
-
-    @cached_property
-    def rear(self) -> Scalar:
-        """The back of the case, along y [m]."""
-        return self.depth / 2.0
 
     @cached_property
     def back(self) -> Scalar:

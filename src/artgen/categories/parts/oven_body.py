@@ -6,8 +6,10 @@ from functools import cached_property
 from artgen import (
     Body,
     Material,
+    Scalar,
     Y,
     array,
+    board,
     circle,
     cylinder,
     detail,
@@ -21,9 +23,8 @@ from artgen import (
 from artgen.categories.parts.appliance_finish import DARK, filled
 from artgen.categories.parts.cords import cord_stub
 from artgen.categories.parts.feet import feet
-from artgen.categories.parts.oven_space import LAP, Space, board
+from artgen.categories.parts.oven_space import LAP, Space
 from artgen.categories.parts.screws import screws
-from artgen.nodes.handles import Scalar
 
 FOOT = 0.022
 """Height of the feet of a range [m]."""
@@ -96,7 +97,7 @@ class Cabinet:
         zinc = material("zinc")
         bodies = [
             part(board(x, (front, rear), (low, high), bevel=0.0010), "body", sheet)
-            for x in ((-1.0 * side, _SHEET - side), (side - _SHEET, 1.0 * side))
+            for x in ((-side, _SHEET - side), (side - _SHEET, 1.0 * side))
         ]
         inner = (_SHEET - side - LAP, side - _SHEET + LAP)
         deck = board(inner, (front, rear - 0.0012), (high - 0.0020, high - 0.0004))
@@ -115,13 +116,10 @@ class Cabinet:
         tall = (floor - LAP, ceiling + LAP)
         deep = (front, back + 0.014)
         boards = [
-            board((-1.0 * edge, edge), deep, (self._under, floor)),
-            board((-1.0 * edge, edge), deep, (ceiling, ceiling + _FRAME)),
-            board((-1.0 * inside - LAP, inside + LAP), (back, deep[1] - LAP), tall),
-            *(
-                board(x, (front, deep[1] - LAP), tall)
-                for x in ((inside, edge - LAP), (LAP - edge, -1.0 * inside))
-            ),
+            board((-edge, edge), deep, (self._under, floor)),
+            board((-edge, edge), deep, (ceiling, ceiling + _FRAME)),
+            board((-inside - LAP, inside + LAP), (back, deep[1] - LAP), tall),
+            *(board(x, (front, deep[1] - LAP), tall) for x in ((inside, edge - LAP), (LAP - edge, -inside))),
         ]
         # posts beside the frame, and what is over it behind the panel
         frame = filled(material("powder_coat_black"), self.wool, "frame")
@@ -129,11 +127,9 @@ class Cabinet:
         top = self._high - 0.0012
         posts = [
             board(x, behind, (self._under + LAP, top))
-            for x in ((edge - 2.0 * LAP, outer), (-1.0 * outer, 2.0 * LAP - edge))
+            for x in ((edge - 2.0 * LAP, outer), (-outer, 2.0 * LAP - edge))
         ]
-        posts.append(
-            board((-1.0 * edge, edge), (behind[0], behind[1] - LAP), (ceiling + _FRAME - LAP, top - LAP))
-        )
+        posts.append(board((-edge, edge), (behind[0], behind[1] - LAP), (ceiling + _FRAME - LAP, top - LAP)))
         return [
             *(part(each, "cavity", stuff) for each in boards),
             *(part(each, "body", frame) for each in posts),
@@ -143,9 +139,9 @@ class Cabinet:
         """Make what is below the door of a built-in oven: a strip with slots for the air."""
         space, half = self.space, self.space.half
         front, top = space.front + 0.006, space.under_door
-        strip = board((-1.0 * half, half), (front, front + 0.016), (0.0, top), bevel=0.0020)
+        strip = board((-half, half), (front, front + 0.016), (0.0, top), bevel=0.0020)
         behind = board(
-            (-1.0 * space.side, space.side), (front + 0.0155, space.mouth + 0.004), (0.0004, top - 0.002)
+            (-space.side, space.side), (front + 0.0155, space.mouth + 0.004), (0.0004, top - 0.002)
         )
         slots = details.vent_slots(0.86 * space.width, 0.012, 26, slot=0.0090)
         vent = details.relief(slots, (0.0, front, 0.5 * top), proud=0.0003, sunk=0.0003)

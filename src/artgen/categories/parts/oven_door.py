@@ -10,9 +10,12 @@ from artgen import (
     Material,
     Profile,
     Revolute,
+    Scalar,
     Solid,
+    Span,
     X,
     Y,
+    board,
     box,
     coloured,
     detail,
@@ -29,8 +32,7 @@ from artgen.categories.parts.appliance_finish import DARK, filled
 from artgen.categories.parts.bar_handles import BarStyle, bar_handle
 from artgen.categories.parts.control_panels import ink_on
 from artgen.categories.parts.finish import casting
-from artgen.categories.parts.oven_space import LAP, SKIN, Space, Span, board
-from artgen.nodes.handles import Scalar
+from artgen.categories.parts.oven_space import LAP, SKIN, Space
 
 Window = Literal["none", "partial", "full"]
 """A solid front, one with a window in it, or one of glass all over."""
@@ -118,7 +120,7 @@ class Door:
         for (start, end), finish, density, inset, bevel, wider in layers:
             outline = rectangle(2.0 * (self._half - inset), tall - 2.0 * inset)
             hole = self._hole(wider)
-            outline = outline if hole is None else outline - hole.at(0.0, -1.0 * level)
+            outline = outline if hole is None else outline - hole.at(0.0, -level)
             slab = extrude(outline, end - start, axis=Y, bevel=bevel)
             solids.append((slab.at(0.0, (start + end) / 2.0, level), filled(finish, density, "door")))
         if self.window == "none":
@@ -130,7 +132,7 @@ class Door:
         )
         clear = material("glass").with_(name="inner_glass", opacity=0.14)
         for deep, wide, glass in ((front + 0.0006, 0.002, tinted), (inner - _PANE - 0.0008, 0.009, clear)):
-            x, z = (-1.0 * half - wide, half + wide), (bottom - wide, top + wide)
+            x, z = (-half - wide, half + wide), (bottom - wide, top + wide)
             solids.append((board(x, (deep, deep + _PANE), z), glass))
         return solids
 
@@ -264,10 +266,10 @@ def box_handle(length: Scalar, out: Scalar, *, finish: Material) -> Body:
     """
     deep, high = _BOX
     end = 0.030
-    bar = box(length - 0.004, deep, high, bevel=0.0045).at(0.0, -1.0 * out, 0.0)
+    bar = box(length - 0.004, deep, high, bevel=0.0045).at(0.0, -out, 0.0)
     block = box(end, out + deep / 2.0 - 0.0004, high + 0.004, bevel=0.0045)
     ends = [block.at(way * (length - end) / 2.0, -0.5 * (out + deep / 2.0) + 0.0008, 0.0) for way in (-1, 1)]
-    hold = frame((0.0, -1.0 * out, 0.0), approach=(0.0, 1.0, 0.0), closing=(0.0, 0.0, 1.0))
+    hold = frame((0.0, -out, 0.0), approach=(0.0, 1.0, 0.0), closing=(0.0, 0.0, 1.0))
     hollow = casting(finish, 0.3)
     return weld(
         part(bar, "handle", hollow, name="handle", grasp=hold),

@@ -3,12 +3,26 @@
 from dataclasses import dataclass
 from functools import cached_property
 
-from artgen import Body, Joint, Material, Prismatic, Solid, Y, coloured, detail, material, part, weld
+from artgen import (
+    Body,
+    Joint,
+    Material,
+    Prismatic,
+    Scalar,
+    Solid,
+    Span,
+    Y,
+    board,
+    coloured,
+    detail,
+    material,
+    part,
+    weld,
+)
 from artgen.categories.parts.appliance_finish import filled
 from artgen.categories.parts.bar_handles import Grip, recessed_grip
 from artgen.categories.parts.oven_body import FOOT, LOW
-from artgen.categories.parts.oven_space import LAP, Space, Span, board
-from artgen.nodes.handles import Scalar
+from artgen.categories.parts.oven_space import LAP, Space
 
 _FACE = 0.030  # thickness of the front [m]
 _POCKET = 0.0275  # depth of the grip [m]
@@ -71,7 +85,7 @@ class Drawer:
             level=True,
             name="drawer_grip",
         ).at(0.0, space.front, middle)
-        face = board((-1.0 * half, half), (space.front, space.front + _FACE), (low, high), bevel=0.0022)
+        face = board((-half, half), (space.front, space.front + _FACE), (low, high), bevel=0.0022)
         steel = coloured("powder_coat", "graphite").with_(name="drawer_sheet", density=1900.0)
         bodies = [
             part(face - grip.cut, "drawer", filled(self.finish, 360.0, "front")),
@@ -85,7 +99,7 @@ class Drawer:
         floor = board((less - x, x - less), (y0, y1 - less), (z0, z0 + _SHEET))
         sides = [
             board(
-                (x - _SHEET, x) if way > 0 else (-1.0 * x, _SHEET - x),
+                (x - _SHEET, x) if way > 0 else (-x, _SHEET - x),
                 (y0, y1),
                 (z0 + less, z1),
                 bevel=0.0008,
@@ -106,7 +120,7 @@ class Drawer:
         steel = material("zinc")
         solids = [
             board(
-                (x + _PLAY, space.half - 0.0025) if way > 0 else (0.0025 - space.half, -1.0 * x - _PLAY),
+                (x + _PLAY, space.half - 0.0025) if way > 0 else (0.0025 - space.half, -x - _PLAY),
                 (space.mouth + 0.004, end - 0.01),
                 z,
             )

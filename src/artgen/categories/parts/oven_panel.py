@@ -4,13 +4,12 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal
 
-from artgen import Body, Joint, Material, details, material, part, weld
+from artgen import Body, Joint, Material, Scalar, board, details, material, part, weld
 from artgen.categories.parts.appliance_finish import filled
 from artgen.categories.parts.control_panels import PANE, icon_row, ink_on, inlay, lamp_row, places
 from artgen.categories.parts.dials import DialStyle, dial, dial_print, dial_turn
-from artgen.categories.parts.oven_space import LAP, Space, board
+from artgen.categories.parts.oven_space import LAP, Space
 from artgen.nodes.details.displays import Color
-from artgen.nodes.handles import Scalar
 
 SWEEP = 4.7
 """How far a dial turns from off [rad]."""
@@ -105,7 +104,7 @@ class Panel:
         space, half = self.space, self._half
         front = space.front
         face = board(
-            (-1.0 * half, half),
+            (-half, half),
             (front, front + _DEEP),
             (space.panel_low, space.panel_high - 0.0006),
             bevel=0.0020,
@@ -139,7 +138,7 @@ class Panel:
                 bodies.append(icon_row(names[:4], row, height=0.0125, ink=ink, proud=proud))
                 bodies.append(lamp_row(row, level=-0.016, lit=1 if way < 0 else 9, proud=proud))
         for number, x in enumerate(self._at):
-            bodies.append(self._scale(number, ink).at(x, -1.0 * proud, 0.0))
+            bodies.append(self._scale(number, ink).at(x, -proud, 0.0))
         if self.maker:
             bodies.append(self._name(ink, proud))
         return bodies
@@ -183,7 +182,7 @@ class Panel:
         if of_oven and not self.burners and style == "ticks":
             sign = "thermometer"
         if sign:
-            mark = details.icon(sign, 0.0085).at(0.0, -1.0 * self.radius - 0.0115)
+            mark = details.icon(sign, 0.0085).at(0.0, -self.radius - 0.0115)
             bodies.append(details.printed(mark, (0.0, 0.0, 0.0), material=ink))
         return weld(*bodies)
 
@@ -191,8 +190,8 @@ class Panel:
         """Print the maker's name at the right end, or in the middle where there is no display."""
         word = details.logo(self.maker, 0.0058)
         tall = 0.5 * self.space.panel - 0.0105
-        x = 0.0 if self.show else -1.0 * self._half + 0.055
-        return details.printed(word, (x, -1.0 * proud, -1.0 * tall), material=ink)
+        x = 0.0 if self.show else -self._half + 0.055
+        return details.printed(word, (x, -proud, -tall), material=ink)
 
     def joined(self, body: Body) -> Body:
         """Join the dials to a body that has the panel."""

@@ -9,11 +9,13 @@ from artgen import (
     Dependency,
     Joint,
     Material,
-    Prismatic,
+    Scalar,
+    VectorLike,
     X,
     Y,
     Z,
     array,
+    board,
     cylinder,
     detail,
     details,
@@ -24,8 +26,8 @@ from artgen import (
     polyline,
     weld,
 )
-from artgen.categories.parts.oven_space import LEVELS, ROD, Space, board
-from artgen.nodes.handles import Scalar, VectorLike
+from artgen.categories.parts.oven_space import LEVELS, ROD, Space
+from artgen.categories.parts.wire_baskets import rack_slide
 
 _INSIDE = 0.0002  # by which rods that collide are thinner than those that are seen [m]
 _CORNER = 0.014  # radius of the corners of a rack [m]
@@ -132,23 +134,23 @@ class Racks:
         half, deep = space.rack_half, space.rack_depth
         rim = 0.016
         x, y = half - rim, deep / 2.0 - rim
-        low, sheet = -1.0 * _PAN, _SHEET
+        low, sheet = -_PAN, _SHEET
         less = 0.0004
         boards = [
-            board((-1.0 * x, x), (-1.0 * y, y), (low, low + sheet), bevel=0.001),
+            board((-x, x), (-y, y), (low, low + sheet), bevel=0.001),
             *(
                 board(
-                    (-1.0 * half + less, half - less),
-                    (way * (y - sheet), way * (y + rim)) if way > 0 else (-1.0 * (y + rim), sheet - y),
-                    (-1.0 * sheet / 2.0, sheet / 2.0),
+                    (-half + less, half - less),
+                    (way * (y - sheet), way * (y + rim)) if way > 0 else (-(y + rim), sheet - y),
+                    (-sheet / 2.0, sheet / 2.0),
                     bevel=0.0009,
                 )
                 for way in (-1, 1)
             ),
             *(
                 board(
-                    (x - sheet, half) if way > 0 else (-1.0 * half, sheet - x),
-                    (-1.0 * y, y),
+                    (x - sheet, half) if way > 0 else (-half, sheet - x),
+                    (-y, y),
                     (less - sheet / 2.0, sheet / 2.0 - less),
                 )
                 for way in (-1, 1)
@@ -156,7 +158,7 @@ class Racks:
             *(
                 board(
                     (less - x, x - less),
-                    (y - sheet, y) if way > 0 else (-1.0 * y, sheet - y),
+                    (y - sheet, y) if way > 0 else (-y, sheet - y),
                     (low + less, sheet / 2.0 - less),
                 )
                 for way in (-1, 1)
@@ -191,16 +193,7 @@ class Racks:
             name: Of the joint.
             needs: Where the door has to stand.
         """
-        return Prismatic(
-            name,
-            axis=-Y,
-            limits=(0.0, self.space.slide),
-            friction=self.friction,
-            damping=6.0,
-            effort=14.0,
-            velocity=1.5,
-            needs=needs,
-        )
+        return rack_slide(name, travel=self.space.slide, friction=self.friction, damping=6.0, needs=needs)
 
 
 def element(space: Space) -> Body:
@@ -212,9 +205,9 @@ def element(space: Space) -> Body:
     x, y0, y1 = 0.66 * space.inside, space.mouth + 0.06, space.back - 0.06
     level = space.ceiling - 0.014
     turns = 5
-    points: list[VectorLike] = [(-1.0 * x, space.back, level), (-1.0 * x, y0, level)]
+    points: list[VectorLike] = [(-x, space.back, level), (-x, y0, level)]
     for turn in range(1, turns):
-        here = -1.0 * x + 2.0 * x * (turn / turns)
+        here = -x + 2.0 * x * (turn / turns)
         ends = (y0, y1) if turn % 2 else (y1, y0)
         points += [(here, end, level) for end in ends]
     points += [(x, y0 if turns % 2 else y1, level), (x, space.back, level)]

@@ -4,13 +4,11 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal
 
-from artgen import Float, Solid, atan2, box_between, sqrt
-from artgen.nodes.handles import Scalar
+from artgen import Float, Scalar, Span, atan2, sqrt
+from artgen.categories.parts.appliance_space import ApplianceSpace
 
 Build = Literal["built_in", "range"]
 """For a kitchen cabinet, or standing on its own with burners on it."""
-
-Span = tuple[Scalar, Scalar]
 
 SEAL = 0.006
 """Between the inside of the door and the cavity, where the gasket is [m]."""
@@ -42,23 +40,12 @@ _REACH = 0.010  # from the mouth of the cavity to the front of a rack [m]
 _LEAST = 0.0012  # between a rack and the door at the angle at which it may come [m]
 
 
-def board(x: Span, y: Span, z: Span, *, bevel: Scalar = 0.0) -> Solid:
-    """Make a board between coordinates [m]."""
-    low, high = zip(x, y, z, strict=True)
-    return box_between(low, high, bevel=bevel)
-
-
-@dataclass(frozen=True)
-class Space:
+@dataclass(frozen=True, kw_only=True)
+class Space(ApplianceSpace):
     """The measures of an oven.
 
     Attributes:
         build: Built in or a range.
-        width: Of everything [m].
-        height: Of everything but the grates of a range [m].
-        depth: Of everything, the handle included [m].
-        projection: Of the handle before the door [m].
-        thickness: Of the door [m].
         hinge_height: Of the axis of the door [m].
         panel: Height of the control panel [m].
         wall: From the outside to the cavity at the sides [m].
@@ -67,11 +54,6 @@ class Space:
     """
 
     build: Build
-    width: Float
-    height: Float
-    depth: Float
-    projection: Scalar
-    thickness: Float
     hinge_height: Float
     panel: Float
     wall: Float
@@ -79,34 +61,14 @@ class Space:
     slide: Float
 
     @cached_property
-    def half(self) -> Scalar:
-        """Half the width of the front [m]."""
-        return self.width / 2.0
-
-    @cached_property
     def side(self) -> Scalar:
         """Half the width behind the front: a built-in oven goes into a niche [m]."""
         return self.half - 0.018 if self.build == "built_in" else self.half
 
     @cached_property
-    def front(self) -> Scalar:
-        """The face of the door, along y [m]."""
-        return self.projection - self.depth / 2.0
-
-    @cached_property
-    def inner(self) -> Scalar:
-        """The inside of the door, along y [m]."""
-        return self.front + self.thickness
-
-    @cached_property
     def mouth(self) -> Scalar:
         """The front of the cavity, along y [m]."""
         return self.inner + SEAL
-
-    @cached_property
-    def rear(self) -> Scalar:
-        """The back of everything, along y [m]."""
-        return self.depth / 2.0
 
     @cached_property
     def back(self) -> Scalar:

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal
 
-from artgen import Body, Material, Z, detail, details, extrude, material, part, rectangle, weld
+from artgen import Body, Material, Scalar, Z, detail, details, extrude, material, min_, part, rectangle, weld
 from artgen.categories.parts.appliance_finish import DARK, filled
 from artgen.categories.parts.control_panels import ink_on
 from artgen.categories.parts.cooktop_burners import (
@@ -19,8 +19,6 @@ from artgen.categories.parts.cooktop_burners import (
 from artgen.categories.parts.cooktop_grates import grates
 from artgen.categories.parts.cooktop_plan import Plan
 from artgen.categories.parts.oven_space import TOP, Space
-from artgen.nodes.handles import Scalar
-from artgen.nodes.scalar import min_
 
 BurnerKind = Literal["gas", "radiant", "induction"]
 """Flames, or glowing bands or coils under glass."""
@@ -38,7 +36,7 @@ class TopPlan(Plan):
     def field(self) -> tuple[Scalar, Scalar, Scalar, Scalar]:
         """Left, right, front and back of the field with the burners [m]."""
         x, y = self.width / 2.0 - _EDGE, self.depth / 2.0
-        return (-1.0 * x, x, _EDGE - y, y - _VENT)
+        return (-x, x, _EDGE - y, y - _VENT)
 
 
 @dataclass(frozen=True)

@@ -12,6 +12,7 @@ from artgen import (
     Frame,
     Material,
     Profile,
+    Scalar,
     Solid,
     X,
     Y,
@@ -33,7 +34,6 @@ from artgen import (
     union,
 )
 from artgen.categories.parts.plier_halves import RECESSED, Forging
-from artgen.nodes.handles import Scalar
 
 Grip = Literal["bare", "dipped", "two_component"]
 

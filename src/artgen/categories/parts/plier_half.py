@@ -3,7 +3,7 @@
 import math
 from dataclasses import dataclass
 
-from artgen import Body, Float, Material, Solid, Y, material, max_, min_, part, union, weld
+from artgen import Body, Float, Material, Scalar, Solid, Y, material, max_, min_, part, union, weld
 from artgen.categories.parts.plier_fittings import (
     Grip,
     Key,
@@ -19,7 +19,6 @@ from artgen.categories.parts.plier_fittings import (
     sleeved,
 )
 from artgen.categories.parts.plier_halves import Forging
-from artgen.nodes.handles import Scalar
 
 _RIVET = 0.36  # radius of a rivet, in radii of the lap
 _PLAY = 0.0003  # of a rivet in its hole [m]

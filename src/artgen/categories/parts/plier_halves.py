@@ -13,8 +13,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 from typing import Literal, NamedTuple
 
-from artgen import Float, Profile, Solid, Y, Z, circle, extrude, loft, min_, polygon, rectangle, union
-from artgen.nodes.handles import Scalar
+from artgen import Float, Profile, Scalar, Solid, Y, Z, circle, extrude, loft, min_, polygon, rectangle, union
 
 Style = Literal["combination", "needle_nose", "cutter", "slip_joint"]
 

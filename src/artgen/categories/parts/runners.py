@@ -6,10 +6,22 @@ of the carcass's member, another at the rear of the drawer's. Ball runners are z
 
 from typing import Literal
 
-from artgen import Body, Material, Solid, X, array, board, cylinder, detail, material, part
+from artgen import (
+    Body,
+    Material,
+    Scalar,
+    Solid,
+    VectorLike,
+    X,
+    array,
+    board,
+    cylinder,
+    detail,
+    material,
+    part,
+)
 from artgen.categories.parts.furniture_finish import CREAM_STEEL, ZINC
 from artgen.categories.parts.screws import screws
-from artgen.nodes.handles import Scalar, VectorLike
 
 SIDE_PLAY = 0.0125
 """From the side of a drawer to the face beside it [m]."""

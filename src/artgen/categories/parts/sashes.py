@@ -2,10 +2,9 @@
 
 from dataclasses import dataclass
 
-from artgen import Body, Frame, Material, polygon, rectangle, weld
+from artgen import Body, Frame, Material, Scalar, polygon, rectangle, weld
 from artgen.categories.parts.infill import Opening, panes_in
 from artgen.categories.parts.window_plan import LIP, REBATE, SEALED, Rect, Section, ring_of
-from artgen.nodes.handles import Scalar
 
 PANE = 0.012
 """Thickness of an insulating glass as it is built [m]; it weighs what its panes do."""

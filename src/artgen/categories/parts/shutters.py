@@ -5,12 +5,11 @@ They hang in front of the frame and open to -y.
 
 from typing import Literal, NamedTuple
 
-from artgen import Body, Joint, Material, Revolute, X, Z, array, box, part, union, weld
+from artgen import Body, Joint, Material, Revolute, Scalar, X, Z, array, box, part, union, weld
 from artgen.categories.parts.infill import Opening, slats_in
 from artgen.categories.parts.pulls import pull_handle
 from artgen.categories.parts.window_hardware import BARREL, Pin, barrel_hinges
 from artgen.categories.parts.window_plan import SEAM
-from artgen.nodes.handles import Scalar
 
 ShutterStyle = Literal["none", "louvred", "boarded"]
 

@@ -1,7 +1,7 @@
 """What is printed on soap dispensers: a word, a sign, or a label with maker, content and volume."""
 
 import math
-from typing import Literal
+from typing import Literal, get_args
 
 from artgen import (
     Body,
@@ -38,17 +38,7 @@ WORDS: dict[Content, tuple[str, ...]] = {
 _ICONS: dict[Content, str] = {"soap": "drop", "hand_wash": "drop", "lotion": "leaf", "dish_soap": "dish"}
 _RUN = {"round": 1, "amphora": 1, "cone": 1, "bell": 1, "apothecary": 1}  # of the outline, with the print
 _LEVEL = {"apothecary": 0.33, "amphora": 0.60, "bell": 0.40}  # over the height; others in the middle
-PRINTED: tuple[Shape, ...] = (
-    "round",
-    "square",
-    "cube",
-    "oval",
-    "hexagonal",
-    "amphora",
-    "cone",
-    "bell",
-    "apothecary",
-)
+PRINTED: tuple[Shape, ...] = tuple(shape for shape in get_args(Shape) if shape not in ("ribbed", "beehive"))
 """Bottles that can be printed: not those with ribs."""
 
 LABELLED: tuple[Shape, ...] = ("round", "square", "cube", "apothecary")

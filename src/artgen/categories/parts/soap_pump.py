@@ -125,7 +125,7 @@ def nozzle_body(kind: Nozzle, *, reach: Scalar, travel: Scalar, looks: PumpLooks
         travel: How far it is pressed down [m].
         looks: How it is made.
     """
-    low = -1.0 * (travel + GAP + _ENGAGED)
+    low = -(travel + GAP + _ENGAGED)
     stem = cylinder_between((0.0, 0.0, low), (0.0, 0.0, 0.004), _STEM)
     make = {
         "saddle": _saddle,
@@ -170,7 +170,7 @@ def _saddle(reach: Scalar, looks: PumpLooks) -> list[Body]:
     bodies = [
         part(spout, "nozzle", looks.finish, push=push, grasp=hold),
         part(hub, "nozzle", looks.finish),
-        _mouth((-1.0 * reach + 0.0032, 0.0016), 0.0027, looks.finish, 0.003),
+        _mouth((-reach + 0.0032, 0.0016), 0.0027, looks.finish, 0.003),
     ]
     if looks.ink is not None:  # which way it is locked
         arrow = details.icon("repeat", 0.0065)
@@ -204,7 +204,7 @@ def _beak(reach: Scalar, looks: PumpLooks) -> list[Body]:
     return [
         part(spout, "nozzle", looks.finish, grasp=hold, push=push_on(block, direction=-Z)),
         cap,
-        _mouth((-1.0 * reach + 0.0030, 0.0030), 0.0025, looks.finish, 0.003),
+        _mouth((-reach + 0.0030, 0.0030), 0.0025, looks.finish, 0.003),
     ]
 
 
@@ -222,7 +222,7 @@ def _gooseneck(reach: Scalar, looks: PumpLooks) -> list[Body]:
             (-0.0075, rise - 0.005),
             (-0.42 * reach, rise),
             (-0.78 * reach, rise - 0.006),
-            (-1.0 * reach, rise - 0.020),
+            (-reach, rise - 0.020),
         ],
         0.0042,
     )
@@ -234,7 +234,7 @@ def _gooseneck(reach: Scalar, looks: PumpLooks) -> list[Body]:
     at = (0.0, -0.42 * reach, rise)
     hold = grasp_on(tube, approach=-Z, closing=X, at=at, depth=0.006)
     lip = ring(0.0050, 0.0030)
-    mouth = extrude(lip, 0.003, axis=(0.0, -0.35, -1.0)).at(0.0, -1.0 * reach, rise - 0.020)
+    mouth = extrude(lip, 0.003, axis=(0.0, -0.35, -1.0)).at(0.0, -reach, rise - 0.020)
     return [
         part(tube, "nozzle", looks.finish, grasp=hold, push=push_on(tube, direction=-Z, at=at)),
         turned(runs, "nozzle", looks.finish, sides=16),
@@ -244,14 +244,14 @@ def _gooseneck(reach: Scalar, looks: PumpLooks) -> list[Body]:
 
 def _bar(reach: Scalar, looks: PumpLooks) -> list[Body]:
     top = HEAD["bar"]
-    bar = box_between((-0.0056, -1.0 * reach, 0.0025), (0.0056, 0.0085, top), bevel=0.0012)
+    bar = box_between((-0.0056, -reach, 0.0025), (0.0056, 0.0085, top), bevel=0.0012)
     hub = cylinder_between((0.0, 0.0, 0.0), (0.0, 0.0, 0.004), 0.0080, bevel=0.0006)
     hold = grasp_on(bar, approach=-Z, closing=X, at=(0.0, -0.6 * reach, 0.007), depth=0.008)
     push = push_on(bar, direction=-Z, at=(0.0, 0.0, 0.007))
     return [
         part(bar, "nozzle", looks.finish, grasp=hold, push=push),
         part(hub, "nozzle", looks.finish),
-        _mouth((-1.0 * reach + 0.0056, 0.0040), 0.0034, looks.finish, 0.0040),
+        _mouth((-reach + 0.0056, 0.0040), 0.0034, looks.finish, 0.0040),
     ]
 
 
@@ -269,7 +269,7 @@ def _swan(reach: Scalar, looks: PumpLooks) -> list[Body]:
             (-0.30 * reach, 0.0150),
             (-0.62 * reach, 0.0162),
             (-0.88 * reach, 0.0110),
-            (-1.0 * reach, 0.0030),
+            (-reach, 0.0030),
         ],
         0.0036,
     )
@@ -297,7 +297,7 @@ def _foamer(reach: Scalar, looks: PumpLooks) -> list[Body]:
     return [
         part(spout, "nozzle", looks.finish, grasp=hold, push=push_on(block, direction=-Z)),
         cap,
-        _mouth((-1.0 * reach + 0.0046, 0.0150), 0.0040, looks.finish, 0.004),
+        _mouth((-reach + 0.0046, 0.0150), 0.0040, looks.finish, 0.004),
     ]
 
 

@@ -62,12 +62,10 @@ def holder(radius: Scalar, out: Scalar, ring_at: Scalar, metal: Material) -> Bod
         metal: What it is made of.
     """
     plate = box_between((-0.014, -0.003, TRAY - 0.012), (0.014, 0.0006, ring_at + 0.016), bevel=0.001)
-    arm = box_between((-0.008, -1.0 * out, TRAY - 0.0055), (0.008, -0.001, TRAY - 0.0015), bevel=0.0008)
-    disc = cylinder_between(
-        (0.0, -1.0 * out, TRAY - 0.0035), (0.0, -1.0 * out, TRAY), radius + _RIM, bevel=0.0010
-    )
+    arm = box_between((-0.008, -out, TRAY - 0.0055), (0.008, -0.001, TRAY - 0.0015), bevel=0.0008)
+    disc = cylinder_between((0.0, -out, TRAY - 0.0035), (0.0, -out, TRAY), radius + _RIM, bevel=0.0010)
     line = rectangle(_RIM + 0.0002, 0.010, radius=0.0008).at(radius + 0.5 * _RIM - 0.0001, ring_at)
-    band = enclosed(revolve(line, sides=28)).at(0.0, -1.0 * out, 0.0)  # the bottle fills it
+    band = enclosed(revolve(line, sides=28)).at(0.0, -out, 0.0)  # the bottle fills it
     strut = box_between(
         (-0.006, radius - out, ring_at - 0.004), (0.006, -0.001, ring_at + 0.004), bevel=0.0008
     )
@@ -111,8 +109,8 @@ def wall_box(
     low, high = _BOX
     half = 0.5 * wide
     shell = finish.with_(name=f"{finish.name}_case", density=720.0)  # a cartridge of soap in a shell of 2 mm
-    case = box_between((-half, -1.0 * deep, low), (half, 0.0006, high), bevel=0.0052)
-    block = box_between((-half, -1.0 * _BLOCK, _PUMP), (half, 0.0006, low + 0.008), bevel=0.0030)
+    case = box_between((-half, -deep, low), (half, 0.0006, high), bevel=0.0052)
+    block = box_between((-half, -_BLOCK, _PUMP), (half, 0.0006, low + 0.008), bevel=0.0030)
     cheeks = [
         box_between(
             (side * (half - _CHEEK / 2.0) - _CHEEK / 2.0, 0.009 - deep, _PUMP),
@@ -126,7 +124,7 @@ def wall_box(
     mouth = cylinder_between((0.0, -0.018, _PUMP - 0.012), (0.0, -0.018, _PUMP - 0.007), 0.0042, bevel=0.0006)
     tall = 0.062
     middle = 0.5 * (low + high) + 0.002
-    front = -1.0 * deep
+    front = -deep
     frame = box_between(
         (-0.0075, front - 0.0003, middle - 0.5 * tall),
         (0.0075, front + 0.001, middle + 0.5 * tall),

@@ -8,6 +8,7 @@ from artgen import (
     Body,
     Joint,
     Revolute,
+    Scalar,
     X,
     Z,
     box,
@@ -22,7 +23,6 @@ from artgen import (
     tube,
     weld,
 )
-from artgen.nodes.handles import Scalar
 
 _PLAY = 0.0004  # between floor, rollers and plate [m]
 _ROLLER = 0.0075  # radius of a roller [m]

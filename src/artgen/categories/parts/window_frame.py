@@ -10,6 +10,7 @@ from typing import NamedTuple
 from artgen import (
     Body,
     Material,
+    Scalar,
     Solid,
     X,
     array,
@@ -24,7 +25,6 @@ from artgen import (
     weld,
 )
 from artgen.categories.parts.window_plan import SEALED, SEAM, STOP, Rect, Section, ring_along, ring_of
-from artgen.nodes.handles import Scalar
 
 MULLION = 0.068
 """Face of the posts and transoms between two sashes [m]."""

@@ -13,6 +13,7 @@ from artgen import (
     Material,
     Prismatic,
     Revolute,
+    Scalar,
     X,
     Y,
     Z,
@@ -34,7 +35,6 @@ from artgen import (
     weld,
 )
 from artgen.categories.parts.window_plan import LIP, REBATE, SEALED, Section
-from artgen.nodes.handles import Scalar
 
 BARREL = 0.0065
 """Radius of hinges [m]."""

@@ -16,6 +16,7 @@ from artgen import (
     Material,
     Prismatic,
     Revolute,
+    Scalar,
     X,
     Y,
     Z,
@@ -49,7 +50,6 @@ from artgen.categories.parts.window_hardware import (
 )
 from artgen.categories.parts.window_latches import SashLock, sash_lifts, sash_lock, sliding_latch
 from artgen.categories.parts.window_plan import LIP, REBATE, SEALED, STOP, Section, under
-from artgen.nodes.handles import Scalar
 
 _GRAVITY = 9.81  # [m/s^2]
 _STRIP = 0.013  # how far the strips of tracks stand out into the opening [m]

@@ -12,6 +12,7 @@ from artgen import (
     Material,
     Prismatic,
     Revolute,
+    Scalar,
     X,
     Y,
     Z,
@@ -26,7 +27,6 @@ from artgen import (
     union,
     weld,
 )
-from artgen.nodes.handles import Scalar
 
 
 class SashLock(NamedTuple):

@@ -14,6 +14,7 @@ from artgen import (
     Frame,
     Material,
     Profile,
+    Scalar,
     Solid,
     X,
     Z,
@@ -27,7 +28,6 @@ from artgen import (
     weld,
 )
 from artgen.categories.parts.finish import OUTDOORS, known, paints, weighing
-from artgen.nodes.handles import Scalar
 
 Kind = Literal["wood", "pvc", "aluminium"]
 """What frames are made of."""

@@ -11,9 +11,13 @@ from typing import Literal
 
 from artgen import (
     Body,
+    Condition,
+    Dependency,
     Float,
+    Joint,
     Material,
     Points,
+    Prismatic,
     Scalar,
     Solid,
     Vector,
@@ -296,4 +300,28 @@ def rollers(
     return weld(
         part(array(wheel, at=[(side * x, y, z) for side, y, z in both]), label, material, separate=_WELDED),
         detail(array(arm, at=[(side * far, y, z + rise) for side, y, z in both]), label, material),
+    )
+
+
+def rack_slide(
+    name: str, *, travel: Scalar, friction: Scalar, damping: Scalar, needs: Condition | Dependency
+) -> Joint:
+    """Make the joint by which a rack is drawn out; its effort is what a hand gives without opening the door.
+
+    Args:
+        name: Of the joint.
+        travel: How far [m].
+        friction: Of what it runs on [N].
+        damping: [N s/m].
+        needs: Where the door has to stand.
+    """
+    return Prismatic(
+        name,
+        axis=-Y,
+        limits=(0.0, travel),
+        friction=friction,
+        damping=damping,
+        effort=14.0,
+        velocity=1.5,
+        needs=needs,
     )

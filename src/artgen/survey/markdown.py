@@ -1,0 +1,6 @@
+"""Text in tables of Markdown."""
+
+
+def escaped(text: str) -> str:
+    """Return text for a cell of a table: on one line, its bars escaped."""
+    return text.replace("|", r"\|").replace("\n", " ")
