@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from artgen.asset.joint import JointKind
-from artgen.colliders.polytope import cross
+from artgen.colliders.triangles import cross
 
 Array = NDArray[np.float64]
 

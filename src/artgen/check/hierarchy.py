@@ -9,7 +9,7 @@ from manifold3d import Manifold
 from numpy.typing import NDArray
 
 from artgen.colliders.hull import hull_of
-from artgen.colliders.polytope import cross
+from artgen.colliders.triangles import cross
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]

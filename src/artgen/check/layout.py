@@ -10,7 +10,7 @@ from artgen.asset.joint import JointKind
 from artgen.check.bounds import Motion
 from artgen.check.items import NONE, Items
 from artgen.check.ways import Way
-from artgen.colliders.polytope import cross
+from artgen.colliders.triangles import cross
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]

@@ -11,7 +11,7 @@ from artgen.asset import Link
 from artgen.asset.contact import AllowedContact
 from artgen.check.stored_solids import link_parts
 from artgen.check.ways import Way
-from artgen.colliders.polytope import cross
+from artgen.colliders.triangles import cross
 from artgen.export.collision import Part
 
 Array = NDArray[np.float64]

@@ -10,10 +10,9 @@ from numpy.typing import NDArray
 
 from artgen.colliders.convex import TOLERANCE, Array, Convex
 from artgen.colliders.hull import hull_of
-from artgen.colliders.polytope import SNAP, cross
-from artgen.colliders.triangles import triangles_of
+from artgen.colliders.polytope import SNAP
+from artgen.colliders.triangles import across, cross, planes_of, triangles_of
 
-_NEEDLE = 1e-7  # [m]: height of a triangle below which it is a needle
 _FLAT = 1e-8  # area of a dual triangle by its longest side squared, below which it is a needle
 _APART = 1e8  # [1/m]: corners nearer than its inverse are one
 _WORTHWHILE = 0.5  # share of the greatest excess at a corner that is cut off along with the worst one
@@ -50,13 +49,7 @@ class Facets:
     def planes(self) -> Array:
         """The planes of the triangles as (nx, ny, nz, d), inside is `n.x <= d`, shape (m, 4)."""
         normals, area, corners = self._across
-        sides = corners - np.roll(corners, 1, axis=1)
-        longest = np.sqrt(np.sum(sides * sides, axis=2)).max(axis=1)
-        sound = area > _NEEDLE * longest  # the normal of a needle means nothing
-        planes = np.empty((np.count_nonzero(sound), 4))
-        planes[:, :3] = normals[sound] / area[sound, None]
-        planes[:, 3] = np.sum(planes[:, :3] * corners[sound, 0], axis=1)
-        return planes
+        return planes_of(corners, normals, area)
 
     @cached_property
     def centre(self) -> Array:
@@ -97,8 +90,7 @@ class Facets:
     def _across(self) -> tuple[Array, Array, Array]:
         """Normals of the length of the triangles' doubled areas, these areas, and the triangles' corners."""
         corners = self.points[self._triangles]
-        normals = cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-        return normals, np.sqrt(np.sum(normals * normals, axis=1)), corners
+        return *across(corners), corners
 
 
 def enclosing(solid: Facets, most_vertices: int, tolerance: float) -> tuple[Array, float]:
@@ -150,7 +142,7 @@ def _corners(planes: Array, centre: Array) -> Array:
     A face n.x <= d about the inner point becomes the point n / d; each face of the hull of these is a corner.
     """
     depth = planes[:, 3] - planes[:, :3] @ centre
-    dual = Manifold.hull_points(planes[:, :3] / depth[:, None]).to_mesh64()
+    dual = hull_of(planes[:, :3] / depth[:, None]).to_mesh64()
     ends = np.array(dual.vert_properties)[:, :3][triangles_of(dual)]
     first, second = ends[:, 1] - ends[:, 0], ends[:, 2] - ends[:, 0]
     poles = cross(first, second)

@@ -4,13 +4,14 @@ import numpy as np
 from manifold3d import Manifold
 from numpy.typing import NDArray
 
+from artgen.colliders.triangles import across, planes_of, triangles_of
+
 Array = NDArray[np.float64]
 
 _ZOOMS = (7.0, 1000.0, 0.3)
 """At how many times their size points are tried again."""
 
 _LOST = 1e-6  # [m]: a point farther out of the hull than this was lost
-_NEEDLE = 1e-8  # [m]: the normal of a triangle that is not as high as this means nothing
 _MANY = 4_000_000  # heights above triangles beyond which it costs too much to look for lost points
 
 
@@ -31,12 +32,6 @@ def _has_all(solid: Manifold, points: Array) -> bool:
     if solid.num_vert() == len(points) or solid.num_tri() * len(points) > _MANY:
         return True
     mesh = solid.to_mesh64()
-    corners = np.asarray(mesh.vert_properties)[:, :3][np.asarray(mesh.tri_verts)]
-    first, second = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
-    normals = np.cross(first, second)
-    area = np.sqrt(np.einsum("ij,ij->i", normals, normals))
-    longest = np.sqrt(np.maximum(np.sum(first * first, axis=1), np.sum(second * second, axis=1)))
-    sound = area > _NEEDLE * longest
-    normals = normals[sound] / area[sound, None]
-    levels = np.einsum("ij,ij->i", normals, corners[sound, 0])
-    return bool(((normals @ points.T).max(axis=1) <= levels + _LOST).all())
+    corners = np.asarray(mesh.vert_properties)[:, :3][triangles_of(mesh)]
+    planes = planes_of(corners, *across(corners))
+    return bool(((planes[:, :3] @ points.T).max(axis=1) <= planes[:, 3] + _LOST).all())

@@ -15,7 +15,7 @@ from manifold3d import Manifold
 from numpy.typing import NDArray
 
 from artgen.colliders.hull import hull_of
-from artgen.colliders.triangles import triangles_of
+from artgen.colliders.triangles import cross, triangles_of
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
@@ -31,7 +31,6 @@ _COPLANAR = 1e-8  # [m]: hull points closer than this to a face lie on it
 
 _RIGID = 1e-12  # error of lengths within which a motion is rigid
 _UNIT = np.eye(3)
-_NEXT, _AFTER = np.array([1, 2, 0]), np.array([2, 0, 1])
 _BOX_SIGNS = np.array([[x, y, z] for x in (-0.5, 0.5) for y in (-0.5, 0.5) for z in (-0.5, 0.5)])
 _BOX_NORMALS = np.array(
     [[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]], dtype=np.float64
@@ -262,12 +261,6 @@ def hull_triangles(points: Array) -> tuple[Array, Indices, Array]:
 def is_rigid(linear: Array) -> bool:
     """Tell whether a linear map, shape (3, 3), is a rotation or a reflection."""
     return bool(np.abs(linear.T @ linear - _UNIT).max() <= _RIGID)
-
-
-def cross(first: Array, second: Array) -> Array:
-    """Return the cross products of vectors, shape (..., 3)."""
-    product: Array = first[..., _NEXT] * second[..., _AFTER] - first[..., _AFTER] * second[..., _NEXT]
-    return product
 
 
 def _faces(vertices: Array, triangles: Indices) -> tuple[Array, Mask]:

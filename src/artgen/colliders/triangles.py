@@ -1,11 +1,15 @@
-"""The triangles of manifold3d's meshes."""
+"""The triangles of manifold3d's meshes, and their planes."""
 
 import numpy as np
 from manifold3d import Mesh64
 from numpy.typing import NDArray
 
+Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
+_NEXT, _AFTER = np.array([1, 2, 0]), np.array([2, 0, 1])
+
+_NEEDLE = 1e-7  # [m]: height of a triangle below which it is a needle
 _MANY = 2000  # triangles below which manifold3d works in one thread
 
 
@@ -20,3 +24,32 @@ def triangles_of(mesh: Mesh64) -> Indices:
     first = triangles.argmin(axis=1)[:, None]
     turned = np.take_along_axis(triangles, (first + np.arange(3)) % 3, axis=1)
     return turned[np.lexsort(turned.T[::-1])]
+
+
+def cross(first: Array, second: Array) -> Array:
+    """Return the cross products of vectors, shape (..., 3)."""
+    product: Array = first[..., _NEXT] * second[..., _AFTER] - first[..., _AFTER] * second[..., _NEXT]
+    return product
+
+
+def across(corners: Array) -> tuple[Array, Array]:
+    """Return normals of the length of triangles' doubled areas, and these areas, of corners, shape (m, 3, 3)."""
+    normals = cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    return normals, np.sqrt(np.sum(normals * normals, axis=1))
+
+
+def planes_of(corners: Array, normals: Array, area: Array) -> Array:
+    """Return the planes of triangles as (nx, ny, nz, d), inside is `n.x <= d`, but those of needles, shape (k, 4).
+
+    Args:
+        corners: Of the triangles, shape (m, 3, 3) [m].
+        normals: As `across` returns them.
+        area: The same.
+    """
+    sides = corners - np.roll(corners, 1, axis=1)
+    longest = np.sqrt(np.sum(sides * sides, axis=2)).max(axis=1)
+    sound = area > _NEEDLE * longest  # the normal of a needle means nothing
+    planes = np.empty((np.count_nonzero(sound), 4))
+    planes[:, :3] = normals[sound] / area[sound, None]
+    planes[:, 3] = np.sum(planes[:, :3] * corners[sound, 0], axis=1)
+    return planes

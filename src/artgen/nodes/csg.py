@@ -15,8 +15,7 @@ from artgen import colliders
 from artgen.asset.shape import Shape
 from artgen.colliders import Convex, Exact
 from artgen.colliders.hull import hull_of
-from artgen.colliders.polytope import cross
-from artgen.colliders.triangles import triangles_of
+from artgen.colliders.triangles import cross, triangles_of
 from artgen.graph import kernel
 from artgen.materials import Material
 from artgen.nodes import inputs
@@ -219,7 +218,7 @@ def _inset(solid: Manifold, distance: float) -> Array:
             f"thickness {distance:g} m leaves no cavity: the solid is only about "
             f"{2.0 * (distance + float(depth.min())):.3g} m thick"
         )
-    dual = Manifold.hull_points(np.ascontiguousarray(normals / depth[:, None])).to_mesh64()
+    dual = hull_of(normals / depth[:, None]).to_mesh64()
     faces = np.array(dual.vert_properties)[:, :3][triangles_of(dual)]
     poles = cross(faces[:, 1] - faces[:, 0], faces[:, 2] - faces[:, 0])
     height = np.einsum("ij,ij->i", poles, faces[:, 0])

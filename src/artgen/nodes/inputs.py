@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from artgen.colliders.polytope import cross
+from artgen.colliders.triangles import cross
 
 Array = NDArray[np.float64]
 
