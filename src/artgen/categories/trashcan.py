@@ -264,7 +264,7 @@ def trashcan(
         depth,
         height - crown.get(style, GAP + THICK),
         corner=corner,
-        wall=WALL,
+        sheet=WALL,
         taper=taper if style in _TAPERED else 0.0,
     )
     plastic = _DARK if trim.base_metalness > 0.5 else trim

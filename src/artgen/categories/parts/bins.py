@@ -2,6 +2,9 @@
 
 A bin stands about the Z axis, its front towards -Y. Its plan is given at the rim; a tapered bin is smaller at
 its foot, in the same proportions.
+
+What is seen of a round wall is a smooth skin. What weighs and collides is a wall of few facets within it, so
+the skin is as much thicker as the facets are off the circle.
 """
 
 import math
@@ -9,6 +12,8 @@ from dataclasses import dataclass, replace
 from typing import Literal
 
 from artgen import (
+    Body,
+    Material,
     Profile,
     Scalar,
     Solid,
@@ -18,8 +23,11 @@ from artgen import (
     circle,
     coarse,
     cylinder,
+    detail,
     extrude,
     max_,
+    part,
+    polygon,
     rectangle,
     sqrt,
     vector,
@@ -31,6 +39,12 @@ Plan = Literal["round", "square", "rectangle", "half_round"]
 _BACK_CORNER = 0.022  # radius of the two corners of a half-round bin [m]
 _OVERLAP = 0.001  # of the two halves of a half-round bin [m]
 _LEAST_CORNER = 0.003  # [m]
+
+SIDES = 20
+"""Facets of what collides of a round wall: off a circle of 160 mm by 2 mm; simulators pay for each."""
+
+_HAIR = 0.0003  # how deep its edges lie below what is seen [m]
+_FLAT = math.cos(math.pi / SIDES)  # how far from the axis the middle of a facet is, as a share of its edges'
 
 
 @dataclass(frozen=True)
@@ -44,7 +58,7 @@ class Can:
         top: Height of the rim above the floor [m].
         foot: Height of the lower edge of the wall above the floor [m].
         corner: Radius of the corners at the rim, of a square or rectangular one [m].
-        wall: Thickness of the wall [m].
+        sheet: Thickness of what weighs and collides of the wall [m].
         taper: Share by which the foot is smaller than the rim.
     """
 
@@ -54,13 +68,21 @@ class Can:
     top: Scalar
     foot: Scalar = 0.005
     corner: Scalar = 0.03
-    wall: Scalar = 0.003
+    sheet: Scalar = 0.003
     taper: Scalar = 0.0
 
-    def outline(self, inset: Scalar = 0.0) -> Profile:
-        """Make the outline at the rim, moved inward [m]."""
+    @property
+    def wall(self) -> Scalar:
+        """Thickness of the wall that is seen [m]."""
+        if self.plan != "round":
+            return self.sheet
+        return _HAIR + (1.0 - _FLAT) * self.width / 2.0 + self.sheet
+
+    def outline(self, inset: Scalar = 0.0, *, faceted: bool = False) -> Profile:
+        """Make the outline at the rim, moved inward [m]; a round one of facets, if it is to be."""
         if self.plan == "round":
-            return circle(self.width / 2.0 - inset)
+            radius = self.width / 2.0 - inset
+            return _faceted(radius) if faceted else circle(radius)
         if self.plan == "half_round":
             return self._half_round(inset)
         across, along = self.width - 2.0 * inset, self.depth - 2.0 * inset
@@ -99,6 +121,10 @@ class Can:
             return disc.at(0.0, 0.0, (low + high) / 2.0)
         return self._drawn(self.outline(inset), low, high, bevel)
 
+    def floor(self, low: Scalar, high: Scalar) -> Solid:
+        """Make a floor between two heights, whose edge lies in the wall."""
+        return self._drawn(self.outline(2.0 * _HAIR, faceted=True), low, high)
+
     def _drawn(self, section: Profile, low: Scalar, high: Scalar, bevel: Scalar = 0.0) -> Solid:
         middle = (low + high) / 2.0
         if _is_zero(self.taper):
@@ -108,9 +134,27 @@ class Can:
         drawn = extrude(section.scale(share), high - low, axis=-Z, taper=narrower, bevel=bevel)
         return drawn.at(0.0, 0.0, middle)
 
-    def shell(self) -> Solid:
-        """Make the wall from the foot to the rim."""
-        return coarse(self.band(self.foot, self.top))
+    def shell(
+        self, label: str, finish: Material, *, name: str | None = None, holes: Solid | None = None
+    ) -> list[Body]:
+        """Make the wall from the foot to the rim: what weighs and collides, and the skin of a round one.
+
+        Args:
+            label: Semantic label.
+            finish: Its material, of a density that suits `sheet`.
+            name: Name of the link; by default the label.
+            holes: What is cut out of it.
+        """
+        seen = self.band(self.foot, self.top)
+        if self.plan != "round":
+            solid = coarse(seen)
+            return [part(solid if holes is None else solid - holes, label, finish, name=name)]
+        outer = self.outline(_HAIR, faceted=True)
+        inner = self.outline(_HAIR + self.sheet / _FLAT, faceted=True)
+        solid = self._drawn(outer - inner, self.foot + _HAIR, self.top - _HAIR)
+        if holes is not None:
+            solid, seen = solid - holes, seen - holes
+        return [part(solid, label, finish, name=name), detail(seen, label, finish)]
 
     def inside(
         self,
@@ -118,7 +162,7 @@ class Can:
         *,
         foot: Scalar,
         top: Scalar,
-        wall: Scalar,
+        sheet: Scalar,
         beside: Scalar = 0.0,
         behind: Scalar = 0.0,
     ) -> "Can":
@@ -128,7 +172,7 @@ class Can:
             gap: Between the walls [m].
             foot: Height of its lower edge [m].
             top: Height of its rim [m].
-            wall: Thickness of its wall [m].
+            sheet: Thickness of what weighs and collides of its wall [m].
             beside: How much more gap there is at both sides [m].
             behind: The same in front and behind; all round for a round one [m].
         """
@@ -144,7 +188,7 @@ class Can:
             corner=max_(self.corner * share - less / 2.0, _LEAST_CORNER),
             foot=foot,
             top=top,
-            wall=wall,
+            sheet=sheet,
             taper=narrower,
         )
 
@@ -187,6 +231,12 @@ class Can:
             return radius
         behind = (self.width - self.depth) / 2.0  # of the middle: there is the middle of its front's circle
         return sqrt(radius * radius - behind * behind)
+
+
+def _faceted(radius: Scalar) -> Profile:
+    """Make the polygon within a circle that has edges in front, behind and at both sides."""
+    turns = [math.tau * number / SIDES for number in range(SIDES)]
+    return polygon([(radius * math.cos(turn), radius * math.sin(turn)) for turn in turns])
 
 
 def _is_zero(value: Scalar) -> bool:

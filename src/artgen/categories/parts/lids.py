@@ -26,6 +26,7 @@ from artgen import (
     cylinder,
     detail,
     dome,
+    enclosed,
     extrude,
     grasp_on,
     material,
@@ -105,8 +106,7 @@ class Hinge:
         cheek = board((-_CHEEK / 2.0, _CHEEK / 2.0), (near, far), (self.foot, z), bevel=0.0012)
         for side in (-1, 1):
             x = side * (_HALF + 0.0005 + _CHEEK / 2.0)
-            parts.append(part(cheek.at(x, 0.0, 0.0), label, finish))
-            parts.append(part(round_.at(x, y, z), label, finish))
+            parts.append(part(enclosed(cheek.at(x, 0.0, 0.0) | round_.at(x, y, z)), label, finish))
         half = _HALF + _CHEEK
         cover = board((-half, half), (far - 0.0027, far + 0.0003), (self.foot, z - 0.010), bevel=0.0012)
         parts.append(part(cover, label, finish))
@@ -197,7 +197,7 @@ def lid_panel(
         finish: Its material, of an effective density: lids are hollow.
         overhang: How far it reaches over the wall [m].
     """
-    level = Can(can.plan, can.width, can.depth, low + thick, low, can.corner, can.wall)
+    level = Can(can.plan, can.width, can.depth, low + thick, low, can.corner, can.sheet)
     slab = extrude(level.outline(-overhang), thick, bevel=_SOFT).at(0.0, 0.0, low + thick / 2.0)
     radius = can.width / 2.0 + overhang
     bodies = _faceted(slab, _disc(radius, thick).at(0.0, 0.0, low), finish, can.plan)

@@ -46,10 +46,10 @@ def bucket(can: Can, *, finish: Material, loop: bool = True, band: Material | No
         loop: Whether it has a grip inside its rim, in front.
         band: Material of the ring that holds the bag, only seen; none by default.
     """
-    floor = can.block(can.foot, can.foot + 0.0022, inset=0.0005)
+    floor = can.floor(can.foot, can.foot + 0.0022)
     lip = can.band(can.top - 0.010, can.top, outer=-0.0012, inner=0.0005)
     bodies = [
-        part(can.shell(), "bucket", finish),
+        *can.shell("bucket", finish),
         part(floor, "bucket", finish),
         detail(lip, "bucket", finish if band is None else band),
     ]

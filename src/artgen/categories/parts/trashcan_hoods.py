@@ -76,7 +76,7 @@ class Hood:
     @property
     def _level(self) -> Can:
         can = self.can
-        return Can(can.plan, can.width, can.depth, can.top, can.foot, can.corner, can.wall)
+        return Can(can.plan, can.width, can.depth, can.top, can.foot, can.corner, can.sheet)
 
     @property
     def low(self) -> Scalar:

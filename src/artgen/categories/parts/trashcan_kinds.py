@@ -161,7 +161,7 @@ class Draft:
             return body
         can = self.can
         ahead = max(room, _BEHIND)
-        inner = can.inside(_FREE, foot=floor + _UNDER, top=can.top - _LOWER, wall=_BUCKET, behind=ahead)
+        inner = can.inside(_FREE, foot=floor + _UNDER, top=can.top - _LOWER, sheet=_BUCKET, behind=ahead)
         above = inner.top - hinge.axis[1]
         reach = can.wall + _FREE + ahead
         most = (hinge.behind + reach - SPARE) * tan(min_(opening - _SPARE, _UPRIGHT)) - above
@@ -186,7 +186,7 @@ def open_bin(draft: Draft, *, bagged: bool) -> Body:
     body = stand(can, looks, floor=can.foot, dress=draft.dress, rim=0.0)
     if draft.carry != "none":
         body = weld(body, rolled_rim(can, looks.finish))
-        liner = can.inside(_FREE, foot=can.foot + _UNDER, top=can.top + 0.006, wall=_BUCKET)
+        liner = can.inside(_FREE, foot=can.foot + _UNDER, top=can.top + 0.006, sheet=_BUCKET)
         return draft.lift_out(body, liner, travel=liner.top - liner.foot, needs=None)
     ring = Hood(can, "ring", 0.014, 0.0, looks.trim)
     top = ring.body(looks.bright)
@@ -234,7 +234,7 @@ def butterfly_bin(draft: Draft, lid: Lid, foot: Foot | None) -> Body:
         _FREE,
         foot=floor + _UNDER,
         top=can.top - _LOWER,
-        wall=_BUCKET,
+        sheet=_BUCKET,
         beside=can.width / 2.0 - can.wall - _FREE - flaps.axis + aside,
         behind=0.015,
     )

@@ -51,10 +51,9 @@ def stand(
         rim: Height of the band around the rim, 0 for none [m].
         label: Semantic label of the wall.
     """
-    wall = can.shell() if holes is None else can.shell() - holes
     bodies = [
-        part(wall, label, looks.finish, name="body"),
-        part(can.block(floor, floor + 0.003, inset=0.0006), "base", looks.trim),
+        *can.shell(label, looks.finish, name="body", holes=holes),
+        part(can.floor(floor, floor + 0.003), "base", looks.trim),
         feet(can.feet(0.024), height=floor, radius=0.008, finish=material("rubber")),
     ]
     bodies += [detail(each, "rim", looks.trim) for each in _rim(can, rim)]
