@@ -1,6 +1,8 @@
 """The catalog: categories by name, those of artgen and those that other packages bring."""
 
 import functools
+from importlib import import_module
+from pkgutil import iter_modules
 from typing import Any
 
 from artgen.asset import Asset
@@ -12,11 +14,17 @@ ENTRY_POINTS = "artgen.categories"
 
 
 @functools.cache
-def _load() -> None:
-    """Import every module that defines categories, which enters them in `CATEGORIES`."""
-    from importlib.metadata import entry_points
+def _own() -> frozenset[str]:
+    """Return the names of artgen's categories: each is the module of its name."""
+    import artgen.categories
 
-    import artgen.categories  # noqa: F401 - its modules enter their categories
+    return frozenset(found.name for found in iter_modules(artgen.categories.__path__) if not found.ispkg)
+
+
+@functools.cache
+def _load_others() -> None:
+    """Import the modules of other packages that define categories, which enters them in `CATEGORIES`."""
+    from importlib.metadata import entry_points
 
     for point in sorted(entry_points(group=ENTRY_POINTS), key=lambda point: (point.name, point.value)):
         try:
@@ -27,20 +35,22 @@ def _load() -> None:
 
 def categories() -> tuple[str, ...]:
     """Return the names of all categories in alphabetical order."""
-    _load()
-    return tuple(sorted(CATEGORIES))
+    _load_others()
+    return tuple(sorted({*_own(), *CATEGORIES}))
 
 
 def find(name: str) -> Generator:
-    """Return the category of that name.
+    """Return the category of that name; of artgen's own, only its module is imported.
 
     Raises:
         ParameterError: There is none; the message has the nearest name.
     """
+    if name not in CATEGORIES and name in _own():
+        import_module(f"artgen.categories.{name}")
     if name not in CATEGORIES:  # the caller's own categories need no catalog
-        _load()
+        _load_others()
     if name not in CATEGORIES:
-        raise ParameterError(f"there is no category {name!r}.{nearest(name, CATEGORIES)}")
+        raise ParameterError(f"there is no category {name!r}.{nearest(name, categories())}")
     return CATEGORIES[name]
 
 

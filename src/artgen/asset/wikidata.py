@@ -4,13 +4,16 @@ THING = "Q223557"
 """A physical object: what every asset is whose category has no code here."""
 
 CATEGORY_CODES = {
+    "box": "Q188075",
     "dishwasher": "Q186263",
     "door": "Q36794",
     "lamp": "Q1138737",
     "microwave": "Q127956",
+    "oven": "Q36539",
     "refrigerator": "Q37828",
     "toaster": "Q14890",
     "trashcan": "Q216530",  # Wikidata says waste container
+    "window": "Q35473",
 }
 """Codes by name of the category; a code stands here only if somebody has looked it up."""
 
