@@ -452,6 +452,11 @@ def test_mani_skill_opens_a_door_as_a_cabinet(seed: int, openings: int, tmp_path
         ("lamp", "lever", "revolute", "lever"),
         ("trashcan", "lid", "revolute", "lid"),
         ("trashcan", "pedal", "revolute", "foot_pad"),
+        ("cabinet", "door", "revolute", "rotation_door"),
+        ("window", "pane", "revolute", "rotation_window"),
+        ("window", "pane", "prismatic", "translation_window"),
+        ("microwave", "plate", "revolute", "rotation_tray"),
+        ("faucet", "handle", "revolute", "switch"),
     ],
 )
 def test_links_are_called_what_the_dataset_calls_them(
@@ -462,7 +467,19 @@ def test_links_are_called_what_the_dataset_calls_them(
 
 
 @pytest.mark.parametrize(
-    ("category", "name"), [("trashcan", "TrashCan"), ("dishwasher", "Dishwasher"), ("toaster", "Toaster")]
+    ("category", "label", "word"),
+    [("cabinet", "body", "furniture_body"), ("window", "frame", "window_frame"), ("box", "box", "box_body")],
+)
+def test_bases_are_called_what_the_dataset_calls_them(
+    nested: Asset, category: str, label: str, word: str
+) -> None:
+    asset, link = replace(nested, category=category), replace(nested.links[0], label=label)
+    assert semantic(asset, link, []) == word
+
+
+@pytest.mark.parametrize(
+    ("category", "name"),
+    [("trashcan", "TrashCan"), ("dishwasher", "Dishwasher"), ("toaster", "Toaster"), ("plier", "Pliers")],
 )
 def test_the_dataset_has_categories_of_its_own(nested: Asset, category: str, name: str) -> None:
     files = encode(replace(nested, category=category), layout=LAYOUT, textures=0)

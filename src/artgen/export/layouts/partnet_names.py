@@ -26,21 +26,43 @@ UPRIGHT = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]])
 """From asset coordinates (z up, front -y) to those of the dataset's bodies and meshes (y up, front z)."""
 
 _HANDLE = "handle"  # what loaders search for in the names of visuals
-_DOORS = ("door", "freezer_door")  # a refrigerator or an oven has a `door`, a door a `rotation_door`
+_DOORS = ("door", "freezer_door", "pane")  # a refrigerator or an oven has a `door`, a door a `rotation_door`
 _WORDS: Mapping[tuple[str, str], str] = {
+    ("box", "flap_major"): "rotation_lid",
+    ("box", "flap_minor"): "rotation_lid",
     ("dishwasher", "rack"): "shelf",
+    ("faucet", "handle"): "switch",
     ("lamp", "arm_lower"): "rotation_bar",
     ("lamp", "arm_upper"): "rotation_bar",
     ("lamp", "rocker"): "switch",
     ("lamp", "dial"): "knob",
+    ("microwave", "dial"): "knob",
+    ("microwave", "plate"): "rotation_tray",
+    ("oven", "dial"): "knob",
+    ("oven", "rack"): "translation_tray",
+    ("plier", "jaw"): "leg",
     ("refrigerator", "inner_drawer"): "drawer",
     ("refrigerator", "outer_drawer"): "drawer",
+    ("soap_dispenser", "nozzle"): "pressing_lid",
     ("toaster", "crumb_tray"): "translation_tray",
     ("toaster", "lever"): "slider",
     ("trashcan", "bucket"): "container",
     ("trashcan", "pedal"): "foot_pad",
 }
 """The dataset's words for moving links, by category and label, where they are not artgen's labels."""
+
+_BASES: Mapping[str, str] = {
+    "box": "box_body",
+    "cabinet": "furniture_body",
+    "drawer": "furniture_body",
+    "faucet": "faucet_base",
+    "plier": "leg",
+    "soap_dispenser": "dispenser_body",
+}
+"""The dataset's words for bases, by category, where they are not the category and artgen's label."""
+
+_TURNS_OR_SLIDES = {"cabinet": "door", "door": "door", "window": "window"}
+"""Categories whose doors and panes are called after how they move, as `rotation_door`."""
 
 _KINDS = {"prismatic": "slider", "revolute": "hinge"}
 
@@ -187,11 +209,14 @@ def semantic(asset: Asset, link: Link, joints: Sequence[Joint]) -> str:
     """Return what `semantics.txt` calls a link, one word."""
     label = link.label
     if not joints:
-        return label if asset.category in label else f"{asset.category}_{label}"
+        return _BASES.get(asset.category) or (
+            label if asset.category in label else f"{asset.category}_{label}"
+        )
     if label in _DOORS:
-        if kind_of(joints) == "slider":
-            return "translation_door"
-        return "rotation_door" if asset.category == "door" else "door"
+        what, slides = _TURNS_OR_SLIDES.get(asset.category), kind_of(joints) == "slider"
+        if what is not None:
+            return f"translation_{what}" if slides else f"rotation_{what}"
+        return "translation_door" if slides else "door"
     return _WORDS.get((asset.category, label), label)
 
 

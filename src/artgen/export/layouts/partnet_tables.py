@@ -16,6 +16,7 @@ Array = NDArray[np.float64]
 CATEGORIES: Mapping[str, str] = {
     "cabinet": "StorageFurniture",
     "drawer": "StorageFurniture",
+    "plier": "Pliers",
     "soap_dispenser": "Dispenser",
     "trash": "TrashCan",
     "trash_can": "TrashCan",
