@@ -18,7 +18,7 @@ STYLES = {
     "ball": {"hood_lift", "lid_hinge"},
     "disc": {"hood_lift", "lid_hinge"},
     "butterfly": {"lid_hinge_left", "lid_hinge_right", "bucket_slide"},
-    "touch": {"button_press", "lid_hinge", "bucket_slide"},
+    "touch": {"button_slide", "lid_hinge", "bucket_slide"},
     "open": set(),
 }
 
@@ -101,7 +101,7 @@ def test_a_bucket_lifts_out_under_an_open_lid_only(style: str) -> None:
 def test_a_touch_lid_needs_its_button_until_its_foot_has_passed() -> None:
     asset = trashcan.generate(1, style="touch", certify=False, cache=Cache())
     needs = asset.joint("lid_hinge").needs
-    assert needs.condition.joints() == ("button_press",)
+    assert needs.condition.joints() == ("button_slide",)
     assert asset.joint("lid_hinge").stiffness > 0.0, "a spring opens it"
     held = solid(asset, "lid", lid_hinge=0.5 * needs.until) ^ solid(asset, "button")
     assert held.volume() > 0.0, "the bar of the button holds the foot"

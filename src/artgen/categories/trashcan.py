@@ -3,7 +3,7 @@
 Links: `body`; `lid`, or `lid_left` and `lid_right` of a butterfly bin; `pedal` and the `rod` that it lifts;
 `button` of a touch bin; `hood` under a lid that turns, which lifts off to change the bag; `bucket` with its
 `handle`; the `ring` that holds the bag of an open bin. Joints: `lid_hinge` (with `_left` and `_right` for two
-flaps), `pedal_hinge`, `rod_slide`, `button_press`, `hood_lift`, `ring_lift`, `bucket_slide`, `handle_hinge`.
+flaps), `pedal_hinge`, `rod_slide`, `button_slide`, `hood_lift`, `ring_lift`, `bucket_slide`, `handle_hinge`.
 
 A pedal turns the lid by its levers: foot plate to pin, pin to rod, rod to the lid's axis; the ratio of the
 coupling is theirs. A foot presses with 15 to 60 N: the lid's weight by that ratio, and a spring that keeps

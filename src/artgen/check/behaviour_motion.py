@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -55,23 +56,23 @@ class Motion:
         low, high = self.limits
         return high - low
 
-    @property
+    @cached_property
     def friction(self) -> float:
         """Dry friction of all members, felt at the joint [N m or N]."""
         frictions = [member.friction for member in self.members]
         return float(np.abs(self.ratios) @ np.array(frictions))
 
-    @property
+    @cached_property
     def stiffness(self) -> float:
         """Stiffness of all springs, felt at the joint [N m/rad or N/m]."""
         return float(self.ratios**2 @ np.array([member.stiffness for member in self.members]))
 
-    @property
+    @cached_property
     def damping(self) -> float:
         """Damping of all members, felt at the joint [N m s/rad or N s/m]."""
         return float(self.ratios**2 @ np.array([member.damping for member in self.members]))
 
-    @property
+    @cached_property
     def rest(self) -> float:
         """Where the springs are at ease; only where there are some [rad or m]."""
         pulls = [member.stiffness * member.rest for member in self.members]

@@ -217,7 +217,7 @@ class _Run:
         if carried and len(drift.causes) < 2 and (not drift.causes or motion.friction):
             # what moves elsewhere changes how gravity pulls, and carries this joint along
             pull = simulation.pull(motion)
-            if abs(pull) > motion.friction:
+            if abs(pull) > motion.friction and int(math.copysign(1, pull)) not in drift.causes:
                 drift.causes |= self._directions(motion, pull)
         if abs(way) > _DRIFTS[motion.joint.kind] and int(math.copysign(1, way)) not in drift.causes:
             drift.since = float(simulation.data.time)

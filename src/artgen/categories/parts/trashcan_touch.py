@@ -96,7 +96,7 @@ class Catch:
         body = part(cap, "button", finish, push=push_on(cap, direction=Y))
         return weld(body, *(part(each, "button", hidden) for each in (bar, *arms)))
 
-    def press(self, name: str = "button_press") -> Joint:
+    def press(self, name: str = "button_slide") -> Joint:
         """Make the joint of the button."""
         return button_press(
             name, travel=_TRAVEL, preload=0.9, force=6.0, pivot=(0.0, self.can.front, self._bar)
