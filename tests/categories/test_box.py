@@ -16,10 +16,11 @@ from artgen.check.hand_force import hand_forces
 MAJOR = {"flap_front_hinge", "flap_back_hinge"}
 MINOR = {"flap_left_hinge", "flap_right_hinge"}
 STYLES = {
-    "slotted": MAJOR | MINOR,
+    "slotted": set[str](),
     "half_slotted": MAJOR | MINOR | {"sleeve_lift"},
     "mailer": {"lid_hinge", "tuck_front_hinge"},
     "pizza": {"lid_hinge", "tuck_front_hinge", "tuck_left_hinge", "tuck_right_hinge"},
+    "tuck_end": {"lid_hinge_left", "lid_hinge_right", "tuck_lower_hinge_left", "tuck_lower_hinge_right"},
     "wine": set[str](),
     "tray": {"lid_lift"},
     "gift": set[str](),
@@ -59,7 +60,7 @@ def test_any_seed_of_any_construction_can_be_built(seed: int, style: str) -> Non
 
 @pytest.mark.parametrize("flute", ["b", "c", "eb", "bc"])
 def test_closed_flaps_lie_on_each_other_a_board_and_a_hair_apart(flute: str) -> None:
-    asset = made(3, style="slotted", flute=flute)
+    asset = made(3, style="slotted", mouth="top", flute=flute)
     thick = THICK[flute]  # type: ignore[index]
     heights = {}
     for side in ("front", "back", "left", "right"):
@@ -73,7 +74,7 @@ def test_closed_flaps_lie_on_each_other_a_board_and_a_hair_apart(flute: str) -> 
 
 
 def test_minor_flaps_fold_in_before_major_ones_and_hang_down_when_they_are_free() -> None:
-    asset = made(3, style="slotted", swing=4.4)
+    asset = made(3, style="slotted", mouth="top", swing=4.4)
     assert asset.blocked({"flap_left_hinge": 0.8}) == ("flap_left_hinge",)
     assert touch(asset, "flap_left", "flap_front", flap_left_hinge=0.8)
     wide = {"flap_front_hinge": 2.0, "flap_back_hinge": 2.0}
@@ -83,6 +84,64 @@ def test_minor_flaps_fold_in_before_major_ones_and_hang_down_when_they_are_free(
     assert hanging > 3.4
     assert asset.blocked({"flap_left_hinge": hanging}) == ()
     assert not touch(asset, "flap_left", "flap_front", flap_left_hinge=hanging)
+
+
+@pytest.mark.parametrize("end", ["left", "right"])
+def test_flaps_at_the_ends_of_a_lying_box_open_in_order_too(end: str) -> None:
+    asset = box.generate(3, style="slotted", mouth="ends", on_collision="fail", cache=Cache())
+    sides = {"upper", "lower", "front", "back"}
+    hinges = {side: f"flap_{side}_hinge_{end}" for side in sides}
+    names = {joint.name for joint in asset.joints}
+    assert len(names) == 8
+    assert names >= set(hinges.values())
+    assert asset.blocked({hinges["front"]: 0.8}) == (hinges["front"],)
+    assert touch(asset, f"flap_front_{end}", f"flap_upper_{end}", **{hinges["front"]: 0.8})
+    down = asset.joint(hinges["lower"]).limits[1]
+    wide = {hinges["upper"]: 2.0, hinges["lower"]: down}
+    assert asset.blocked({hinges["upper"]: 2.0, hinges["front"]: 0.8}) == (hinges["front"],)
+    assert asset.blocked({**wide, hinges["front"]: 0.8, hinges["back"]: 0.8}) == ()
+    # the majors are on the long creases, the minors do not meet between them
+    assert asset.joint(hinges["upper"]).axis[2] == pytest.approx(0.0)
+    assert abs(asset.joint(hinges["front"]).axis[2]) == pytest.approx(1.0)
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_the_lower_flap_of_a_lying_box_comes_to_lie_on_the_floor(seed: int) -> None:
+    asset = made(seed, style="slotted", mouth="ends")
+    for end in ("left", "right"):
+        hinge = asset.joint(f"flap_lower_hinge_{end}")
+        assert math.radians(65.0) < hinge.limits[1] < math.radians(90.0)
+        for angle in np.linspace(*hinge.limits, 9).tolist():
+            low = solid(asset, f"flap_lower_{end}", **{hinge.name: angle}).bounding_box()[2]
+            assert low > -1e-6, "never below the floor"
+        assert low < 0.003
+
+
+@pytest.mark.parametrize(("more", "hinges"), [((), 8), (("ears",), 12), (("ears", "lips"), 16)])
+def test_a_carton_with_tucked_ends_has_up_to_sixteen_hinges(more: tuple[str, ...], hinges: int) -> None:
+    chosen = {name: name in more for name in ("ears", "lips")}
+    asset = box.generate(5, style="tuck_end", on_collision="fail", cache=Cache(), **chosen)
+    assert len(asset.joints) == hinges
+    assert all(joint.kind == "revolute" for joint in asset.joints)
+    left, right = (
+        {joint.name.removesuffix(end) for joint in asset.joints if joint.name.endswith(end)}
+        for end in ("_left", "_right")
+    )
+    assert left == right
+    assert len(left) == hinges / 2
+
+
+def test_a_tucked_end_opens_from_its_lid_inwards() -> None:
+    asset = box.generate(5, style="tuck_end", ears=True, lips=True, on_collision="fail", cache=Cache())
+    lid, tuck, flap = "lid_hinge_left", "tuck_lower_hinge_left", "flap_front_hinge_left"
+    assert tuck in asset.blocked({tuck: 0.6})
+    assert touch(asset, "tuck_lower_left", "box", **{tuck: 0.6})
+    assert asset.blocked({flap: 0.5, lid: 1.0}) == (flap,)
+    assert touch(asset, "flap_front_left", "lid_left", **{flap: 0.5})
+    assert asset.blocked({flap: 0.5, lid: 1.8, tuck: 1.4, "ear_back_hinge_left": 1.0}) == ()
+    assert asset.blocked({"lid_hinge_right": 1.8, flap: 0.5}) == (flap,), "each end has a lid of its own"
+    assert asset.blocked({"lip_front_hinge_left": 1.5}) == (), "a lip turns under its flap and the lid"
+    assert asset.link("lip_front_left").bounds()[1, 0] > asset.link("flap_front_left").bounds()[1, 0]
 
 
 @pytest.mark.parametrize("style", ["mailer", "pizza"])
@@ -126,7 +185,7 @@ def test_a_bottle_is_lifted_out_where_the_flaps_over_it_are_open(bottles: int) -
 
 
 def test_a_fresh_crease_springs_back_by_30_to_60_degrees_and_a_worked_one_holds() -> None:
-    fresh, worked = (made(6, style="slotted", crease=crease) for crease in ("fresh", "worked"))
+    fresh, worked = (made(6, style="slotted", mouth="top", crease=crease) for crease in ("fresh", "worked"))
     for name in MAJOR:
         joint = fresh.joint(name)
         assert joint.stiffness > 0.0
@@ -138,7 +197,7 @@ def test_a_fresh_crease_springs_back_by_30_to_60_degrees_and_a_worked_one_holds(
 
 @pytest.mark.parametrize("seed", range(3))
 def test_a_box_weighs_what_its_board_does(seed: int) -> None:
-    asset = made(seed, style="slotted", taped=False)
+    asset = made(seed, style="slotted", mouth="top", taped=False)
     width, aspect, height = (asset.parameters[name] for name in ("width", "aspect", "height"))
     depth = aspect * width
     around = 2.0 * (width + depth) * height

@@ -1,20 +1,24 @@
-"""A cardboard box: slotted, half-slotted, a mailer, a pizza box, a wine box, a tray with a lid or a gift box.
+"""A cardboard box: slotted, half-slotted, mailer, pizza, tuck-end or wine box, tray with a lid or gift box.
 
 Links: `box`; the flaps of slotted tops `flap_front`, `flap_back` (major), `flap_left`, `flap_right` (minor,
 below them); the `sleeve` of a half-slotted cover, which lifts off its tray; the `lid` of a mailer, a pizza or
 a tall wine box with `tuck_front`, `tuck_left`, `tuck_right` and the ears `ear_left`, `ear_right` of the tuck;
 the `lid` of a tray or a gift box, or the `drawer` of one; `bottle_0`, ... in the cells of a wine box.
-Joints: the name of a flap or a hinged lid with `_hinge`; `lid_lift`, `sleeve_lift`, `drawer_slide`,
-`bottle_lift_0`, ...
+Slotted boxes that lie open at both ends, of four flaps each: `flap_upper_left`, `flap_lower_left` (major),
+`flap_front_left`, `flap_back_left` and so on at the right. The ends of a tuck-end box have `lid_left`,
+`tuck_lower_left`, the ears `ear_front_left`, `ear_back_left`, the dust flaps `flap_front_left`,
+`flap_back_left` under the lid and on them the lips `lip_front_left`, `lip_back_left`: sixteen in all.
+Joints: the name of a flap or a hinged lid with `_hinge`, before the end's name; `lid_lift`, `sleeve_lift`,
+`drawer_slide`, `bottle_lift_0`, ...
 
 The order in which a box is closed is its dependencies: minor flaps fold in while the major ones stand up or
 hang down, and hang down themselves where they are free; tucks, ears and dust flaps move once their lid is up;
-a bottle comes out where the flaps over it are open.
+a bottle comes out where the flaps over it are open. The lower flap of an end comes to lie on the floor.
 
 Constructions are those of FEFCO's code: 0201 slotted, 0200 half-slotted on a tray, 0427 mailer, 0426 pizza
-box, 0215 tall carton, 0320 tray with a lid. How creases resist is estimated, for each metre: a board of
-0.7 kg/m2 weighs 0.14 N m at the crease of a flap of 0.2 m, which a crease that was worked holds
-(0.2-0.6 N m); fresh ones hold less and spring back to 30-60 degrees, a few newtons at the edge.
+box, 0211 with tucked ends, 0215 tall carton, 0320 tray with a lid. How creases resist is estimated, for each
+metre: a board of 0.7 kg/m2 weighs 0.14 N m at the crease of a flap of 0.2 m, which a crease that was worked
+holds (0.2-0.6 N m); fresh ones hold less and spring back to 30-60 degrees, a few newtons at the edge.
 """
 
 from typing import Literal
@@ -32,6 +36,7 @@ from artgen import (
     uniform,
 )
 from artgen.categories.parts.box_board import Board, Feel, Flute
+from artgen.categories.parts.box_ends import open_ended_box, tuck_end_box
 from artgen.categories.parts.box_finish import (
     COLORFUL,
     KRAFT,
@@ -55,7 +60,7 @@ from artgen.categories.parts.box_kinds import (
 from artgen.categories.parts.box_lids import Sides
 from artgen.categories.parts.box_print import Look, Signs
 
-Style = Literal["slotted", "half_slotted", "mailer", "pizza", "wine", "tray", "gift"]
+Style = Literal["slotted", "half_slotted", "mailer", "pizza", "tuck_end", "wine", "tray", "gift"]
 
 
 @category(
@@ -85,10 +90,18 @@ def box(
         "half_slotted",
         "mailer",
         "pizza",
+        "tuck_end",
         "wine",
         "tray",
         "gift",
-        weights=(0.25, 0.09, 0.16, 0.11, 0.13, 0.12, 0.14),
+        weights=(0.24, 0.08, 0.15, 0.10, 0.10, 0.12, 0.10, 0.11),
+    ),
+    mouth: Literal["top", "ends"] = by(
+        "style",
+        slotted=choice("ends", "top", weights=(0.26, 0.74)),
+        tuck_end="ends",
+        otherwise="top",
+        doc="where it opens; one with open ends lies",
     ),
     size: Literal["small", "medium", "large"] = by(
         "style",
@@ -114,6 +127,7 @@ def box(
         "style",
         mailer=choice(True, False, weights=(0.75, 0.25)),
         pizza=choice(True, False, weights=(0.4, 0.6)),
+        tuck_end=choice(True, False, weights=(0.6, 0.4)),
         otherwise=False,
         doc="whether the tuck is locked by ears at its ends",
     ),
@@ -122,6 +136,12 @@ def box(
         over=by("style", mailer=by("size", large=choice(True, False), otherwise=False), otherwise=False),
         tucked=False,
         doc="whether a deep mailer has dust flaps under its lid",
+    ),
+    lips: bool = by(
+        "style",
+        tuck_end=choice(True, False),
+        otherwise=False,
+        doc="whether dust flaps end in lips, which seal the corners",
     ),
     closure: Closure = by(
         "style", gift=choice("lift", "flap", "drawer", weights=(0.5, 0.28, 0.22)), otherwise="lift"
@@ -132,6 +152,7 @@ def box(
         half_slotted=by("size", medium=uniform(0.32, 0.46), otherwise=uniform(0.46, 0.62)),
         mailer=by("size", small=uniform(0.19, 0.26), medium=uniform(0.25, 0.36), large=uniform(0.30, 0.40)),
         pizza=by("size", small=uniform(0.25, 0.31), otherwise=uniform(0.32, 0.41)),
+        tuck_end=by("size", small=uniform(0.24, 0.32), otherwise=uniform(0.32, 0.46)),
         tray=by("size", small=uniform(0.24, 0.32), otherwise=uniform(0.32, 0.42)),
         gift=by("size", small=uniform(0.16, 0.21), otherwise=uniform(0.21, 0.30)),
         otherwise=uniform(0.086, 0.093),
@@ -144,6 +165,7 @@ def box(
         slotted=uniform(0.60, 0.96),
         half_slotted=uniform(0.62, 0.92),
         mailer=uniform(0.66, 0.84),
+        tuck_end=uniform(0.55, 0.75),
         tray=uniform(0.60, 0.74),
         gift=uniform(0.66, 1.0),
         otherwise=1.0,
@@ -152,12 +174,19 @@ def box(
     ),
     height: Float = by(
         "style",
-        slotted=by("size", small=uniform(0.14, 0.22), medium=uniform(0.20, 0.36), large=uniform(0.34, 0.55)),
+        slotted=by(
+            "mouth",
+            top=by("size", small=uniform(0.14, 0.22), medium=uniform(0.20, 0.36), large=uniform(0.34, 0.55)),
+            ends=by(  # less than the depth: minor flaps do not meet
+                "size", small=uniform(0.10, 0.12), medium=uniform(0.13, 0.19), large=uniform(0.19, 0.29)
+            ),
+        ),
         half_slotted=by("size", medium=uniform(0.32, 0.46), otherwise=uniform(0.44, 0.62)),
         mailer=by(
             "size", small=uniform(0.055, 0.085), medium=uniform(0.07, 0.11), large=uniform(0.125, 0.17)
         ),
         pizza=uniform(0.042, 0.050),
+        tuck_end=by("size", small=uniform(0.105, 0.13), otherwise=uniform(0.125, 0.19)),
         wine=uniform(0.322, 0.338),
         tray=by("size", small=uniform(0.10, 0.14), otherwise=uniform(0.11, 0.26)),
         otherwise=uniform(0.075, 0.14),
@@ -192,6 +221,7 @@ def box(
         "style",
         mailer=shades(*KRAFT, WHITE, *PRINTS, weights=(3, 2, 1, 4, *COLORFUL), color=0.05),
         pizza=shades(KRAFT[0], KRAFT[1], WHITE, weights=(1.0, 0.8, 1.8), color=0.04),
+        tuck_end=shades(*KRAFT, WHITE, *PRINTS, weights=(2, 1.5, 0.7, 3, *COLORFUL), color=0.05),
         wine=shades(*KRAFT, WHITE, PRINTS[0], PRINTS[10], weights=(3, 1, 1, 3, 0.8, 0.8), color=0.04),
         tray=shades(KRAFT[0], KRAFT[1], WHITE, *PRINTS, weights=(1.5, 1, 2, *COLORFUL), color=0.05),
         gift=shades(*WRAPS, color=0.06),
@@ -215,7 +245,11 @@ def box(
     holes: bool = by(
         "style",
         slotted=by(
-            "size", small=False, medium=choice(False, True), large=choice(False, True, weights=(0.3, 0.7))
+            "mouth",
+            top=by(
+                "size", small=False, medium=choice(False, True), large=choice(False, True, weights=(0.3, 0.7))
+            ),
+            ends=False,
         ),
         half_slotted=choice(False, True),
         otherwise=False,
@@ -263,6 +297,7 @@ def box(
         "style",
         slotted=choice(False, True),
         mailer=choice(False, True, weights=(0.7, 0.3)),
+        tuck_end=choice(False, True, weights=(0.7, 0.3)),
         tray=choice(False, True),
         otherwise=False,
         doc="an address, or what is inside",
@@ -289,8 +324,12 @@ def box(
         Look(maker, model, emblem, tint, signs, label),
     )
     match style:
-        case "slotted":
+        case "slotted" if mouth == "top":
             return slotted_box(draft, taped=taped, holes=holes)
+        case "slotted":
+            return open_ended_box(draft, taped=taped)
+        case "tuck_end":
+            return tuck_end_box(draft, ears=ears, lips=lips, opening=lid_open)
         case "half_slotted":
             return half_slotted_box(draft, taped=taped, holes=holes, rub=rub)
         case "mailer" | "pizza":

@@ -81,6 +81,7 @@ PRODUCTS: Mapping[str, tuple[Product, ...]] = {
     # 0.02-0.03 m; a full bottle weighs 1.25 kg
     "box": (
         Product("shipping box", (0.19, 0.76), (0.11, 0.73), (0.15, 0.66), (0.12, 4.5)),
+        Product("carton that opens at its ends", (0.19, 0.79), (0.11, 0.73), (0.098, 0.30), (0.10, 4.0)),
         Product("mailer or pizza box", (0.18, 0.42), (0.12, 0.42), (0.055, 0.20), (0.05, 0.6)),
         Product("tray with a lid", (0.23, 0.43), (0.14, 0.32), (0.12, 0.30), (0.08, 0.8)),
         Product("wine box", (0.17, 0.40), (0.09, 0.30), (0.34, 0.37), (0.10, 16.5)),

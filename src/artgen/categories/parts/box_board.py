@@ -128,6 +128,52 @@ class Board:
 
 
 @dataclass(frozen=True)
+class Mouth:
+    """What the sides of an opening are called where they are in the asset; those of a top, by default.
+
+    Attributes:
+        front: The side at -y where the opening is at the top.
+        back: That at +y.
+        left: That at -x.
+        right: That at +x.
+        suffix: At the end of all names.
+        grounded: Whether the side `front` lies on the floor, on which its flap comes to lie.
+    """
+
+    front: str = "front"
+    back: str = "back"
+    left: str = "left"
+    right: str = "right"
+    suffix: str = ""
+    grounded: bool = False
+
+    def link(self, kind: str, side: str | None = None) -> str:
+        """Return the name of what is at a side, or of the one thing that there is."""
+        return (kind if side is None else f"{kind}_{getattr(self, side)}") + self.suffix
+
+    def hinge(self, kind: str, side: str | None = None) -> str:
+        """Return the name of its joint."""
+        return (f"{kind}_hinge" if side is None else f"{kind}_{getattr(self, side)}_hinge") + self.suffix
+
+
+TOP = Mouth()
+"""The opening of a box that stands."""
+
+
+def tongue(half: Scalar, reach: Scalar, *, shoulder: Scalar, tip: Scalar) -> Profile:
+    """Make the outline of a flap that narrows from a shoulder on to its tip.
+
+    Args:
+        half: Half of its width at the crease [m].
+        reach: From the crease to the tip [m].
+        shoulder: Where it begins to narrow [m].
+        tip: Half of its width at the tip [m].
+    """
+    corners = [(half, 0.0), (half, shoulder), (tip, reach)]
+    return polygon([*corners, *((-x, y) for x, y in reversed(corners))])
+
+
+@dataclass(frozen=True)
 class Crease:
     """Where a sheet is joined to a wall or to another sheet, in the frame of that one.
 

@@ -8,8 +8,9 @@ from artgen import (
     Scalar,
     Solid,
     X,
-    Y,
+    box,
     box_between,
+    detail,
     extrude,
     part,
     polygon,
@@ -64,27 +65,39 @@ def bottom_flaps(board: Board, width: Scalar, depth: Scalar, *, label: str = "bo
     return weld(*sheets, line)
 
 
-def hand_holes(solid: Solid, width: Scalar, height: Scalar, board: Board, *, across: bool = True) -> Solid:
-    """Cut a hand hole into each of two walls.
+def hand_holes(solid: Solid, width: Scalar, height: Scalar, board: Board) -> Solid:
+    """Cut a hand hole into each wall at a side, square: see `hole_corners`.
 
     Args:
         solid: The walls.
         width: From outside to outside of these walls [m].
         height: Of the middle of the holes [m].
         board: What the walls are cut from.
-        across: Whether the walls are those at the sides; otherwise front and back.
     """
-    axis = X if across else Y
-    x, y = _HOLE[0] / 2.0, _HOLE[1] / 2.0
-    corners = [(x, -0.4 * y), (x, 0.4 * y), (x - 0.6 * y, y)]
-    outline = polygon(
-        [*corners, *((-a, b) for a, b in reversed(corners)), (0.6 * y - x, -y), (x - 0.6 * y, -y)]
-    )
-    hole = extrude(outline, 0.05, axis=axis).paint(board.edge)
+    wide, tall = _HOLE
     for side in (-1.0, 1.0):
-        at = side * width / 2.0
-        solid = solid - (hole.at(at, 0.0, height) if across else hole.at(0.0, at, height))
+        hole = box(0.05, wide, tall).paint(board.edge)
+        solid = solid - hole.at(side * width / 2.0, 0.0, height)
     return solid
+
+
+def hole_corners(width: Scalar, height: Scalar, board: Board, *, label: str = "box") -> list[Body]:
+    """Show the slanted corners of hand holes; the walls collide without them, which are few boxes then.
+
+    Args:
+        width: From outside to outside of the walls [m].
+        height: Of the middle of the holes [m].
+        board: What the walls are cut from.
+        label: Of the walls.
+    """
+    x, y = _HOLE[0] / 2.0, _HOLE[1] / 2.0
+    over = 0.0003  # into the wall
+    corner = polygon([(x, 0.4 * y), (x + over, 0.4 * y), (x + over, y + over), (x - 0.6 * y, y + over),
+                      (x - 0.6 * y, y)])  # fmt: skip
+    upper = corner | corner.mirror(1.0, 0.0)
+    corners = extrude(upper | upper.mirror(0.0, 1.0), board.thick - 0.0002, axis=X)
+    out = (width - board.thick) / 2.0
+    return [detail(corners.at(side * out, 0.0, height), label, board.outside) for side in (-1.0, 1.0)]
 
 
 def cells(

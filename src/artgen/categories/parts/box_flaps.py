@@ -15,16 +15,19 @@ from artgen import (
     grasp_on,
     min_,
     part,
+    polygon,
     push_on,
     rectangle,
     weld,
 )
-from artgen.categories.parts.box_board import LAYER, SLIT, Board, Crease, Feel
+from artgen.categories.parts.box_board import LAYER, SLIT, TOP, Board, Crease, Feel, Mouth
 from artgen.categories.parts.box_bottles import Bottles
 from artgen.categories.parts.box_marks import TAPE, pull_tab
 
 _UPRIGHT = 1.60  # from here on a flap leaves the space over the box free [rad]
 _HANGING = 3.40  # from here on a flap is below what closes over the box [rad]
+_LYING = 0.03  # from here on a flap on the floor lies, before it is all the way open [rad]
+_SHORT = 0.012  # of the pull tab of a flap that comes to lie on the floor [m]
 _TAPE_WIDE = 0.048  # packing tape, half of it on either flap once it is slit [m]
 
 
@@ -41,6 +44,7 @@ class Top:
         taped: Whether tape was slit along the seam.
         ground: Height above which flaps have room to hang down [m].
         beside: Where minor flaps are pushed up, from their middle [m].
+        mouth: What its sides are called, and whether the one in front lies on the floor.
     """
 
     board: Board
@@ -51,6 +55,7 @@ class Top:
     taped: bool
     ground: Scalar = 0.0
     beside: Scalar = 0.0
+    mouth: Mouth = TOP
 
     @property
     def reach(self) -> Scalar:
@@ -67,6 +72,16 @@ class Top:
         """How far flaps open: neither down to the floor nor until their tabs meet the walls [rad]."""
         down = math.pi + 0.9 * (self.low - self.ground) / self.reach
         return min_(min_(self.swing, down), 1.5 * math.pi - 0.028 / self.reach)
+
+    @property
+    def _shy(self) -> Scalar:
+        """How far a flap that comes to lie on the floor stays off it, for its tab is below it [rad]."""
+        return (_SHORT + 0.0015) / self.reach
+
+    @property
+    def _taper(self) -> Scalar:
+        """By how much minor flaps are narrower at either side of their tips: they clear such a flap [m]."""
+        return 1.15 * (self._shy + _LYING) * self.reach if self.mouth.grounded else 0.0
 
     def majors(self) -> dict[str, Crease]:
         """Return the creases of the front and the back wall."""
@@ -113,17 +128,24 @@ class Top:
         turns: list[Joint] = []
         marks = printed or {}
         for side, crease in self.majors().items():
+            lying = self.mouth.grounded and side == "front"
             turn = crease.joint(
-                f"flap_{side}_hinge", feel=feel, length=self.width, reach=self.reach, opening=self.opening
+                self.mouth.hinge("flap", side),
+                feel=feel,
+                length=self.width,
+                reach=self.reach,
+                opening=math.pi / 2.0 - self._shy if lying else self.opening,
             )
-            body = weld(body, crease.bead(self.width - 0.003, label, self.board.outside))
+            if not lying:
+                body = weld(body, crease.bead(self.width - 0.003, label, self.board.outside))
             body = body.attach(crease.place(self._major(side, marks.get(side, []))), turn)
             turns.append(turn)
         resting = Feel(0.0, 0.0, feel.friction, feel.damping)
-        wide = (turns[0] > _UPRIGHT) & (turns[1] > _UPRIGHT)
+        down = math.pi / 2.0 - self._shy - _LYING if self.mouth.grounded else _UPRIGHT
+        wide = (turns[0] > down) & (turns[1] > _UPRIGHT)
         for side, crease in self.minors().items():
             turn = crease.joint(
-                f"flap_{side}_hinge",
+                self.mouth.hinge("flap", side),
                 feel=resting,
                 length=self.depth,
                 reach=self.reach,
@@ -140,17 +162,13 @@ class Top:
     def _major(self, side: str, marks: list[Body]) -> Body:
         wide = self.width - 0.003
         sheet = self.board.sheet(rectangle(wide, self.reach).at(0.0, self.reach / 2.0))
-        aside = 0.12 * self.width * (1.0 if side == "front" else -1.0)
-        tab = pull_tab().at(aside, self.reach - 0.0035, 0.0)
+        aside = 0.2 * self.width  # each to its own right: a hand has room beside the other one
+        tall = _SHORT if self.mouth.grounded and side == "front" else 0.021
+        tab = pull_tab(tall).at(aside, self.reach - 0.0035, 0.0)
+        hold = grasp_on(tab, approach=-Z, closing=(0.0, 1.0, 0.0), depth=0.76 * tall)
         bodies = [
-            part(sheet, "flap_major", self.board.outside, name=f"flap_{side}"),
-            part(
-                tab,
-                "tape",
-                TAPE,
-                name=f"tab_{side}",
-                grasp=grasp_on(tab, approach=-Z, closing=(0.0, 1.0, 0.0), depth=0.016),
-            ),
+            part(sheet, "flap_major", self.board.outside, name=self.mouth.link("flap", side)),
+            part(tab, "tape", TAPE, name=self.mouth.link("tab", side), grasp=hold),
         ]
         if self.taped:
             low = (-wide / 2.0 + 0.001, self.reach - _TAPE_WIDE / 2.0, -0.0001)
@@ -160,9 +178,14 @@ class Top:
 
     def _minor(self, side: str) -> Body:
         wide = self.depth - 2.0 * self.board.thick - 2.0 * SLIT
-        sheet = self.board.sheet(rectangle(wide, self.reach).at(0.0, self.reach / 2.0))
+        outline = rectangle(wide, self.reach).at(0.0, self.reach / 2.0)
+        if self.mouth.grounded:
+            near, far = wide / 2.0, wide / 2.0 - self._taper
+            outline = polygon([(-near, 0.0), (near, 0.0), (far, self.reach), (-far, self.reach)])
+        sheet = self.board.sheet(outline)
         below = push_on(sheet, direction=Z, at=(self.beside, 0.52 * self.reach, 0.0))
-        return part(sheet, "flap_minor", self.board.outside, name=f"flap_{side}", push=below)
+        name = self.mouth.link("flap", side)
+        return part(sheet, "flap_minor", self.board.outside, name=name, push=below)
 
     def tape_ends(self) -> list[Body]:
         """Make the ends of the tape, which go down the walls at the sides, if there is tape."""

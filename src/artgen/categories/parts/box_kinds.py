@@ -16,7 +16,7 @@ from artgen import (
     weld,
 )
 from artgen.categories.parts.box_board import LAYER, Board, Feel
-from artgen.categories.parts.box_bodies import bottom_flaps, cells, hand_holes, walls
+from artgen.categories.parts.box_bodies import bottom_flaps, cells, hand_holes, hole_corners, walls
 from artgen.categories.parts.box_bottles import Bottles, Wine
 from artgen.categories.parts.box_finish import GOLD, foam
 from artgen.categories.parts.box_flaps import Top
@@ -75,10 +75,13 @@ def slotted_box(draft: Draft, *, taped: bool, holes: bool) -> Body:
     board, width, depth = draft.board, draft.width, draft.depth
     top = Top(board, width, depth, draft.height, draft.swing, taped)
     shell = top.creased(walls(board, width, depth, draft.height))
+    corners: list[Body] = []
     if holes:
         shell = hand_holes(shell, width, 0.66 * draft.height, board)
+        corners = hole_corners(width, 0.66 * draft.height, board)
     body = weld(
         part(shell, "box", board.outside),
+        *corners,
         bottom_flaps(board, width, depth),
         *top.tape_ends(),
         *shipping_print(draft.look, width, depth, low=0.0, high=top.low - 0.02, finish=board.outside),
@@ -95,10 +98,13 @@ def half_slotted_box(draft: Draft, *, taped: bool, holes: bool, rub: Scalar) -> 
     width, depth = draft.width - wider, draft.depth - wider
     top = Top(board, width, depth, draft.height, draft.swing, taped, rim)
     shell = top.creased(walls(board, width, depth, draft.height, base=foot, floor=False))
+    corners: list[Body] = []
     if holes:
         shell = hand_holes(shell, width, 0.62 * draft.height, board)
+        corners = hole_corners(width, 0.62 * draft.height, board, label="sleeve")
     sleeve = weld(
         part(shell, "sleeve", board.outside),
+        *corners,
         *top.tape_ends(),
         *shipping_print(draft.look, width, depth, low=rim, high=top.low - 0.02, finish=board.outside),
     )
@@ -154,6 +160,7 @@ def wine_box(draft: Draft, *, bottles: int, wine: Wine | None, opening: Scalar, 
         )
         body = weld(
             part(shell, "box", board.outside),
+            *hole_corners(width, 0.78 * draft.height, board),
             bottom_flaps(board, width, depth),
             *top.tape_ends(),
             *marks,

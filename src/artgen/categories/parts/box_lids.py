@@ -12,14 +12,15 @@ from artgen import (
     Body,
     Float,
     Joint,
-    Profile,
     Scalar,
     Solid,
     X,
+    Y,
     Z,
     atan2,
     board,
     box_between,
+    detail,
     extrude,
     grasp_on,
     max_,
@@ -31,7 +32,7 @@ from artgen import (
     sqrt,
     weld,
 )
-from artgen.categories.parts.box_board import LAYER, Board, Crease, Feel
+from artgen.categories.parts.box_board import LAYER, TOP, Board, Crease, Feel, Mouth, tongue
 from artgen.categories.parts.box_bottles import Bottles
 from artgen.categories.parts.box_marks import TAPE, pull_tab
 
@@ -60,6 +61,10 @@ class Lidded:
         ears: Whether the tuck has ears, which go in beside the walls.
         dust: Reach of flaps at the walls under the lid [m]; None where there are none.
         opening: How far the lid opens [rad].
+        lips: Whether flaps under the lid end in lips, which are folded down.
+        lined: Where the second layer of the walls begins, into which ears go [m]; None at the floor.
+        grip: From the tuck to the tab that opens the lid [m].
+        mouth: What the sides are called.
     """
 
     board: Board
@@ -70,6 +75,10 @@ class Lidded:
     ears: bool
     dust: Scalar | None
     opening: Scalar
+    lips: bool = False
+    lined: Scalar | None = None
+    grip: float = 0.006
+    mouth: Mouth = TOP
 
     @property
     def tuck(self) -> Float:
@@ -158,10 +167,11 @@ class Lidded:
         made = [bar | extrude(wedge, 2.0 * half - 0.001, axis=X)]
         if self.ears:
             top = self.low - 0.0002 if self.dust is None else self.low - t - LAYER
+            start = t - 0.0002 if self.lined is None else self.lined
             for side in (-1.0, 1.0):
                 x = _span(side, self.inner, self.inner + t + 0.0003)
                 y = (front + t + 0.0006, self.depth / 2.0 - t - 0.0006)
-                made.append(board(x, y, (t - 0.0002, top), bevel=0.0008))
+                made.append(board(x, y, (start, top), bevel=0.0008))
         return [part(each, label, self.board.outside) for each in made]
 
     def attached(
@@ -178,7 +188,7 @@ class Lidded:
         """
         weight = 9.81 * 1.2 * self.board.outside.density * self.board.thick * 2.0 * self.half * self.reach
         turn = self.hinge.joint(
-            "lid_hinge",
+            self.mouth.hinge("lid"),
             feel=feel,
             length=2.0 * self.half,
             reach=self.reach,
@@ -193,32 +203,41 @@ class Lidded:
             return body
         opening = min_(swing, math.pi + 0.9 * self.low / self.dust)
         start, end = self._dust_ends
-        wide = end - start
         for side, crease in self.dust_creases().items():
-            outline = polygon(
-                [
-                    (-wide / 2.0, 0.0),
-                    (wide / 2.0, 0.0),
-                    (wide / 2.0 - 0.006, self.dust),
-                    (-wide / 2.0 + 0.006, self.dust),
-                ]
-            )
-            sheet = self.board.sheet(outline)
-            below = push_on(
-                sheet, direction=Z, at=(0.33 * wide, 0.48 * self.dust, 0.0)
-            )  # beside what is below
-            flap = part(sheet, "flap_minor", self.board.outside, name=f"flap_{side}", push=below)
             hinge = crease.joint(
-                f"flap_{side}_hinge",
+                self.mouth.hinge("flap", side),
                 feel=feel,
-                length=wide,
+                length=end - start,
                 reach=self.dust,
                 opening=opening,
                 needs=(turn > _UPRIGHT).until(_HANGING),
             )
-            body = weld(body, crease.bead(wide, "box", self.board.outside))
-            body = body.attach(crease.place(flap), hinge)
+            body = weld(body, crease.bead(end - start, "box", self.board.outside))
+            body = body.attach(crease.place(self._dust_flap(side, end - start, self.dust, feel)), hinge)
         return body
+
+    def _dust_flap(self, side: str, wide: Scalar, reach: Scalar, feel: Feel) -> Body:
+        """Make a flap under the lid, with its lip if it has one, in its own frame."""
+        far = wide / 2.0 - 0.006
+        sheet = self.board.sheet(
+            polygon([(-wide / 2.0, 0.0), (wide / 2.0, 0.0), (far, reach), (-far, reach)])
+        )
+        below = push_on(sheet, direction=Z, at=(0.33 * wide, 0.48 * reach, 0.0))  # beside what is below
+        name = self.mouth.link("flap", side)
+        if not self.lips:
+            return part(sheet, "flap_minor", self.board.outside, name=name, push=below)
+        crease, deep = Crease(0.0, reach, folded=True), 0.3 * reach
+        flap = part(
+            self.board.creased(sheet, crease), "flap_minor", self.board.outside, name=name, push=below
+        )
+        lip = self.board.sheet(tongue(far - 0.001, deep, shoulder=0.4 * deep, tip=far - 0.4 * deep))
+        hold = grasp_on(lip, approach=(0.0, -1.0, 0.0), closing=Z, depth=min_(0.014, 0.55 * deep))
+        joint = crease.joint(
+            self.mouth.hinge("lip", side), feel=feel, length=2.0 * far, reach=deep, opening=1.5
+        )
+        body = part(lip, "tuck", self.board.outside, name=self.mouth.link("lip", side), grasp=hold)
+        flap = weld(flap, crease.bead(2.0 * far - 0.004, "flap_minor", self.board.outside))
+        return flap.attach(crease.place(body), joint)
 
     def _lid(self, feel: Feel, turn: Joint, printed: list[Body]) -> Body:
         """Make the lid with its flaps, in its own frame."""
@@ -226,16 +245,15 @@ class Lidded:
         sides = self._side_creases()
         sheet = self.board.sheet(rectangle(2.0 * self.half, self.reach).at(0.0, self.reach / 2.0))
         sheet = self.board.creased(sheet, front, *sides.values())
-        tab = pull_tab().at(0.0, self.reach - 0.006, 0.0)
+        tab, across = pull_tab(), Y
+        if self._sealed:  # near the floor a hand has room beside the tab
+            tab, across = tab.rotate(Z, math.pi / 2.0), X
+        tab = tab.at(0.0, self.reach - self.grip, 0.0)
+        hold = grasp_on(tab, approach=-Z, closing=across, depth=0.016)
         lid = weld(
-            part(sheet, "lid", self.board.outside),
-            part(
-                tab,
-                "tape",
-                TAPE,
-                name="tab",
-                grasp=grasp_on(tab, approach=-Z, closing=(0.0, 1.0, 0.0), depth=0.016),
-            ),
+            part(sheet, "lid", self.board.outside, name=self.mouth.link("lid")),
+            part(tab, "tape", TAPE, name=self.mouth.link("tab"), grasp=hold),
+            *self._seal(),
             front.bead(2.0 * self.half - 0.004, "lid", self.board.outside),
             *(
                 each.bead(self._wing_end - self._wing_start, "lid", self.board.outside)
@@ -248,7 +266,12 @@ class Lidded:
         lid = lid.attach(
             front.place(self._tuck(feel, turn, width)),
             front.joint(
-                "tuck_front_hinge", feel=feel, length=width, reach=self.tuck, opening=3.05, needs=free
+                self.mouth.hinge("tuck", "front"),
+                feel=feel,
+                length=width,
+                reach=self.tuck,
+                opening=3.05,
+                needs=free,
             ),
         )
         for side, crease in sides.items():
@@ -256,9 +279,21 @@ class Lidded:
         return lid
 
     @property
+    def _sealed(self) -> bool:
+        """Whether tape goes over the edge of the lid, so that its tab is not at that edge."""
+        return self.grip > 0.01
+
+    def _seal(self) -> list[Body]:
+        """Make the tape that was slit at the edge of the lid, if there is some."""
+        if not self._sealed:
+            return []
+        low, high = (-0.024, self.reach - self.grip - 0.012, -0.0001), (0.024, self.reach - 0.0005, 0.00012)
+        return [detail(box_between(low, high), "tape", TAPE)]
+
+    @property
     def ear(self) -> Float:
         """Reach of an ear from the tuck backward [m]."""
-        return min_(0.056, 0.24 * self.reach)
+        return min_(0.056, max_(0.24 * self.reach, 0.034))
 
     @property
     def _clear(self) -> Scalar:
@@ -269,7 +304,7 @@ class Lidded:
     def _tuck(self, feel: Feel, turn: Joint, width: Scalar) -> Body:
         """Make the tuck with its ears, in its own frame."""
         half, cut = width / 2.0, 0.30 * self.tuck
-        outline = _tongue(half, self.tuck, shoulder=self.tuck - cut, tip=half - cut)
+        outline = tongue(half, self.tuck, shoulder=self.tuck - cut, tip=half - cut)
         creases: dict[str, Crease] = {}
         start, long = self.board.thick + 0.004, self.tuck - cut - self.board.thick - 0.008
         if self.ears:
@@ -288,20 +323,20 @@ class Lidded:
             at=(0.0, self.tuck / 2.0, 0.0),
             depth=min_(0.016, 0.55 * self.tuck),
         )
-        tuck = part(sheet, "tuck", self.board.outside, name="tuck_front", grasp=edge)
+        tuck = part(sheet, "tuck", self.board.outside, name=self.mouth.link("tuck", "front"), grasp=edge)
         for side, crease in creases.items():
-            bend = _tongue(long / 2.0, self.ear, shoulder=0.6 * self.ear, tip=long / 4.0)
+            bend = tongue(long / 2.0, self.ear, shoulder=0.6 * self.ear, tip=long / 4.0)
             ear = self.board.sheet(bend)
             grip = grasp_on(ear, approach=(0.0, -1.0, 0.0), closing=Z, depth=0.014)
             joint = crease.joint(
-                f"ear_{side}_hinge",
+                self.mouth.hinge("ear", side),
                 feel=feel,
                 length=long,
                 reach=self.ear,
                 opening=1.5,
                 needs=(turn > self._ears_clear).beyond(0.35 * _BESIDE / self.ear),
             )
-            body = part(ear, "tuck", self.board.outside, name=f"ear_{side}", grasp=grip)
+            body = part(ear, "tuck", self.board.outside, name=self.mouth.link("ear", side), grasp=grip)
             tuck = weld(tuck, crease.bead(long - 0.002, "tuck", self.board.outside))
             tuck = tuck.attach(crease.place(body), joint)
         return tuck
@@ -340,15 +375,15 @@ class Lidded:
     def _wing(self, side: str) -> Body:
         """Make a flap at a side of the lid, in its own frame."""
         half, deep = (self._wing_end - self._wing_start) / 2.0, self._wing_reach
-        outline = _tongue(half, deep, shoulder=0.5 * deep, tip=half - 0.3 * deep)
+        outline = tongue(half, deep, shoulder=0.5 * deep, tip=half - 0.3 * deep)
         sheet = self.board.sheet(outline)
         grip = grasp_on(sheet, approach=(0.0, -1.0, 0.0), closing=Z, depth=min_(0.016, 0.55 * deep))
-        return part(sheet, "tuck", self.board.outside, name=f"tuck_{side}", grasp=grip)
+        return part(sheet, "tuck", self.board.outside, name=self.mouth.link("tuck", side), grasp=grip)
 
     def _wing_joint(self, side: str, crease: Crease, feel: Feel, turn: Joint) -> Joint:
         clear = atan2(self._wing_reach + 0.010, self._wing_start)
         return crease.joint(
-            f"tuck_{side}_hinge",
+            self.mouth.hinge("tuck", side),
             feel=feel,
             length=self._wing_end - self._wing_start,
             reach=self._wing_reach,
@@ -360,16 +395,3 @@ class Lidded:
 def _span(side: float, near: Scalar, far: Scalar) -> tuple[Scalar, Scalar]:
     """Return a span at one side of the middle, least first."""
     return (near, far) if side > 0.0 else (-far, -near)
-
-
-def _tongue(half: Scalar, reach: Scalar, *, shoulder: Scalar, tip: Scalar) -> Profile:
-    """Make the outline of a flap that narrows from a shoulder on to its tip.
-
-    Args:
-        half: Half of its width at the crease [m].
-        reach: From the crease to the tip [m].
-        shoulder: Where it begins to narrow [m].
-        tip: Half of its width at the tip [m].
-    """
-    corners = [(half, 0.0), (half, shoulder), (tip, reach)]
-    return polygon([*corners, *((-x, y) for x, y in reversed(corners))])

@@ -31,9 +31,9 @@ PAPER = coloured("abs", "white").with_(name="label_paper", texture="", specular_
 """Stickers."""
 
 
-def pull_tab() -> Solid:
+def pull_tab(tall: float = 0.021) -> Solid:
     """Make the end of a tape, folded on itself: it stands up at the edge of what it opens, and is pulled."""
-    return box_between((-0.014, -0.0007, -0.0006), (0.014, 0.0007, 0.021), bevel=0.0005)
+    return box_between((-0.014, -0.0007, -0.0006), (0.014, 0.0007, tall), bevel=0.0005)
 
 
 def arrows(size: Scalar) -> Profile:

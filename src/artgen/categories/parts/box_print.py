@@ -90,9 +90,16 @@ class _Face:
 
 
 def shipping_print(
-    look: Look, width: Scalar, depth: Scalar, *, low: Scalar, high: Scalar, finish: Material
+    look: Look,
+    width: Scalar,
+    depth: Scalar,
+    *,
+    low: Scalar,
+    high: Scalar,
+    finish: Material,
+    sides: bool = True,
 ) -> list[Body]:
-    """Print a shipping box on all four walls.
+    """Print a shipping box on its walls.
 
     Args:
         look: What to print.
@@ -101,6 +108,7 @@ def shipping_print(
         low: Where the free part of the walls begins [m].
         high: Where it ends [m].
         finish: Of the walls.
+        sides: Whether there are walls at the sides.
     """
     tall, colour, made = high - low, look.ink(finish), []
     row = _ROWS.get(look.signs, ())
@@ -108,7 +116,7 @@ def shipping_print(
         face, printer = _Face(facing, width, depth / 2.0, low, tall), Ink(colour, facing)
         made.append(printer.put(look.mark(0.74 * width, 0.12 * tall), face.at(0.70 if row else 0.60)))
         made += [Ink(colour, facing).put(each, face.at(0.30)) for each in _lower(look, face, row)]
-    for facing in (_LEFT, _RIGHT):
+    for facing in (_LEFT, _RIGHT) if sides else ():
         face, printer = _Face(facing, depth, width / 2.0, low, tall), Ink(colour, facing)
         if look.signs == "full":
             size = min_(min_(0.085, 0.24 * tall), 0.80 * depth / 2.84)

@@ -39,7 +39,7 @@ Grip = Literal["bare", "dipped", "two_component"]
 
 _PROUD = 0.0006  # how far the soft part of a sleeve stands out of it [m]
 _MESH = 0.00012  # from the middle line of the teeth to either row [m]
-_SIDES = 6  # of holes for pivots, which their heads hide
+_SIDES = 4  # of holes for pivots, which their heads hide
 
 ALIGNED = 0.47
 """How far slip-joint pliers are open when the flats of their bolt pass the neck of the slot [rad]."""
@@ -188,18 +188,17 @@ def _rings(forging: Forging, style: Grip, width: Scalar, thick: Scalar) -> list[
     first = 0 if style == "two_component" else 1
     rings = [
         _Ring(y, x, (width + fat) * swell, (thick + fat) * swell)
-        for (y, x), swell in zip(forging.course()[2:], _SWELL[style], strict=True)
+        for (y, x), swell in zip(forging.course[2:], _SWELL[style], strict=True)
     ][first:]
-    # its upper end is eased, its lower one round, 4 mm past the steel
     y, x, wide, tall = rings[0]
     lead = 0.78 if style == "two_component" else 0.88
     upper = _Ring(y + 0.0026, x + 0.0005, lead * wide, lead * tall)
-    y, x, wide, tall = rings[-1]
-    lower = [
-        _Ring(y - down, x + down / 12.0, share * wide, share * tall)
-        for down, share in ((0.0014, 0.94), (0.0028, 0.80), (0.0036, 0.56))
-    ]
-    return [upper, *rings, *lower]
+    return [upper, *rings, _below(rings[-1], 0.0036, 0.56)]
+
+
+def _below(ring: _Ring, down: float, share: float) -> _Ring:
+    """Return a smaller section below the last one that has steel in it."""
+    return _Ring(ring.y - down, ring.x + down / 12.0, share * ring.wide, share * ring.tall)
 
 
 def sleeved(forging: Forging, style: Grip, width: Scalar, thick: Scalar) -> Solid:
@@ -212,6 +211,13 @@ def sleeved(forging: Forging, style: Grip, width: Scalar, thick: Scalar) -> Soli
         thick: Of the bar [m].
     """
     return _along(_rings(forging, style, width, thick))
+
+
+def sleeve_end(forging: Forging, style: Grip, width: Scalar, thick: Scalar, finish: Material) -> Body:
+    """Make the round end of a sleeve, as it is seen over the cone that collides; see `sleeved`."""
+    last = _rings(forging, style, width, thick)[-2]
+    steps = ((-0.0004, 0.97), (0.0002, 1.0), (0.0014, 0.94), (0.0028, 0.80), (0.0037, 0.56))
+    return detail(_along([_below(last, down, share) for down, share in steps]), "grip", finish)
 
 
 def grip_inlay(forging: Forging, width: Scalar, thick: Scalar, finish: Material, *, over: bool) -> Body:
@@ -231,7 +237,7 @@ def hold_on(forging: Forging, solid: Solid, thick: Scalar, *, over: bool) -> Fra
         thick: Thickness of it [m].
         over: Whether this half is turned over, so that a hand from above comes from below.
     """
-    y, x = forging.course()[5]
+    y, x = forging.course[5]
     return grasp_on(solid, approach=Z if over else -Z, closing=X, at=(x, y, 0.0), depth=0.8 * thick)
 
 
@@ -245,7 +251,7 @@ def _along(rings: list[_Ring]) -> Solid:
 
 def leaf_spring(forging: Forging, finish: Material, *, width: Scalar) -> Body:
     """Make the leaf spring of a handle, as it is seen: it rests on that of the other one in the middle."""
-    stations = forging.course()
+    stations = forging.course
     foot_y, foot_x = stations[3]
     inside = foot_x + 0.42 * width
     end = -forging.clear_below - 0.55 * forging.lap

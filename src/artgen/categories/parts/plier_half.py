@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import dataclass
+from functools import cached_property
 
 from artgen import Body, Float, Material, Scalar, Solid, Y, material, max_, min_, part, union, weld
 from artgen.categories.parts.plier_fittings import (
@@ -15,6 +16,7 @@ from artgen.categories.parts.plier_fittings import (
     pipe_lining,
     pivot_hole,
     rivet,
+    sleeve_end,
     sleeve_thickness,
     sleeved,
 )
@@ -69,36 +71,56 @@ class Make:
 
     def middle(self) -> Float:
         """Return the middle of the lower half, x [m]."""
-        solid = self._bare(over=False)
-        left, right = solid.anchor(x=-1.0).x, solid.anchor(x=1.0).x
+        left, right = self._lower.anchor(x=-1.0).x, self._lower.anchor(x=1.0).x
         if self.grip != "bare":
-            left = min_(left, sleeved(self.forging, self.grip, self.width, self.thick).anchor(x=-1.0).x)
+            left = min_(left, self._sleeve.anchor(x=-1.0).x)
         return (left + right) / 2.0
 
-    def _bare(self, *, over: bool) -> Solid:
-        """Make the steel of a half."""
-        forging = self.forging
-        if self.key:
-            hole = None if over else self.key.slot()
-        else:
-            hole = pivot_hole(_RIVET * forging.lap + _PLAY) if over else None
-        handle = forging.handle_solid(self.width, self.thick)
-        return union(forging.jaw_solid(), *forging.shoulders(), forging.plate(hole), handle)
+    @cached_property
+    def _bar(self) -> Solid:
+        """The steel of a handle."""
+        return self.forging.handle_solid(self.width, self.thick, hidden=self.grip != "bare")
+
+    @cached_property
+    def _sleeve(self) -> Solid:
+        """What is on it."""
+        return sleeved(self.forging, self.grip, self.width, self.thick)
+
+    @cached_property
+    def _sleeve_end(self) -> Body:
+        """Its round end, as it is seen."""
+        return sleeve_end(self.forging, self.grip, self.width, self.thick, self.sleeve)
+
+    @cached_property
+    def _forged(self) -> Solid:
+        """What is the same in both halves."""
+        return union(self.forging.jaw_solid(), *self.forging.shoulders(), self._bar)
+
+    @cached_property
+    def _lower(self) -> Solid:
+        """The steel of the lower half."""
+        return self._forged | self.forging.plate(self.key.slot() if self.key else None)
+
+    @cached_property
+    def _upper(self) -> Solid:
+        """That of the other half, before it is turned over."""
+        hole = None if self.key else pivot_hole(_RIVET * self.forging.lap + _PLAY)
+        return self._forged | self.forging.plate(hole)
 
     def _half(self, label: str, *, over: bool) -> Body:
         """Make a half as it is drawn, its jaw at the right, without its pivot."""
-        forging, solid = self.forging, self._bare(over=over)
+        forging, solid = self.forging, self._upper if over else self._lower
         if self.grip == "bare":
-            bar = forging.handle_solid(self.width, self.thick)
-            bodies = [part(solid, label, self.steel, grasp=hold_on(forging, bar, self.thick, over=over))]
+            hold = hold_on(forging, self._bar, self.thick, over=over)
+            bodies = [part(solid, label, self.steel, grasp=hold)]
         else:
-            sleeve = sleeved(forging, self.grip, self.width, self.thick)
             tall = sleeve_thickness(self.grip, self.thick)
-            hold = hold_on(forging, sleeve, tall, over=over)
+            hold = hold_on(forging, self._sleeve, tall, over=over)
             name = "upper_grip" if over else "lower_grip"
             bodies = [
                 part(solid, label, self.steel),
-                part(sleeve, "grip", self.sleeve, name=name, grasp=hold),
+                part(self._sleeve, "grip", self.sleeve, name=name, grasp=hold),
+                self._sleeve_end,
             ]
         if self.grip == "two_component":
             bodies.append(grip_inlay(forging, self.width, self.thick, self.inlay, over=over))

@@ -10,6 +10,7 @@ the pivot, and within a sector that the other half does not sweep when it opens.
 
 import math
 from dataclasses import dataclass
+from functools import cached_property
 from itertools import pairwise
 from typing import Literal, NamedTuple
 
@@ -21,7 +22,7 @@ LAP_GAP = 0.00015
 """Half of the gap between the plates [m]."""
 
 _OFF = 0.0006  # from a plate to the shoulders around it [m]
-_STEPS = 4  # chords of a shoulder's arc
+_STEPS = 3  # chords of a shoulder's arc
 RECESSED = 0.00035  # from the middle to the face of a jaw under its teeth or edges [m]
 _CLOSED = 0.0001  # from the middle to an edge that cuts [m]
 
@@ -192,13 +193,11 @@ class Forging:
         middle, half = self.head.pipe
         if half == 0.0:
             return solid
-        # six sides: the lining has the teeth
-        long, deep = half * self.jaw, self.pipe_depth
-        corners = [
-            (deep * math.cos(angle), self.level(middle) + long * math.sin(angle))
-            for angle in (math.radians(15.0 * step) for step in (-6, -3.6, -1.2, 1.2, 3.6, 6))
-        ]
-        tool = polygon([(-0.01, self.level(middle) - long), *corners, (-0.01, self.level(middle) + long)])
+        # three sides: the lining is round and has the teeth
+        long, deep, y = half * self.jaw, self.pipe_depth, self.level(middle)
+        out = 0.60 * long
+        corners = [(0.0, y - long), (0.95 * deep, y - out), (0.95 * deep, y + out), (0.0, y + long)]
+        tool = polygon([(-0.01, y - long), *corners, (-0.01, y + long)])
         return solid - extrude(tool, 0.05, axis=Z)
 
     @property
@@ -262,8 +261,9 @@ class Forging:
         corners = [(inner * math.cos(angle), inner * math.sin(angle)) for angle in (end, start)]
         return polygon([*points, *corners])
 
+    @cached_property
     def course(self) -> list[tuple[Scalar, Scalar]]:
-        """Return the middle line of the handle: y and x of its stations, from the lap down [m]."""
+        """The middle line of the handle: y and x of its stations, from the lap down [m]."""
         top = -self.clear_below - 0.30 * self.lap
         left, right = self.neck
         start = (left + right) / 2.0
@@ -277,24 +277,20 @@ class Forging:
             for share, out in zip(shares, outs, strict=True)
         ]
 
-    def handle_solid(self, width: Scalar, thick: Scalar) -> Solid:
+    def handle_solid(self, width: Scalar, thick: Scalar, *, hidden: bool) -> Solid:
         """Make the handle: a bar of rounded section.
 
         Args:
             width: Of the bar, in the plane of the tool [m].
             thick: Across [m].
+            hidden: Whether its lower part is in a sleeve, which has the finer bends.
         """
-        stations = self.course()
         left, right = self.neck
-        sections, heights = [], []
-        for index, (y, x) in enumerate(reversed(stations)):
-            near = index / (len(stations) - 1)
-            wide = (right - left) if near == 1.0 else width
-            tall = self.thick if near == 1.0 else thick
-            radius = 0.0015 if near == 1.0 else 0.0028
-            sections.append(rectangle(wide, tall, radius=radius).at(x))
-            heights.append(y)
-        return loft(sections, heights, axis=Y)
+        bends = [bend for index, bend in enumerate(self.course) if not (hidden and index in (5, 7))]
+        root = rectangle(right - left, self.thick, radius=0.0015)
+        bar = rectangle(width, thick, radius=min_(0.0028, 0.49 * thick))
+        sections = [root.at(bends[0][1]), *(bar.at(x) for _, x in bends[1:])]
+        return loft(sections[::-1], [y for y, _ in reversed(bends)], axis=Y)
 
 
 def _arc(radius: Scalar, start: float, end: float) -> list[tuple[Scalar, Scalar]]:
