@@ -43,10 +43,12 @@ SIDED = "(_left|_right)?"
 
 CHECKLIST: dict[str, dict[str, Moving]] = {
     "box": {
-        "flap": turns("flap_(front|back|left|right)_hinge", (0, 1, 2, 4)),
-        "lid": turns("lid_hinge", (0, 1)),
-        "tuck": turns("tuck_(front|left|right)_hinge", (0, 1, 3)),
-        "ear of a tuck": turns("ear_(left|right)_hinge", (0, 2)),
+        "flap": turns(f"flap_(front|back|left|right|upper|lower)_hinge{SIDED}", (0, 1, 2, 4, 8)),
+        "lid": turns(f"lid_hinge{SIDED}", (0, 1, 2)),
+        "tuck": turns(f"tuck_(front|left|right|lower)_hinge{SIDED}", (0, 1, 2, 3)),
+        "ear of a tuck": turns(f"ear_(front|back|left|right)_hinge{SIDED}", (0, 2, 4)),
+        "lip of a flap": turns("lip_(front|back)_hinge(_left|_right)", (0, 4)),
+        "crease": turns(f".*_hinge{SIDED}", (0, 2, 4, 6, 8, 12, 16)),
         "lid that lifts off": slides("lid_lift", (0, 1)),
         "cover": slides("sleeve_lift", (0, 1)),
         "drawer": slides("drawer_slide", (0, 1)),
@@ -77,7 +79,7 @@ CHECKLIST: dict[str, dict[str, Moving]] = {
         "thumb-turn": turns("lock_turn", (0, 1)),
     },
     "drawer": {
-        "drawer": slides("drawer_slide", (1, 2, 3, 4, 5, 6, 8, 9, 10, 12)),
+        "drawer": slides("drawer_slide", (1, 2, 3, 4, 5, 6, 8, 9, 10, 12, 15)),
     },
     "faucet": {
         "spout": turns("spout_swivel", (1,)),
@@ -85,6 +87,8 @@ CHECKLIST: dict[str, dict[str, Moving]] = {
         "lift of a lever": turns("handle_lift", (0, 1)),
         "spray head": slides("spray_head_slide", (0, 1)),
         "rod of the drain": slides("lift_rod_slide", (0, 1)),
+        "pivot rod of the drain": turns("pivot_rod_turn", (0, 1)),
+        "plug of the drain": slides("plug_slide", (0, 1)),
     },
     "handle": {
         "handle": turns("handle_turn", (1,)),
@@ -151,7 +155,7 @@ CHECKLIST: dict[str, dict[str, Moving]] = {
         "lid": turns(f"lid_hinge{SIDED}", (0, 1, 2)),
         "pedal": turns("pedal_hinge", (0, 1)),
         "bucket": slides("bucket_slide", (0, 1)),
-        "button": slides("button_press", (0, 1)),
+        "button": slides("button_slide", (0, 1)),
     },
     "window": {
         "pane that turns": turns("pane_hinge", (0, 1, 2, 4)),

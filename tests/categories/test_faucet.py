@@ -100,10 +100,39 @@ def test_the_rod_of_a_drain_stays_where_it_is_put(style: str) -> None:
     asset = faucet.generate(6, cache=Cache(), on_collision="fail", style=style, rod=True)
     rod = asset.joint("lift_rod_slide")
     assert rod.friction > 9.81 * asset.link("lift_rod").mass_properties.mass
-    top = asset.parameters["deck_thickness"] + 0.004
-    low = asset.link("lift_rod").bounds()[0, 2]
-    assert low > 0.004
-    assert low + rod.limits[1] < top + 0.012  # lifted, it is still in its collar
+    under = asset.link("spout").bounds()[0, 2]
+    solids = [piece.shape.bounds() for piece in asset.link("lift_rod").pieces if piece.label == "lift_rod"]
+    assert min(low[2] for low, _ in solids) + rod.limits[1] < under  # lifted, it is still in its collar
+    assert asset.link("lift_rod").bounds()[0, 2] > 0.02
+
+
+def _middle(asset: Asset, link: str, label: str, q: dict[str, float]) -> np.ndarray:
+    """Return the middle of what has a label at a pose, shape (3,) [m]."""
+    boxes = [piece.shape.bounds() for piece in asset.link(link).pieces if piece.label == label]
+    middle = np.append(np.mean([np.min(boxes, axis=(0, 1)), np.max(boxes, axis=(0, 1))], axis=0), 1.0)
+    return (asset.pose(q)[link] @ middle)[:3]
+
+
+@pytest.mark.parametrize("style", ["widespread", "single_hole"])
+def test_a_lifted_rod_lowers_the_plug_by_the_arms_of_the_pivot_rod(style: str) -> None:
+    asset = made(4, style=style, rod=True)
+    lift, turn, fall = (asset.joint(f"{name}") for name in ("lift_rod_slide", "pivot_rod_turn", "plug_slide"))
+    shut = {"lift_rod_slide": lift.limits[1]}
+    assert turn.follows is not None
+    assert fall.follows is not None
+    assert turn.follows.leader == fall.follows.leader == "lift_rod_slide"
+    # the inner arm reaches from the ball to the middle of the drain, the outer one to the strap
+    inner = abs(turn.pivot[1] + asset.parameters["reach"])
+    assert fall.follows.ratio == pytest.approx(inner * turn.follows.ratio)
+    down = _middle(asset, "plug", "plug", {}) - _middle(asset, "plug", "plug", shut)
+    np.testing.assert_allclose(down, (0.0, 0.0, fall.follows.ratio * lift.limits[1]), atol=1e-9)
+    assert 0.005 < down[2] < 0.012
+    up = _middle(asset, "lift_rod", "strap", shut) - _middle(asset, "lift_rod", "strap", {})
+    np.testing.assert_allclose(up, (0.0, 0.0, lift.limits[1]), atol=1e-9)
+    # the plug stands under the end of the spout, and comes down on its seat without touching it
+    assert _middle(asset, "plug", "plug", {})[1] == pytest.approx(-asset.parameters["reach"], abs=1e-6)
+    for share in (0.0, 0.5, 1.0):
+        assert min(asset.clearance({"lift_rod_slide": share * lift.limits[1]}).values()) > 0.0
 
 
 @settings(max_examples=10, deadline=None)
@@ -113,4 +142,8 @@ def test_any_seed_of_any_style_can_be_built_within_the_budget(seed: int, style: 
     counts = [len(link.colliders) for link in asset.links]
     assert max(counts) <= 64
     assert sum(counts) < 200
-    assert {joint.name for joint in asset.joints} - {"lift_rod_slide"} == STYLES[style]
+    assert {joint.name for joint in asset.joints} - {
+        "lift_rod_slide",
+        "pivot_rod_turn",
+        "plug_slide",
+    } == STYLES[style]

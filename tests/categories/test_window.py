@@ -81,7 +81,7 @@ def test_a_sash_lock_holds_both_hung_sashes() -> None:
 
 @pytest.mark.parametrize(("layout", "moving"), [("pair", 1), ("row", 2)])
 def test_panels_slide_past_fixed_ones(layout: str, moving: int) -> None:
-    asset = window(style="sliding", layout=layout, shutters="none")
+    asset = window(style="sliding", layout=layout, slides="one", shutters="none")
     slides = [joint for joint in asset.joints if joint.name.startswith("pane_slide")]
     assert len(slides) == moving
     width = asset.parameters["width"]
@@ -90,6 +90,25 @@ def test_panels_slide_past_fixed_ones(layout: str, moving: int) -> None:
         assert 0.6 * sash < joint.limits[1] < sash
         assert joint.limits[1] < width / (2 * moving)
         assert asset.blocked({joint.name: 0.01})
+
+
+@pytest.mark.parametrize("hand", ["left", "right"])
+def test_two_panels_pass_each_other_and_one_lock_holds_both(hand: str) -> None:
+    asset = window(style="sliding", layout="pair", slides="both", hand=hand, shutters="none")
+    inner, outer = asset.joint("pane_slide_0"), asset.joint("pane_slide_1")
+    assert inner.axis[0] == -outer.axis[0] == pytest.approx(1.0 if hand == "left" else -1.0)
+    for slide in (inner, outer):
+        assert asset.blocked({slide.name: 0.05})
+        assert not asset.blocked({slide.name: 0.05, "lock_turn": 2.0})
+        sash = np.ptp(asset.link(slide.child).bounds()[:, 0])
+        assert slide.limits[1] > 0.7 * sash
+    # each runs in a track of its own, so that they are never in each other's way
+    assert asset.link("pane_1").bounds()[1, 1] < asset.link("pane_0").bounds()[0, 1] + 0.001
+    for travels in ((1.0, 1.0), (1.0, 0.0), (0.0, 1.0), (0.5, 0.5)):
+        at = {
+            slide.name: share * slide.limits[1] for slide, share in zip((inner, outer), travels, strict=True)
+        }
+        assert min(asset.clearance({**at, "lock_turn": np.pi}).values()) > 0.0
 
 
 @pytest.mark.parametrize(("layout", "panes"), [("single", 1), ("pair", 2), ("row", 4), ("cross", 4)])

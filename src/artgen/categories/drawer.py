@@ -61,6 +61,7 @@ from artgen.categories.parts.runners import RunnerStyle
 _FINISH, _ACCENT = boards("wood", "lacquer", "melamine", "decor", "steel"), accents()
 _WORKTOP, _LEG, _METAL = worktops(), leg_finishes(), hardware()
 _FRAMED = choice("flat", "beaded", "shaker", "ramped", weights=(0.4, 0.15, 0.25, 0.2))
+_MOUNTED = choice("overlay", "inset", weights=(0.55, 0.45))
 _SLABS = choice("flat", "beaded", weights=(0.7, 0.3))  # many framed fronts would be too many colliders
 
 
@@ -69,7 +70,7 @@ _SLABS = choice("flat", "beaded", weights=(0.7, 0.3))  # many framed fronts woul
         "body", "back", "top", "plinth", "leg", "foot", "drawer", "front", "runner", "handle", "label_holder",
         "lock", "cylinder", "print", "screw",
     ),
-    joints=(1, 12),
+    joints=(1, 15),
 )  # fmt: skip
 def drawer(
     *,
@@ -93,7 +94,7 @@ def drawer(
         "kind",
         chest=by(
             "rows",
-            {5: choice(1, 2, weights=(0.6, 0.4))},
+            {5: choice(1, 2, 3, weights=(0.5, 0.3, 0.2))},
             otherwise=choice(1, 2, 3, weights=(0.4, 0.38, 0.22)),
         ),
         bedside=1,
@@ -110,7 +111,9 @@ def drawer(
         otherwise=by(
             "kind",
             kitchen=choice("overlay", "inset", weights=(0.85, 0.15)),
-            otherwise=choice("overlay", "inset", weights=(0.55, 0.45)),
+            # the 15 drawers of a chest for herbs, cards or tools have a frame around each
+            chest=by("rows", {5: by("columns", {3: "inset"}, otherwise=_MOUNTED)}, otherwise=_MOUNTED),
+            otherwise=_MOUNTED,
         ),
         doc="fronts lie on the carcass or stand between its boards",
     ),
@@ -345,7 +348,7 @@ def drawer(
     )
     body = weld(
         *case.bodies(),
-        *bays.between(),
+        *bays.between(solid=boxes.solid),
         *([case.deck(shelf)] if niche else []),
         *fixed_members(bays, boxes),
         *case.standing(stand, setback=setback, leg=leg, finish=leg_finish),

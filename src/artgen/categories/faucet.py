@@ -1,13 +1,14 @@
 """A faucet on a sample deck or before a wall board, as in a shop: its spout turns, its handles open.
 
 Links: `deck`, with the body; `spout`; `handle` of a mixer, or `handle_left` (hot) and `handle_right` (cold);
-`spray_head` on its hose; `lift_rod` of the drain. Joints: `spout_swivel`; `handle_turn` and `handle_lift`,
-both between the same links, or `handle_left_turn` and `handle_right_turn`; `spray_head_slide`;
-`lift_rod_slide`.
+`spray_head` on its hose; `lift_rod`, `pivot_rod` and `plug` of a pop-up drain. Joints: `spout_swivel`;
+`handle_turn` and `handle_lift`, both between the same links, or `handle_left_turn` and `handle_right_turn`;
+`spray_head_slide`; `lift_rod_slide`, and `pivot_rod_turn` and `plug_slide`, which follow it.
 
 A single lever turns to both sides for hot and cold and is lifted to open. Handles of two are shut at 0; they
-turn by a quarter, levers to the front. A spray head is drawn back by the weight on its hose. The rod shuts
-the drain of a basin, which is not there, when it is lifted.
+turn by a quarter, levers to the front. A spray head is drawn back by the weight on its hose. A lift
+rod comes with its drain, in a piece of a vanity top on a stand: lifted, it turns the pivot rod under the
+slab, which lowers the plug.
 
 Sizes are those of shops: valves 0.2 m apart (8 inches, ASME A112.18.1), spouts that reach 0.10-0.25 m and end
 0.08-0.30 m over the deck, aerators M22 and M24, ceramic discs that turn at 0.3-0.8 N m.
@@ -16,6 +17,7 @@ Sizes are those of shops: valves 0.2 m apart (8 inches, ASME A112.18.1), spouts 
 from typing import Literal
 
 from artgen import Body, Float, Material, by, category, choice, material, max_, shades, uniform, vector, weld
+from artgen.categories.parts.faucet_drain import Drain
 from artgen.categories.parts.faucet_handles import (
     HandleStyle,
     LeverStyle,
@@ -23,7 +25,6 @@ from artgen.categories.parts.faucet_handles import (
     quarter_turn,
     turning_handle,
 )
-from artgen.categories.parts.faucet_mounts import lift_rod
 from artgen.categories.parts.faucet_spouts import (
     SpoutStyle,
     beam_spout,
@@ -72,8 +73,9 @@ _METAL_WEIGHTS, _DECK_WEIGHTS = tuple(_METALS.values()), tuple(_DECKS.values())
     labels=(
         "deck", "foot", "screw", "escutcheon", "body", "valve", "collar", "handle", "index", "spout",
         "aerator", "spray_head", "hose", "guide", "lift_rod",
+        "strap", "pivot_rod", "drain", "plug",
     ),
-    joints=(3, 4),
+    joints=(3, 6),
 )  # fmt: skip
 def faucet(
     *,
@@ -166,7 +168,7 @@ def faucet(
         widespread=choice(True, False),
         single_hole=choice(True, False),
         otherwise=False,
-        doc="whether a rod shuts the drain",
+        doc="whether it has a pop-up drain, which a rod shuts",
     ),
     finish: Material = shades(*_METALS, weights=_METAL_WEIGHTS, color=0.03, roughness=0.03),
     accent: Literal["same", "ceramic"] = choice(
@@ -184,7 +186,7 @@ def faucet(
     rod_friction: Float = uniform(5.0, 9.0, "N"),
 ) -> Body:
     """Make a faucet, shut: spout, one or two handles, spray head, lift rod."""
-    board = Board(deck_margin, deck_thickness, surface, rod)
+    board = Board(deck_margin, deck_thickness, surface, reach if rod else None)
     arm = Lever(lever, lever_length, lift, handle_friction, side)
     ring = 2 * girth + 0.010  # height of the ring of a straight spout
     match style:
@@ -241,7 +243,6 @@ def faucet(
         joint = quarter_turn(f"{name}_turn", hot=hot, friction=handle_friction, pivot=at)
         body = weld(body, bonnet(finish, flange=stand.flanges).at(at)).attach(one.at(at), joint)
     if rod:
-        body = lift_rod(
-            body, at=ROD_AT, top=board.top, depth=deck_thickness - 0.001, finish=finish, friction=rod_friction
-        )
+        drain = Drain(-reach, ROD_AT, board.top, deck_thickness, finish, rod_friction)
+        body = drain.on(body)
     return body

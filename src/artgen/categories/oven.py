@@ -273,7 +273,7 @@ def oven(
     if drawer:
         body = weld(body, pans.runners())
     if build == "range":
-        top = Top(space, burner, burners, mirrored, finish, brass, maker)
+        top = Top(space, burner, burners, mirrored, finish, brass, maker, drawer)
         body = top.joined(weld(body, top.body()))
     hinge = leaf.hinge(pull)
     body = body.attach(leaf.body(), hinge)

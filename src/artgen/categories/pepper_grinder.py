@@ -24,7 +24,7 @@ from artgen import (
     uniform,
     weld,
 )
-from artgen.categories.parts.grinder_bodies import Content, capped, clear, ring, wooden
+from artgen.categories.parts.grinder_bodies import INSET, Content, capped, clear, ring, wooden
 from artgen.categories.parts.grinder_finish import (
     CLEAR,
     LACQUER_WEIGHTS,
@@ -178,7 +178,8 @@ def pepper_grinder(
     body = weld(body, maker_mark(maker, style, radius, tall, solid))
     word = "salt" if content == "salt" else "pepper"
     if mark == "word":
-        body = weld(body, word_mark(word, style, radius, tall, finish))
+        around = radius - INSET if build == "clear" else radius
+        body = weld(body, word_mark(word, style, around, tall, finish))
 
     looks = HeadLooks(
         ends if build in ("clear", "steel") or top == "crank" else finish, metal, finial, fitting(style, top)

@@ -4,14 +4,14 @@ The front (-y) is the outside, with the sill; levers, locks and pulls are on the
 Casements open inwards or outwards, awnings outwards.
 
 Links: `frame`; the sashes `pane` (`pane_lower` and `pane_upper` of a double-hung window); `handle` and the
-cams `bolt` that it slides in the edge of a hinged sash; `lock`, the cam on the meeting rail of a double-hung
-window or the latch of a sliding one; `shutter_left` and `shutter_right`. Several of a kind are numbered.
-Joints: `pane_hinge`, `handle_turn`, `bolt_slide`; `pane_slide`, `lock_slide`; `pane_slide_lower`,
-`pane_slide_upper`, `lock_turn`; `shutter_hinge_left` and `_right`.
+cams `bolt` that it slides in the edge of a hinged sash; `lock`, the cam where two sliding sashes meet, or the
+latch of one that slides past a fixed one; `shutter_left` and `shutter_right`. Several of a kind are numbered.
+Joints: `pane_hinge`, `handle_turn`, `bolt_slide`; `pane_slide`, `lock_slide`; `pane_slide_0`, `pane_slide_1`,
+`lock_turn`; `pane_slide_lower`, `pane_slide_upper`, `lock_turn`; `shutter_hinge_left` and `_right`.
 
 A sash opens when its lock is turned: cams stand behind keeps, a latch beside its keep, a cam under its
-keeper. Casements stay where friction leaves them; an awning by its friction stay, or it falls shut; hung
-sashes are balanced by springs.
+keeper, which holds both sashes. Casements stay where friction leaves them; an awning by its friction stay, or
+it falls shut; hung sashes are balanced by springs.
 
 Sizes are those of catalogues of timber (IV68), PVC (70 mm) and aluminium systems: sashes 0.4-1.0 m wide and
 0.4-1.7 m high, frames of 48-60 mm, glass of two sheets of 4 mm (20 kg/m2), or of one in old ones.
@@ -44,7 +44,7 @@ from artgen.categories.parts.window_frame import (
     window_board,
 )
 from artgen.categories.parts.window_hardware import LeverStyle
-from artgen.categories.parts.window_kinds import Draft, Swing, awning, casement, double_hung, sliding
+from artgen.categories.parts.window_kinds import Draft, Swing, awning, casement
 from artgen.categories.parts.window_plan import (
     METAL_WEIGHTS,
     METALS,
@@ -57,8 +57,10 @@ from artgen.categories.parts.window_plan import (
     WOODS,
     Kind,
 )
+from artgen.categories.parts.window_slides import double_hung, sliding, sliding_both
 
 _GLASS = known("glass", "frosted_glass", "tinted_glass")
+_NO_ROOM = "a finger on the meeting rail finds no room before the next bar"
 _SHUTTERS = paints(520.0, "shutter_paint")
 
 
@@ -98,6 +100,12 @@ def window(
     hand: Literal["left", "right"] = choice("left", "right", doc="side of the hinges, or of what slides"),
     hands: Literal["same", "opposite"] = by(
         "layout", single="same", otherwise=choice("same", "opposite", weights=(0.3, 0.7))
+    ),
+    slides: Literal["one", "both"] = by(
+        "style",
+        sliding=by("layout", pair=choice("one", "both"), row="one"),
+        otherwise="both",
+        doc="of two sashes side by side: XO or XX; of four (OXXO) the middle ones do",
     ),
     width: Float = by(
         "style",
@@ -184,7 +192,7 @@ def window(
     ),
     lever_friction: Float = uniform(0.35, 0.8, "N m", doc="of the gear and its detents"),
     lock_friction: Float = by(
-        "style", sliding=uniform(2.5, 5.0), otherwise=uniform(0.15, 0.4), doc="of a latch [N], of a cam [N m]"
+        "slides", one=uniform(2.5, 5.0), both=uniform(0.15, 0.4), doc="of a latch [N], of a cam [N m]"
     ),
     swing: Float = by(
         "style", awning=uniform(0.45, 1.1), otherwise=uniform(1.2, 1.5), unit="rad", within=(0.2, 1.52)
@@ -206,6 +214,8 @@ def window(
     glazing = Glazing(glass, sheets, columns, rows, finish)
     hinged = style in ("casement", "awning")
     draft = Draft(wide, tall, section, glazing, finish, metal, lever_friction if hinged else lock_friction)
+    # simulators look at all pairs of what is near: hinges of many leaves only are seen
+    few = {"single": 1, "pair": 2}.get(layout, 4) + 2 * (shutters != "none") < 4
     hung = Swing(
         swing,
         hinge_friction,
@@ -214,6 +224,7 @@ def window(
         lever_length,
         1.57 if lever_turn == "quarter" else 3.14,
         stay,
+        few,
     )
     first = 1 if hand == "left" else -1
     abreast = {"single": 1, "row": 4}.get(layout, 2)
@@ -225,13 +236,15 @@ def window(
         case "awning":
             body = awning(draft, hung)
         case "sliding":
-            body = sliding(draft, 2 if layout == "pair" else 4, bar=bar, drag=drag)
+            if slides == "both":
+                body = sliding_both(draft, bar=bar, drag=drag)
+                body = body if columns < 3 else body.require(width > 1.25, _NO_ROOM)
+            else:
+                body = sliding(draft, 2 if layout == "pair" else 4, bar=bar, drag=drag)
             body = body.mirror(X) if hand == "right" else body
         case "double_hung":
             body = double_hung(draft, lifts=lifts, drag=drag)
-            if rows == 3:
-                room = height > 1.28
-                body = body.require(room, "a finger on the meeting rail finds no room under the lowest bar")
+            body = body if rows < 3 else body.require(height > 1.28, _NO_ROOM)
 
     deep = section.back if hinged else Tracks.of(section).back
     front, back = (-deep, 0.0) if opens == "inwards" else (0.0, deep)
@@ -245,6 +258,6 @@ def window(
         fixed.append(window_board(width, back, low, finish))
     body = weld(body, *fixed)
     if shutters != "none":
-        pair = Shutters(shutters, shutter_finish, metal, slats, shutter_swing, hinge_friction)
+        pair = Shutters(shutters, shutter_finish, metal, slats, shutter_swing, hinge_friction, few)
         body = pair.hung(body, front=front, width=width, low=low + 0.010, high=high - 0.030)
     return body.at(0.0, 0.0, SILL - low)

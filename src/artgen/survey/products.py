@@ -76,7 +76,11 @@ PRODUCTS: Mapping[str, tuple[Product, ...]] = {
     # plates of 0.56-0.92 x 0.50-0.56 m; dials and grates stand up to 0.05 m above them; a frame adds 0.02 m
     "cooktop": (Product("cooktop", (0.55, 0.94), (0.49, 0.58), (0.06, 0.16), (5.0, 20.0)),),
     # sample decks of 0.12-0.42 m in shops; spouts reach 0.10-0.25 m and turn, 0.12-0.45 m over the deck
-    "faucet": (Product("faucet on a sample deck", (0.12, 0.50), (0.12, 0.45), (0.12, 0.55), (1.2, 14.0)),),
+    # one with a drain stands on a piece of a vanity top of up to 0.41 x 0.34 x 0.03 m, of stone up to 11 kg
+    "faucet": (
+        Product("faucet on a sample deck", (0.12, 0.50), (0.12, 0.45), (0.12, 0.55), (1.2, 14.0)),
+        Product("faucet with its drain", (0.20, 0.42), (0.24, 0.36), (0.24, 0.50), (2.5, 17.0)),
+    ),
     # sides of 0.15-0.80 m of board of 0.5-1.2 kg/m2; a strap, a bow or the end of a tape stands up by
     # 0.02-0.03 m; a full bottle weighs 1.25 kg
     "box": (

@@ -17,8 +17,10 @@ from artgen import (
     Material,
     Scalar,
     Solid,
+    Span,
     Y,
     Z,
+    board,
     box,
     circle,
     cylinder,
@@ -245,6 +247,26 @@ def pocket_grip(
     return Grip(cut, weld(inner, *(part(each, "handle", finish) for each in boards)))
 
 
+def boards_around(x: Span, z: Span, hole: tuple[Span, Span], y: Span) -> list[Solid]:
+    """Make the boards of a front around a rectangular opening: left, right, below and above.
+
+    Args:
+        x: Left and right edge of the front [m].
+        z: Lower and upper edge of it [m].
+        hole: The edges of the opening, along x and z [m].
+        y: From its face to its back [m].
+    """
+    (left, right), (bottom, top) = hole
+    lap = 0.0005  # so that boards have no corners in common
+    across, thin = (left - lap, right + lap), (y[0] + lap, y[1] - lap)
+    return [
+        board((x[0], left), y, z),
+        board((right, x[1]), y, z),
+        board(across, thin, (z[0] + lap, bottom)),
+        board(across, thin, (top, z[1] - lap)),
+    ]
+
+
 def recessed_grip(
     length: Scalar,
     *,
@@ -254,6 +276,7 @@ def recessed_grip(
     deep: Scalar = 0.034,
     level: bool = False,
     name: str = "handle",
+    thin: bool = False,
 ) -> Grip:
     """Make a recess in a front with a blade in its middle that fingers close on, level with the front.
 
@@ -267,6 +290,7 @@ def recessed_grip(
         deep: How far it reaches into the front [m].
         level: Whether it lies along X instead of standing along Z.
         name: Begins the name of its grasp, which has to be the only one of an asset.
+        thin: Whether the lining is only seen, since the walls of the cut collide.
     """
     sheet, thick = 0.0015, 0.010
     cut = box(width, deep + 0.010, length).at(0.0, deep / 2 - 0.005, 0.0)
@@ -277,7 +301,7 @@ def recessed_grip(
     rim = rectangle(width + 0.006, length + 0.006, radius=0.004) - rectangle(width - 0.002, length - 0.002)
     shell = weld(
         part(blade, "handle", finish, name=name, grasp=hold),
-        *(part(each, "handle", lining) for each in walls),
+        *((detail if thin else part)(each, "handle", lining) for each in walls),
         detail(extrude(rim, 0.0012, axis=Y).at(0.0, -0.0002, 0.0), "handle", finish),
     )
     turned = Grip(cut, shell)

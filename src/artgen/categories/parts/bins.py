@@ -44,6 +44,7 @@ SIDES = 20
 """Facets of what collides of a round wall: off a circle of 160 mm by 2 mm; simulators pay for each."""
 
 _HAIR = 0.0003  # how deep its edges lie below what is seen [m]
+_THIN = 0.00005  # the same of its ends, on which things rest [m]
 _FLAT = math.cos(math.pi / SIDES)  # how far from the axis the middle of a facet is, as a share of its edges'
 
 
@@ -151,7 +152,7 @@ class Can:
             return [part(solid if holes is None else solid - holes, label, finish, name=name)]
         outer = self.outline(_HAIR, faceted=True)
         inner = self.outline(_HAIR + self.sheet / _FLAT, faceted=True)
-        solid = self._drawn(outer - inner, self.foot + _HAIR, self.top - _HAIR)
+        solid = self._drawn(outer - inner, self.foot + _THIN, self.top - _THIN)
         if holes is not None:
             solid, seen = solid - holes, seen - holes
         return [part(solid, label, finish, name=name), detail(seen, label, finish)]

@@ -120,6 +120,7 @@ class Hanging:
             finish=self.metal,
             knuckles=3,
             levels=self.levels,
+            sheets=False,
         )
         return half.at(self.left - REVEAL / 2, self.face - hinge_offset(_KNUCKLE), 0.0)
 

@@ -155,7 +155,16 @@ class Carcass:
         )
         return part(solid, self.label, self.finish)
 
-    def rail(self, left: Scalar, right: Scalar, z: Scalar, *, high: Scalar, deep: Scalar = 0.06) -> Body:
+    def rail(
+        self,
+        left: Scalar,
+        right: Scalar,
+        z: Scalar,
+        *,
+        high: Scalar,
+        deep: Scalar = 0.06,
+        solid: bool = True,
+    ) -> Body:
         """Make a rail between two uprights, behind the front edges.
 
         Args:
@@ -164,14 +173,16 @@ class Carcass:
             z: Its middle [m].
             high: Its height [m].
             deep: From front to back [m].
+            solid: Whether it has mass and collides, or only is seen.
         """
-        solid = board(
+        made = board(
             (left - _BITE, right + _BITE),
             (self.front + _SEAM, self.front + deep),
             (z - high / 2, z + high / 2),
             bevel=EASE,
         )
-        return part(solid, self.label, self.finish)
+        make = part if solid else detail
+        return make(made, self.label, self.finish)
 
     def shelves(
         self, levels: Sequence[Scalar], *, thick: Scalar, setback: Scalar, finish: Material

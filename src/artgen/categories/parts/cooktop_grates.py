@@ -20,7 +20,7 @@ from artgen import (
     atan2,
     box_between,
     detail,
-    grasp_on,
+    frame,
     min_,
     part,
     sqrt,
@@ -39,6 +39,7 @@ LIFT = 0.10
 """How far a grate is lifted off [m]."""
 
 _WIDE, _HIGH = 0.0095, 0.0115  # of a bar [m]
+_SLIM = 0.84  # width of a finger, as a share of that
 _APART = 0.003  # from a grate to the border of its field [m]
 _BARE = 0.020  # around the middle of a burner, which the fingers leave free [m]
 _REST = 0.0003  # between the feet and the plate, which the joint's limit keeps [m]
@@ -59,7 +60,7 @@ def _fingers(
     """Make four fingers that point to the middle of each burner from the frame around it."""
     wide, deep = half
     middles = [(place.x, place.y) for place in burners]
-    slim, low = 0.84 * _WIDE, top - 0.04 * _HIGH
+    slim, low = _SLIM * _WIDE, top - 0.04 * _HIGH
     if not diagonal:
         x, y = 0.5 * (wide + _BARE), 0.5 * (deep + _BARE)
         beside = [(i + way * x, j) for i, j in middles for way in (-1, 1)]
@@ -113,17 +114,18 @@ def grate(
     corners = [vector(x + i * wide, y, 0.0) for i in (-1, 1) for y in (front, back)]
     leg = box_between((-0.0046, -0.0046, plate + _REST), (0.0046, 0.0046, top - 0.004), bevel=_SOFT)
     pad = box_between((-0.0052, -0.0052, plate + _REST), (0.0052, 0.0052, plate + 0.006), bevel=0.0015)
-    # a hand takes it by a finger, where no other grate is beside it
+    # a hand takes it by a finger, where no other grate is beside it; its tips reach 10 mm down
+    slim, grip = _SLIM * _WIDE, top - 0.04 * _HIGH - 0.001
     if style == "diagonal":
-        share = 0.55
-        at = vector(first.x - share * wide, first.y + share * deep, top - 0.5 * _HIGH)
-        hold = grasp_on(inner[0], approach=-Z, closing=vector(deep, wide, 0.0), at=at, depth=0.010)
+        start, share = 0.71 * _BARE, 0.5
+        run, rise = wide - start, deep - start
+        at = (first.x - start - share * run, first.y + start + share * rise, grip)
+        hold = frame(at, approach=-Z, closing=vector(rise, run, 0.0))
     else:
-        at = vector(first.x - 0.5 * (wide + _BARE), first.y, top - 0.5 * _HIGH)
-        hold = grasp_on(inner[0], approach=-Z, closing=Y, at=at, depth=0.010)
+        hold = frame((first.x - 0.5 * (wide + _BARE), first.y, grip), approach=-Z, closing=Y)
     apart = "each bar is cast onto the others"
     return weld(
-        part(inner[0], "grate", iron, name=name, grasp=hold, separate=apart),
+        part(inner[0], "grate", iron, name=name, grasp=hold, grasp_width=slim + 0.010, separate=apart),
         *(
             part(each, "grate", iron, separate=apart)
             for each in (*inner[1:], across, sides, array(leg, at=corners))

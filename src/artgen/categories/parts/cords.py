@@ -1,5 +1,6 @@
 """Mains cords as they are seen: strain relief, cord and plug; rigid models of limp things are details."""
 
+import math
 from collections.abc import Sequence
 
 from artgen import (
@@ -10,7 +11,6 @@ from artgen import (
     Solid,
     VectorLike,
     X,
-    Y,
     box,
     circle,
     cylinder,
@@ -18,8 +18,10 @@ from artgen import (
     extrude,
     material,
     min_,
+    polygon,
     polyline,
     rectangle,
+    revolve,
     sweep,
     vector,
     weld,
@@ -29,25 +31,25 @@ CORD = 0.0032
 """Radius of the cord of a small appliance, H03VV-F 3 x 0.75 mm2 [m]."""
 
 _RELIEF = 0.024  # length of the strain relief [m]
+_RIBS = 4  # around it
 
 
 def strain_relief(*, radius: Scalar = CORD, length: Scalar = _RELIEF) -> list[Solid]:
-    """Make the parts of the ribbed sleeve that keeps a cord from kinking: from y = 0 back, about the y axis.
+    """Make the ribbed sleeve that keeps a cord from kinking: from y = 0 back, about the y axis.
 
     Args:
         radius: Radius of the cord [m].
         length: Its length [m].
     """
-    ribs = 4
-    pitch = length / ribs
-    rings = [
-        cylinder(radius + 0.0030 - 0.00055 * rib, 0.62 * pitch, axis=Y, bevel=0.0006).at(
-            0.0, (rib + 0.31) * pitch, 0.0
-        )
-        for rib in range(ribs)
-    ]
-    core = cylinder(radius + 0.0007, 1.01 * length, axis=Y).at(0.0, 0.5 * length, 0.0)
-    return [core, *rings]
+    pitch, edge = length / _RIBS, 0.0004
+    core = radius + 0.0007
+    line: list[tuple[Scalar, Scalar]] = [(0.0, 0.0)]
+    for rib in range(_RIBS):
+        out, low, high = radius + 0.0030 - 0.00055 * rib, rib * pitch, (rib + 0.62) * pitch
+        line += [(out - edge, low), (out, low + edge), (out, high - edge), (out - edge, high), (core, high)]
+        line.append((core, (rib + 1.0) * pitch))
+    line.append((0.0, 1.0 * length))
+    return [revolve(polygon(line)).rotate(X, -0.5 * math.pi)]
 
 
 def _seen(solids: Sequence[Solid], label: str, finish: Material | None) -> Body:

@@ -157,8 +157,12 @@ class Rows:
             ceiling = GROOVE
         return floor, ceiling
 
-    def between(self) -> list[Body]:
-        """Make the partitions between columns and the rails between rows."""
+    def between(self, *, solid: bool) -> list[Body]:
+        """Make the partitions between columns and the rails between rows.
+
+        Args:
+            solid: Whether rails behind grooves have mass and collide, or only are seen.
+        """
         case, y = self.case, self.case.thick / 2
         low = None if self.low is None else self.low
         bodies = [
@@ -175,7 +179,10 @@ class Rows:
                 levels.append(((high - 0.022 + low_above + 0.004) / 2, low_above - high + 0.026))
         for middle in self.middles:
             half = self.cell / 2
-            bodies += [case.rail(middle - half, middle + half, z, high=high) for z, high in levels]
+            bodies += [
+                case.rail(middle - half, middle + half, z, high=high, solid=solid or self.inset)
+                for z, high in levels
+            ]
         return bodies
 
 
@@ -190,8 +197,8 @@ class BoxLook:
         floor: Thickness of the bottom [m].
         runner: On what they run.
         tallest: Height of their sides at most [m].
-        solid: Whether runners have mass and collide; those of many drawers only are seen, since simulators
-            look at all pairs of what is near.
+        solid: Whether runners, and rails behind grooves, have mass and collide; those of many drawers only
+            are seen, since simulators look at all pairs of what is near.
     """
 
     sides: Material

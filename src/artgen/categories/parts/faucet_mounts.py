@@ -1,17 +1,14 @@
-"""What faucets stand on: sample decks and wall boards, columns and bridges; and the rod of a drain."""
+"""What faucets stand on: sample decks, pieces of vanity tops and wall boards, columns and bridges."""
 
 from artgen import (
     Body,
-    Joint,
     Material,
-    Prismatic,
     Scalar,
-    Solid,
     VectorLike,
     X,
     Y,
-    Z,
     array,
+    board,
     box,
     box_between,
     cylinder,
@@ -19,18 +16,13 @@ from artgen import (
     detail,
     details,
     frustum,
-    grasp_on,
     material,
     part,
-    rectangle,
-    revolve,
-    sphere,
     torus,
-    tube,
     union,
-    vector,
     weld,
 )
+from artgen.categories.parts.faucet_drain import HOLE
 from artgen.categories.parts.feet import corner_feet
 from artgen.categories.parts.finish import casting
 
@@ -43,17 +35,11 @@ BAR = 0.0125
 BEHIND = 0.062
 """From a wall to the bar before it [m]."""
 
-ROD_TRAVEL = 0.028
-"""How far the rod of a drain is lifted [m]."""
-
-_ROD = 0.0030  # its radius [m]
-_GUIDE = 0.012  # height of the collar that it passes [m]
-_STANDS = 0.038  # how high its knob stands over the collar [m]
-_PLAY = 0.0005  # around it [m]
+_SOLID, _FOLDED = 5000.0, 1500.0  # a slab of metal is 1.5 mm of sheet folded around a board [kg/m^3]
 _ROSE = 0.030  # radius of the flanges on a wall [m]
 
 
-def deck(*, width: Scalar, depth: Scalar, thick: Scalar, finish: Material, rod_at: Scalar | None) -> Body:
+def deck(*, width: Scalar, depth: Scalar, thick: Scalar, finish: Material) -> Body:
     """Make a sample deck on pads, its upper face at `PADS + thick`.
 
     Args:
@@ -61,14 +47,64 @@ def deck(*, width: Scalar, depth: Scalar, thick: Scalar, finish: Material, rod_a
         depth: [m].
         thick: [m].
         finish: Stone, wood or steel.
-        rod_at: Where a hole for the rod of a drain is behind the middle [m].
     """
-    board = box(width, depth, thick, bevel=0.003).at(0.0, 0.0, PADS + thick / 2)
+    slab = box(width, depth, thick, bevel=0.003).at(0.0, 0.0, PADS + thick / 2)
     pads = corner_feet(width, depth, inset=0.016, radius=0.008, height=PADS)
-    if rod_at is None:
-        return weld(part(board, "deck", finish), pads)
-    hole = box(0.008, 0.008, 0.1).at(0.0, rod_at, 0.0)
-    return weld(part(board - hole, "deck", finish), pads)
+    return weld(part(slab, "deck", _slab(finish)), pads)
+
+
+def _slab(finish: Material) -> Material:
+    """Return what a slab weighs of which this is seen."""
+    if finish.density < _SOLID:
+        return finish
+    return finish.with_(name=f"{finish.name}_on_board", density=_FOLDED)
+
+
+def raised_deck(
+    *,
+    width: Scalar,
+    front: Scalar,
+    back: Scalar,
+    top: Scalar,
+    thick: Scalar,
+    finish: Material,
+    drain_at: Scalar,
+    rod_at: Scalar,
+) -> Body:
+    """Make a piece of a vanity top with the holes of a drain and its rod, on two frames of flat steel.
+
+    Args:
+        width: [m].
+        front: Where it begins, along y [m].
+        back: Where it ends [m].
+        top: Height of its upper face [m].
+        thick: [m].
+        finish: Stone, wood or steel.
+        drain_at: Middle of the drain along y [m].
+        rod_at: The rod along y [m].
+    """
+    slab = board((-width / 2, width / 2), (front, back), (top - thick, top), bevel=0.003)
+    holes = union(
+        box(HOLE, HOLE, 2.0).at(0.0, drain_at, 0.0),
+        box(0.008, 0.008, 2.0).at(0.0, rod_at, 0.0),
+    )
+    x, bar = width / 2 - 0.030, 0.006  # flat bars of 25 x 6 mm
+    wide = (-x - 0.0125, -x + 0.0125)
+    near, far, high = front + 0.020, back - 0.020, top - thick + 0.0003
+    rails = [board(wide, (near, far), (low, low + bar), bevel=0.001) for low in (PADS, high - bar)]
+    posts = [
+        board((wide[0] + 0.0002, wide[1] - 0.0002), (y, y + bar), (PADS + bar - 0.0003, high - bar + 0.0003))
+        for y in (near + 0.0003, far - bar - 0.0003)
+    ]
+    frame = union(*rails, *posts)
+    steel = material("powder_coat_black")
+    pads = corner_feet(2.0 * x + 0.025, far - near, inset=0.012, radius=0.008, height=PADS)
+    return weld(
+        part(slab - holes, "deck", _slab(finish)),
+        part(frame, "deck", steel),
+        part(frame.mirror(X), "deck", steel),
+        pads.at(0.0, 0.5 * (near + far), 0.0),
+    )
 
 
 def wall_board(*, width: Scalar, height: Scalar, thick: Scalar, finish: Material, metal: Material) -> Body:
@@ -81,7 +117,7 @@ def wall_board(*, width: Scalar, height: Scalar, thick: Scalar, finish: Material
         finish: Of the board.
         metal: Of the foot.
     """
-    board = box_between((-0.5 * width, 0.0, PADS + 0.004), (0.5 * width, thick, height), bevel=0.003)
+    panel = box_between((-0.5 * width, 0.0, PADS + 0.004), (0.5 * width, thick, height), bevel=0.003)
     foot = box_between((-0.42 * width, -0.19, PADS), (0.42 * width, thick + 0.03, PADS + 0.008), bevel=0.002)
     pads = corner_feet(0.84 * width, 0.22 + thick, inset=0.016, radius=0.008, height=PADS)
     steel = metal.with_(name="foot_steel", density=5000.0)
@@ -90,7 +126,7 @@ def wall_board(*, width: Scalar, height: Scalar, thick: Scalar, finish: Material
         for side in (-1, 1)
     ]
     middle = 0.5 * (thick + 0.03 - 0.19)
-    return weld(part(board, "deck", finish), part(foot, "deck", steel), pads.at(0.0, middle, 0.0), *screws)
+    return weld(part(panel, "deck", finish), part(foot, "deck", steel), pads.at(0.0, middle, 0.0), *screws)
 
 
 def column(*, radius: Scalar, height: Scalar, finish: Material) -> Body:
@@ -159,50 +195,3 @@ def elbows(*, half: Scalar, finish: Material) -> Body:
     nut = cylinder_between((0.0, -0.014, 0.0), (0.0, -0.026, 0.0), 0.0165, bevel=0.0015)
     both = array(union(arm, rose, nut), at=[(-half, 0.0, 0.0), (half, 0.0, 0.0)])
     return part(both, "body", metal, separate="the bar joins them")
-
-
-def lift_rod(
-    body: Body,
-    *,
-    at: Scalar,
-    top: Scalar,
-    depth: Scalar,
-    finish: Material,
-    friction: Scalar,
-) -> Body:
-    """Attach the rod of a pop-up drain, in a collar behind the spout; lifted, it shuts the drain.
-
-    Args:
-        body: What has the collar.
-        at: How far behind the middle it is [m].
-        top: Height of the deck [m].
-        depth: How deep it may reach into the deck [m].
-        finish: Its metal.
-        friction: Of the ball joint in the drain pipe [N].
-    """
-    inner, outer = (_ROD + _PLAY) / 0.966, 0.0082
-    guide = revolve(
-        rectangle(outer - 0.0005 - inner, _GUIDE).at(0.5 * (outer - 0.0005 + inner), 0.5 * _GUIDE), sides=12
-    )
-    skin = tube(outer, inner, _GUIDE + 0.0004, bevel=0.0008).at(0.0, 0.0, 0.5 * _GUIDE)
-    place = vector(0.0, at, top)
-    high = top + _GUIDE + _STANDS
-    rod = cylinder_between((0.0, at, top - depth), (0.0, at, high), _ROD)
-    knob: Solid = sphere(0.0068).at(0.0, at, high)
-    metal = casting(finish, 0.9)
-    held = part(union(rod, knob), "lift_rod", metal, grasp=grasp_on(knob, approach=-Y, closing=X))
-    return weld(body, part(guide.at(place), "guide", metal), detail(skin.at(place), "guide", finish)).attach(
-        held, _rod_slide(friction)
-    )
-
-
-def _rod_slide(friction: Scalar) -> Joint:
-    return Prismatic(
-        "lift_rod_slide",
-        axis=Z,
-        limits=(0.0, ROD_TRAVEL),
-        friction=friction,
-        damping=3.0,
-        armature=0.02,
-        effort=30.0,
-    )

@@ -22,6 +22,7 @@ from artgen import (
     vector,
     weld,
 )
+from artgen.categories.parts.faucet_drain import FLANGE, HANGS
 from artgen.categories.parts.faucet_handles import LeverStyle, mixer
 from artgen.categories.parts.faucet_mounts import (
     BEHIND,
@@ -31,6 +32,7 @@ from artgen.categories.parts.faucet_mounts import (
     deck,
     elbows,
     pedestal,
+    raised_deck,
     risers,
     wall_board,
 )
@@ -60,27 +62,33 @@ class Board:
         margin: Around what stands on it [m].
         thick: Its thickness [m].
         finish: Its material.
-        rod: Whether it has the hole for the rod of a drain.
+        drain: How far before the spout's axis its drain is [m]; none where it is a plain deck.
     """
 
     margin: Scalar
     thick: Scalar
     finish: Material
-    rod: bool
+    drain: Scalar | None
 
     @property
     def top(self) -> Scalar:
         """Height of its upper face, where it is a deck [m]."""
-        return PADS + self.thick
+        return PADS + (self.thick if self.drain is None else HANGS + 0.012)
 
     def body(self, half: Scalar, deep: Scalar) -> Body:
         """Make a deck around what takes up half a width and half a depth [m]."""
-        return deck(
-            width=2.0 * (half + self.margin),
-            depth=2.0 * (deep + self.margin),
+        width = 2.0 * (half + self.margin)
+        if self.drain is None:
+            return deck(width=width, depth=2.0 * (deep + self.margin), thick=self.thick, finish=self.finish)
+        return raised_deck(
+            width=width,
+            front=-self.drain - FLANGE - 0.6 * self.margin,
+            back=ROD_AT + 0.6 * self.margin,
+            top=self.top,
             thick=self.thick,
             finish=self.finish,
-            rod_at=ROD_AT if self.rod else None,
+            drain_at=-self.drain,
+            rod_at=ROD_AT,
         )
 
 

@@ -38,6 +38,7 @@ from artgen import (
     polyline,
     sweep,
     uniform,
+    union,
     weld,
 )
 from artgen.categories.parts.bar_handles import BarStyle, bar_handle
@@ -247,15 +248,10 @@ def groove_pull(
         lip: Thickness of the lip [m].
     """
     foot = 0.006  # of the slope from the groove to the back [m]
-    corners: list[tuple[Scalar, Scalar]] = [
-        (0.0, -GROOVE),
-        (thick, -GROOVE),
-        (thick, foot - GROOVE),
-        (lip, 2 * foot - GROOVE),
-        (lip, 0.0),
-        (0.0, 0.0),
-    ]
-    edge = extrude(polygon(corners, radius=0.0010), length, axis=X)
+    plate = board((-length / 2, length / 2), (0.0, lip), (-GROOVE, 0.0), bevel=0.0010)
+    low, high = -GROOVE, foot - GROOVE
+    slope = polygon([(lip - 0.0012, low), (thick, low), (thick, high), (lip - 0.0012, high + foot)])
+    edge = union(plate, extrude(slope, length - 0.0004, axis=X))
     hold = frame(
         (end * (length / 2 - 0.004), lip / 2, -0.0110), approach=(-end, 0.0, 0.0), closing=(0.0, 1.0, 0.0)
     )

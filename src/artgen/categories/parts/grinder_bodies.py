@@ -27,6 +27,9 @@ from artgen.categories.parts.turned import Run, skin, turned
 Content = Literal["pepper", "salt", "mixed"]
 """What is ground: black peppercorns, salt, or peppercorns of four colours."""
 
+INSET = 0.0016
+"""How far a clear tube stands back behind its foot and collar [m]."""
+
 _WALL = 0.0028  # of a clear tube [m]
 _BULK = 560.0  # peppercorns poured into a mill [kg/m3]
 _AROUND = 20  # grains in a ring behind the clear wall
@@ -99,7 +102,7 @@ def clear(
         [(radius, top + 0.0010), (radius, height - 0.0010)],
         [(radius, height - 0.0010), (radius - 0.0010, height)],
     ]
-    outer = radius - 0.0016
+    outer = radius - INSET
     tube = revolve(half_section(line((outer, 0.0, foot - 0.001), (outer, 0.0, top + 0.001)), wall=_WALL))
     inner = outer - _WALL
     filled = foot + 0.82 * (top - foot)

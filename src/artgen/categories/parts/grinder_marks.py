@@ -49,7 +49,7 @@ def maker_mark(maker: str, form: BodyForm, radius: Scalar, height: Scalar, finis
 
 
 def word_mark(word: str, form: BodyForm, radius: Scalar, height: Scalar, finish: Material) -> Body:
-    """Print what is in a mill around its body."""
+    """Print what is in a mill around its body, or around its clear tube, of the radius of that."""
     run, share = _WORD[form]
     path = path_of(body_runs(form, radius, 0.0, height)[run])
     mark = details.lettering((word.upper(),), 0.15 * radius, tracking=0.3)

@@ -23,6 +23,7 @@ from artgen import (
     extrude,
     grasp_on,
     material,
+    min_,
     part,
     polygon,
     rectangle,
@@ -95,6 +96,10 @@ def shaft(high: Scalar) -> Body:
     )
 
 
+_FREE = 0.0275
+"""How deep fingers of 45 mm reach down a head before the hand comes near the nut on it [m]."""
+
+
 def finial_of(style: Finial, metal: Material, at: Scalar) -> Body:
     """Make the nut that holds a head, on a face at a height."""
     match style:
@@ -149,7 +154,8 @@ def head(top: Top, radius: Scalar, low: Scalar, height: Scalar, looks: HeadLooks
     runs = head_runs(top, radius, low + GAP, height, across=looks.across)
     upper = low + GAP + height
     solid = core(runs)
-    hold = grasp_on(solid, approach=-Z, closing=X, depth=(1.0 - WIDEST[top]) * height + 0.007)
+    deep = min_((1.0 - WIDEST[top]) * height + 0.007, _FREE)
+    hold = grasp_on(solid, approach=-Z, closing=X, depth=deep)
     tenon = cylinder_between((0.0, 0.0, low - 0.008), (0.0, 0.0, low + 0.002), STORE - 0.0012)
     return weld(
         part(solid, "top", looks.finish, grasp=hold),

@@ -50,6 +50,8 @@ def _half(
     count: int,
     side: int,
     finish: Material,
+    *,
+    sheets: bool,
 ) -> list[Body]:
     """Make the knuckles, tabs, plates and screws of one half; `side` is 1 for the leaf, -1 for the frame."""
     sheet, inner = _PLATE - _CENTER, side * _CENTER
@@ -68,10 +70,18 @@ def _half(
     for at in screws_at:
         face = face - circle(_SCREW + 0.0003).at(*at)
     skin = extrude(face, _FACE + 0.0003, axis=X).at(inner + side * (_FACE + 0.0003) / 2.0, 0.0, 0.0)
-    return [
+    places = [(0.0, 0.0, z) for z in middles]
+    if sheets:
         # a knuckle and its tab nearly are their own hull
-        part(array(enclosed(knuckle | tab), at=[(0.0, 0.0, z) for z in middles]), "hinge", finish),
-        part(plate, "hinge", finish),
+        made = [
+            part(array(enclosed(knuckle | tab), at=places), "hinge", finish),
+            part(plate, "hinge", finish),
+        ]
+    else:
+        alone = part(array(knuckle, at=places), "hinge", finish, separate="its tab joins it to the plate")
+        made = [alone, detail(array(tab, at=places), "hinge", finish), detail(plate, "hinge", finish)]
+    return [
+        *made,
         detail(skin, "hinge", finish),
         *screws(
             [(inner, y, z) for y, z in screws_at],
@@ -97,6 +107,7 @@ def hinge_leaf(
     finish: Material,
     knuckles: int = 5,
     levels: Sequence[Scalar] = (0.0,),
+    sheets: bool = True,
 ) -> Body:
     """Make the half of a butt hinge that turns with the leaf.
 
@@ -107,8 +118,10 @@ def hinge_leaf(
         finish: Its metal.
         knuckles: 3 or 5, those of both halves together.
         levels: Heights of the middles of all hinges of the door [m].
+        sheets: Whether tabs and plates have mass and collide; those of small hinges only are seen, since
+            simulators look closely at what is so near.
     """
-    return _stacked(_half(height, radius, depth, knuckles, 1, finish), levels)
+    return _stacked(_half(height, radius, depth, knuckles, 1, finish, sheets=sheets), levels)
 
 
 def hinge_frame(
@@ -119,6 +132,7 @@ def hinge_frame(
     finish: Material,
     knuckles: int = 5,
     levels: Sequence[Scalar] = (0.0,),
+    sheets: bool = True,
 ) -> Body:
     """Make the half of a butt hinge that stays on the jamb, with the heads of its pin.
 
@@ -129,7 +143,9 @@ def hinge_frame(
         finish: Its metal.
         knuckles: 3 or 5, those of both halves together.
         levels: Heights of the middles of all hinges of the door [m].
+        sheets: Whether tabs and plates have mass and collide; those of small hinges only are seen, since
+            simulators look closely at what is so near.
     """
     head = dome(radius * 0.92, height=radius * 0.55).at(0.0, 0.0, height / 2 - 0.0003)
     heads = [detail(each, "hinge", finish) for each in (head, head.rotate(X, math.pi))]
-    return _stacked([*_half(height, radius, depth, knuckles, -1, finish), *heads], levels)
+    return _stacked([*_half(height, radius, depth, knuckles, -1, finish, sheets=sheets), *heads], levels)

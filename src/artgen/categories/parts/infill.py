@@ -31,6 +31,7 @@ from artgen import (
 
 _PANE = 0.005  # toughened glass [m]
 _BOARDS = 3  # of which the slats of a section are cut
+_CORE, _SLATS = 0.004, 0.009  # thickness of a board behind slats, and of one that weighs what they do [m]
 _BEVEL = 0.055  # width of the bevels of a fielded panel, moulding included [m]
 
 
@@ -167,8 +168,15 @@ def panes_in(
     return bodies
 
 
-def slats_in(opening: Opening, thickness: Scalar, slats: int) -> list[Body]:
-    """Make slats of which each begins in height where the last one ends, so that nobody sees through."""
+def slats_in(opening: Opening, thickness: Scalar, slats: int, *, joined: bool = False) -> list[Body]:
+    """Make slats of which each begins in height where the last one ends, so that nobody sees through.
+
+    Args:
+        opening: What they fill.
+        thickness: Of the leaf [m].
+        slats: How many.
+        joined: Whether they are of one paint, and only are seen before a thin board that carries their mass.
+    """
     pitch = opening.height / slats
     depth = thickness - 0.010
     rise = 0.98 * pitch
@@ -180,6 +188,12 @@ def slats_in(opening: Opening, thickness: Scalar, slats: int) -> list[Body]:
     ]
     # the outer edge hangs down, so that rain and eyes stay out
     tilted = slat.rotate(X, atan2(up, out))
+    if joined:
+        core = box(opening.width, _CORE, opening.height).at(opening.centers[0])
+        finish = opening.finish
+        heavy = finish.with_(name=f"{finish.name}_slats", density=_SLATS * finish.density / _CORE)
+        field = array(tilted, at=places).at(opening.centers[0])
+        return [part(core, opening.label, heavy), detail(field, opening.label, finish)]
     # neighbours are of different boards
     return [
         part(array(tilted, at=places[first::_BOARDS]).at(opening.centers[0]), opening.label, opening.finish)

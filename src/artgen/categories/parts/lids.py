@@ -26,7 +26,6 @@ from artgen import (
     cylinder,
     detail,
     dome,
-    enclosed,
     extrude,
     grasp_on,
     material,
@@ -106,7 +105,8 @@ class Hinge:
         cheek = board((-_CHEEK / 2.0, _CHEEK / 2.0), (near, far), (self.foot, z), bevel=0.0012)
         for side in (-1, 1):
             x = side * (_HALF + 0.0005 + _CHEEK / 2.0)
-            parts.append(part(enclosed(cheek.at(x, 0.0, 0.0) | round_.at(x, y, z)), label, finish))
+            parts.append(part(cheek.at(x, 0.0, 0.0), label, finish))
+            parts.append(part(round_.at(x, y, z), label, finish))
         half = _HALF + _CHEEK
         cover = board((-half, half), (far - 0.0027, far + 0.0003), (self.foot, z - 0.010), bevel=0.0012)
         parts.append(part(cover, label, finish))

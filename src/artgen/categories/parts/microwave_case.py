@@ -30,6 +30,7 @@ from artgen.categories.parts.screws import screws
 
 _LAP = 0.0005  # by which boards reach into each other, so that they have no corners in common [m]
 _WALL = 0.0035  # thickness of the cavity's right wall [m]
+_BEFORE = 0.045  # between the room of the latches and the works [m]
 _OPEN = (0.0050, 0.0042)  # from the middle of a latch to the sides of its slot, to the left and right [m]
 _MICA = coloured("fabric", "sand").with_(name="mica", texture="", tile=None, specular_roughness=0.35)
 
@@ -81,17 +82,19 @@ class Case:
         seen = filled(self.inside, 265.0, "wall")
         heavy = filled(self.inside, self.stuffing, "works")
         shallow = (front, rear)
+        slabs = [  # the floor with the motor of the turntable, and the ceiling
+            part(board(outer, shallow, (low, floor)), "cavity", filled(self.inside, 300.0, "floor")),
+            part(board(outer, shallow, (ceiling, high)), "cavity", filled(self.inside, 210.0, "ceiling")),
+        ]
         boards = [
-            board(outer, shallow, (low, floor)),
-            board(outer, shallow, (ceiling, high)),
             board((outer[0], left), (front, rear - _LAP), wall),
             board((left - _LAP, right + _LAP), (space.back, rear - _LAP), wall),
             board((right, passing), (front, rear - _LAP), wall),
         ]
-        works = [
-            board((passing - _LAP, outer[1]), (deep, rear - 2.0 * _LAP), wall),
-            board((rest, outer[1]), (front, deep + _LAP), wall),
-        ]
+        # the transformer and the fan are at the back; before them are the latches and the boards of the keys
+        heavy_from = deep + _BEFORE
+        works = board((passing - _LAP, outer[1]), (heavy_from, rear - 2.0 * _LAP), wall)
+        light = board((rest, outer[1]), (front, heavy_from + _LAP), wall)
         strip = (passing - _LAP, rest + _LAP)
         edges = [wall[0], *(edge for slot in self.slots for edge in slot), wall[1]]
         frame = [
@@ -107,8 +110,10 @@ class Case:
             beside.append(board((hook + _OPEN[1], rest + 2.0 * _LAP), thin, level))
         return [
             *(detail(each, "cavity", self.inside) for each in beside),
+            *slabs,
             *(part(each, "cavity", seen) for each in (*boards, *frame)),
-            *(part(each, "cavity", heavy) for each in works),
+            part(works, "cavity", heavy),
+            part(light, "cavity", filled(self.inside, 120.0, "keys")),
         ]
 
     def _sheets(self) -> list[Body]:

@@ -31,6 +31,7 @@ Controls = Literal["keypad", "mixed", "dials"]
 """Keys, keys with one dial, or dials alone."""
 
 _LAP = 0.0005
+_UNDER = 0.0003  # from the face that is seen to the boards under it [m]
 _FACE = 0.0165  # thickness of the face with the channels of keys [m]
 _DEEP = 0.0085  # of caps behind the face [m]
 _MARGIN = 0.0105  # from the edges of the panel to what is on it [m]
@@ -191,31 +192,45 @@ class Panel:
         return fields
 
     def _boards(self) -> list[Solid]:
-        """Make the face around the channels, and the back of the panel."""
+        """Make the boards around the channels, just under the face that is seen, and the back."""
         space, (left, right) = self.space, self._x
         low, high = space.tall
-        y = (space.front, space.front + _FACE)
-        edges: list[Scalar] = [low]
-        solids = []
-        for (x0, x1), (z0, z1) in self._fields:
-            edges += [z0, z1]
-            z = (z0 - _LAP, z1 + _LAP)
-            inside = (y[0] + 0.0003, y[1] - 0.0003)
-            solids += [board((left + 0.0003, x0), inside, z), board((x1, right - 0.0003), inside, z)]
-        edges.append(high)
-        solids += [
-            board((left, right), y, (edges[index], edges[index + 1]), bevel=0.0014)
-            for index in range(0, len(edges), 2)
+        y = (space.front + _UNDER, space.front + _FACE)
+        inside = (y[0] + _UNDER, y[1] - _UNDER)
+        x, z = (left + _UNDER, right - _UNDER), (low + _UNDER, high - _UNDER)
+        solids = [
+            board(
+                (left + 0.001, right - 0.001), (y[1] - _LAP, space.mouth + _LAP), (low + 0.001, high - 0.001)
+            )
         ]
-        back = board(
-            (left + 0.001, right - 0.001), (y[1] - _LAP, space.mouth + _LAP), (low + 0.001, high - 0.001)
-        )
-        return [*solids, back]
+        if not self._fields:
+            return [*solids, board(x, y, z)]
+        between = self._fields[0][0]  # the widest is the lowest
+        solids += [board((x[0], between[0]), y, z), board((between[1], x[1]), y, z)]
+        edges = [z[0] + _LAP, *(edge for _, field in self._fields for edge in field), z[1] - _LAP]
+        across = (between[0] - _LAP, between[1] + _LAP)
+        return solids + [
+            board(across, inside, (edges[index], edges[index + 1])) for index in range(0, len(edges), 2)
+        ]
+
+    def _front(self) -> Solid:
+        """Make the face with its channels as it is seen."""
+        (left, right), (low, high) = self._x, self.space.tall
+        x, z = (left + right) / 2.0, (low + high) / 2.0
+        outline = rectangle(right - left, high - low)
+        for (x0, x1), (z0, z1) in self._fields:
+            outline = outline - rectangle(x1 - x0, z1 - z0).at((x0 + x1) / 2.0 - x, (z0 + z1) / 2.0 - z)
+        middle = (x, self.space.front + _FACE / 2.0, z)
+        return details.relief(outline, middle, proud=_FACE / 2.0, sunk=_FACE / 2.0, bevel=0.0014)
 
     def body(self) -> Body:
         """Make the panel with its print, to be welded to the case."""
-        stuff = filled(self.finish, 480.0, "panel")
-        return weld(*(part(each, "panel", stuff) for each in self._boards()), *self._printed())
+        stuff = filled(self.finish, 240.0, "panel")
+        return weld(
+            *(part(each, "panel", stuff) for each in self._boards()),
+            detail(self._front(), "panel", self.finish),
+            *self._printed(),
+        )
 
     @cached_property
     def _dark(self) -> Material:

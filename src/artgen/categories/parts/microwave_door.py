@@ -15,7 +15,6 @@ from artgen import (
     Scalar,
     Solid,
     Span,
-    Y,
     Z,
     array,
     board,
@@ -23,14 +22,13 @@ from artgen import (
     cylinder,
     detail,
     details,
-    extrude,
     material,
     part,
     rectangle,
     weld,
 )
 from artgen.categories.parts.appliance_finish import filled
-from artgen.categories.parts.bar_handles import BarStyle, Grip, bar_handle, recessed_grip
+from artgen.categories.parts.bar_handles import BarStyle, Grip, bar_handle, boards_around, recessed_grip
 from artgen.categories.parts.control_panels import ink_on
 from artgen.categories.parts.microwave_space import Space
 
@@ -50,6 +48,9 @@ POCKET_WIDTH = 0.050
 """Width of a recessed grip: a finger of 9 mm at either side of its blade [m]."""
 
 _LAP = 0.0005
+_UNDER = 0.0003  # from the faces of the frame to the boards under them [m]
+_INSET = 0.0012  # from its edges to them [m]
+_POCKET_HEIGHT = 0.098  # of a recessed grip [m]
 _SKIN = 0.014  # thickness of the outer frame [m]
 _HOOK = (0.0050, 0.0065, 0.0120)  # width, height and reach of a hook behind the cavity's frame's face [m]
 _BARB = (0.0042, 0.0050)  # how far its barb stands up, and how thick it is [m]
@@ -183,7 +184,9 @@ class Door:
         if self.handle != "pocket":
             return None
         lining = coloured("abs", "graphite").with_(name="grip_lining")
-        grip = recessed_grip(0.098, finish=self.metal, lining=lining, width=POCKET_WIDTH, deep=POCKET)
+        grip = recessed_grip(
+            _POCKET_HEIGHT, finish=self.metal, lining=lining, width=POCKET_WIDTH, deep=POCKET, thin=True
+        )
         return grip.at(self._grip_at, self.space.front, self._level)
 
     def body(self, latches: Latches) -> Body:
@@ -202,39 +205,68 @@ class Door:
         return weld(*bodies)
 
     def _frame(self) -> list[Body]:
-        """Make the frame in two layers: the front, and behind it the choke that keeps the waves inside."""
-        space, grip = self.space, self._grip
+        """Make the frame in two layers: the front, and behind it the choke that keeps the waves inside.
+
+        Both are only seen; boards under their surfaces weigh and collide.
+        """
+        space = self.space
         front, inner = space.front, space.inner
         (left, right), (low, high) = space.door, space.tall
         (x0, x1), (z0, z1) = self._window
-        bodies = []
+        x, z = (left + right) / 2.0, (low + high) / 2.0
         layers = (
-            ((front, front + _SKIN), self.finish, 620.0, 0.0, 0.0014),
-            ((front + _SKIN - _LAP, inner), self.inside, 700.0, 0.0009, 0.0),
+            ((front, front + _SKIN), self.finish, 0.0, 0.0014),
+            ((front + _SKIN - _LAP, inner), self.inside, 0.0009, 0.0),
         )
-        for (start, end), finish, density, inset, bevel in layers:
+        bodies = []
+        for (start, end), finish, inset, bevel in layers:
             outline = rectangle(right - left - 2.0 * inset, high - low - 2.0 * inset)
-            hole = rectangle(x1 - x0 - inset, z1 - z0 - inset).at(
-                (x0 + x1 - left - right) / 2.0, (z0 + z1 - low - high) / 2.0
-            )
-            frame = extrude(outline - hole, end - start, axis=Y, bevel=bevel)
-            frame = frame.at((left + right) / 2.0, (start + end) / 2.0, (low + high) / 2.0)
-            solid = frame if grip is None else frame - grip.cut
-            bodies.append(part(solid, "door", filled(finish, density, "door")))
-        return bodies
+            hole = rectangle(x1 - x0 - inset, z1 - z0 - inset).at((x0 + x1) / 2.0 - x, (z0 + z1) / 2.0 - z)
+            outline = outline - hole
+            if self.handle == "pocket":
+                across, tall = self._pocket
+                outline = outline - rectangle(across[1] - across[0], tall[1] - tall[0]).at(self._grip_at - x)
+            half, at = (end - start) / 2.0, (x, (start + end) / 2.0, z)
+            frame = details.relief(outline, at, proud=half, sunk=half, bevel=bevel)
+            bodies.append(detail(frame, "door", finish))
+        stuff = filled(self.finish, 670.0, "door")
+        return [*(part(each, "door", stuff) for each in self._boards()), *bodies]
+
+    @cached_property
+    def _pocket(self) -> tuple[Span, Span]:
+        """The edges of the recess of a grip, along x and z [m]."""
+        wide, tall = POCKET_WIDTH / 2.0, _POCKET_HEIGHT / 2.0
+        return (
+            (self._grip_at - wide, self._grip_at + wide),
+            (self._level - tall, self._level + tall),
+        )
+
+    def _boards(self) -> list[Solid]:
+        """Make the boards around the window, and around and behind the recess of a grip."""
+        space = self.space
+        y = (space.front + _UNDER, space.inner - _UNDER)
+        (left, right), (low, high) = space.door, space.tall
+        x, z = (left + _INSET, right - _INSET), (low + _INSET, high - _INSET)
+        beside, other, *rest = boards_around(x, z, self._window, y)
+        if self.handle != "pocket":
+            return [beside, other, *rest]
+        within = (self._window[0][1], x[1])
+        across, tall = ((start - _LAP, end + _LAP) for start, end in self._pocket)
+        behind = board(across, (space.front + POCKET, y[1] - 2.0 * _LAP), tall)
+        return [beside, *rest, *boards_around(within, z, self._pocket, y), behind]
 
     def _panes(self) -> list[Body]:
-        """Make the panes of the window with the mesh between them."""
+        """Make the panes of the window with the mesh between them, which is only seen."""
         (x0, x1), (z0, z1) = self._window
         front, inner = self.space.front, self.space.inner
         bite = 0.003
         x, z = (x0 - bite, x1 + bite), (z0 - bite, z1 + bite)
         tinted = material("tinted_glass").with_(name="door_glass", opacity=0.5)
-        clear = material("glass").with_(name="inner_film", opacity=0.12, density=1200.0)
+        clear = material("glass").with_(name="inner_film", opacity=0.12, density=1900.0)  # with the mesh
         mesh = material("perforated_steel").with_(name="window_mesh", opacity=0.72)
         return [
             part(board(x, (front + 0.0012, front + 0.0042), z), "window", tinted),
-            part(board(x, (front + 0.018, front + 0.0186), z), "mesh", mesh),
+            detail(board(x, (front + 0.018, front + 0.0186), z), "mesh", mesh),
             part(board(x, (inner - 0.0044, inner - 0.0032), z), "window", clear),
         ]
 
@@ -293,7 +325,7 @@ class Door:
                 pane = rectangle(wide - 0.0006, tall - 2.0 * _RAMP)
         pane = pane - hole
         if self._grip is not None:
-            cut = rectangle(POCKET_WIDTH + 0.0068, 0.098 + 0.0068, radius=0.004)
+            cut = rectangle(POCKET_WIDTH + 0.0068, _POCKET_HEIGHT + 0.0068, radius=0.004)
             pane = pane - cut.at(self._grip_at - (left + right) / 2.0)
         return pane
 

@@ -124,7 +124,8 @@ class Cabinet:
         # posts beside the frame, and what is over it behind the panel
         frame = filled(material("powder_coat_black"), self.wool, "frame")
         behind = (front + 0.0008, deep[1] - 2.0 * LAP)
-        top = self._high - 0.0012
+        # the top of a range stands on them
+        top = space.panel_high + 0.0008 if space.build == "range" else self._high - 0.0012
         posts = [
             board(x, behind, (self._under + LAP, top))
             for x in ((edge - 2.0 * LAP, outer), (-outer, 2.0 * LAP - edge))
@@ -170,13 +171,13 @@ class Cabinet:
                 (low + LOW, space.under_door),
                 bevel=0.0022,
             )
-            behind = board(
-                (0.004 - half, half - 0.004),
+            behind = board(  # between the sides, into which it reaches
+                (0.0025 - half, half - 0.0025),
                 (space.front + 0.0155, front + 0.004),
                 (low + LOW + 0.002, space.under_door - 0.002),
             )
-            bodies.append(part(face, "kick_plate", filled(self.finish, 520.0, "front")))
-            bodies.append(part(behind, "body", filled(material("powder_coat_black"), 200.0, "base")))
+            bodies.append(part(face, "kick_plate", filled(self.finish, 300.0, "front")))
+            bodies.append(part(behind, "body", filled(material("powder_coat_black"), 120.0, "base")))
         return bodies
 
     def _inside(self) -> list[Body]:

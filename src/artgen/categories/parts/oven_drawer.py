@@ -15,14 +15,16 @@ from artgen import (
     board,
     coloured,
     detail,
+    details,
     material,
     part,
+    rectangle,
     weld,
 )
 from artgen.categories.parts.appliance_finish import filled
-from artgen.categories.parts.bar_handles import Grip, recessed_grip
+from artgen.categories.parts.bar_handles import Grip, boards_around, recessed_grip
 from artgen.categories.parts.oven_body import FOOT, LOW
-from artgen.categories.parts.oven_space import LAP, Space
+from artgen.categories.parts.oven_space import LAP, UNDER, Space
 
 _FACE = 0.030  # thickness of the front [m]
 _POCKET = 0.0275  # depth of the grip [m]
@@ -84,14 +86,35 @@ class Drawer:
             deep=_POCKET,
             level=True,
             name="drawer_grip",
+            thin=True,
         ).at(0.0, space.front, middle)
-        face = board((-half, half), (space.front, space.front + _FACE), (low, high), bevel=0.0022)
+        x, y, z = (-half, half), (space.front, space.front + _FACE), (low, high)
+        # it is seen as a moulding with soft edges, over the boards around the grip
+        opening = rectangle(self.grip, _WIDE).at(0.0, middle - 0.5 * (low + high))
+        outline = rectangle(2.0 * half, high - low) - opening
+        at = (0.0, 0.5 * (y[0] + y[1]), 0.5 * (low + high))
+        skin = details.relief(outline, at, proud=0.5 * _FACE, sunk=0.5 * _FACE, bevel=0.0022)
+        hole = ((-0.5 * self.grip, 0.5 * self.grip), (middle - 0.5 * _WIDE, middle + 0.5 * _WIDE))
+        deep = (y[0] + UNDER, y[1] - UNDER)
+        across, tall = ((start + UNDER, end - UNDER) for start, end in (x, z))
+        front = boards_around(across, tall, hole, deep)
+        front.append(
+            board(
+                (hole[0][0] - LAP, hole[0][1] + LAP),
+                (y[0] + _POCKET, y[1] - 2.0 * UNDER),
+                (hole[1][0] - LAP, hole[1][1] + LAP),
+            )
+        )
         steel = coloured("powder_coat", "graphite").with_(name="drawer_sheet", density=1900.0)
-        bodies = [
-            part(face - grip.cut, "drawer", filled(self.finish, 360.0, "front")),
-            *(part(each, "drawer", steel) for each in self._boards()),
-        ]
-        return weld(bodies[0], grip.shell, *bodies[1:])
+        filling = filled(self.finish, 300.0, "front")
+        *boards, before = self._boards()
+        return weld(
+            *(part(each, "drawer", filling) for each in front),
+            detail(skin, "drawer", self.finish),
+            grip.shell,
+            *(part(each, "drawer", steel) for each in boards),
+            detail(before, "drawer", steel),
+        )
 
     def _boards(self) -> list[Solid]:
         x, (y0, y1), (z0, z1) = self._box

@@ -115,8 +115,8 @@ class Panel:
             (space.panel_low + 0.001, space.panel_high - 0.001),
         )
         return weld(
-            part(face, "panel", filled(self.finish, 420.0, "panel")),
-            part(behind, "panel", filled(material("powder_coat_black"), 260.0, "panel")),
+            part(face, "panel", filled(self.finish, 260.0, "panel")),
+            part(behind, "panel", filled(material("powder_coat_black"), 150.0, "panel")),
             *(each.at(0.0, front, self._level) for each in self._printed()),
         )
 

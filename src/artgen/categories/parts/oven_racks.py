@@ -1,5 +1,6 @@
 """What is carried on the rails of an oven: wire racks and a deep pan, and the rails."""
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -24,12 +25,16 @@ from artgen import (
     material,
     part,
     polyline,
+    row,
     weld,
 )
-from artgen.categories.parts.oven_space import LEVELS, ROD, Space
+from artgen.categories.parts.oven_space import LEVELS, ROD, Build, Space
 from artgen.categories.parts.wire_baskets import rack_slide
 
 _INSIDE = 0.0002  # by which rods that collide are thinner than those that are seen [m]
+_WIRE = 0.0016  # radius of the wires of a rack, of which there are so many [m]
+_WIRES: dict[Build, int] = {"built_in": 22, "range": 27}
+_FROM_BELOW = math.pi / 8.0  # how far a hand leans that takes the highest rack: by one facet of its rod [rad]
 _CORNER = 0.014  # radius of the corners of a rack [m]
 _STOP = 0.016  # how high the stop at the back of a rack is [m]
 _PAN = 0.034  # how deep a pan hangs below its rim [m]
@@ -66,7 +71,7 @@ class Racks:
         x, middle = space.inside - 0.0095, (front + back) / 2.0
         rod, thin = cylinder(ROD, back - front, axis=Y), cylinder(0.0022, back - front, axis=Y)
 
-        def row(levels: Sequence[int], above: float = 0.0) -> list[VectorLike]:
+        def places(levels: Sequence[int], above: float = 0.0) -> list[VectorLike]:
             return [(side * x, middle, space.level(each) + above) for side in (-1, 1) for each in levels]
 
         every = range(LEVELS)
@@ -78,8 +83,8 @@ class Racks:
             for side in (-1, 1)
             for y in (front + 0.035, back - 0.035)
         ]
-        seen = [array(rod, at=row(free)), array(thin, at=row(every, _GUIDE)), array(post, at=posts)]
-        solid = array(rod, at=row(used))
+        seen = [array(rod, at=places(free)), array(thin, at=places(every, _GUIDE)), array(post, at=posts)]
+        solid = array(rod, at=places(used))
         return weld(
             part(solid, "rail", self.chrome, separate="each rod is welded to the uprights"),
             *(detail(each, "rail", self.chrome) for each in seen),
@@ -94,10 +99,15 @@ class Racks:
         """
         space = self.space
         half, deep = space.rack_half, space.rack_depth
-        wires = details.wire_rack(
-            2.0 * half, deep, pitch=0.021, wire=0.0016, frame=ROD, corner=_CORNER, supports=1
-        )
-        thin = ROD - _INSIDE
+        thin, x, y = ROD - _INSIDE, half - ROD, deep / 2.0 - ROD
+        rim: list[VectorLike] = [(0.0, -y, 0.0), (x, -y, 0.0), (x, y, 0.0), (-x, y, 0.0), (-x, -y, 0.0)]
+        here = ((0.0, 0.0, 0.0),)
+        loop = details.bent_wires(polyline(rim, fillet=_CORNER, closed=True), ROD, at=here)
+        count = _WIRES[space.build]  # which lie on the frame, between its corners
+        step = 2.0 * (half - _CORNER - ROD) / (count - 1)
+        first = (-0.5 * (count - 1) * step, 0.0, ROD + _WIRE)
+        wires = details.bent_wires(line((0.0, -y, 0.0), (0.0, y, 0.0)), _WIRE, at=row(first, X * step, count))
+        brace = cylinder(thin, 2.0 * x, axis=X)
         across = cylinder(thin, 2.0 * (half - _CORNER), axis=X)
         along = cylinder(thin, deep - 2.0 * _CORNER, axis=Y)
         inner = cylinder(0.0015, deep - 2.0 * ROD, axis=Y)
@@ -105,21 +115,25 @@ class Racks:
         sides = [(way * (half - ROD), 0.0, 0.0) for way in (-1, 1)]
         rows = [(share * half, 0.0, 0.0011) for share in (-0.5, 0.0, 0.5)]
         # the wire at the back keeps pots from falling off, and the rack from being drawn out too far
-        y, z = deep / 2.0 - ROD, _STOP
+        z = _STOP
         stop = polyline(
             [(-0.94 * half, y, 0.0), (-0.94 * half, y, z), (0.94 * half, y, z), (0.94 * half, y, 0.0)],
             fillet=0.008,
         )
         high = cylinder(0.0020, 1.8 * half, axis=X).at(0.0, y, z)
-        hold = frame((0.0, 0.0035 - deep / 2.0, 0.0), approach=(0.0, 1.0, 0.0), closing=(0.0, 0.0, 1.0))
+        # under the panel a hand comes from below, and takes but the rod, not the wires behind it
+        lean, before = (_FROM_BELOW, 0.006) if level == LEVELS - 1 else (0.0, -0.0005)
+        toward, over = (0.0, math.cos(lean), math.sin(lean)), (0.0, -math.sin(lean), math.cos(lean))
+        at = (0.0, ROD - deep / 2.0 - before * toward[1], -before * toward[2])
+        hold = frame(at, approach=toward, closing=over)
         body = weld(
             part(array(across, at=ends[:1]), "rack", self.chrome, name=name, grasp=hold, grasp_width=0.016),
             part(array(across, at=ends[1:]), "rack", self.chrome, separate=_WELDED),
             part(array(along, at=sides), "rack", self.chrome),
             part(array(inner, at=rows), "rack", self.chrome),
             part(high, "rack", self.chrome),
-            detail(wires, "rack", self.chrome),
-            detail(details.bent_wires(stop, 0.0022, at=((0.0, 0.0, 0.0),)), "rack", self.chrome),
+            *(detail(each, "rack", self.chrome) for each in (loop, wires, brace)),
+            detail(details.bent_wires(stop, 0.0022, at=here), "rack", self.chrome),
         )
         return body.at(0.0, space.rack_front + deep / 2.0, space.rack(level))
 
@@ -172,7 +186,8 @@ class Racks:
                 for way in (-1, 1)
             ),
         ]
-        hold = frame((0.0, 0.007 - deep / 2.0, 0.0), approach=(0.0, 1.0, 0.0), closing=(0.0, 0.0, 1.0))
+        # tips, which reach 9 mm past the frame, end before the wall under the rim
+        hold = frame((0.0, 0.0045 - deep / 2.0, 0.0), approach=(0.0, 1.0, 0.0), closing=(0.0, 0.0, 1.0))
         first, front, *others = boards
         body = weld(
             part(front, "pan", self.enamel, name=name, grasp=hold, grasp_width=0.014),

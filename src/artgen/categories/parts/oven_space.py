@@ -16,6 +16,9 @@ SEAL = 0.006
 LAP = 0.0005
 """By which boards reach into each other, so that they have no corners in common [m]."""
 
+UNDER = 0.0003
+"""From a surface with soft edges to the boards under it, which weigh and collide [m]."""
+
 TOP = 0.034
 """Thickness of the top of a range [m]."""
 

@@ -4,7 +4,22 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal
 
-from artgen import Body, Material, Scalar, Z, detail, details, extrude, material, min_, part, rectangle, weld
+from artgen import (
+    Body,
+    Material,
+    Scalar,
+    Y,
+    Z,
+    board,
+    detail,
+    details,
+    extrude,
+    material,
+    min_,
+    part,
+    rectangle,
+    weld,
+)
 from artgen.categories.parts.appliance_finish import DARK, filled
 from artgen.categories.parts.control_panels import ink_on
 from artgen.categories.parts.cooktop_burners import (
@@ -18,7 +33,7 @@ from artgen.categories.parts.cooktop_burners import (
 )
 from artgen.categories.parts.cooktop_grates import grates
 from artgen.categories.parts.cooktop_plan import Plan
-from artgen.categories.parts.oven_space import TOP, Space
+from artgen.categories.parts.oven_space import LAP, TOP, UNDER, Space
 
 BurnerKind = Literal["gas", "radiant", "induction"]
 """Flames, or glowing bands or coils under glass."""
@@ -26,6 +41,7 @@ BurnerKind = Literal["gas", "radiant", "induction"]
 _EDGE = 0.020  # from the edges of the top to the field of the burners [m]
 _VENT = 0.046  # from the back edge to that field: where the oven lets its steam out [m]
 _GLASS = 0.005
+_LIP = 0.12  # depth of its front edge, which is hollow: the less is in it, the less is below the oven [m]
 
 
 @dataclass(frozen=True)
@@ -51,6 +67,7 @@ class Top:
         finish: Of a top of sheet, and of the edge of one of glass.
         brass: Whether gas burners are of brass.
         maker: Whose name is on glass; `""` for none.
+        drawer: Whether a drawer is below, and no panel of sheet.
     """
 
     space: Space
@@ -60,6 +77,7 @@ class Top:
     finish: Material
     brass: bool
     maker: str
+    drawer: bool
 
     @cached_property
     def _deep(self) -> tuple[Scalar, Scalar]:
@@ -84,9 +102,11 @@ class Top:
         outline = rectangle(wide, deep, radius=0.010)
         low = space.height - thick
         glass = self.kind != "gas"
-        slab = extrude(outline, thick - (_GLASS if glass else 0.0), bevel=0.0028)
-        tray = filled(self.finish, 520.0, "top")
-        bodies = [part(slab.align((0.0, 0.0, low), z=-1), "top", tray)]
+        half = 0.5 * (thick - (_GLASS if glass else 0.0))
+        slab = details.relief(
+            outline, (0.0, 0.0, low + half), facing=Z, up=Y, proud=half, sunk=half, bevel=0.0028
+        )
+        bodies = [detail(slab, "top", self.finish), *self._tray(low)]
         if glass:
             pane = extrude(rectangle(wide - 0.010, deep - 0.010, radius=0.008), _GLASS + 0.001, bevel=0.0014)
             bodies.append(part(pane.align((0.0, 0.0, space.height), z=1), "top", material("black_glass")))
@@ -106,6 +126,20 @@ class Top:
         at = (0.0, deep / 2.0 - 0.024, space.height)
         bodies.append(detail(details.relief(slots, at, facing=Z, proud=0.0003), "vent", DARK))
         return weld(*bodies).at(0.0, self._y, 0.0)
+
+    def _tray(self, low: Scalar) -> list[Body]:
+        """Make what carries the burners, as boards just under the surface; its front edge is hollow."""
+        x, y = self.space.width / 2.0 - UNDER, self._plan.depth / 2.0 - UNDER
+        z = (low + UNDER, self.space.height - UNDER)
+        edge = -y + _LIP
+        return [
+            part(board((-x, x), (edge, y), z), "top", filled(self.finish, 560.0, "top")),
+            part(
+                board((LAP - x, x - LAP), (-y, edge + LAP), (z[0] + LAP, z[1])),
+                "top",
+                filled(self.finish, 150.0 if self.drawer else 420.0, "edge"),
+            ),
+        ]
 
     def _zones(self) -> list[Body]:
         plan, top = self._plan, self.space.height

@@ -7,8 +7,7 @@ from typing import Literal, NamedTuple
 
 from artgen import Body, Joint, Material, Revolute, Scalar, X, Z, array, box, part, union, weld
 from artgen.categories.parts.infill import Opening, slats_in
-from artgen.categories.parts.pulls import pull_handle
-from artgen.categories.parts.window_hardware import BARREL, Pin, barrel_hinges
+from artgen.categories.parts.window_hardware import BARREL, Pin, barrel_hinges, bow_pull
 from artgen.categories.parts.window_plan import SEAM
 
 ShutterStyle = Literal["none", "louvred", "boarded"]
@@ -30,6 +29,7 @@ class Shutters(NamedTuple):
         slats: Louvres in each half of a leaf, or twice the boards.
         swing: How far they open [rad].
         friction: Of the hinges of a leaf [N m].
+        solid: Whether these have mass and collide, or only are seen.
     """
 
     style: ShutterStyle
@@ -38,6 +38,7 @@ class Shutters(NamedTuple):
     slats: int
     swing: Scalar
     friction: Scalar
+    solid: bool
 
     def hung(self, body: Body, *, front: Scalar, width: Scalar, low: Scalar, high: Scalar) -> Body:
         """Hang a pair in front of a frame.
@@ -53,19 +54,13 @@ class Shutters(NamedTuple):
         start = pin.x + BARREL + 0.002
         wide, tall = -_MEETING / 2.0 - start, high - low
         levels = [low + 0.16 * tall, low + 0.84 * tall]
-        on_frame, on_leaf = barrel_hinges(pin, levels, tall=0.075, to=start, face=front, finish=self.metal)
-        middle = (start + wide / 2.0, front - _OFF - _THICK / 2.0, (low + high) / 2.0)
-        pull = pull_handle(
-            thickness=_THICK,
-            finish=self.metal,
-            faces="front",
-            style="U",
-            length=0.12,
-            projection=0.034,
-            girth=0.0048,
+        on_frame, on_leaf = barrel_hinges(
+            pin, levels, tall=0.075, to=start, face=front, finish=self.metal, solid=self.solid
         )
+        middle = (start + wide / 2.0, front - _OFF - _THICK / 2.0, (low + high) / 2.0)
+        pull = bow_pull(length=0.12, girth=0.0048, finish=self.metal, name="handle_front")
         boards = self._louvred(wide, tall) if self.style == "louvred" else self._boarded(wide, tall)
-        leaf = weld(*boards, pull.at((wide - _STILE) / 2.0, 0.0, -0.06)).at(middle)
+        leaf = weld(*boards, pull.at((wide - _STILE) / 2.0, -_THICK / 2.0, 0.0)).at(middle)
         leaf = weld(leaf, on_leaf)
         for side, name in ((1, "left"), (-1, "right")):
             hinge = self._hinge(f"shutter_hinge_{name}", pin, side)
@@ -100,7 +95,7 @@ class Shutters(NamedTuple):
         ]
         for z in (-(free + _RAIL) / 2.0, (free + _RAIL) / 2.0):
             opening = Opening(inner + 0.002, free, [(0.0, 0.0, z)], 1, self.finish, "shutter")
-            bodies += slats_in(opening, _THICK, self.slats)
+            bodies += slats_in(opening, _THICK, self.slats, joined=True)
         return bodies
 
     def _boarded(self, wide: Scalar, tall: Scalar) -> list[Body]:

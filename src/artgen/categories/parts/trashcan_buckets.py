@@ -89,7 +89,7 @@ def bucket_slide(body: Body, *, travel: Scalar, needs: Condition | Dependency | 
         limits=(0.0, travel),
         friction=0.15,  # it rubs on the wall here and there; a lid that leans on it must not hold it up
         damping=2.0,
-        effort=1.3 * _GRAVITY * mass(body) + 1.5,  # a hand that lifts it, and does not force the lid open
+        effort=1.1 * _GRAVITY * mass(body) + 1.0,  # a hand that lifts it, and does not force the lid open
         velocity=1.0,
         needs=needs,
     )

@@ -84,7 +84,7 @@ class Turntable:
         return weld(
             part(disc, "plate", glass),
             part(hub.at(0.0, 0.0, middle), "coupler", black, separate="the plate lies on the coupler"),
-            *(part(each, "coupler", black) for each in lobes),
+            *(detail(each, "coupler", black) for each in lobes),  # in the hollow of the ring, which they pass
             detail(revolve(rim), "plate", glass),
             *(detail(each, "plate", glass) for each in rings),
         ).at(self.x, self.y, self.floor)

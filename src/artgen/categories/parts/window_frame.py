@@ -82,7 +82,7 @@ def cells(width: Scalar, height: Scalar, columns: int, rows: Sequence[Scalar]) -
 
 
 def rebated_frame(
-    width: Scalar, height: Scalar, places: Sequence[Cell], section: Section, finish: Material
+    width: Scalar, height: Scalar, places: Sequence[Cell], section: Section, finish: Material, *, solid: bool
 ) -> Body:
     """Make the frame around hinged sashes: a mitred ring, posts and transoms, stops and seals.
 
@@ -92,19 +92,25 @@ def rebated_frame(
         places: The openings of the sashes.
         section: Of the system.
         finish: What it is made of.
+        solid: Whether the stops, which sashes come to within 4 mm, have mass and collide, or only are seen.
     """
     deep, eased = section.back, section.eased
     outline = rectangle(section.frame, deep, radius=eased).at(-section.frame / 2.0, -deep / 2.0)
     around = Rect(-section.frame, 0.0, -deep, 0.0)
     bodies = [ring_of(outline, [around], width, height, "frame", finish, eased=eased)]
     bodies += [part(bar, "frame", finish) for bar in _bars(width, height, places, section)]
+    soft = min(eased, 0.002)
     thick = deep - section.stop - 0.0004
-    stop = rectangle(STOP, thick, radius=min(eased, 0.002)).at(STOP / 2.0, -section.stop - thick / 2.0)
+    stop = rectangle(STOP, thick, radius=soft).at(STOP / 2.0, -section.stop - thick / 2.0)
     # a stop reaches 2 mm into what it stands on
     stands = Rect(-0.002, STOP, -section.stop - thick, -section.stop)
     seal = rectangle(0.0045, SEALED - 0.0008, radius=0.001).at(-0.0028, (SEALED - 0.0008) / 2.0)
     for cell in places:
-        stops = ring_of(stop, [stands], cell.width, cell.height, "frame", finish, eased=min(eased, 0.002))
+        stops = (
+            ring_of(stop, [stands], cell.width, cell.height, "frame", finish, eased=soft)
+            if solid
+            else detail(ring_along(stop, cell.width, cell.height), "frame", finish)
+        )
         strip = detail(ring_along(seal, cell.width, cell.height), "seal", material("rubber"))
         bodies += [each.at(cell.x, 0.0, cell.z) for each in (stops, strip)]
     return weld(*bodies)

@@ -14,26 +14,31 @@ from artgen import (
     Prismatic,
     Revolute,
     Scalar,
+    Solid,
     X,
     Y,
     Z,
     array,
+    board,
     box,
     box_between,
     cylinder,
     cylinder_between,
     detail,
     details,
-    enclosed,
+    extrude,
     grasp_on,
     hull,
     part,
+    polygon,
     polyline,
     rectangle,
+    regular_polygon,
     sweep,
     union,
     weld,
 )
+from artgen.categories.parts.furniture_pulls import bar_pull
 from artgen.categories.parts.window_plan import LIP, REBATE, SEALED, Section
 
 BARREL = 0.0065
@@ -73,7 +78,14 @@ class Pin(NamedTuple):
 
 
 def barrel_hinges(
-    pin: Pin, levels: list[Scalar], *, tall: float, to: Scalar, face: Scalar, finish: Material
+    pin: Pin,
+    levels: list[Scalar],
+    *,
+    tall: float,
+    to: Scalar,
+    face: Scalar,
+    finish: Material,
+    solid: bool = True,
 ) -> tuple[Body, Body]:
     """Make barrel hinges: the upper half turns with the sash, the lower one stands on the frame.
 
@@ -84,30 +96,27 @@ def barrel_hinges(
         to: Where the sash begins beside the axis, x [m].
         face: Where the frame begins behind the axis, y [m].
         finish: Their metal.
+        solid: Whether they have mass and collide, or only are seen.
 
     Returns:
         What is welded to the frame, and what is welded to the sash.
     """
     half = tall / 2.0 - _APART
-    barrel = enclosed(cylinder(BARREL, half, axis=Z, bevel=0.001))
-    up, down = (_APART + half) / 2.0 + _APART / 2.0, -(_APART + half) / 2.0 - _APART / 2.0
-    arm = box_between((0.0, -0.0025, -0.4 * half), (to - pin.x + 0.001, 0.0025, 0.4 * half)).at(0.0, 0.0, up)
-    post = box_between((-0.004, 0.0, -0.4 * half), (0.004, face - pin.y + 0.001, 0.4 * half)).at(
-        0.0, 0.0, down
-    )
+    up, down = _APART + half / 2.0, -_APART - half / 2.0
+    barrel = cylinder(BARREL, half, axis=Z, bevel=0.001)
+    # a post within the barrel collides, in one piece with the arm or the foot
+    core = extrude(regular_polygon(8, BARREL - 0.0001), half - 0.0002)
+    arm = box_between((0.0, -0.0025, -0.4 * half), (to - pin.x + 0.001, 0.0025, 0.4 * half))
+    foot = box_between((-0.004, 0.0, -0.4 * half), (0.004, face - pin.y + 0.001, 0.4 * half))
     tip = cylinder(0.55 * BARREL, 0.003, axis=Z, bevel=0.001)
     places = [(pin.x, pin.y, level) for level in levels]
-    on_sash = [
-        part(array(barrel.at(0.0, 0.0, up), at=places), "hinge", finish),
-        part(array(arm, at=places), "hinge", finish),
-        detail(array(tip.at(0.0, 0.0, up + half / 2.0 + 0.001), at=places), "hinge", finish),
-    ]
-    on_frame = [
-        part(array(barrel.at(0.0, 0.0, down), at=places), "hinge", finish),
-        part(array(post, at=places), "hinge", finish),
-        detail(array(tip.at(0.0, 0.0, down - half / 2.0 - 0.001), at=places), "hinge", finish),
-    ]
-    return weld(*on_frame), weld(*on_sash)
+    made = []
+    for middle, holds, end in ((down, foot, -1.0), (up, arm, 1.0)):
+        seen = union(barrel, tip.at(0.0, 0.0, end * (half / 2.0 + 0.001))).at(0.0, 0.0, middle)
+        met = array(hull(core, holds).at(0.0, 0.0, middle), at=places)
+        skin = detail(array(seen, at=places), "hinge", finish)
+        made.append(weld(part(met, "hinge", finish) if solid else detail(met, "hinge", finish), skin))
+    return made[0], made[1]
 
 
 def lever_turn(name: str, *, pivot: tuple[Scalar, Scalar, Scalar], limit: Scalar, friction: Scalar) -> Joint:
@@ -157,22 +166,57 @@ def window_lever(
     start, out = face + side * 0.0117, face + side * 0.040
     neck = cylinder_between((x, start, z), (x, out + side * 0.006, z), 0.0088, bevel=0.0015)
     low = z - length
+    seen: list[Body] = []
     match style:
         case "straight":
             grip = box(0.018, 0.012, length - 0.004, bevel=0.0045).at(x, out, (z + low) / 2.0 + 0.002)
         case "tapered":
             top = box(0.014, 0.010, 0.012, bevel=0.004).at(x, out, z - 0.002)
             end = box(0.023, 0.011, 0.014, bevel=0.005).at(x, out, low + 0.007)
-            grip = hull(top, end)
+            seen.append(detail(hull(top, end), "handle", finish))
+            # of few corners, just under that skin
+            upper = _octagonal(0.0136, 0.0096, 0.0060, cut=0.0026).at(x, out, z - 0.002)
+            lower = _octagonal(0.0222, 0.0104, 0.0090, cut=0.0032).at(x, out, low + 0.007)
+            grip = hull(upper, lower)
         case "bent":
             course = polyline(
                 [(x, out, z - 0.001), (x, out, low + 0.006), (x, out - side * 0.016, low + 0.006)],
                 fillet=0.009,
             )
-            grip = sweep(rectangle(0.017, 0.011, radius=0.004), course)
+            seen.append(detail(sweep(rectangle(0.017, 0.011, radius=0.004), course), "handle", finish))
+            # within that skin: a bar, and a piece for the bend
+            grip = board((x - 0.008, x + 0.008), (out - 0.005, out + 0.005), (low + 0.0145, z - 0.0015))
+            end = box(0.0156, 0.0067, 0.0070).at(x, out - side * 0.01235, low + 0.0045)
+            bend = board((x - 0.0078, x + 0.0078), (out - 0.005, out + 0.005), (low + 0.0145, low + 0.0155))
+            seen.append(part(hull(bend, end), "handle", finish))
     hold = grasp_on(grip, approach=(0.0, -side, 0.0), closing=X, at=(x, out, z - 0.62 * length))
-    lever = part(union(neck, grip), "handle", finish, grasp=hold)
+    lever = weld(part(union(neck, grip), "handle", finish, grasp=hold), *seen)
     return weld(part(rose, "handle", finish), *caps), lever
+
+
+def _octagonal(wide: float, deep: float, tall: float, *, cut: float) -> Solid:
+    """Make an upright bar about the origin whose edges are cut off."""
+    x, y = wide / 2.0, deep / 2.0
+    right = [(x, cut - y), (x, y - cut), (x - cut, y)]
+    corners = [(x - cut, -y), *right, *((-a, -b) for a, b in [(x - cut, -y), *right])]
+    return extrude(polygon(corners), tall)
+
+
+def bow_pull(*, length: Scalar, girth: float, finish: Material, name: str) -> Body:
+    """Make an upright bow on the face y = 0, standing out to -y, with round flanges under its ends.
+
+    Args:
+        length: Over all [m].
+        girth: Radius of the rod [m].
+        finish: Its metal.
+        name: Of its grasp.
+    """
+    bow: Body = bar_pull(
+        finish=finish, name=name, level=False, style="bow", length=length, projection=0.034, girth=girth
+    )
+    flange = cylinder(girth + 0.004, 0.005, axis=Y, bevel=0.0012)
+    ends = [(0.0, -0.002, end * (length / 2.0 - girth)) for end in (-1, 1)]
+    return weld(bow, detail(array(flange, at=ends), "handle", finish))
 
 
 class CamLock(NamedTuple):
@@ -231,7 +275,7 @@ def cam_lock(
     keeps = weld(
         part(array(keep, at=places), "keep", finish), detail(array(plate, at=places), "keep", finish)
     )
-    slide = Prismatic(name, axis=Z, follows=(_TRAVEL / QUARTER) * turn, damping=2.0, friction=0.3)
+    slide = Prismatic(name, axis=Z, follows=(_TRAVEL / QUARTER) * turn, damping=2.0)
     # until the back of the cam has passed the front of the keep
     passed = 1.05 * (deep + _PLAY + _KEEP[0] + 0.003) / (edge - pin.x)
     return CamLock(rod, keeps, slide, passed)

@@ -1,7 +1,7 @@
-"""The kinds of windows: sashes that hang in a rebated frame, and sashes that slide in tracks.
+"""Windows whose sashes hang in a rebated frame: casements and awnings; and what every window has.
 
-All are drawn about the middle of their opening. Hinged sashes open to -y, so that those that open inwards
-are mirrored; what slides has its inside at +y.
+All are drawn about the middle of their opening. Sashes open to -y, so that those that open inwards are
+mirrored.
 """
 
 import math
@@ -14,7 +14,6 @@ from artgen import (
     Float,
     Joint,
     Material,
-    Prismatic,
     Revolute,
     Scalar,
     X,
@@ -22,21 +21,16 @@ from artgen import (
     Z,
     atan2,
     center_of_mass,
-    frame,
     mass,
     min_,
     sin,
     sqrt,
     weld,
 )
-from artgen.categories.parts.pulls import pull_handle
-from artgen.categories.parts.sashes import PANE, Glazing, lipped_sash, plain_sash, slide_face
+from artgen.categories.parts.sashes import Glazing, lipped_sash
 from artgen.categories.parts.window_frame import (
-    TRACK,
-    Tracks,
     cells,
     rebated_frame,
-    tracked_frame,
 )
 from artgen.categories.parts.window_hardware import (
     RELEASED,
@@ -48,16 +42,11 @@ from artgen.categories.parts.window_hardware import (
     lever_turn,
     window_lever,
 )
-from artgen.categories.parts.window_latches import SashLock, sash_lifts, sash_lock, sliding_latch
-from artgen.categories.parts.window_plan import LIP, REBATE, SEALED, STOP, Section, under
+from artgen.categories.parts.window_plan import LIP, REBATE, SEALED, STOP, Section
 
 _GRAVITY = 9.81  # [m/s^2]
-_STRIP = 0.013  # how far the strips of tracks stand out into the opening [m]
 _HOLDS = 1.15  # friction of a stay that holds a sash anywhere, over what its weight asks for
 _LIFTS = 52.0  # what a hand lifts an awning with at most [N]
-_BALANCE = 8.0  # stiffness of the springs of a hung sash [N/m]
-_LET_IN = 0.0005  # [m]
-_MEETING = 0.002  # from the middle of a window to the edges of two sashes that meet there [m]
 
 
 @dataclass(frozen=True)
@@ -95,6 +84,8 @@ class Swing:
         length: Of the lever [m].
         turn: How far it turns [rad].
         stay: What holds an awning: a friction stay, or nothing.
+        solid: Whether hinges and stops have mass and collide; those of many leaves only are seen, since
+            simulators look at all pairs of what is near.
     """
 
     limit: Float
@@ -104,6 +95,7 @@ class Swing:
     length: Float
     turn: float
     stay: Literal["friction", "none"]
+    solid: bool
 
 
 def casement(
@@ -119,7 +111,7 @@ def casement(
         inward: Whether they open to the inside.
     """
     places = cells(draft.width, draft.height, len(hands), rows)
-    body = rebated_frame(draft.width, draft.height, places, draft.section, draft.finish)
+    body = rebated_frame(draft.width, draft.height, places, draft.section, draft.finish, solid=swing.solid)
     for number, cell in enumerate(places):
         hung = _Hung(draft, swing, cell.width, cell.height, inward).body()
         hung = hung.mirror(X) if hands[cell.column] < 0 else hung
@@ -131,7 +123,7 @@ def casement(
 def awning(draft: Draft, swing: Swing) -> Body:
     """Make one sash that hangs at its top and opens to the outside."""
     places = cells(draft.width, draft.height, 1, (1.0,))
-    body = rebated_frame(draft.width, draft.height, places, draft.section, draft.finish)
+    body = rebated_frame(draft.width, draft.height, places, draft.section, draft.finish, solid=swing.solid)
     glazing = replace(draft.glazing, columns=draft.glazing.rows, rows=draft.glazing.columns)
     # a casement laid on its side: its hinges at the left come to the top
     hung = _Hung(replace(draft, glazing=glazing), swing, draft.height, draft.width, False, falls=True)
@@ -164,7 +156,13 @@ class _Hung:
         pin = Pin.beside(self.width, section)
         low, high = -self.height / 2.0 + 0.11, self.height / 2.0 - 0.11
         on_frame, on_sash = barrel_hinges(
-            pin, [low, high], tall=0.066, to=-self.width / 2.0 - LIP, face=0.0, finish=metal
+            pin,
+            [low, high],
+            tall=0.066,
+            to=-self.width / 2.0 - LIP,
+            face=0.0,
+            finish=metal,
+            solid=swing.solid,
         )
         face = -SEALED - section.lip if self.inward else section.depth
         # in the middle of what the stop leaves of the lock stile
@@ -215,120 +213,3 @@ class _Hung:
             velocity=6.0,
             needs=(turn > RELEASED).until(lock.passed),
         )
-
-
-def sliding(draft: Draft, panels: int, *, bar: Scalar, drag: Scalar) -> Body:
-    """Make sashes that slide past fixed ones: one of two, or the middle ones of four.
-
-    Args:
-        draft: What every window has.
-        panels: 2 or 4.
-        bar: Length of the pulls [m].
-        drag: Friction of rollers and brushes [N].
-    """
-    body = tracked_frame(draft.width, draft.height, draft.section, draft.finish, head=_STRIP)
-    if panels == 2:
-        return weld(body, _sliding_pair(draft, draft.width, TRACK, bar, drag).at(-draft.width / 2.0))
-    right = _sliding_pair(draft, draft.width / 2.0, _MEETING, bar, drag)
-    return weld(body, right.mirror(X).suffixed("_0"), right.suffixed("_1"))
-
-
-def _sliding_pair(draft: Draft, long: Scalar, start: float, bar: Scalar, drag: Scalar) -> Body:
-    """Make a sash in the inner track, from x = `start` on, and the fixed one that it slides past."""
-    section, tracks = draft.section, Tracks.of(draft.section)
-    face, high = slide_face(section), draft.height - 2.0 * TRACK
-    middle, inside = long / 2.0, tracks.inner + section.slide / 2.0
-    # the fixed sash is screwed to the frame, half a millimetre into it
-    still, wide = middle + face / 2.0 + _LET_IN, middle + face / 2.0 - start
-    stile = start + face / 2.0 + 0.004  # in the middle of what the strip at the jamb leaves of it
-    floor = _STRIP - draft.height / 2.0
-    pull = _pull(bar, section.slide, draft.metal).at(stile, tracks.inner, 0.06)
-    latch = sliding_latch(
-        (stile, inside, floor + 0.048),
-        floor,
-        1,
-        name="lock_slide",
-        friction=draft.friction,
-        finish=draft.metal,
-    )
-    sash = plain_sash(wide, high, section, draft.glazing).at(start + wide / 2.0, tracks.inner, 0.0)
-    slide = Prismatic(
-        "pane_slide",
-        axis=X,
-        limits=(0.0, middle - face / 2.0 - TRACK - 0.002),
-        friction=drag,
-        damping=8.0,
-        needs=(latch.slide > latch.free).until(latch.passed),
-    )
-    fixed = plain_sash(still, draft.height + 2.0 * _LET_IN, section, draft.glazing)
-    fixed = fixed.at(long + _LET_IN - still / 2.0, tracks.outer, 0.0)
-    moving = weld(sash, pull, latch.case).attach(latch.slider, latch.slide)
-    return weld(latch.keep, fixed).attach(moving, slide)
-
-
-def _pull(length: Scalar, thickness: float, finish: Material) -> Body:
-    """Make a bow on the face of a sash that looks to +y, upright, about the middle of the sash."""
-    bow: Body = pull_handle(
-        thickness=thickness,
-        finish=finish,
-        faces="front",
-        style="U",
-        length=length,
-        projection=0.034,
-        girth=0.0052,
-    )
-    return bow.rotate(Z, math.pi)
-
-
-def double_hung(draft: Draft, *, lifts: int, drag: Scalar) -> Body:
-    """Make two sashes that slide up and down, each balanced by springs, with a lock where they meet.
-
-    Block-and-tackle and constant-force balances carry the weight of a sash at every height; brushes hold
-    what is left (ANSI/AAMA 902). A soft spring that is drawn far out has a nearly constant force.
-
-    Args:
-        draft: What every window has.
-        lifts: How many lifts the lower sash has.
-        drag: Friction of brushes and balances [N].
-    """
-    section, tracks, metal = draft.section, Tracks.of(draft.section), draft.metal
-    face, half = slide_face(section), draft.height / 2.0
-    wide, tall = draft.width - 2.0 * TRACK, half + face / 2.0 - TRACK
-    level = half - TRACK - tall / 2.0  # middle of the upper sash, over that of the opening
-    lower_face, upper_face = tracks.inner - section.slide / 2.0, tracks.outer + section.slide / 2.0
-    lock = sash_lock(0.0, lower_face, upper_face, face / 2.0, friction=draft.friction, finish=metal)
-
-    places: list[Scalar] = [0.0] if lifts == 1 else [-0.26 * wide, 0.26 * wide]
-    lift = sash_lifts(places, tracks.inner + section.slide / 2.0, 0.6 * face - tall / 2.0, metal)
-    lower = weld(plain_sash(wide, tall, section, draft.glazing).at(0.0, tracks.inner, 0.0), lift)
-    lower = weld(lower.at(0.0, 0.0, -level).suffixed("_lower"), lock.base).attach(lock.cam, lock.turn)
-    # a finger on the meeting rail, beside the glass, pushes the upper sash down
-    inset = min(0.0045, (section.slide - PANE) / 2.0 - 0.0095)  # of the finger from the face
-    beside = {0: 0.25, 1: 0.25, 2: 1.0 / 3.0}.get(draft.glazing.columns, 0.125)  # between two bars
-    rail = face - tall / 2.0 - under(section.eased) - 0.00005
-    press = frame(
-        (beside * (wide - 2.0 * face), upper_face - tracks.outer - inset, rail), approach=-Z, closing=X
-    )
-    upper = plain_sash(wide, tall, section, draft.glazing, push=press).at(0.0, tracks.outer, level)
-    upper = weld(upper.suffixed("_upper"), lock.keeper)
-    way = half - face / 2.0 - TRACK - 0.004
-    body = tracked_frame(draft.width, draft.height, section, draft.finish, head=_STRIP)
-    # the lock stays below the head
-    up = _balanced("pane_slide_lower", lower, 1, way - 0.045, drag, lock)
-    down = _balanced("pane_slide_upper", upper, -1, way, drag, lock)
-    return body.attach(lower, up).attach(upper, down)
-
-
-def _balanced(name: str, sash: Body, way: int, travel: Scalar, drag: Scalar, lock: SashLock) -> Joint:
-    weight = _GRAVITY * mass(sash)
-    return Prismatic(
-        name,
-        axis=(0.0, 0.0, way),
-        limits=(0.0, travel),
-        stiffness=_BALANCE,
-        rest=way * weight / _BALANCE + travel / 2.0,  # in balance half way
-        friction=drag,
-        damping=10.0,
-        effort=400.0,
-        needs=lock.turn > lock.free,
-    )

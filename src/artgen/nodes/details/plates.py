@@ -77,17 +77,18 @@ def rating_plate(
     left = -0.45 * width
     coarse: Fineness = "coarse"
     top = 0.5 * (rows - 1.33 * _LEADING) * size
-    print_ = lettering(shown[:1], 1.33 * size, align="left", fineness=coarse).at(left, top)
+    # films that lie side by side need not be united
+    films = [lettering(shown[:1], 1.33 * size, align="left", fineness=coarse).at(left, top)]
     if len(shown) > 1:
         block = lettering(shown[1:], size, align="left", leading=_LEADING, fineness=coarse)
-        print_ = print_ | block.at(left, -0.5 * 1.33 * _LEADING * size)
-    print_ = print_ | _frame(0.97 * width, height - 0.03 * width, 0.004 * width)
+        films.append(block.at(left, -0.5 * 1.33 * _LEADING * size))
+    films.append(_frame(0.97 * width, height - 0.03 * width, 0.004 * width))
     if double_insulated:
-        squares = _frame(2 * size, 2 * size, 0.22 * size) | _frame(1.1 * size, 1.1 * size, 0.22 * size)
-        print_ = print_ | squares.at(0.45 * width - size, -0.45 * height + 1.15 * size)
+        middle = (0.45 * width - size, -0.45 * height + 1.15 * size)
+        films += [_frame(side * size, side * size, 0.22 * size).at(*middle) for side in (2.0, 1.1)]
     plate = relief(
         rectangle(width, height, radius=0.03 * min_(width, height)),
         at, facing=facing, up=up, proud=_PLATE, sunk=0.0002,
     )  # fmt: skip
     turns = {"reads": reading(facing, up), "about": at}
-    return weld(detail(plate, label, paper), detail(film(print_), label, black, **turns))
+    return weld(detail(plate, label, paper), *(detail(film(each), label, black, **turns) for each in films))
