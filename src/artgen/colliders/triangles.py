@@ -33,13 +33,13 @@ def cross(first: Array, second: Array) -> Array:
 
 
 def across(corners: Array) -> tuple[Array, Array]:
-    """Return normals of the length of triangles' doubled areas, and these areas, of corners, shape (m, 3, 3)."""
+    """Return normals as long as triangles' doubled areas, and these, of corners, shape (m, 3, 3)."""
     normals = cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     return normals, np.sqrt(np.sum(normals * normals, axis=1))
 
 
 def planes_of(corners: Array, normals: Array, area: Array) -> Array:
-    """Return the planes of triangles as (nx, ny, nz, d), inside is `n.x <= d`, but those of needles, shape (k, 4).
+    """Return the planes of triangles but needles as (nx, ny, nz, d), inside is `n.x <= d`, shape (k, 4).
 
     Args:
         corners: Of the triangles, shape (m, 3, 3) [m].
