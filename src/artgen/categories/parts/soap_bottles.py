@@ -21,6 +21,7 @@ from artgen import (
     ellipse,
     extrude,
     loft,
+    min_,
     part,
     polygon,
     polyline,
@@ -93,7 +94,7 @@ _BLOWN: dict[str, tuple[list[Drawn], float]] = {
     # corners of the same in glass, above the foot, and the radius that rounds them; straight slopes need few
     # colliders
     "round": ([(1.0, 1.0, -0.14)], 0.0045),
-    "apothecary": ([(1.0, 1.0, -0.60), (0.52, 1.0, -0.07)], 0.0095),
+    "apothecary": ([(1.0, 1.0, -0.60)], 0.0095),
     "cone": ([(0.56, 1.0, -0.16)], 0.0040),
     "bell": ([(0.84, 1.0, -0.42)], 0.0090),
 }
@@ -224,7 +225,8 @@ def clear(
     )
     if shape in _BLOWN:
         path, foot = blown_path(shape, sizes), sizes.width / 2.0 - _EDGE
-        vessel = blown(path, "body", glass, foot=foot, wall=_GLASS, level=level)
+        solid_to = min_(level, _straight(shape, sizes))
+        vessel = blown(path, "body", glass, foot=foot, wall=_GLASS, level=solid_to)
         content = filled(path, wall=_GLASS, level=level - 0.0003)
     else:
         floor = 2.0 * _GLASS
@@ -245,6 +247,13 @@ def blown_path(shape: Shape, sizes: Sizes) -> Path:
     (slope,) = drawn([corners], radius, 0.0, sizes.height)
     points = [(radius - _EDGE, 0.0), (radius, _EDGE), *slope, (NECK, sizes.height)]
     return polyline([(r, 0.0, z) for r, z in points], fillet=fillet)
+
+
+def _straight(shape: Shape, sizes: Sizes) -> Scalar:
+    """Return up to which height a blown bottle has no bends [m]."""
+    corners, fillet = _BLOWN[shape]
+    _, share, rest = corners[0]
+    return share * sizes.height + rest * sizes.width / 2.0 - fillet
 
 
 def _rounded(sizes: Sizes) -> Profile:

@@ -35,7 +35,7 @@ from artgen import (
     sweep,
     weld,
 )
-from artgen.categories.parts.turned import Run, turned
+from artgen.categories.parts.turned import Run, core, turned
 
 Nozzle = Literal["saddle", "beak", "gooseneck", "bar", "swan", "foamer"]
 """The form of a nozzle: a moulded saddle; a beak under a cap; a bent tube; a square bar; a thin tube from a
@@ -291,11 +291,12 @@ def _foamer(reach: Scalar, looks: PumpLooks) -> list[Body]:
             (reach, 0.0110, 0.0070, 0.0165),
         ]
     )
-    cap = turned(_cap_runs(radius, 0.0, top), "cap", looks.finish)
+    runs = _cap_runs(radius, 0.0, top)
+    hold = grasp_on(core(runs), approach=-Z, closing=X, depth=0.012)
+    cap = turned(runs, "cap", looks.finish, grasp=hold)
     block = cylinder_between((0.0, 0.0, 0.0), (0.0, 0.0, top), radius - 0.002)
-    hold = grasp_on(block, approach=-Z, closing=X, depth=0.012)
     return [
-        part(spout, "nozzle", looks.finish, grasp=hold, push=push_on(block, direction=-Z)),
+        part(spout, "nozzle", looks.finish, push=push_on(block, direction=-Z)),
         cap,
         _mouth((-reach + 0.0046, 0.0150), 0.0040, looks.finish, 0.004),
     ]
