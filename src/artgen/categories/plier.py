@@ -27,6 +27,7 @@ from artgen import (
     count,
     details,
     material,
+    max_,
     shades,
     uniform,
 )
@@ -103,7 +104,8 @@ def plier(
     """Make combination, needle-nose, slip-joint or cutting pliers, closed."""
     slip = style == "slip_joint"
     key = Key.of(length)
-    forging = Forging(style, length, key.way if slip else 0.0, spread * length)
+    # fingers come between the handles of the smallest, too
+    forging = Forging(style, length, key.way if slip else 0.0, max_(spread * length, 0.0178))
     inlay = coloured("rubber", "graphite") if sum(sleeve.base_color) / 3.0 > _BRIGHT else accent
     teeth = teeth_count if jagged else 0
     thick = handle_share * forging.thick

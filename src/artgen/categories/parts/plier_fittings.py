@@ -134,7 +134,7 @@ class Key(NamedTuple):
     @staticmethod
     def of(length: Scalar) -> "Key":
         """Size a bolt for pliers of a length [m]; the neck between the holes is 6.4 mm for 200 mm."""
-        return Key(0.0200 * length, 0.0120 * length, 0.0200 * length + 0.00022, 0.0260 * length)
+        return Key(0.0200 * length, 0.0120 * length, 0.0200 * length + 0.00019, 0.0260 * length)
 
     def slot(self) -> Profile:
         """Make the outline of the slot: the second hole is at -x."""
