@@ -155,10 +155,11 @@ def panes_in(
         if number < 2:
             continue
         pitch = (opening.width if across else opening.height) / number
+        soft = min_(0.005, 0.45 * (thickness - 0.009))  # doors of cabinets are thin
         bar = (
-            box(0.022, thickness - 0.008, opening.height, bevel=0.005)
+            box(0.022, thickness - 0.008, opening.height, bevel=soft)
             if across
-            else box(opening.width, thickness - 0.009, 0.022, bevel=0.005)
+            else box(opening.width, thickness - 0.009, 0.022, bevel=soft)
         )
         places = [
             ((at - number / 2.0) * pitch, 0.0, 0.0) if across else (0.0, 0.0, (at - number / 2.0) * pitch)
