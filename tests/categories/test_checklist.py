@@ -83,7 +83,7 @@ CHECKLIST: dict[str, dict[str, Moving]] = {
     },
     "faucet": {
         "spout": turns("spout_swivel", (1,)),
-        "handle": turns(f"handle{SIDED}_turn", (1, 2)),
+        "handle": turns(f"handle_turn{SIDED}", (1, 2)),
         "lift of a lever": turns("handle_lift", (0, 1)),
         "spray head": slides("spray_head_slide", (0, 1)),
         "rod of the drain": slides("lift_rod_slide", (0, 1)),

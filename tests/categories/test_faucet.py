@@ -11,7 +11,7 @@ from artgen import Asset, Cache
 from artgen.categories.faucet import faucet
 
 _MIXER = {"spout_swivel", "handle_turn", "handle_lift"}
-_TWO = {"spout_swivel", "handle_left_turn", "handle_right_turn"}
+_TWO = {"spout_swivel", "handle_turn_left", "handle_turn_right"}
 STYLES = {
     "widespread": _TWO,
     "bridge": _TWO,
@@ -63,9 +63,10 @@ def test_a_single_lever_has_two_joints_on_one_pair_of_links(style: str, axis: tu
 
 def test_levers_of_hot_and_cold_come_to_the_front_as_they_open() -> None:
     asset = made(1, style="widespread", handle="lever")
-    for name, side in (("handle_left", -1), ("handle_right", 1)):
-        shut, opened = grasped(asset, name), grasped(asset, name, **{f"{name}_turn": 1.57})
-        pivot = asset.joint(f"{name}_turn").pivot
+    for which, side in (("left", -1), ("right", 1)):
+        name, turn = f"handle_{which}", f"handle_turn_{which}"
+        shut, opened = grasped(asset, name), grasped(asset, name, **{turn: 1.57})
+        pivot = asset.joint(turn).pivot
         assert side * (shut - pivot)[0] > 0.03
         assert (opened - pivot)[1] < -0.03
         assert abs((opened - pivot)[0]) < 0.002

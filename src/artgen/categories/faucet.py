@@ -2,7 +2,7 @@
 
 Links: `deck`, with the body; `spout`; `handle` of a mixer, or `handle_left` (hot) and `handle_right` (cold);
 `spray_head` on its hose; `lift_rod`, `pivot_rod` and `plug` of a pop-up drain. Joints: `spout_swivel`;
-`handle_turn` and `handle_lift`, both between the same links, or `handle_left_turn` and `handle_right_turn`;
+`handle_turn` and `handle_lift`, both between the same links, or `handle_turn_left` and `handle_turn_right`;
 `spray_head_slide`; `lift_rod_slide`, and `pivot_rod_turn` and `plug_slide`, which follow it.
 
 A single lever turns to both sides for hot and cold and is lifted to open. Handles of two are shut at 0; they
@@ -230,17 +230,17 @@ def faucet(
 
     button = finish if accent == "same" else material("ceramic")
     for at, hot in zip(stand.valves, (True, False), strict=False):
-        name = "handle_left" if hot else "handle_right"
+        side = "left" if hot else "right"
         one = turning_handle(
             handle,
             finish=finish,
             accent=button,
             length=handle_length,
             hot=hot,
-            name=name,
+            name=f"handle_{side}",
             from_tip=style == "wall",
         )
-        joint = quarter_turn(f"{name}_turn", hot=hot, friction=handle_friction, pivot=at)
+        joint = quarter_turn(f"handle_turn_{side}", hot=hot, friction=handle_friction, pivot=at)
         body = weld(body, bonnet(finish, flange=stand.flanges).at(at)).attach(one.at(at), joint)
     if rod:
         drain = Drain(-reach, ROD_AT, board.top, deck_thickness, finish, rod_friction)
