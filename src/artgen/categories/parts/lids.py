@@ -61,6 +61,7 @@ _HUB = 0.0062  # radius of the lid's hub [m]
 _HALF = 0.013  # half the length of the hub [m]
 _CHEEK = 0.0034  # thickness of the cheeks beside it [m]
 _ROUND = 0.0082  # radius of the cheeks about the pin [m]
+_SHELL = 0.4  # what a moulding of 1.3 mm walls weighs of a solid one
 _CUSHION = 90.0  # sheet of 0.4 mm around air, 2-3 kg/m2 where it is 25-35 mm high [kg/m3]
 _BELOW = 0.006  # the axis under the rim [m]
 _SOFT = 0.0032  # bevel of a slab [m]
@@ -99,6 +100,7 @@ class Hinge:
             label: Semantic label.
         """
         y, z = self.axis
+        finish = finish.with_(name=f"{finish.name}_shell", density=_SHELL * finish.density)
         near, far = self.can.back - 0.004, y + 0.008
         round_ = cylinder(_ROUND, _CHEEK, axis=X, bevel=0.0012)
         parts: list[Body] = []
