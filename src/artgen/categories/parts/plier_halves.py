@@ -196,8 +196,8 @@ class Forging:
         # three sides: the lining is round and has the teeth
         long, deep, y = half * self.jaw, self.pipe_depth, self.level(middle)
         out = 0.60 * long
-        corners = [(0.0, y - long), (0.95 * deep, y - out), (0.95 * deep, y + out), (0.0, y + long)]
-        tool = polygon([(-0.01, y - long), *corners, (-0.01, y + long)])
+        left: list[tuple[Scalar, Scalar]] = [(-0.01, y + long), (-0.01, y - long), (0.0, y - long)]
+        tool = polygon([*left, (0.95 * deep, y - out), (0.95 * deep, y + out), (0.0, y + long)])
         return solid - extrude(tool, 0.05, axis=Z)
 
     @property
