@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from artgen.colliders.polytope import cross
+from artgen.colliders.triangles import cross
 from artgen.errors import AssetError
 
 Array = NDArray[np.float64]

@@ -17,7 +17,7 @@ from artgen.asset.manifolds import (
     moved_manifold,
 )
 from artgen.colliders import Pieces, union
-from artgen.colliders.polytope import cross
+from artgen.colliders.triangles import cross
 from artgen.materials import Material
 
 Array = NDArray[np.float64]

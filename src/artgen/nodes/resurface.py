@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from artgen.asset.manifolds import manifold_of
 from artgen.asset.shape import Shape
 from artgen.colliders import Pieces
-from artgen.colliders.polytope import cross
+from artgen.colliders.triangles import cross
 from artgen.nodes.contours import CREASE
 from artgen.nodes.unwrap import boxed_uvs
 

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from artgen.asset.outline import Contour, Curve, Outline
 from artgen.asset.shape import Shape
-from artgen.colliders.polytope import cross
+from artgen.colliders.triangles import cross
 from artgen.graph import kernel
 from artgen.nodes.contours import CREASE
 from artgen.nodes.covers import around_sweep

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from artgen.asset.outline import Contour, Outline
 from artgen.asset.shape import Shape
-from artgen.colliders.polytope import cross
+from artgen.colliders.triangles import cross
 from artgen.graph import kernel
 from artgen.materials import Material
 from artgen.nodes import inputs
