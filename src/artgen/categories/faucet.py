@@ -186,7 +186,9 @@ def faucet(
     rod_friction: Float = uniform(5.0, 9.0, "N"),
 ) -> Body:
     """Make a faucet, shut: spout, one or two handles, spray head, lift rod."""
-    board = Board(deck_margin, deck_thickness, surface, reach if rod else None)
+    # slabs on a wall are thinner than worktops
+    thick = min_(deck_thickness, 0.024) if style == "wall" else deck_thickness
+    board = Board(deck_margin, thick, surface, reach if rod else None)
     arm = Lever(lever, lever_length, lift, handle_friction, side)
     ring = 2 * girth + 0.010  # height of the ring of a straight spout
     match style:
