@@ -16,7 +16,21 @@ Sizes are those of shops: valves 0.2 m apart (8 inches, ASME A112.18.1), spouts 
 
 from typing import Literal
 
-from artgen import Body, Float, Material, by, category, choice, material, max_, shades, uniform, vector, weld
+from artgen import (
+    Body,
+    Float,
+    Material,
+    by,
+    category,
+    choice,
+    material,
+    max_,
+    min_,
+    shades,
+    uniform,
+    vector,
+    weld,
+)
 from artgen.categories.parts.faucet_drain import Drain
 from artgen.categories.parts.faucet_handles import (
     HandleStyle,
