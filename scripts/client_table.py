@@ -39,7 +39,13 @@ READING = {"__pycache__", "check", "clients", "commands", "testing", "view"}
 """Folders of artgen that take no part in an export: where they change, exports stay."""
 
 KNOWN = (
-    ("Drake", "in MJCF it passes over a joint's `ref`, its spring and dry friction, and over couplings"),
+    (
+        "Drake",
+        (
+            "in MJCF it passes over a joint's `ref`, its spring and dry friction, and over couplings, and "
+            "turns a body with several joints about its parent's origin; its URDF is right"
+        ),
+    ),
     (
         "MJX",
         "on JAX it refuses contacts between cylinders and boxes: `impl='warp'` takes them",
@@ -63,7 +69,8 @@ KNOWN = (
         "SAPIEN, ManiSkill",
         (
             "their loader inverts `<mimic>` between joints of one body, so that a lever sticks; the layout "
-            "`partnet-mobility` leaves such couplings out"
+            "`partnet-mobility` leaves such couplings out; in place of a file's friction each joint has one of "
+            "0.05 times the load on it"
         ),
     ),
     ("SimReady's variants", "neutral by default, without friction or couplings: enable your simulator's"),

@@ -7,9 +7,11 @@ import time
 import numpy as np
 import pytest
 
+import artgen
 from artgen.check.reading import expected_frames
 from artgen.clients import place, run
 from artgen.clients.client import Unavoidable
+from artgen.clients.compare import moved_by_several
 from artgen.clients.messages import joined_lines, sorted_messages
 from artgen.clients.run import ask, ask_all
 
@@ -127,6 +129,23 @@ def test_what_differs_is_told(answer, truth, path, value, message):
     outcome = answer(truth)
     assert outcome.state == "failed"
     assert message in "\n".join(str(finding) for finding in outcome.findings)
+
+
+def test_links_of_several_joints_and_what_hangs_on_them_are_known():
+    metal = artgen.material("stainless")
+
+    @artgen.generator
+    def stack() -> artgen.Body:
+        knob = artgen.part(artgen.box(0.01, 0.01, 0.01).at(0.0, 0.0, 0.2), "knob", metal)
+        head = artgen.part(artgen.box(0.05, 0.05, 0.05).at(0.0, 0.0, 0.1), "head", metal)
+        base = artgen.part(artgen.box(0.1, 0.1, 0.1), "base", metal)
+        head = head.attach(knob, artgen.Revolute("knob_turn", axis=artgen.Z, limits=(0.0, 1.0)))
+        rise = artgen.Prismatic("head_slide", axis=artgen.Z, limits=(0.0, 0.02))
+        return base.attach(head, artgen.Revolute("head_turn", axis=artgen.Z, limits=(0.0, 1.0)), rise)
+
+    asset = stack.generate(0, certify=False)
+    assert moved_by_several(asset) == {"head", "knob"}
+    assert moved_by_several(artgen.generate("toaster", 0, certify=False)) == frozenset()
 
 
 def test_an_answer_without_what_the_client_has_to_tell_fails(answer, truth):

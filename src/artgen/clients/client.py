@@ -54,6 +54,7 @@ class Client:
             `links`, or `joints.damping` for a quantity of each joint.
         withholds: What it has no words for, of what others have to tell, such as `joints.kind`.
         obtain: How to get it, where no environment of artgen's brings it.
+        misplaces: Whether it places a link wrongly that moves by several joints, whatever is written.
     """
 
     name: str
@@ -70,3 +71,4 @@ class Client:
     tells: tuple[str, ...] = ()
     withholds: tuple[str, ...] = ()
     obtain: str = ""
+    misplaces: bool = False

@@ -127,6 +127,7 @@ URDF: tuple[Client, ...] = (
         "drake",
         tells=(*READ, *MOVED, _DAMPED),
         unavoidable=_DRAKE_MJCF,
+        misplaces=True,  # it turns such a body about its parent's origin
     ),
 )
 """In the order of the table."""

@@ -119,7 +119,7 @@ class Turntable:
             pivot=(self.x, self.y, self.floor),
             friction=self.friction,
             damping=0.002,
-            effort=0.5,  # of the geared motor: 3 W at 5 rpm would give more, its clutch slips
+            effort=1.5,  # of a hand at the rim; geared motors of 3 W give 0.5 before their clutch slips
             velocity=0.7,
             driven="a motor",
         )
