@@ -42,8 +42,10 @@ def agreement(shape: Shape) -> float:
 def check_cover(shape: Shape, tolerance: float = TOLERANCE) -> None:
     """Assert that the outer pieces contain the solid and that it contains the inner ones."""
     volume = shape.manifold.volume()
-    around = united([piece.manifold(1e-6) for piece in shape.pieces.outer(tolerance)])
-    assert (shape.manifold - around).volume() <= _MISSED * volume
+    # metres from the origin manifold3d loses some of the union of pieces that share faces
+    home = tuple(-shape.bounds().mean(axis=0))
+    around = united([piece.manifold(1e-6).translate(home) for piece in shape.pieces.outer(tolerance)])
+    assert (shape.manifold.translate(home) - around).volume() <= _MISSED * volume
     within = united([_within(piece) for piece in shape.pieces.inner(tolerance)])
     assert (within - shape.manifold).volume() <= _MISSED * volume
 
