@@ -345,8 +345,9 @@ class Panel:
             if name.isdigit():
                 figure = details.lettering([name], 0.0058)
                 cap = weld(cap, details.printed(figure, (0.0, -proud, 0.0), material=ink))
+            # the domes under the keys of a foil hardly push at rest
             press = button_press(
-                f"key_slide_{number}", travel=self.travel, preload=0.4, force=self.force, pivot=at
+                f"key_slide_{number}", travel=self.travel, preload=0.3, force=self.force, pivot=at
             )
             body = body.attach(cap.at(at), press)
         for number, (x, z) in enumerate(self._turned):
