@@ -69,8 +69,8 @@ KNOWN = (
         "SAPIEN, ManiSkill",
         (
             "their loader inverts `<mimic>` between joints of one body, so that a lever sticks; the layout "
-            "`partnet-mobility` leaves such couplings out; in place of a file's friction each joint has one of "
-            "0.05 times the load on it"
+            "`partnet-mobility` leaves such couplings out; in place of a file's friction each joint has one "
+            "of 0.05 times the load on it"
         ),
     ),
     ("SimReady's variants", "neutral by default, without friction or couplings: enable your simulator's"),
