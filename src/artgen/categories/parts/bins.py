@@ -3,8 +3,8 @@
 A bin stands about the Z axis, its front towards -Y. Its plan is given at the rim; a tapered bin is smaller at
 its foot, in the same proportions.
 
-What is seen of a round wall is a smooth skin. What weighs and collides is a wall of few facets within it, so
-the skin is as much thicker as the facets are off the circle.
+What is seen of a wall is a smooth skin. What weighs and collides is a wall of few facets within it, so the
+skin is as much thicker as the facets are off its curves. In front and behind are facets, not edges.
 """
 
 import math
@@ -21,7 +21,6 @@ from artgen import (
     VectorLike,
     Z,
     circle,
-    coarse,
     cylinder,
     detail,
     extrude,
@@ -40,12 +39,14 @@ _BACK_CORNER = 0.022  # radius of the two corners of a half-round bin [m]
 _OVERLAP = 0.001  # of the two halves of a half-round bin [m]
 _LEAST_CORNER = 0.003  # [m]
 
-SIDES = 20
-"""Facets of what collides of a round wall: off a circle of 160 mm by 2 mm; simulators pay for each."""
+SIDES = 16
+"""Facets of what collides of a round wall: off a circle of 160 mm by 3 mm; simulators pay for each."""
+
+_FRONT = 7  # facets of the round front of a half-round bin
+_CORNER = 2  # facets of a corner
 
 _HAIR = 0.0003  # how deep its edges lie below what is seen [m]
 _THIN = 0.00005  # the same of its ends, on which things rest [m]
-_FLAT = math.cos(math.pi / SIDES)  # how far from the axis the middle of a facet is, as a share of its edges'
 
 
 @dataclass(frozen=True)
@@ -75,19 +76,37 @@ class Can:
     @property
     def wall(self) -> Scalar:
         """Thickness of the wall that is seen [m]."""
-        if self.plan != "round":
-            return self.sheet
-        return _HAIR + (1.0 - _FLAT) * self.width / 2.0 + self.sheet
+        match self.plan:
+            case "round":
+                off = _off(math.tau / SIDES) * self.width / 2.0
+            case "half_round":
+                off = _off(math.pi / _FRONT) * self.width / 2.0
+            case _:
+                off = _off(math.pi / 2.0 / _CORNER) * self.corner
+        return _HAIR + off + self.sheet
 
-    def outline(self, inset: Scalar = 0.0, *, faceted: bool = False) -> Profile:
-        """Make the outline at the rim, moved inward [m]; a round one of facets, if it is to be."""
+    def outline(self, inset: Scalar = 0.0) -> Profile:
+        """Make the outline at the rim, moved inward [m]."""
         if self.plan == "round":
-            radius = self.width / 2.0 - inset
-            return _faceted(radius) if faceted else circle(radius)
+            return circle(self.width / 2.0 - inset)
         if self.plan == "half_round":
             return self._half_round(inset)
         across, along = self.width - 2.0 * inset, self.depth - 2.0 * inset
         return rectangle(across, along, radius=max_(self.corner - inset, _LEAST_CORNER))
+
+    def facets(self, inset: Scalar) -> Profile:
+        """Make the outline of few facets whose edges lie on the outline, moved inward [m]."""
+        x, y = self.width / 2.0 - inset, self.depth / 2.0 - inset
+        if self.plan == "round":
+            start = math.pi / SIDES
+            return polygon(_arc(0.0, 0.0, x, start, start + math.tau, SIDES)[:-1])
+        if self.plan == "half_round":
+            corner = max_(_BACK_CORNER - inset, _LEAST_CORNER)
+            front = _arc(0.0, x - y, x, -math.pi, 0.0, _FRONT)
+        else:
+            corner = max_(self.corner - inset, _LEAST_CORNER)
+            front = [*_corner(-x, -y, corner, 2), *_corner(x, -y, corner, 3)]
+        return polygon([*front, *_corner(x, y, corner, 0), *_corner(-x, y, corner, 1)])
 
     def _half_round(self, inset: Scalar) -> Profile:
         radius, corner = self.width / 2.0 - inset, max_(_BACK_CORNER - inset, _LEAST_CORNER)
@@ -124,7 +143,7 @@ class Can:
 
     def floor(self, low: Scalar, high: Scalar) -> Solid:
         """Make a floor between two heights, whose edge lies in the wall."""
-        return self._drawn(self.outline(2.0 * _HAIR, faceted=True), low, high)
+        return self._drawn(self.facets(2.0 * _HAIR), low, high)
 
     def _drawn(self, section: Profile, low: Scalar, high: Scalar, bevel: Scalar = 0.0) -> Solid:
         middle = (low + high) / 2.0
@@ -138,7 +157,7 @@ class Can:
     def shell(
         self, label: str, finish: Material, *, name: str | None = None, holes: Solid | None = None
     ) -> list[Body]:
-        """Make the wall from the foot to the rim: what weighs and collides, and the skin of a round one.
+        """Make the wall from the foot to the rim: what weighs and collides, and its skin.
 
         Args:
             label: Semantic label.
@@ -147,12 +166,8 @@ class Can:
             holes: What is cut out of it.
         """
         seen = self.band(self.foot, self.top)
-        if self.plan != "round":
-            solid = coarse(seen)
-            return [part(solid if holes is None else solid - holes, label, finish, name=name)]
-        outer = self.outline(_HAIR, faceted=True)
-        inner = self.outline(_HAIR + self.sheet / _FLAT, faceted=True)
-        solid = self._drawn(outer - inner, self.foot + _THIN, self.top - _THIN)
+        ring = self.facets(_HAIR) - self.facets(_HAIR + self.sheet)
+        solid = self._drawn(ring, self.foot + _THIN, self.top - _THIN)
         if holes is not None:
             solid, seen = solid - holes, seen - holes
         return [part(solid, label, finish, name=name), detail(seen, label, finish)]
@@ -234,10 +249,23 @@ class Can:
         return sqrt(radius * radius - behind * behind)
 
 
-def _faceted(radius: Scalar) -> Profile:
-    """Make the polygon within a circle that has edges in front, behind and at both sides."""
-    turns = [math.tau * number / SIDES for number in range(SIDES)]
-    return polygon([(radius * math.cos(turn), radius * math.sin(turn)) for turn in turns])
+def _off(turn: float) -> float:
+    """Return how far a chord over an angle [rad] is off its circle, as a share of the radius."""
+    return 1.0 - math.cos(turn / 2.0)
+
+
+def _arc(
+    x: Scalar, y: Scalar, radius: Scalar, start: float, end: float, facets: int
+) -> list[tuple[Scalar, Scalar]]:
+    turns = [start + (end - start) * number / facets for number in range(facets + 1)]
+    return [(x + radius * math.cos(turn), y + radius * math.sin(turn)) for turn in turns]
+
+
+def _corner(x: Scalar, y: Scalar, radius: Scalar, quarter: int) -> list[tuple[Scalar, Scalar]]:
+    """Return the edges of a rounded corner [m] that looks to a quarter of the plan, counted from +X, +Y."""
+    right, behind = (1.0, -1.0, -1.0, 1.0)[quarter], (1.0, 1.0, -1.0, -1.0)[quarter]
+    start = quarter * math.pi / 2.0
+    return _arc(x - right * radius, y - behind * radius, radius, start, start + math.pi / 2.0, _CORNER)
 
 
 def _is_zero(value: Scalar) -> bool:
