@@ -1,5 +1,7 @@
 """The watertight surfaces of manifold3d: made of triangles, and moved."""
 
+from functools import lru_cache
+
 import numpy as np
 from manifold3d import Manifold, Mesh64
 from numpy.typing import ArrayLike, NDArray
@@ -14,6 +16,7 @@ TURNED_OVER = np.array([-1.0, 1.0])
 """Turns texture coordinates, so that a reflection mirrors no map."""
 
 _COINCIDENT = 1e-9  # [m]: vertices closer than this are one point of the surface
+_SMALL = 600  # triangles
 _HAS_NORMALS = 2  # bit of a mesh run: the first three channels are normals, to be turned with the solid
 
 
@@ -73,3 +76,44 @@ def is_closed(faces: Indices) -> bool:
     start, end = faces.ravel(), faces[:, [1, 2, 0]].ravel()
     count = int(faces.max()) + 1
     return np.array_equal(np.sort(start * count + end), np.sort(end * count + start))
+
+
+def connected(triangles: Indices, targets: Indices) -> tuple[Indices, Indices, Indices]:
+    """Return how a surface hangs together; that of small ones, which are often alike, is remembered.
+
+    Args:
+        triangles: Vertex indices, shape (m, 3).
+        targets: For each vertex, the first vertex at the same point of the surface, shape (n,).
+
+    Returns:
+        The vertices that triangles use, the triangles of those, and for each the first one at its point.
+
+    Raises:
+        ValueError: The triangles do not close.
+    """
+    if len(triangles) > _SMALL:
+        return _connect(triangles, targets)
+    return _remembered(*(np.asarray(each, np.int64).tobytes() for each in (triangles, targets)))
+
+
+@lru_cache(maxsize=512)
+def _remembered(triangles: bytes, targets: bytes) -> tuple[Indices, Indices, Indices]:
+    found = _connect(np.frombuffer(triangles, np.int64).reshape(-1, 3), np.frombuffer(targets, np.int64))
+    for each in found:
+        each.setflags(write=False)
+    return found
+
+
+def _connect(triangles: Indices, targets: Indices) -> tuple[Indices, Indices, Indices]:
+    faces = targets[triangles]
+    proper = (faces[:, 0] != faces[:, 1]) & (faces[:, 1] != faces[:, 2]) & (faces[:, 2] != faces[:, 0])
+    if not proper.any():
+        raise ValueError("the result is empty")
+    faces, triangles = faces[proper], triangles[proper]
+    if not is_closed(faces):
+        raise ValueError("the surface is not a closed manifold: an edge belongs to one face alone")
+    used = np.zeros(len(targets), bool)
+    used[triangles] = True
+    kept, number = np.flatnonzero(used), np.cumsum(used) - 1
+    _, first, group = np.unique(targets[kept], return_index=True, return_inverse=True)
+    return kept, number[triangles], first[group.ravel()]

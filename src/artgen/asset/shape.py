@@ -12,7 +12,7 @@ from artgen.asset.manifolds import (
     PROPERTIES,
     TURNED_OVER,
     coincident,
-    is_closed,
+    connected,
     manifold_of,
     moved_manifold,
 )
@@ -254,18 +254,7 @@ class MeshShape(Shape):
         paint_materials: Mapping[int, Material] | None = None,
     ) -> None:
         """Check and keep the triangles; the arguments are those of `Shape.from_mesh`."""
-        faces = targets[triangles]
-        proper = (faces[:, 0] != faces[:, 1]) & (faces[:, 1] != faces[:, 2]) & (faces[:, 2] != faces[:, 0])
-        if not proper.any():
-            raise ValueError("the result is empty")
-        faces, triangles = faces[proper], triangles[proper]
-        if not is_closed(faces):
-            raise ValueError("the surface is not a closed manifold: an edge belongs to one face alone")
-        used = np.zeros(len(vertices), bool)
-        used[triangles] = True
-        kept, number = np.flatnonzero(used), np.cumsum(used) - 1
-        _, first, group = np.unique(targets[kept], return_index=True, return_inverse=True)
-        points = first[group.ravel()]
+        kept, faces, points = connected(triangles, targets)
         table = np.zeros((len(kept), 3 + PROPERTIES))
         table[:, :3] = vertices[targets[kept]]
         table[:, 3:6] = normals[kept]
@@ -275,9 +264,9 @@ class MeshShape(Shape):
         if paints is not None:
             table[:, 8] = paints[kept]
         vars(self).update(
-            has_needles=_has_needles(table[:, :3], number[triangles]),
+            has_needles=_has_needles(table[:, :3], faces),
             _table=table,
-            _triangles=number[triangles],
+            _triangles=faces,
             _targets=points,
             pieces=pieces,
             paints=paint_materials or {},
@@ -393,8 +382,12 @@ def _has_needles(points: Array, triangles: Indices) -> bool:
     Raises:
         ValueError: They are not finite or enclose no positive volume.
     """
-    a, b, c = np.moveaxis((points - points[0])[triangles], 1, 0)
+    near = points - points[0]
+    a, b, c = np.moveaxis(near[triangles], 1, 0)
     across = cross(b - a, c - a)
     _check_volume(float(np.einsum("ij,ij->", a, across)) / 6.0)
-    area, *longest = (np.einsum("ij,ij->i", each, each) for each in (across, b - a, c - a, c - b))
-    return bool((area <= _NEEDLE**2 * np.maximum.reduce(longest)).any())
+    area = np.einsum("ij,ij->i", across, across)
+    if area.min() > _NEEDLE**2 * 12.0 * np.abs(near).max() ** 2:  # no side is longer than that
+        return False
+    longest = (np.einsum("ij,ij->i", each, each) for each in (b - a, c - a, c - b))
+    return bool((area <= _NEEDLE**2 * np.maximum.reduce(list(longest))).any())

@@ -179,9 +179,12 @@ def _run(node: Node, known: Operation, values: Mapping[str, Any]) -> Any:
 
 def _resolve(value: Any, hint: Any, values: Mapping[str, Any], *, lazy: bool = False) -> Any:
     """Put values in the place of nodes, and decode literals."""
-    if isinstance(value, Node):
+    kind = type(value)
+    if kind is Node:
         return values.get(value.key) if lazy else values[value.key]
-    if isinstance(value, tuple):
+    if kind is float and hint is float:
+        return value  # literals of numbers stand for themselves
+    if kind is tuple:
         for option in alternatives(hint):
             if typing.get_origin(option) is tuple:
                 members = typing.get_args(option)

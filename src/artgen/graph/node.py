@@ -36,11 +36,18 @@ class Node:
 
     def __post_init__(self) -> None:
         """Compute the key from the inputs' keys."""
-        frozen = {name: _frozen(value) for name, value in self.inputs.items()}
+        frozen = dict(self.inputs)
         spelling: list[str | Node] = [self.op]
         for name, value in frozen.items():
             spelling.append(name)
-            _spell(value, spelling)
+            kind = type(value)
+            if kind is Node:  # nodes and numbers come by the thousand
+                spelling.append(value)
+            elif kind is float:
+                spelling.append(repr(value))
+            else:
+                frozen[name] = _frozen(value)
+                _spell(frozen[name], spelling)
         children = tuple([part for part in spelling if type(part) is Node])
         own = vars(self)
         own["inputs"] = MappingProxyType(frozen)
@@ -101,11 +108,12 @@ def nodes_in(value: Any) -> Iterator[Node]:
 
 def _spell(value: Any, text: list[str | Node]) -> None:
     """Append the value of one input to a spelling, in which nodes stand for themselves."""
-    if isinstance(value, Node):
+    kind = type(value)
+    if kind is Node:
         text.append(value)
-    elif type(value) is Data:
+    elif kind is Data:
         text.extend(value.spelling)
-    elif isinstance(value, tuple | list):  # a list only within JSON data
+    elif kind is tuple or kind is list:  # a list only within JSON data
         text.append("[")
         for item in value:
             _spell(item, text)
