@@ -272,7 +272,7 @@ def dishwasher(
         high=high,
         handle=handle,
         bar=bar,
-        length=0.72 * width if handle == "bar" else grip_length + 0.0 * width,
+        length=0.72 * width if handle == "bar" else grip_length,
         projection=projection,
         girth=girth,
         metal=metal,

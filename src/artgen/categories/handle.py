@@ -1,4 +1,14 @@
-"""A door handle as a shop shows it: a lever, a knob or a grip set on a piece of door leaf, with its latch."""
+"""A door handle as a shop shows it: a lever, a knob or a grip set on a piece of door leaf, with its latch.
+
+Links: `base` (a piece of door leaf on a foot, with roses and faceplate), `handle`, `latch`; `lock` where
+there is one; `thumb_latch` on a grip set. Joints: `handle_turn`, against a spring; `latch_slide` and
+`thumb_press`, which follow it; `lock_turn` or `lock_push`.
+
+The lock is the privacy lock of a bathroom door: in the middle of a knob, or in the rose below a lever. A grip
+set has its lever or knob, and its lock, inside, which is the back.
+
+Sizes are those of EN 12209 and EN 1906 locks and furniture and of bored locks after ANSI/BHMA A156.2.
+"""
 
 from typing import Literal
 
@@ -116,15 +126,7 @@ def handle(
     maker: str = choice(*details.BRANDS, doc="whose name is on the stand and on the latch"),
     model: int = count(101, 989, doc="number on the stand"),
 ) -> Body:
-    """Make a lever, knob or grip set on a stand: both sides, spindle, latch, lock.
-
-    Links: base (a piece of door leaf on a foot, with roses and faceplate), handle, latch; lock where there
-    is one; thumb_latch on a grip set. Joints: handle_turn (sprung), latch_slide and thumb_press (both follow
-    it), lock_turn or lock_push. The lock is the privacy lock of a bathroom door: in the middle of a knob, or
-    in the rose below a lever. A grip set has its lever or knob, and its lock, inside, which is the back.
-
-    Sizes are those of EN 12209 and EN 1906 locks and furniture and of bored locks after ANSI/BHMA A156.2.
-    """
+    """Make a lever, knob or grip set on a stand: both sides, spindle, latch, lock."""
     is_set = kind == "grip_set"
     faces: Faces = "back" if is_set else "both"
     side = 1 if is_set else -1  # the face with the lock
