@@ -4,9 +4,10 @@ import numpy as np
 import pytest
 from manifold3d import Manifold
 
-from artgen import Cache, Graph, cylinder, material, weld
+from artgen import cylinder, material, weld
 from artgen.asset import Asset
 from artgen.categories.parts.bins import Can
+from support.bodies import asset_of
 
 STEEL = material("steel")
 PLANS = [("round", 0.3), ("square", 0.3), ("rectangle", 0.24), ("half_round", 0.28)]
@@ -15,10 +16,6 @@ FACETS = {"round": 16, "square": 12, "rectangle": 12, "half_round": 14}
 
 def can(plan: str, depth: float, taper: float) -> Can:
     return Can(plan, 0.3, depth, 0.5, corner=0.04, taper=taper)  # type: ignore[arg-type]
-
-
-def asset_of(*bodies: object) -> Asset:
-    return Asset.from_tree(Graph(weld(*bodies)).evaluate({}, Cache()).value, "sample", "sample")  # type: ignore[arg-type]
 
 
 def wall(asset: Asset, *, visual: bool) -> Manifold:
@@ -31,7 +28,7 @@ def wall(asset: Asset, *, visual: bool) -> Manifold:
 def test_what_collides_of_a_wall_is_few_facets_within_what_is_seen(
     plan: str, depth: float, taper: float
 ) -> None:
-    asset = asset_of(*can(plan, depth, taper).shell("body", STEEL))
+    asset = asset_of(weld(*can(plan, depth, taper).shell("body", STEEL)))
     core, skin = (wall(asset, visual=visual) for visual in (False, True))
     assert (core - skin).volume() < 2e-4 * core.volume()  # chords of the skin's own corners
     assert len(asset.links[0].colliders) == FACETS[plan]
@@ -43,7 +40,7 @@ def test_what_collides_of_a_wall_is_few_facets_within_what_is_seen(
 
 @pytest.mark.parametrize(("plan", "depth"), PLANS)
 def test_facets_look_to_the_front_and_the_back(plan: str, depth: float) -> None:
-    asset = asset_of(*can(plan, depth, 0.0).shell("body", STEEL))
+    asset = asset_of(weld(*can(plan, depth, 0.0).shell("body", STEEL)))
     corners = wall(asset, visual=False).to_mesh().vert_properties[:, :3]
     for side in (corners[:, 1].min(), corners[:, 1].max()):
         across = corners[np.abs(corners[:, 1] - side) < 1e-6, 0]
@@ -53,7 +50,7 @@ def test_facets_look_to_the_front_and_the_back(plan: str, depth: float) -> None:
 
 def test_a_hole_passes_through_what_collides_and_what_is_seen() -> None:
     hole = cylinder(0.02, 0.2, axis=(0.0, 1.0, 0.0)).at(0.0, -0.15, 0.2)
-    asset = asset_of(*can("round", 0.3, 0.0).shell("body", STEEL, holes=hole))
+    asset = asset_of(weld(*can("round", 0.3, 0.0).shell("body", STEEL, holes=hole)))
     probe = Manifold.cylinder(0.2, 0.018, circular_segments=32).rotate([90.0, 0.0, 0.0])
     for visual in (False, True):
         assert (wall(asset, visual=visual) ^ probe.translate([0.0, -0.05, 0.2])).volume() < 1e-12

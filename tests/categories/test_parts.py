@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from manifold3d import Manifold, OpType
 
-from artgen import Body, Cache, Graph, Revolute, Z, box, material, part, weld
+from artgen import Body, Revolute, Z, box, material, part, weld
 from artgen.asset import Asset
 from artgen.categories.parts.grip_set import THUMB_RANGE, grip, thumb_piece, thumb_press
 from artgen.categories.parts.hinge import hinge_frame, hinge_leaf, hinge_offset
@@ -36,14 +36,11 @@ from artgen.categories.parts.locks import (
 from artgen.categories.parts.pulls import pull_handle
 from artgen.categories.parts.push_bar import push_bar, push_bar_case, push_slide
 from artgen.categories.parts.roses import rose, spindle_hole
+from support.bodies import asset_of
 
 NICKEL = material("satin_nickel")
 OAK = material("oak")
 THICK, DEPTH, BACKSET, GAP, SLIDE = 0.040, 0.009, 0.06, 0.003, 0.011
-
-
-def asset_of(body: Body) -> Asset:
-    return Asset.from_tree(Graph(body).evaluate({}, Cache()).value, "sample", "sample")
 
 
 def manifold(asset: Asset, link: str) -> Manifold:

@@ -389,5 +389,5 @@ def _has_needles(points: Array, triangles: Indices) -> bool:
     area = np.einsum("ij,ij->i", across, across)
     if area.min() > _NEEDLE**2 * 12.0 * np.abs(near).max() ** 2:  # no side is longer than that
         return False
-    longest = (np.einsum("ij,ij->i", each, each) for each in (b - a, c - a, c - b))
-    return bool((area <= _NEEDLE**2 * np.maximum.reduce(list(longest))).any())
+    sides = [np.einsum("ij,ij->i", each, each) for each in (b - a, c - a, c - b)]
+    return bool((area <= _NEEDLE**2 * np.maximum.reduce(sides)).any())

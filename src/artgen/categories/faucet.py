@@ -246,17 +246,17 @@ def faucet(
 
     button = finish if accent == "same" else material("ceramic")
     for at, hot in zip(stand.valves, (True, False), strict=False):
-        side = "left" if hot else "right"
+        which = "left" if hot else "right"
         one = turning_handle(
             handle,
             finish=finish,
             accent=button,
             length=handle_length,
             hot=hot,
-            name=f"handle_{side}",
+            name=f"handle_{which}",
             from_tip=style == "wall",
         )
-        joint = quarter_turn(f"handle_turn_{side}", hot=hot, friction=handle_friction, pivot=at)
+        joint = quarter_turn(f"handle_turn_{which}", hot=hot, friction=handle_friction, pivot=at)
         body = weld(body, bonnet(finish, flange=stand.flanges).at(at)).attach(one.at(at), joint)
     if rod:
         drain = Drain(-reach, ROD_AT, board.top, deck_thickness, finish, rod_friction)

@@ -29,10 +29,10 @@ FINISH_WEIGHTS = tuple(_HARDWARE[finish.name] for finish in FINISHES)
 
 
 def casting(finish: Material, share: float = 0.35) -> Material:
-    """Return the material of a hollow casting or a tube with the looks of a finish.
+    """Return the material of a hollow casting, a moulding or a tube with the looks of a finish.
 
     Args:
-        finish: The metal that is seen.
+        finish: The metal or plastic that is seen.
         share: What the hollow thing weighs as a share of a full one.
     """
     return finish.with_(name=f"{finish.name}_hollow_{round(100 * share)}", density=share * finish.density)

@@ -34,6 +34,7 @@ from artgen import (
     vector,
     weld,
 )
+from artgen.categories.parts.finish import casting
 from artgen.categories.parts.lamp_jointed import Carried
 from artgen.categories.parts.switches import Switch
 
@@ -160,9 +161,9 @@ def pole(radius: Scalar, low: Scalar, high: Scalar, finish: Material, *, capped:
     return weld(*bodies)
 
 
-def hollow(finish: Material, share: float = 0.28) -> Material:
+def hollow(finish: Material) -> Material:
     """Return the material of a tube; a wall of 1.5 mm at a radius of 10 mm is 28 % of the whole."""
-    return finish.with_(name=f"{finish.name}_tube", density=share * finish.density)
+    return casting(finish, 0.28)
 
 
 def tripod(*, spread: Scalar, height: Scalar, radius: Scalar, finish: Material, metal: Material) -> Body:

@@ -37,6 +37,7 @@ from artgen import (
     weld,
 )
 from artgen.categories.parts.bins import Can, Plan
+from artgen.categories.parts.finish import casting
 from artgen.categories.parts.pedals import Linkage
 
 LidStyle = Literal["flat", "domed", "stepped"]
@@ -100,7 +101,7 @@ class Hinge:
             label: Semantic label.
         """
         y, z = self.axis
-        finish = finish.with_(name=f"{finish.name}_shell", density=_SHELL * finish.density)
+        finish = casting(finish, _SHELL)
         near, far = self.can.back - 0.004, y + 0.008
         round_ = cylinder(_ROUND, _CHEEK, axis=X, bevel=0.0012)
         parts: list[Body] = []

@@ -26,13 +26,13 @@ from artgen import (
     weld,
 )
 from artgen.categories.parts.bins import Can
+from artgen.categories.parts.finish import casting
 
 WIRE = 0.0028
 """Radius of the bail [m]."""
 
 _REACH = 0.62  # how far the bail reaches forward, as a share of half the bucket's depth
 _BEHIND = 0.028  # from the wall to the middle of a fixed grip: a finger has room between them [m]
-_SHELL = 0.35  # what a grip weighs of a solid one: it is pressed of sheet, or moulded hollow
 _GRIP = 0.0058  # radius of the grip on it [m]
 _PLASTIC = material("black_abs")
 _GRAVITY = 9.81  # [m/s2]
@@ -61,7 +61,7 @@ def bucket(can: Can, *, finish: Material, loop: bool = True, band: Material | No
 
 def _loop(can: Can, finish: Material) -> list[Body]:
     """Make a level bar inside the rim, on two ribs, for fingers to reach behind."""
-    finish = finish.with_(name=f"{finish.name}_grip", density=_SHELL * finish.density)
+    finish = casting(finish)  # it is pressed of sheet, or moulded hollow
     wall = can.front + 0.6 * can.wall
     y, z = wall + _BEHIND, can.top - 0.006
     bar = box(0.064, 0.009, 0.011, bevel=0.003).at(0.0, y, z)
