@@ -142,7 +142,27 @@ def test_hulls_are_closed_convex_and_wound_outward() -> None:
     assert mesh.is_watertight
     assert mesh.is_convex
     assert mesh.volume == pytest.approx(trimesh.convex.convex_hull(points).volume, rel=1e-9)
-    np.testing.assert_allclose(mesh.bounds.max(axis=0), points.max(axis=0) - [0.5, 0, 0], atol=1e-9)
+    highest = mesh.bounds.max(axis=0) + hull[0].middle
+    np.testing.assert_allclose(highest, points.max(axis=0) - [0.5, 0, 0], atol=1e-9)
+
+
+def test_hull_is_told_about_its_own_middle() -> None:
+    """PhysX makes contacts of centimetres between small hulls whose vertices are told from far away."""
+    points = np.random.default_rng(6).normal(size=(20, 3)) / 100.0 + 3.0
+    (hull,) = Hull.of([(Convex("hull", np.eye(4), (), points), np.array([1.0, 0.0, 0.0]))])
+    np.testing.assert_allclose(hull.vertices.min(axis=0), -hull.vertices.max(axis=0), atol=1e-6)
+    np.testing.assert_array_equal(hull.middle, np.round(hull.middle, 6))
+    np.testing.assert_allclose(hull.placed.max(axis=0), points.max(axis=0) - [1.0, 0.0, 0.0], atol=1e-9)
+
+
+@pytest.mark.parametrize("off", [0.0, 4e-10])
+def test_corner_on_an_edge_of_a_hull_is_left_out(off) -> None:
+    """Its triangles would have neither area nor normal."""
+    box = np.array([[x, y, z] for x in (0.0, 0.1) for y in (0.0, 0.2) for z in (0.0, 0.3)])
+    points = np.vstack([box, [[0.04, -off, -off], [0.06, -off, -off], [0.1 + off, 0.1, 0.3]]])
+    (hull,) = Hull.of([(Convex("hull", np.eye(4), (), points), np.zeros(3))])
+    assert len(hull.vertices) == 8
+    np.testing.assert_allclose(np.linalg.norm(hull.normals, axis=1), 1.0, atol=1e-12)
 
 
 def test_many_hulls_are_written_like_each_alone() -> None:

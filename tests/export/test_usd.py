@@ -303,13 +303,13 @@ def test_base_is_fixed_or_free(stages, name, fixed):
 
 
 def _assert_same_convex(prim: Usd.Prim, convex: Convex, origin: Array) -> None:
+    pose = np.linalg.inv(_placement(prim.GetParent())) @ _placement(prim)
+    pose[:3, 3] += origin
     if convex.kind == "hull":
-        points = np.array(_value(prim, "points")) + origin
+        points = np.array(_value(prim, "points")) @ pose[:3, :3].T + pose[:3, 3]
         assert sorted(map(tuple, points.round(6))) == sorted(map(tuple, convex.points.round(6)))
         assert _value(prim, "physics:approximation") == "convexHull"
         return
-    pose = np.linalg.inv(_placement(prim.GetParent())) @ _placement(prim)
-    pose[:3, 3] += origin
     scale = np.linalg.norm(pose[:3, :3], axis=0)
     pose[:3, :3] /= scale
     assert pose == pytest.approx(convex.pose, abs=1e-9)

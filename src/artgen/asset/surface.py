@@ -6,6 +6,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
+from artgen.asset.needles import needles, without_needles
 from artgen.asset.shape import Mesh
 from artgen.materials import Material
 from artgen.materials.textures import shifts_of, tile_of
@@ -94,6 +95,9 @@ def joined(meshes: list[Mesh]) -> Mesh:
     # a triangle between corners at one place has no area, though their normals or textures may differ
     a, b, c = place[corners]
     corners = corners[:, (a != b) & (b != c) & (c != a)]
+    flat = needles(ordered[:3, new], corners)
+    if flat.any():
+        rows, corners = _sorted(*without_needles(rows, place, corners, flat))
     used = np.zeros(len(rows), bool)
     used[corners] = True
     rows, corners = rows[used], (np.cumsum(used) - 1)[corners]
@@ -101,11 +105,16 @@ def joined(meshes: list[Mesh]) -> Mesh:
     if copied:
         copies = rows[copied]
         copies[:, 6] += _APART * (1 + np.arange(len(copied)) - np.searchsorted(copied, copied))
-        rows = np.concatenate([rows, copies])
-        order = np.lexsort(_quantised(rows)[::-1])
-        rows, corners = rows[order], _ordered(np.argsort(order)[corners], len(rows))
+        rows, corners = _sorted(np.concatenate([rows, copies]), corners)
+        corners = _ordered(corners, len(rows))
     triangles = np.ascontiguousarray(corners.T)
     return Mesh(rows[:, :3], rows[:, 3:6], rows[:, 6:8], np.zeros(len(rows), np.int64), triangles)
+
+
+def _sorted(rows: Array, corners: Corners) -> tuple[Array, Corners]:
+    """Put vertices in the order of their values; return them with the triangles among them."""
+    order = np.lexsort(_quantised(rows)[::-1])
+    return rows[order], np.argsort(order)[corners]
 
 
 def _quantised(rows: Array) -> Corners:

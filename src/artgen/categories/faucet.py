@@ -59,6 +59,7 @@ from artgen.categories.parts.faucet_stands import (
     topped_column,
     widespread,
 )
+from artgen.categories.parts.finish import casting
 
 Style = Literal["widespread", "single_hole", "bridge", "wall", "vessel", "gooseneck", "pull_down"]
 
@@ -72,7 +73,7 @@ _METALS = {
     "stainless": 1.0,
 }
 _DECKS = {
-    "stainless_blasted": 0.6,
+    casting(material("stainless_blasted"), 0.14): 0.6,  # a sheet around a board
     "green_marble": 0.5,
     "marble": 1.2,
     "oak": 1.0,

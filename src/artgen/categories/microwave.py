@@ -144,7 +144,7 @@ def microwave(
     key_travel: Float = uniform(0.0010, 0.0015, "m", within=(0.0005, 0.003)),
     key_force: Float = uniform(2.0, 4.0, "N"),
     dials: int = by("controls", keypad=0, mixed=1, dials=choice(2, 3, weights=(0.75, 0.25))),
-    dial: DialStyle = choice("round", "fluted", "bar", "skirted", "capped"),
+    dial_style: DialStyle = choice("round", "fluted", "bar", "skirted", "capped"),
     dial_radius: Float = by(
         "dials",
         {2: uniform(0.018, 0.023), 3: uniform(0.0165, 0.019)},
@@ -217,7 +217,7 @@ def microwave(
         shape=key_shape,
         cap=_CAPS[look],
         dials=dials,
-        dial=dial,
+        dial=dial_style,
         radius=dial_radius,
         knob=knob,
         metal=metal,

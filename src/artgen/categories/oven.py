@@ -174,7 +174,7 @@ def oven(
         ),
         doc="those of the burners first",
     ),
-    dial: DialStyle = choice("round", "fluted", "bar", "skirted", "capped"),
+    dial_style: DialStyle = choice("round", "fluted", "bar", "skirted", "capped"),
     dial_radius: Float = by(
         "build",
         built_in=uniform(0.0200, 0.0245),
@@ -257,7 +257,7 @@ def oven(
         pane=window == "full" and look != "stainless",
         dials=dials,
         burners=max(dials - 2, 0) if not burners else min(burners, dials),
-        style=dial,
+        style=dial_style,
         radius=dial_radius,
         knob=knob,
         metal=metal,

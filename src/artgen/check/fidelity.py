@@ -57,7 +57,7 @@ def fidelity(solid: Manifold, convexes: Sequence[Convex]) -> Fidelity:
     """
     polytopes = [convex.outer_polytope(_FINE) for convex in convexes]
     cover = Manifold.batch_boolean([hull_of(polytope.points) for polytope in polytopes], OpType.Add)
-    excess, missing = cover - solid, solid - cover
+    excess, missing = _difference(cover, solid), _difference(solid, cover)
     volume, hull = solid.volume(), solid.hull()
     outside, place = _sticking_out(missing, polytopes)
     error, surface_place = outside, place
@@ -79,6 +79,17 @@ def fidelity(solid: Manifold, convexes: Sequence[Convex]) -> Fidelity:
         place=_triple(place),
         surface_place=_triple(surface_place),
     )
+
+
+def _difference(solid: Manifold, cut: Manifold) -> Manifold:
+    """Return what is left of a solid, without the shells that manifold3d turns inside out.
+
+    Where the surfaces of two solids of many faces coincide, it may add what is in neither to this.
+    """
+    left = solid - cut
+    shells = left.decompose()
+    sound = [shell for shell in shells if shell.volume() >= 0.0]
+    return left if len(sound) == len(shells) else Manifold.compose(sound)
 
 
 def _sticking_out(missing: Manifold, polytopes: Sequence[Polytope]) -> tuple[float, Array]:

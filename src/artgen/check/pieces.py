@@ -116,7 +116,7 @@ def expected_pieces(asset: Asset, *, capsules: bool) -> dict[str, tuple[Piece, .
             name = f"{number} ({convex.kind} of {collider.label!r})"
             if convex.kind == "hull":
                 hull = made[link.name][number]
-                pieces.append(Piece.mesh(name, hull.vertices, hull.triangles, friction))
+                pieces.append(Piece.mesh(name, hull.placed, hull.triangles, friction))
                 continue
             placed = Convex(convex.kind, away @ convex.pose, convex.size)
             split = [placed] if capsules else [piece for _, piece in primitives(placed)]

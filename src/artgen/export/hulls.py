@@ -15,20 +15,32 @@ from artgen.colliders.hull import hull_of
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
+Surface = tuple[Array, Indices]
+"""Vertices, shape (n, 3) [m], and triangles, shape (m, 3)."""
+
 HULL_DECIMALS = 9
 """Decimals of a hull's vertices [m]; the hull is of the rounded ones, so it is convex as it is written."""
 
 
+_FLAT = 1e-9  # height of a triangle below which it has no area [m]
+_MIDDLE_DECIMALS = 6  # of where a hull lies in its link's frame [m]
+
+
 @dataclass(frozen=True, eq=False)
 class Hull:
-    """The surface of a convex piece, in its link's frame.
+    """The surface of a convex piece, about its own middle.
+
+    PhysX keeps what it derives from a hull in single precision: of pieces of a few millimetres whose vertices
+    are told from an origin some centimetres away it makes contacts that are centimetres deep.
 
     Attributes:
-        vertices: Shape (n, 3) [m].
+        middle: Where its frame lies in that of its link, shape (3,) [m].
+        vertices: In its frame, shape (n, 3) [m].
         triangles: Counter-clockwise seen from outside, shape (m, 3).
-        normals: Unit outward normal of each triangle, shape (m, 3); zeros where it has no area.
+        normals: Unit outward normal of each triangle, shape (m, 3).
     """
 
+    middle: Array
     vertices: Array
     triangles: Indices
     normals: Array
@@ -36,16 +48,41 @@ class Hull:
     @staticmethod
     def of(pieces: Sequence[tuple[Convex, Array]]) -> "tuple[Hull, ...]":
         """Make the surfaces of hull colliders, each taken from asset coordinates to a frame at an origin."""
-        # first as asset.json has them, so that an asset which was read from files gives the same hulls
-        meshes = [
-            hull_of(
-                np.round(np.round(convex.points, DECIMALS) - np.round(origin, DECIMALS), HULL_DECIMALS)
-            ).to_mesh64()
-            for convex, origin in pieces
-        ]
-        vertices = [np.asarray(mesh.vert_properties)[:, :3] for mesh in meshes]
-        triangles = [np.asarray(mesh.tri_verts).astype(np.int64) for mesh in meshes]
-        return tuple(map(Hull, vertices, triangles, _normals(vertices, triangles)))
+        middles, found = [], []
+        for convex, origin in pieces:
+            # first as asset.json has them, so that an asset which was read from files gives the same hulls
+            points = np.round(convex.points, DECIMALS) - np.round(origin, DECIMALS)
+            middles.append(np.round(0.5 * (points.min(axis=0) + points.max(axis=0)), _MIDDLE_DECIMALS))
+            found.append(_surface(np.round(points - middles[-1], HULL_DECIMALS)))
+        normals = _normals(found)
+        for number, of_hull in enumerate(normals):
+            if not of_hull.any(axis=1).all():
+                found[number] = _with_areas(*found[number])
+                (normals[number],) = _normals(found[number : number + 1])
+        return tuple(
+            Hull(middle, *surface, of_hull)
+            for middle, surface, of_hull in zip(middles, found, normals, strict=True)
+        )
+
+    @property
+    def placed(self) -> Array:
+        """The vertices in the frame of its link, shape (n, 3) [m]."""
+        return self.vertices + self.middle
+
+
+def _surface(points: Array) -> Surface:
+    mesh = hull_of(points).to_mesh64()
+    return np.asarray(mesh.vert_properties)[:, :3], np.asarray(mesh.tri_verts).astype(np.int64)
+
+
+def _with_areas(vertices: Array, triangles: Indices) -> Surface:
+    """Leave out what lies on an edge of a hull: the hull of rounded points may keep it as a corner."""
+    while not (has_area := _normals([(vertices, triangles)])[0].any(axis=1)).all():
+        a, b, c = vertices[triangles[~has_area].T]
+        opposite = np.sum(np.square([c - b, a - c, b - a]), axis=2)  # sides, squared
+        between = np.take_along_axis(triangles[~has_area], opposite.argmax(axis=0)[:, None], axis=1)
+        vertices, triangles = _surface(np.delete(vertices, np.unique(between), axis=0))
+    return vertices, triangles
 
 
 @lru_cache(maxsize=1)  # several formats are written of one asset after another
@@ -67,14 +104,19 @@ def hulls(asset: Asset) -> Mapping[str, Mapping[int, Hull]]:
     return {link: {number: next(found) for number in of_link} for link, of_link in numbers.items()}
 
 
-def _normals(vertices: Sequence[Array], triangles: Sequence[Indices]) -> list[Array]:
-    """Return the normals of the triangles of many meshes; at once, for there are many of a few triangles."""
-    if not vertices:
+def _normals(surfaces: Sequence[Surface]) -> list[Array]:
+    """Return the normals of the triangles of many meshes, zeros where one has no area.
+
+    All at once, for there are many of a few triangles.
+    """
+    if not surfaces:
         return []
-    starts = np.cumsum([0, *map(len, vertices)])
-    corners = np.concatenate([of_mesh + start for of_mesh, start in zip(triangles, starts[:-1], strict=True)])
-    a, b, c = np.concatenate(vertices)[corners.T]
+    starts = np.cumsum([0, *(len(vertices) for vertices, _ in surfaces)])
+    corners = np.concatenate([faces + start for (_, faces), start in zip(surfaces, starts[:-1], strict=True)])
+    a, b, c = np.concatenate([vertices for vertices, _ in surfaces])[corners.T]
     normals = np.cross(b - a, c - a)
     length = np.sqrt(np.sum(normals * normals, axis=1, keepdims=True))
-    normals /= np.where(length > 0.0, length, 1.0)
-    return np.split(normals, np.cumsum([len(of_mesh) for of_mesh in triangles])[:-1])
+    sides = np.square([b - a, c - b, a - c]).sum(axis=2)
+    flat = length < _FLAT * np.sqrt(sides.max(axis=0))[:, None]
+    normals = np.where(flat, 0.0, normals / np.where(flat, 1.0, length))
+    return np.split(normals, np.cumsum([len(faces) for _, faces in surfaces])[:-1])

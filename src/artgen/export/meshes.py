@@ -1,4 +1,4 @@
-"""Mesh files that URDF and MJCF share: OBJ surfaces and colliders in their link's frame, one MTL, maps."""
+"""Mesh files that URDF and MJCF share: OBJ surfaces in their link's frame, colliders, one MTL, maps."""
 
 import math
 from collections.abc import Mapping, Sequence
@@ -35,13 +35,16 @@ class MeshFiles:
     Attributes:
         files: Content by path relative to the asset's directory, maps included.
         surfaces: File name of each surface, by link, in the link's order.
-        colliders: File name of each collider, by link and number of the collider; hulls only.
+        colliders: File name of each collider, by link and number of the collider; hulls only, each in its own
+            frame.
+        middles: Where that frame lies in the link's, shape (3,) [m].
         maps: The maps of the materials, which lie in `textures/` beside the meshes.
     """
 
     files: Mapping[str, bytes]
     surfaces: Mapping[str, tuple[str, ...]]
     colliders: Mapping[str, Mapping[int, str]]
+    middles: Mapping[str, Mapping[int, Array]]
     maps: MapFiles
 
     @staticmethod
@@ -77,6 +80,7 @@ def mesh_files(asset: Asset, textures: int = 0) -> MeshFiles:
         {MeshFiles.path(name): content for name, content in files.items()} | dict(maps.files),
         surfaces,
         {link: dict(zip(found, names[link], strict=True)) for link, found in of_links.items()},
+        {link: {number: hull.middle for number, hull in found.items()} for link, found in of_links.items()},
         maps,
     )
 

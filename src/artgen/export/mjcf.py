@@ -17,7 +17,16 @@ from numpy.typing import NDArray
 from artgen.asset import Asset, Joint, Link
 from artgen.asset.hold import Grasp
 from artgen.colliders import Convex
-from artgen.export.frames import BodyFrame, BodyJoint, bodies, coupling, local, mass_in_frame, quaternion
+from artgen.export.frames import (
+    BodyFrame,
+    BodyJoint,
+    bodies,
+    coupling,
+    local,
+    mass_in_frame,
+    quaternion,
+    translation,
+)
 from artgen.export.losses import (
     Loss,
     Written,
@@ -145,6 +154,7 @@ def _add_colliders(body: ET.Element, asset: Asset, link: Link, meshes: MeshFiles
         convex = collider.convex
         if convex.kind == "hull":
             geom |= {"type": "mesh", "mesh": _stem(meshes.colliders[link.name][number])}
+            geom |= _placed(translation(meshes.middles[link.name][number]))
         else:
             geom |= {"type": convex.kind, "size": numbers(_half_sizes(convex))}
             geom |= _placed(local(asset, link.name, convex.pose))

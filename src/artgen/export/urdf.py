@@ -114,7 +114,8 @@ def _link(asset: Asset, link: Link, meshes: MeshFiles) -> Any:
         name = f"{link.name}_collider_{number}"
         if collider.convex.kind == "hull":
             geometry = model.Geometry(mesh=model.Mesh(meshes.path(meshes.colliders[link.name][number])))
-            result.collisions.append(model.Collision(name, np.eye(4), geometry))
+            middle = translation(meshes.middles[link.name][number])
+            result.collisions.append(model.Collision(name, middle, geometry))
         else:
             result.collisions += [
                 model.Collision(name + suffix, local(asset, link.name, piece.pose), _geometry(piece))

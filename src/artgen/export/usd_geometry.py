@@ -61,11 +61,12 @@ def write_hull(layers: Layers, scope: Sdf.PrimSpec, name: str, hull: Hull, mater
         layers: Where its physics is written.
         scope: The prim that it belongs to.
         name: Its name.
-        hull: Its surface, in the link's frame.
+        hull: Its surface.
         material: The prim of its material, for friction.
     """
     prim = define(scope, name, "Mesh")
     _mesh(prim, hull.vertices, hull.triangles)
+    place(prim, translation(hull.middle))
     write(prim, TYPES.Normal3fArray, {"normals": vec3_array(hull.normals)}, interpolation="uniform")
     _collide(layers, prim, material, hull=True)
 

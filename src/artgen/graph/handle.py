@@ -292,15 +292,23 @@ def _lift_literal(value: Any, hint: Any) -> Any:
         return NotImplemented
     if hint in LITERAL_TYPES and isinstance(value, hint):
         return _literal(hint, value)
-    if hint is int and isinstance(value, int | np.integer) and not isinstance(value, bool):
+    if hint is int and isinstance(value, (int, np.integer)) and not isinstance(value, bool):
         return int(value)
     if hint is str and isinstance(value, str):
         return str(value)
     return NotImplemented
 
 
+def is_sequence(value: Any) -> bool:
+    """Tell whether a value is a sequence of values; a text and a handle are one value each."""
+    kind = type(value)
+    if kind is tuple or kind is list:
+        return True
+    return isinstance(value, (Sequence, np.ndarray)) and not isinstance(value, (Handle, str))
+
+
 def _lift_tuple(value: Any, members: tuple[Any, ...], what: str, where: str) -> Any:
-    if isinstance(value, Handle | str) or not isinstance(value, Sequence | np.ndarray):
+    if not is_sequence(value):
         return NotImplemented
     if len(members) == 2 and members[1] is Ellipsis:
         return tuple(lift(item, members[0], what, where) for item in value)

@@ -2,7 +2,7 @@
 
 import hashlib
 import sys
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cache
 from types import FrameType, MappingProxyType
@@ -32,7 +32,7 @@ class Node:
     key: str = field(init=False)
     varies: bool = field(init=False)
     children: tuple["Node", ...] = field(init=False)
-    _spelling: Sequence["str | Node"] = field(init=False)
+    _spelling: Sequence[str] = field(init=False)  # what stands before, between and after its children's keys
 
     def __post_init__(self) -> None:
         """Compute the key from the inputs' keys."""
@@ -48,17 +48,21 @@ class Node:
             else:
                 frozen[name] = _frozen(value)
                 _spell(frozen[name], spelling)
-        children = tuple([part for part in spelling if type(part) is Node])
         own = vars(self)
         own["inputs"] = MappingProxyType(frozen)
-        own["children"] = children
-        own["varies"] = self.op == PARAMETER or any(node.varies for node in children)
-        own["_spelling"] = spelling
-        own["key"] = _hash([part if isinstance(part, str) else "$" + part.key for part in spelling])
+        own["children"] = children = tuple([part for part in spelling if type(part) is Node])
+        own["varies"] = self.op == PARAMETER or any([node.varies for node in children])
+        own["_spelling"] = _between(spelling)
+        own["key"] = self._digest([node.key for node in children])
 
     def digest(self, keys: Mapping[str, str]) -> str:
         """Hash the operation, its literals, and what stands in `keys` for the keys of its children."""
-        return _hash([part if isinstance(part, str) else "$" + keys[part.key] for part in self._spelling])
+        return self._digest([keys[child.key] for child in self.children])
+
+    def _digest(self, keys: list[str]) -> str:
+        first, *rest = self._spelling
+        text = "".join([first, *[part for pair in zip(keys, rest, strict=True) for part in pair]])
+        return hashlib.blake2b(text.encode(), digest_size=12).hexdigest()
 
     def __repr__(self) -> str:
         """Name the operation and its place, but not what lies below: that may be thousands of nodes."""
@@ -89,12 +93,20 @@ class Data(dict[str, Any]):
         return Data, (dict(self), self.value)
 
 
-def _hash(text: Sequence[str]) -> str:
-    return hashlib.blake2b("\0".join(text).encode(), digest_size=12).hexdigest()
+def _between(spelling: Iterable["str | Node"]) -> list[str]:
+    """Join the words of a spelling that stand before, between and after its nodes."""
+    runs, words = [], []
+    for part in spelling:
+        if type(part) is Node:
+            runs.append("\0".join([*words, "$"]))
+            words = [""]
+        else:
+            words.append(part)
+    return [*runs, "\0".join(words)]
 
 
 def _frozen(value: Any) -> Any:
-    return tuple([_frozen(item) for item in value]) if isinstance(value, list | tuple) else value
+    return tuple([_frozen(item) for item in value]) if isinstance(value, (list, tuple)) else value
 
 
 def nodes_in(value: Any) -> Iterator[Node]:

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from artgen.asset import Curve, Outline, Shape, Tree
 from artgen.errors import BuildError
 from artgen.graph import LITERAL_TYPES, Handle, LiteralType
+from artgen.graph.handle import is_sequence
 from artgen.graph.node import Node, authors_line
 from artgen.materials import Material
 
@@ -28,9 +29,14 @@ Span = tuple[Scalar, Scalar]
 LITERAL_TYPES[Material] = LiteralType("material", Material.to_data, Material.from_data)
 
 
+# tuples: to make a union takes longer than to test for one
+_BOOLS = (bool, np.bool_)
+_NUMBERS = (float, int, np.floating, np.integer)
+
+
 def _number(value: Any) -> Any:
     """Return a finite Python float for a number, or NotImplemented."""
-    if isinstance(value, bool | np.bool_) or not isinstance(value, float | int | np.floating | np.integer):
+    if type(value) is not float and not (isinstance(value, _NUMBERS) and not isinstance(value, _BOOLS)):
         return NotImplemented
     number = float(value)
     if not math.isfinite(number):
@@ -47,7 +53,7 @@ class Bool(Handle):
     @classmethod
     def lift(cls, value: Any) -> Any:
         """Accept a Bool or a Python bool."""
-        if isinstance(value, bool | np.bool_):
+        if isinstance(value, _BOOLS):
             return bool(value)
         return super().lift(value)
 
@@ -80,7 +86,7 @@ class Float(Handle):
     def _with(self, name: str, a: Any, b: Any) -> Any:
         """Record arithmetic, or let the other operand try."""
         for operand in (a, b):
-            if not isinstance(operand, Float | float | int | np.floating | np.integer):
+            if not isinstance(operand, (Float, *_NUMBERS)):
                 return NotImplemented
         return (Bool if name in _COMPARISONS else Float).record(name, a=a, b=b)
 
@@ -171,7 +177,7 @@ class Vector(Handle):
         """Accept a Vector or three scalars."""
         if isinstance(value, Vector):
             return value.node
-        if isinstance(value, Handle | str) or not isinstance(value, Sequence | np.ndarray) or len(value) != 3:
+        if not is_sequence(value) or len(value) != 3:
             return NotImplemented
         scalars = tuple(Float.lift(item) for item in value)
         if any(item is NotImplemented for item in scalars):
@@ -246,7 +252,7 @@ class Points(Handle):
         """Accept Points or a sequence of vectors."""
         if isinstance(value, Points):
             return value.node
-        if isinstance(value, Handle | str) or not isinstance(value, Sequence | np.ndarray) or not len(value):
+        if not is_sequence(value) or not len(value):
             return NotImplemented
         vectors = tuple(Vector.lift(item) for item in value)
         if any(item is NotImplemented for item in vectors):

@@ -219,14 +219,19 @@ def signs(plan: Plan, looks: DialLooks, *, top: Scalar, extras: tuple[str, ...])
     signs_at = [(x + step[0], y + step[1]) for x, y in plan.dial_places]
     rings = details.relief(ring(size, size - 0.0005), (0.0, 0.0, top), facing=Z, proud=0.0002)
     dot = details.relief(circle(size), (0.0, 0.0, top), facing=Z, proud=0.0003)
-    every = [(x + i, y + j, 0.0) for x, y in signs_at[: plan.burners] for i, j in at]
     own = [(x + i, y + j, 0.0) for (x, y), (i, j) in zip(signs_at, at, strict=False)]
+    others = [
+        (x + i, y + j, 0.0)
+        for dial, (x, y) in enumerate(signs_at[: plan.burners])
+        for burner, (i, j) in enumerate(at)
+        if burner != dial
+    ]
     icons = [
         details.printed(details.icon(name, 0.009), (x, y, top), material=looks.ink, facing=Z)
         for name, (x, y) in zip(extras, signs_at[plan.burners :], strict=False)
     ]
     return weld(
-        detail(array(rings, at=every), "print", looks.ink),
+        *([detail(array(rings, at=others), "print", looks.ink)] if others else []),
         detail(array(dot, at=own), "print", looks.ink),
         *icons,
     )

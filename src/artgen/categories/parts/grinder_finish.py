@@ -3,7 +3,7 @@
 from artgen import coloured, material
 from artgen.categories.parts.finish import known, weighing
 
-_EBONY = material("walnut").with_(name="ebony", base_color=(0.034, 0.026, 0.021), density=1050.0)
+_EBONY = material("walnut").with_(name="ebonised_beech", base_color=(0.034, 0.026, 0.021), density=720.0)
 _OLIVE = material("ash_flat_sawn").with_(name="olive_wood", base_color=(0.46, 0.28, 0.11), density=920.0)
 
 _CHERRY = material("maple").with_(name="cherry", base_color=(0.40, 0.17, 0.075), density=630.0)

@@ -35,12 +35,15 @@ class ObjectMeshes:
     Attributes:
         files: Content by path relative to the asset's directory, maps included.
         surfaces: File name of each surface, by link, in the link's order.
-        colliders: File name of each collider, by link and number of the collider; hulls only.
+        colliders: File name of each collider, by link and number of the collider; hulls only, each in its own
+            frame.
+        middles: Where that frame lies in the dataset's coordinates of the asset, shape (3,) [m].
     """
 
     files: Mapping[str, bytes]
     surfaces: Mapping[str, tuple[str, ...]]
     colliders: Mapping[str, Mapping[int, str]]
+    middles: Mapping[str, Mapping[int, Array]]
 
 
 def object_meshes(asset: Asset, textures: int) -> ObjectMeshes:
@@ -63,8 +66,8 @@ def object_meshes(asset: Asset, textures: int) -> ObjectMeshes:
         f"{VISUALS}/{folder}/{path.rpartition('/')[2]}": content for path, content in maps.files.items()
     }
     taken = [name for names in surfaces.values() for name in names]
-    colliders, pieces = _hull_files(asset, taken)
-    return ObjectMeshes(files | pieces, surfaces, colliders)
+    colliders, middles, pieces = _hull_files(asset, taken)
+    return ObjectMeshes(files | pieces, surfaces, colliders, middles)
 
 
 def upright(mesh: Mesh) -> Mesh:
@@ -72,7 +75,9 @@ def upright(mesh: Mesh) -> Mesh:
     return replace(mesh, vertices=mesh.vertices @ UPRIGHT.T, normals=mesh.normals @ UPRIGHT.T)
 
 
-def _hull_files(asset: Asset, taken: list[str]) -> tuple[dict[str, dict[int, str]], dict[str, bytes]]:
+def _hull_files(
+    asset: Asset, taken: list[str]
+) -> tuple[dict[str, dict[int, str]], dict[str, dict[int, Array]], dict[str, bytes]]:
     numbers = {
         link.name: [number for number, item in enumerate(link.colliders) if item.convex.kind == "hull"]
         for link in asset.links
@@ -91,4 +96,6 @@ def _hull_files(asset: Asset, taken: list[str]) -> tuple[dict[str, dict[int, str
     texts = hull_texts([replace(hull, vertices=hull.vertices @ UPRIGHT.T) for hull in hulls])
     paths = [f"{COLLIDERS}/{name}" for found in names.values() for name in found]
     by_number = {link: dict(zip(found, names[link], strict=True)) for link, found in numbers.items()}
-    return by_number, dict(zip(paths, texts, strict=True))
+    turned = iter(UPRIGHT @ hull.middle for hull in hulls)
+    middles = {link: {number: next(turned) for number in found} for link, found in numbers.items()}
+    return by_number, middles, dict(zip(paths, texts, strict=True))

@@ -72,7 +72,8 @@ def _add_link(robot: ET.Element, asset: Asset, named: Naming, link: Link, meshes
         name = f"{named.body(link.name)}_collider_{number}"
         if collider.convex.kind == "hull":
             path = f"{COLLIDERS}/{meshes.colliders[link.name][number]}"
-            _mesh(ET.SubElement(element, "collision", name=name), origin, path)
+            placed = origin @ translation(meshes.middles[link.name][number])
+            _mesh(ET.SubElement(element, "collision", name=name), placed, path)
             continue
         for suffix, piece in primitives(collider.convex):
             collision = ET.SubElement(element, "collision", name=name + suffix)
