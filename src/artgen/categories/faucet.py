@@ -72,7 +72,7 @@ _METALS = {
     "chrome": 3.0,
     "stainless": 1.0,
 }
-_DECKS = {
+_DECKS: dict[Material | str, float] = {
     casting(material("stainless_blasted"), 0.14): 0.6,  # a sheet around a board
     "green_marble": 0.5,
     "marble": 1.2,

@@ -51,7 +51,7 @@ class Node:
         own = vars(self)
         own["inputs"] = MappingProxyType(frozen)
         own["children"] = children = tuple([part for part in spelling if type(part) is Node])
-        own["varies"] = self.op == PARAMETER or any([node.varies for node in children])
+        own["varies"] = self.op == PARAMETER or any(node.varies for node in children)
         own["_spelling"] = _between(spelling)
         own["key"] = self._digest([node.key for node in children])
 
@@ -97,11 +97,11 @@ def _between(spelling: Iterable["str | Node"]) -> list[str]:
     """Join the words of a spelling that stand before, between and after its nodes."""
     runs, words = [], []
     for part in spelling:
-        if type(part) is Node:
+        if isinstance(part, str):
+            words.append(part)
+        else:
             runs.append("\0".join([*words, "$"]))
             words = [""]
-        else:
-            words.append(part)
     return [*runs, "\0".join(words)]
 
 
