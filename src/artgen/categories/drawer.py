@@ -13,6 +13,7 @@ wide and 0.7-1.3 m high, bedside tables 0.4-0.55 m wide, filing cabinets 0.4-0.4
 0.28-0.32 m for hanging files, kitchen banks 0.4-1.4 m wide and 0.82-0.92 m high with their worktop.
 """
 
+from functools import reduce
 from typing import Literal
 
 from artgen import (
@@ -26,6 +27,7 @@ from artgen import (
     choice,
     count,
     material,
+    min_,
     uniform,
     weld,
 )
@@ -360,9 +362,14 @@ def drawer(
             body, case.worktop(slab, worktop if top == "worktop" else finish, before=before, beside=beside)
         )
 
-    look_ = FrontLook(style, dress, rail, "square", slope, material("glass"))
+    # between the rails of the lowest front is room for a hand
+    slim = reduce(min_, (0.25 * (high - low) for low, high in bays.spans), rail)
+    look_ = FrontLook(style, dress, slim, "square", slope, material("glass"))
     for row, (low, high) in enumerate(bays.spans):
         made, tall = drawer_box(bays, row, boxes), high - low
+        level = handle_level * tall
+        if look_.framed:
+            level = min_(level, tall - slim - 0.031)
         for column, middle in enumerate(bays.middles):
             left, right = bays.outer(column)
             number, wide = row * columns + column, right - left
@@ -379,13 +386,13 @@ def drawer(
                 on_front = [edge.at(0.0, 0.0, tall)]
             else:
                 ends = {"": 0.0} if handles == 1 else {"_left": -0.28 * wide, "_right": 0.28 * wide}
-                at = (look_.sunk(front_thickness), handle_level * tall)
+                at = (look_.sunk(front_thickness), level)
                 on_front = [
                     handle(finish=metal, name=f"drawer_handle{end}").at(x, *at) for end, x in ends.items()
                 ]
             if kind == "file":
                 index = INDEXES[(first_index + number) % len(INDEXES)]
-                on_front += label_holder(z=handle_level * tall + 0.058, finish=metal, index=index)
+                on_front += label_holder(z=level + 0.058, finish=metal, index=index)
             if locked and number == 0:
                 on_front += lock(x=wide / 2 - 0.032, z=tall - 0.032, finish=material("chrome"))
             body = body.attach(

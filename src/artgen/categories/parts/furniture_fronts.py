@@ -34,9 +34,14 @@ class FrontLook:
     glass: Material
     panes: tuple[int, int] = (1, 1)
 
+    @property
+    def framed(self) -> bool:
+        """Whether handles stand on a panel that lies behind rails and stiles."""
+        return self.style in ("shaker", "ramped")
+
     def sunk(self, thickness: Scalar) -> Scalar:
         """Return how far behind its face the middle of a front lies, where handles stand [m]."""
-        return 0.375 * thickness if self.style in ("shaker", "ramped") else 0.0
+        return 0.375 * thickness if self.framed else 0.0
 
 
 def front(

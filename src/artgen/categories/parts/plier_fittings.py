@@ -133,12 +133,13 @@ class Key(NamedTuple):
 
     @staticmethod
     def of(length: Scalar) -> "Key":
-        """Size a bolt for pliers of a length [m]; the neck between the holes is 6.4 mm for 200 mm."""
-        return Key(0.0200 * length, 0.0120 * length, 0.0200 * length + 0.00019, 0.0260 * length)
+        """Size a bolt for pliers of a length [m]; the neck between the holes is 6 mm for 200 mm."""
+        return Key(0.0200 * length, 0.0120 * length, 0.0200 * length + 0.00019, 0.0290 * length)
 
     def slot(self) -> Profile:
         """Make the outline of the slot: the second hole is at -x."""
-        hole = regular_polygon(24, self.hole / math.cos(math.pi / 24.0))
+        # of so few sides that no collider takes two of them for one, and reaches into the hole
+        hole = regular_polygon(14, self.hole / math.cos(math.pi / 14.0))
         return hole | hole.at(-self.way)
 
     def bolt(self, forging: Forging, finish: Material) -> list[Body]:
