@@ -56,7 +56,7 @@ _OVPHYSX = Client(
     "ovphysx",
     "physx_model",
     layouts=_USD,
-    seconds=180.0,
+    seconds=300.0,  # dials that must be pushed before they turn are tried in many poses
     length_tolerance=_LENGTH,
     relative_tolerance=_RELATIVE,
     unavoidable=(
