@@ -17,6 +17,7 @@ Array = NDArray[np.float64]
 
 _FINE = 2.0e-5  # [m] to which round pieces are faceted around
 _SPREAD = 300  # points spread over the surfaces that differ, beside their corners
+_DOUBTED = 1.0e-5  # [m] by which points of a difference may miss the solids that they are of
 _EMPTY = 0.03  # of a hull's volume: less are its rounded edges, not an empty space
 
 
@@ -57,13 +58,15 @@ def fidelity(solid: Manifold, convexes: Sequence[Convex]) -> Fidelity:
     """
     polytopes = [convex.outer_polytope(_FINE) for convex in convexes]
     cover = Manifold.batch_boolean([hull_of(polytope.points) for polytope in polytopes], OpType.Add)
-    excess, missing = _difference(cover, solid), _difference(solid, cover)
-    volume, hull = solid.volume(), solid.hull()
-    outside, place = _sticking_out(missing, polytopes)
+    excess, missing = cover - solid, solid - cover
+    volume, hull, faces = solid.volume(), solid.hull(), Faces.of(solid)
+    outside, place = _sticking_out(missing, polytopes, faces)
     error, surface_place = outside, place
     if not excess.is_empty():
         # films along faces that solids share are excess by rounding only, and within the solid
-        apart, at = Faces.of(solid).farthest(Faces.of(excess).spread(_SPREAD), outside=True)
+        points = Faces.of(excess).spread(_SPREAD)
+        points = points[_outside(polytopes, points) < _DOUBTED]
+        apart, at = faces.farthest(points, outside=True) if len(points) else (0.0, place)
         if apart > error:
             error, surface_place = apart, at
     empty = hull.volume() - volume
@@ -81,18 +84,7 @@ def fidelity(solid: Manifold, convexes: Sequence[Convex]) -> Fidelity:
     )
 
 
-def _difference(solid: Manifold, cut: Manifold) -> Manifold:
-    """Return what is left of a solid, without the shells that manifold3d turns inside out.
-
-    Where the surfaces of two solids of many faces coincide, it may add what is in neither to this.
-    """
-    left = solid - cut
-    shells = left.decompose()
-    sound = [shell for shell in shells if shell.volume() >= 0.0]
-    return left if len(sound) == len(shells) else Manifold.compose(sound)
-
-
-def _sticking_out(missing: Manifold, polytopes: Sequence[Polytope]) -> tuple[float, Array]:
+def _sticking_out(missing: Manifold, polytopes: Sequence[Polytope], faces: Faces) -> tuple[float, Array]:
     """Return how far what pieces miss of a solid is from the nearest of them, and where.
 
     Measured along the normals of their faces; films between pieces that share a face count as nothing.
@@ -100,14 +92,24 @@ def _sticking_out(missing: Manifold, polytopes: Sequence[Polytope]) -> tuple[flo
     if missing.is_empty():
         return 0.0, np.zeros(3)
     points, _, _ = distinct_rows(np.round(Faces.of(missing).spread(_SPREAD), 8))
+    outside = _outside(polytopes, points)
+    worst = int(np.argmax(outside))
+    # where many faces coincide, manifold3d may add to a difference what is in neither solid
+    while outside[worst] > _DOUBTED and not faces.have(points[worst]):
+        outside[worst] = 0.0
+        worst = int(np.argmax(outside))
+    return max(float(outside[worst]), 0.0), points[worst]
+
+
+def _outside(polytopes: Sequence[Polytope], points: Array) -> Array:
+    """Return how high points are above the faces of the nearest polytope, shape (n,) [m]."""
     outside = np.full(len(points), np.inf)
     for polytope in polytopes:
         near = np.flatnonzero(_least_height(polytope, points) < outside)
         if len(near):
             height = (polytope.planes[:, :3] @ points[near].T - polytope.planes[:, 3:]).max(axis=0)
             outside[near] = np.minimum(outside[near], height)
-    worst = int(np.argmax(outside))
-    return max(float(outside[worst]), 0.0), points[worst]
+    return outside
 
 
 def _least_height(polytope: Polytope, points: Array) -> Array:
