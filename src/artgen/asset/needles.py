@@ -78,15 +78,17 @@ def without_needles(
 def _from_middle(triangle: list[int], vertices: list[Array]) -> tuple[int, int, int]:
     """Return the corners of a needle in their order, from the one between the others."""
     at = np.array([vertices[corner][:3] for corner in triangle])
-    opposite = np.square(np.roll(at, -2, axis=0) - np.roll(at, -1, axis=0)).sum(axis=1)
-    number = int(opposite.argmax())
-    return triangle[number], triangle[(number + 1) % 3], triangle[(number + 2) % 3]
+    opposite = np.square(at[[2, 0, 1]] - at[[1, 2, 0]]).sum(axis=1)
+    return _from(triangle, int(opposite.argmax()))
 
 
 def _from_side(triangle: list[int], places: list[int], place: int) -> tuple[int, int, int]:
     """Return the corners of a triangle in their order, from the one at a place."""
-    number = next(number for number, corner in enumerate(triangle) if places[corner] == place)
-    return triangle[number], triangle[(number + 1) % 3], triangle[(number + 2) % 3]
+    return _from(triangle, [places[corner] for corner in triangle].index(place))
+
+
+def _from(triangle: list[int], number: int) -> tuple[int, int, int]:
+    return triangle[number], triangle[number - 2], triangle[number - 1]
 
 
 def _vertex_between(vertices: list[Array], places: list[int], at: int, one: int, other: int) -> int:

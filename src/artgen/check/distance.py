@@ -94,10 +94,6 @@ class Faces:
                     break
         return max(best, 0.0), place
 
-    def have(self, point: Array) -> bool:
-        """Tell whether a point, shape (3,), is on the surface or within it."""
-        return self.farthest(point[None])[0] < _ON or self.surround(point)
-
     def surround(self, point: Array) -> bool:
         """Tell whether a point, shape (3,), that is not on the surface is within it.
 

@@ -95,7 +95,7 @@ def _sticking_out(missing: Manifold, polytopes: Sequence[Polytope], faces: Faces
     outside = _outside(polytopes, points)
     worst = int(np.argmax(outside))
     # where many faces coincide, manifold3d may add to a difference what is in neither solid
-    while outside[worst] > _DOUBTED and not faces.have(points[worst]):
+    while outside[worst] > _DOUBTED and faces.farthest(points[[worst]], outside=True)[0] > _DOUBTED:
         outside[worst] = 0.0
         worst = int(np.argmax(outside))
     return max(float(outside[worst]), 0.0), points[worst]
