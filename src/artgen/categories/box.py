@@ -282,7 +282,13 @@ def box(
     friction: Float = by(
         "crease", fresh=uniform(0.06, 0.16), worked=uniform(0.2, 0.6), unit="N m", doc="of a metre of crease"
     ),
-    damping: Float = uniform(0.02, 0.05, "N m s/rad", doc="of a metre of crease"),
+    damping: Float = by(
+        "crease",
+        fresh=uniform(0.03, 0.06),
+        worked=uniform(0.02, 0.05),
+        unit="N m s/rad",
+        doc="of a metre of crease",
+    ),
     rub: Float = uniform(0.25, 0.8, doc="of what slides, as a share of its weight"),
     swing: Float = uniform(3.5, 4.62, "rad", doc="how far flaps open where they have room"),
     lid_open: Float = by("style", wine=uniform(2.2, 3.4), otherwise=uniform(1.95, 2.85), unit="rad"),

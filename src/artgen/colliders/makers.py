@@ -11,6 +11,7 @@ from artgen.colliders.enclose import Facets, enclosing
 from artgen.colliders.pieces import Bounded, Cover, Exact, Pieces
 from artgen.colliders.polygon import convex_hull, decompose_polygon
 from artgen.colliders.polytope import SLIVER, Polytope
+from artgen.rings import successors
 
 _IDENTITY = np.eye(4)
 _MOST_PRISM_VERTICES = 64
@@ -215,7 +216,7 @@ def _inner_link(first: Array, last: Array) -> Polytope | None:
     dip, but not at its ends, so that a row of links has no walls in between.
     """
     hull = Polytope.hull(np.concatenate((first, last)))
-    near, far = np.roll(first, -1, axis=0), np.roll(last, -1, axis=0)
+    near, far = successors(first), successors(last)
     across = np.cross(near - first, last - first)
     across /= np.maximum(np.sqrt(np.sum(across * across, axis=1)), 1e-30)[:, None]
     dip = float(np.abs(np.sum((far - first) * across, axis=1)).max())

@@ -7,6 +7,7 @@ from manifold3d import CrossSection, FillRule, triangulate
 from numpy.typing import NDArray
 
 from artgen.colliders.polytope import SNAP, Array
+from artgen.rings import predecessors, successors
 
 _LEAST_SIDES = 4  # a thinned hole keeps so many sides, lest it vanish
 _FLAT = 1e-9  # relative: a corner that turns less is no corner
@@ -47,15 +48,15 @@ def decompose_polygon(contours: Sequence[Array], tolerance: float, *, inner: boo
 
 def signed_area(contour: Array) -> float:
     """Return the area of a contour, shape (n, 2) [m]: positive if it runs counter-clockwise [m^2]."""
-    following = np.roll(contour, -1, axis=0)
+    following = successors(contour)
     return float(np.sum(contour[:, 0] * following[:, 1] - contour[:, 1] * following[:, 0]) / 2.0)
 
 
 def is_convex(contour: Array) -> bool:
     """Tell whether a contour, shape (n, 2), is counter-clockwise and convex."""
-    sides = np.roll(contour, -1, axis=0) - contour
+    sides = successors(contour) - contour
     length = np.hypot(sides[:, 0], sides[:, 1])
-    if (_turns(contour) < -_FLAT * length * np.roll(length, 1)).any():
+    if (_turns(contour) < -_FLAT * length * predecessors(length)).any():
         return False
     angle = np.arctan2(sides[:, 1], sides[:, 0])
     turn = np.mod(np.diff(angle, append=angle[:1]) + np.pi, 2.0 * np.pi) - np.pi
@@ -82,8 +83,8 @@ def convex_hull(points: Array) -> Array:
 
 def _turns(contour: Array) -> Array:
     """Return twice the area of the triangle at each vertex, positive at convex corners, shape (n,) [m^2]."""
-    before = contour - np.roll(contour, 1, axis=0)
-    after = np.roll(contour, -1, axis=0) - contour
+    before = contour - predecessors(contour)
+    after = successors(contour) - contour
     turns: Array = before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0]
     return turns
 
@@ -96,14 +97,14 @@ def _cleaned(contour: Array) -> Array:
     """
     if contour.ndim != 2 or contour.shape[1] != 2 or not np.isfinite(contour).all():
         raise ValueError(f"a contour needs finite points of shape (n, 2), got shape {contour.shape}")
-    step = np.roll(contour, -1, axis=0) - contour
+    step = successors(contour) - contour
     contour = contour[np.hypot(step[:, 0], step[:, 1]) > SNAP]
     while len(contour) >= 3:
-        before = contour - np.roll(contour, 1, axis=0)
-        after = np.roll(contour, -1, axis=0) - contour
+        before = contour - predecessors(contour)
+        after = successors(contour) - contour
         length = np.hypot(before[:, 0], before[:, 1]) * np.hypot(after[:, 0], after[:, 1])
         straight = np.abs(_turns(contour)) <= _FLAT * length
-        straight &= ~np.roll(straight, 1)  # not two in a row: they are judged again
+        straight &= ~predecessors(straight)  # not two in a row: they are judged again
         if not straight.any():
             break
         contour = contour[~straight]
@@ -164,7 +165,7 @@ def _near_chord(run: Array, tolerance: float) -> bool:
 
 def _inside(border: Array, hole: Array) -> bool:
     """Tell whether all vertices of a hole lie inside a convex border."""
-    sides = np.roll(border, -1, axis=0) - border
+    sides = successors(border) - border
     offset = hole[None, :, :] - border[:, None, :]
     return bool((sides[:, None, 0] * offset[..., 1] - sides[:, None, 1] * offset[..., 0]).min() > 0.0)
 
@@ -173,7 +174,7 @@ def _ring_sectors(border: Array, hole: Array) -> list[Array]:
     """Cut the region between a convex border and a convex hole to one sector for each side of the hole."""
     centre = hole.mean(axis=0)
     sectors: list[Array] = []
-    for start, end in zip(hole, np.roll(hole, -1, axis=0), strict=True):
+    for start, end in zip(hole, successors(hole), strict=True):
         sector = _clipped(border, start, end - start, right=True)
         for point, direction, right in ((start, start - centre, False), (end, end - centre, True)):
             sector = _clipped(sector, point, direction, right=right)
@@ -185,7 +186,7 @@ def _clipped(polygon: Array, point: Array, direction: Array, *, right: bool) -> 
     """Return the part of a convex polygon on one side of a line."""
     normal = np.array((direction[1], -direction[0])) / np.hypot(direction[0], direction[1])
     height = (polygon - point) @ (normal if right else -normal)
-    following, next_height = np.roll(polygon, -1, axis=0), np.roll(height, -1)
+    following, next_height = successors(polygon), successors(height)
     rows: list[Array] = []
     for here, there, low, high in zip(polygon, following, height, next_height, strict=True):
         if low >= -SNAP:

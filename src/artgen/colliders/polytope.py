@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from artgen.colliders.hull import hull_of
 from artgen.colliders.triangles import cross, triangles_of
+from artgen.rings import successors
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
@@ -70,7 +71,7 @@ class Polytope:
         points[:count, :2] = points[count:, :2] = polygon
         points[:count, 2] = bottom
         points[count:, 2] = top
-        side = np.roll(polygon, -1, axis=0) - polygon
+        side = successors(polygon) - polygon
         planes = np.zeros((count + 2, 4))
         planes[:count, 0] = side[:, 1]
         planes[:count, 1] = -side[:, 0]

@@ -9,6 +9,7 @@ from artgen.colliders.convex import Array, Convex
 from artgen.colliders.pieces import Bounded, Cover, Pieces
 from artgen.colliders.polygon import convex_hull, signed_area
 from artgen.colliders.polytope import SLIVER, SNAP
+from artgen.rings import successors
 
 _IDENTITY = np.eye(4)
 _EXACT = 1e-9  # [m]: tolerance of parts that must lie within the solid
@@ -218,7 +219,7 @@ def _nearly_convex(stack: Sequence[Slab], tolerance: float) -> bool:
 
 def _stands_off(hull: Array, chain: Array, facing: float) -> float:
     """Return how far a convex polygon's sides that face one way along r stand off points within it [m]."""
-    sides = np.roll(hull, -1, axis=0) - hull
+    sides = successors(hull) - hull
     normals = np.column_stack((sides[:, 1], -sides[:, 0])) / np.hypot(sides[:, 0], sides[:, 1])[:, None]
     towards = normals[:, 0] * facing > _LEVEL
     normals, hull = normals[towards], hull[towards]

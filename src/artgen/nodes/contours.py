@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from artgen.asset.outline import Contour, Outline
 from artgen.nodes.surfaces import arc_steps, sides_of
+from artgen.rings import predecessors, successors
 
 Array = NDArray[np.float64]
 
@@ -20,7 +21,7 @@ _SAME = 1e-7  # [m]: points of a contour closer than this are one
 
 def side_normals(points: Array) -> Array:
     """Return the unit normal to the right of each side of a closed polygon, shape (n, 2)."""
-    sides = np.roll(points, -1, axis=0) - points
+    sides = successors(points) - points
     length = np.hypot(sides[:, 0], sides[:, 1])
     return np.column_stack([sides[:, 1], -sides[:, 0]]) / np.maximum(length, 1e-300)[:, None]
 
@@ -28,7 +29,7 @@ def side_normals(points: Array) -> Array:
 def faceted(points: Array) -> Contour:
     """Return a contour with a corner at each of its points, shape (n, 2)."""
     normals = side_normals(points)
-    return Contour(points, np.roll(normals, 1, axis=0), normals)
+    return Contour(points, predecessors(normals), normals)
 
 
 def smooth(points: Array, normals: Array) -> Contour:
@@ -43,10 +44,10 @@ def estimated(points: Array) -> Contour:
     beside an arc stays flat.
     """
     leaving = side_normals(points)
-    arriving = np.roll(leaving, 1, axis=0)
-    sides = np.roll(points, -1, axis=0) - points
+    arriving = predecessors(leaving)
+    sides = successors(points) - points
     length = np.hypot(sides[:, 0], sides[:, 1])[:, None]
-    mean = leaving * length + arriving * np.roll(length, 1, axis=0)
+    mean = leaving * length + arriving * predecessors(length)
     mean /= np.maximum(np.linalg.norm(mean, axis=1, keepdims=True), 1e-300)
     curved = (np.einsum("ij,ij->i", leaving, arriving) > math.cos(CREASE))[:, None]
     return Contour(points, np.where(curved, mean, arriving), np.where(curved, mean, leaving))
@@ -102,13 +103,13 @@ def rounded_polygon(corners: Array, radii: Sequence[float] | Array) -> Contour:
     """
     count = len(corners)
     normals = side_normals(corners)
-    length = np.linalg.norm(np.roll(corners, -1, axis=0) - corners, axis=1)
+    length = np.linalg.norm(successors(corners) - corners, axis=1)
     turns, reach = np.zeros(count), np.zeros(count)
     for i in range(count):
         before, after = normals[i - 1], normals[i]
         turns[i] = math.atan2(before[0] * after[1] - before[1] * after[0], float(before @ after))
         reach[i] = radii[i] * math.tan(abs(turns[i]) / 2.0)
-    spare = length - reach - np.roll(reach, -1)
+    spare = length - reach - successors(reach)
     if spare.min() < -1e-9:
         side = int(np.argmin(spare))
         raise ValueError(
@@ -137,17 +138,17 @@ def rounded_polygon(corners: Array, radii: Sequence[float] | Array) -> Contour:
 
 def without_repeats(contour: Contour) -> Contour:
     """Return the contour with neighbouring points at one place joined."""
-    gap = np.linalg.norm(contour.points - np.roll(contour.points, 1, axis=0), axis=1)
+    gap = np.linalg.norm(contour.points - predecessors(contour.points), axis=1)
     if gap.min() > _SAME:
         return contour
     kept = np.flatnonzero(gap > _SAME)  # each keeps its own place and takes the repeats that follow it
-    last = np.roll(kept, -1) - 1
+    last = successors(kept) - 1
     return Contour(contour.points[kept], contour.normals_in[kept], contour.normals_out[last])
 
 
 def signed_area(points: Array) -> float:
     """Return the area of a polygon [m^2], negative if clockwise."""
-    following = np.roll(points, -1, axis=0)
+    following = successors(points)
     return float(0.5 * (points[:, 0] * following[:, 1] - points[:, 1] * following[:, 0]).sum())
 
 
@@ -168,7 +169,7 @@ _ROUNDED = 1e-8
 def is_disjoint(rings: Sequence[Array]) -> bool:
     """Tell whether rings neither cross each other nor themselves."""
     area = sum(signed_area(ring) for ring in rings)
-    around = sum(float(np.linalg.norm(np.roll(ring, -1, axis=0) - ring, axis=1).sum()) for ring in rings)
+    around = sum(float(np.linalg.norm(successors(ring) - ring, axis=1).sum()) for ring in rings)
     covered = CrossSection(list(rings), FillRule.Positive).area()
     # the covering rounds every border by some nanometres
     return bool(area > 0.0 and abs(covered - area) <= 1e-6 * area + _ROUNDED * around)
@@ -226,15 +227,13 @@ def refined(outline: Outline, longest: float) -> Outline:
 
 
 def _refined(contour: Contour, longest: float) -> Contour:
-    following = np.roll(contour.points, -1, axis=0)
+    following = successors(contour.points)
     parts = np.maximum(np.ceil(np.hypot(*(following - contour.points).T) / longest), 1).astype(np.int64)
     side = np.repeat(np.arange(len(parts)), parts)
     step = np.arange(len(side)) - np.repeat(np.cumsum(parts) - parts, parts)
     share = (step / parts[side])[:, None]
     points = (1.0 - share) * contour.points[side] + share * following[side]
-    between = (1.0 - share) * contour.normals_out[side] + share * np.roll(contour.normals_in, -1, axis=0)[
-        side
-    ]
+    between = (1.0 - share) * contour.normals_out[side] + share * successors(contour.normals_in)[side]
     between /= np.linalg.norm(between, axis=1, keepdims=True)
     first = (step == 0)[:, None]
     return Contour(

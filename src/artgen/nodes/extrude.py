@@ -14,6 +14,7 @@ from artgen.nodes.contours import is_disjoint, moved_outline, refined
 from artgen.nodes.covers import around_extrusion, moved
 from artgen.nodes.handles import Array3, Profile, Scalar, Solid, VectorLike
 from artgen.nodes.surfaces import extrusion, mitres
+from artgen.rings import successors
 
 Array = NDArray[np.float64]
 
@@ -81,8 +82,8 @@ def _check_bevel(contours: Sequence[Contour], bevel: float) -> None:
     rings = []
     for contour in contours:
         inward = mitres(contour)
-        sides = np.roll(contour.points, -1, axis=0) - contour.points
-        shortening = ((np.roll(inward, -1, axis=0) - inward) * sides).sum(axis=1)
+        sides = successors(contour.points) - contour.points
+        shortening = ((successors(inward) - inward) * sides).sum(axis=1)
         squared = (sides * sides).sum(axis=1)
         shrinking = shortening > 1e-12
         if shrinking.any():

@@ -16,6 +16,7 @@ from artgen.nodes.handles import Array3, Profile, Scalar, Solid, VectorLike
 from artgen.nodes.rail import Rail
 from artgen.nodes.surfaces import Sheets, Skin, triangulated
 from artgen.nodes.unwrap import cap_uvs, lies_flat, runs_across, tapered_around, wall_uvs
+from artgen.rings import predecessors, successors
 
 Array = NDArray[np.float64]
 
@@ -76,19 +77,19 @@ def _border(at: int, outline: Outline) -> Contour:
         )
     contour = outline.contours[0]
     points = contour.points
-    side = np.roll(points, -1, axis=0) - points
-    following = np.roll(side, -1, axis=0)
+    side = successors(points) - points
+    following = successors(side)
     turn = side[:, 0] * following[:, 1] - side[:, 1] * following[:, 0]
     if turn.min() < -1e-6 * float((side * side).sum(axis=1).max()):
         raise ValueError(f"profile {at} of the loft is not convex; loft its convex parts and unite them")
     level = 0.5 * (points[:, 1].min() + points[:, 1].max())
     height = points[:, 1] - level
     height[np.abs(height) < 1e-9] = 0.0
-    rising = int(np.flatnonzero((height <= 0.0) & (np.roll(height, -1) > 0.0))[0])
-    share = height[rising] / (height[rising] - np.roll(height, -1)[rising])
+    rising = int(np.flatnonzero((height <= 0.0) & (successors(height) > 0.0))[0])
+    share = height[rising] / (height[rising] - successors(height)[rising])
     parts = [np.roll(part, -rising - 1, axis=0) for part in (points, contour.normals_in, contour.normals_out)]
     if share == 0.0:
-        return Contour(*(np.roll(part, 1, axis=0) for part in parts))
+        return Contour(*(predecessors(part) for part in parts))
     start = points[rising] + share * side[rising]
     normal = (1.0 - share) * contour.normals_out[rising] + share * parts[1][0]
     normal /= np.linalg.norm(normal)
@@ -99,7 +100,7 @@ def _border(at: int, outline: Outline) -> Contour:
 
 def _shares(contour: Contour) -> Array:
     """Return the position of each vertex along the border in shares of its length, then 1, shape (n + 1,)."""
-    sides = np.roll(contour.points, -1, axis=0) - contour.points
+    sides = successors(contour.points) - contour.points
     total = np.concatenate([[0.0], np.cumsum(np.hypot(sides[:, 0], sides[:, 1]))])
     return np.asarray(total / total[-1])
 

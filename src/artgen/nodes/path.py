@@ -11,6 +11,7 @@ from artgen.graph import kernel
 from artgen.nodes import inputs
 from artgen.nodes.handles import Array3, Path, Scalar, VectorLike
 from artgen.nodes.surfaces import CHORD, arc_steps
+from artgen.rings import predecessors, successors
 
 Array = NDArray[np.float64]
 
@@ -40,7 +41,7 @@ def line(start: VectorLike, end: VectorLike) -> Path:
 def _polyline(points: tuple[Array3, ...], fillet: float, closed: bool) -> Curve:
     corners = inputs.points("the polyline", points or np.zeros((0, 3)), 3, 3 if closed else 2)
     fillet = inputs.rounding("fillet", fillet, math.inf)
-    following = np.roll(corners, -1, axis=0)
+    following = successors(corners)
     length = np.linalg.norm(following - corners, axis=1)
     sides = len(corners) if closed else len(corners) - 1
     if length[:sides].min() < 1e-9:
@@ -86,7 +87,7 @@ def _filleted(corners: Array, along: Array, length: Array, fillet: float, closed
 
 
 def _without_repeats(points: Array, tangents: Array, closed: bool) -> Curve:
-    gap = np.linalg.norm(points - np.roll(points, 1, axis=0), axis=1)
+    gap = np.linalg.norm(points - predecessors(points), axis=1)
     if not closed:
         gap[0] = math.inf
     kept = gap > 1e-7
@@ -196,7 +197,7 @@ def bezier(points: Sequence[VectorLike]) -> Path:
 @kernel
 def _spline(points: tuple[Array3, ...], closed: bool) -> Curve:
     through = inputs.points("the spline", points or np.zeros((0, 3)), 3, 3 if closed else 2)
-    gap = np.linalg.norm(np.roll(through, -1, axis=0) - through, axis=1)
+    gap = np.linalg.norm(successors(through) - through, axis=1)
     count = len(through)
     segments = count if closed else count - 1
     if gap[:segments].min() < 1e-9:
@@ -217,8 +218,8 @@ def _spline(points: tuple[Array3, ...], closed: bool) -> Curve:
 
 def _centripetal_slopes(through: Array, closed: bool) -> Array:
     """Return a unit tangent at each point: that of the parabola through it and its neighbours."""
-    before = through - np.roll(through, 1, axis=0)
-    after = np.roll(before, -1, axis=0)
+    before = through - predecessors(through)
+    after = successors(before)
     near = np.linalg.norm(before, axis=1, keepdims=True)
     far = np.linalg.norm(after, axis=1, keepdims=True)
     slopes = before / near**2 + after / far**2

@@ -29,6 +29,7 @@ from artgen.nodes.contours import (
 )
 from artgen.nodes.handles import Profile, Scalar
 from artgen.nodes.surfaces import arc_steps, sides_of
+from artgen.rings import successors
 
 
 def _convex(contour: Contour) -> Outline:
@@ -87,7 +88,7 @@ def ellipse(radius_x: Scalar, radius_y: Scalar) -> Profile:
 def _polygon(points: tuple[tuple[float, float], ...], radius: float) -> Outline:
     corners = inputs.points("the polygon", points or np.zeros((0, 2)), 2, 3)
     radius = inputs.rounding("radius", radius, math.inf)
-    following = np.roll(corners, -1, axis=0)
+    following = successors(corners)
     short = np.linalg.norm(following - corners, axis=1) < 1e-7
     if short.any():
         at = int(np.flatnonzero(short)[0])
@@ -100,8 +101,8 @@ def _polygon(points: tuple[tuple[float, float], ...], radius: float) -> Outline:
     if not is_disjoint([corners]):
         raise ValueError("the sides of the polygon cross each other; give its points in order around it")
     contour = rounded_polygon(corners, [radius] * len(corners)) if radius > 0.0 else faceted(corners)
-    sides = np.roll(corners, -1, axis=0) - corners
-    after = np.roll(sides, -1, axis=0)
+    sides = successors(corners) - corners
+    after = successors(sides)
     is_convex = bool((sides[:, 0] * after[:, 1] - sides[:, 1] * after[:, 0] >= 0.0).all())
     return Outline((contour,), (contour.points,) if is_convex else None)
 

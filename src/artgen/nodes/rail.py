@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from artgen.asset.outline import Contour
+from artgen.rings import successors
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
@@ -46,7 +47,7 @@ class Rail:
         vertex = np.empty(columns, np.int64)
         normals = np.empty((columns, 2))
         distance = np.empty(columns)
-        sides = np.roll(contour.points, -1, axis=0) - contour.points
+        sides = successors(contour.points) - contour.points
         total = np.cumsum(np.hypot(sides[:, 0], sides[:, 1]))
         travelled = np.concatenate([[0.0], total[:-1]])
         for column, normal in ((arrive, contour.normals_in), (leave, contour.normals_out)):
@@ -54,4 +55,4 @@ class Rail:
             normals[column] = normal
             distance[column] = travelled
         distance[arrive[0]] = total[-1]
-        return Rail(vertex, normals, distance, leave, np.roll(arrive, -1))
+        return Rail(vertex, normals, distance, leave, successors(arrive))

@@ -27,6 +27,7 @@ from artgen.nodes.unwrap import (
     turned_uvs,
     wall_uvs,
 )
+from artgen.rings import predecessors, successors
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
@@ -305,7 +306,7 @@ def lathe(contours: Sequence[Contour], *, angle: float = math.tau, sides: int | 
     places: list[Indices] = []
     for contour in contours:
         level = _level_sides(contour)
-        rail = Rail.along(contour, level != np.roll(level, 1))
+        rail = Rail.along(contour, level != predecessors(level))
         vertices = _turned(contour.points[rail.vertex], cosine, sine)
         normals = _turned(rail.normals, cosine, sine)
         uvs = turned_uvs(contour, rail, vertices, turn, level)
@@ -340,7 +341,7 @@ def lathe_steps(contours: Sequence[Contour], angle: float, sides: int | None = N
 
 def _level_sides(contour: Contour) -> NDArray[np.bool_]:
     """Return which sides of a contour in (r, z) are flat discs or rings, shape (n,)."""
-    following = np.roll(contour.normals_in, -1, axis=0)
+    following = successors(contour.normals_in)
     return (np.abs(contour.normals_out[:, 1]) > 1.0 - 1e-12) & (np.abs(following[:, 1]) > 1.0 - 1e-12)
 
 

@@ -16,6 +16,7 @@ from artgen.nodes.handles import Path, Profile, Solid
 from artgen.nodes.rail import Rail
 from artgen.nodes.surfaces import Sheets, Skin, triangulated
 from artgen.nodes.unwrap import cap_uvs, runs_across, wall_uvs
+from artgen.rings import successors
 
 Array = NDArray[np.float64]
 Row = tuple[float, float, float]
@@ -36,7 +37,7 @@ class _Stations:
 
     def __init__(self, path: Curve) -> None:
         closed = path.closed
-        segments = np.roll(path.points, -1, axis=0) - path.points
+        segments = successors(path.points) - path.points
         if not closed:
             segments = segments[:-1]
         length = np.linalg.norm(segments, axis=1)

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from artgen.asset.outline import Contour
 from artgen.nodes.rail import Rail
+from artgen.rings import successors
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
@@ -134,7 +135,7 @@ def _even_runs(rail: Rail, radius: Array, *, joined: bool) -> tuple[Array, Array
     if joined and run[-1] > 0:
         distance = np.where(run == 0, distance + distance[-1], distance)
         run = np.where(run == 0, run[-1], run)
-    middle = 0.5 * (radius + np.roll(radius, -1))
+    middle = 0.5 * (radius + successors(radius))
     area = middle * (distance[rail.end] - distance[rail.start])
     of_side = run[rail.start]
     order = np.lexsort((middle, of_side))

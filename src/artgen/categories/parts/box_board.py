@@ -239,6 +239,7 @@ class Crease:
         """
         cosine, sine = math.cos(self.turn), math.sin(self.turn)
         across, up = (FOLD, FOLD) if self.folded else (-FOLD, FOLD)
+        friction = feel.friction * length
         return Revolute(
             name,
             axis=(cosine, sine, 0.0),
@@ -246,9 +247,9 @@ class Crease:
             limits=(0.0, opening),
             stiffness=feel.stiffness * length,
             rest=feel.rest,
-            friction=max_(feel.friction * length, holding),
+            friction=max_(friction, holding),
             damping=feel.damping * length,
-            armature=2e-5,
+            armature=max_(2e-5, 3e-4 * friction),  # contacts of what is lighter give way to a push
             effort=0.01
             + length * (1.6 * feel.friction + 5.0 * feel.stiffness + 16.0 * reach**2)
             + 1.5 * holding,

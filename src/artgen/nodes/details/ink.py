@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from artgen.asset.outline import Outline
 from artgen.nodes.contours import arc_points, outline_of, side_normals, signed_area
 from artgen.nodes.details.pen import Mark, steps_of
+from artgen.rings import predecessors
 
 Array = NDArray[np.float64]
 
@@ -59,7 +60,7 @@ def _touched(mark: Mark, width: float) -> list[Array]:
 
 def _turns(points: Array) -> Array:
     leaving = side_normals(points)
-    arriving = np.roll(leaving, 1, axis=0)
+    arriving = predecessors(leaving)
     cross = arriving[:, 0] * leaving[:, 1] - arriving[:, 1] * leaving[:, 0]
     return np.asarray(np.arctan2(cross, np.einsum("ij,ij->i", arriving, leaving)))
 
@@ -75,7 +76,7 @@ def _band(points: Array, width: float) -> list[Array]:
     if signed_area(points) < 0.0:
         points = points[::-1]
     normals = side_normals(points)
-    outward = _across(np.roll(normals, 1, axis=0), normals) * (width / 2.0)
+    outward = _across(predecessors(normals), normals) * (width / 2.0)
     return [points + outward, (points - outward)[::-1]]
 
 

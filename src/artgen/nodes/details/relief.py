@@ -17,6 +17,7 @@ from artgen.nodes.covers import around_extrusion, lazily
 from artgen.nodes.details.prisms import prisms
 from artgen.nodes.handles import Array3, Body, Profile, Scalar, Solid, Vector, VectorLike
 from artgen.nodes.surfaces import extrusion, mitres
+from artgen.rings import successors
 
 Array = NDArray[np.float64]
 
@@ -58,8 +59,8 @@ def _allows(contours: Sequence[Contour], bevel: float) -> bool:
     rings = []
     for contour in contours:
         inward = mitres(contour)
-        sides = np.roll(contour.points, -1, axis=0) - contour.points
-        shortening = bevel * ((np.roll(inward, -1, axis=0) - inward) * sides).sum(axis=1)
+        sides = successors(contour.points) - contour.points
+        shortening = bevel * ((successors(inward) - inward) * sides).sum(axis=1)
         if (shortening >= (sides * sides).sum(axis=1)).any():
             return False
         # in millimetres: the rounding of polygons in metres would count as an overlap

@@ -14,6 +14,7 @@ from artgen.nodes.contours import circle_contour, moved_outline, reversed_contou
 from artgen.nodes.extrude import extrude
 from artgen.nodes.handles import Profile, Scalar, Solid
 from artgen.nodes.profile import _slot
+from artgen.rings import successors
 
 Array = NDArray[np.float64]
 
@@ -41,7 +42,7 @@ def _inside(points: Array, rings: list[Array]) -> NDArray[np.bool_]:
     """Tell which points lie in a region, shape (n,)."""
     inside = np.zeros(len(points), bool)
     for ring in rings:
-        ends = np.roll(ring, -1, axis=0)
+        ends = successors(ring)
         above = ring[:, 1] > points[:, 1, None]
         crosses = above != (ends[:, 1] > points[:, 1, None])
         drop = np.where(ring[:, 1] == ends[:, 1], 1.0, ends[:, 1] - ring[:, 1])
