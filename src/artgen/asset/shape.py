@@ -26,6 +26,7 @@ Indices = NDArray[np.int64]
 _GRAIN = 1e12  # steps per metre: hides the last digit, in which the sines of different machines differ
 _NEEDLE = 1e-9  # height of a triangle [m]
 _RIGID = 1e-12  # what a rotation may miss orthogonality by
+_UNTURNED = np.eye(3)
 
 
 @dataclass(frozen=True, eq=False)
@@ -161,7 +162,7 @@ class Shape:
     def transformed(self, matrix: Array) -> "Shape":
         """Return the shape moved by an affine matrix, shape (4, 4)."""
         linear = matrix[:3, :3]
-        if np.abs(linear @ linear.T - np.eye(3)).max() < _RIGID:
+        if np.abs(linear @ linear.T - _UNTURNED).max() < _RIGID:
             return MovedShape(self, matrix)
         return Shape(
             moved_manifold(self.manifold, matrix), self.pieces.transformed(matrix), self.paints
@@ -383,9 +384,9 @@ def _has_needles(points: Array, triangles: Indices) -> bool:
         ValueError: They are not finite or enclose no positive volume.
     """
     near = points - points[0]
-    a, b, c = np.moveaxis(near[triangles], 1, 0)
+    a, b, c = near.take(triangles.T, axis=0)
     across = cross(b - a, c - a)
-    _check_volume(float(np.einsum("ij,ij->", a, across)) / 6.0)
+    _check_volume(float(np.vdot(a, across)) / 6.0)
     area = np.einsum("ij,ij->i", across, across)
     if area.min() > _NEEDLE**2 * 12.0 * np.abs(near).max() ** 2:  # no side is longer than that
         return False

@@ -3,7 +3,7 @@
 import typing
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cache, lru_cache
+from functools import cache, lru_cache, partial
 from types import NoneType
 from typing import Any, ClassVar, NoReturn, Self
 
@@ -338,17 +338,36 @@ def decode(value: Any, hint: Any) -> Any:
     """Turn the literal of a node's input into the value that its kernel takes."""
     if type(value) is Data:
         return value.value
-    for option in alternatives(hint):
-        if option in Handle.HANDLES and value is not None:
-            return Handle.HANDLES[option].decode(value)
-        if typing.get_origin(option) is tuple and isinstance(value, tuple):
-            members = typing.get_args(option)
-            if len(members) == 2 and members[1] is Ellipsis:
-                return tuple(decode(item, members[0]) for item in value)
-            return tuple(decode(item, member) for item, member in zip(value, members, strict=True))
-        if option in LITERAL_TYPES and isinstance(value, dict):
-            return LITERAL_TYPES[option].decode(value["$" + LITERAL_TYPES[option].tag])
+    for applies, decoded in _decoders(hint):
+        if applies(value):
+            return decoded(value)
     return value
+
+
+@cache
+def _decoders(hint: Any) -> tuple[tuple[Callable[[Any], bool], Callable[[Any], Any]], ...]:
+    """Return for the literals of a type which of them are decoded, and how."""
+    found: list[tuple[Callable[[Any], bool], Callable[[Any], Any]]] = []
+    for option in alternatives(hint):
+        if option in Handle.HANDLES:
+            found.append((lambda value: value is not None, Handle.HANDLES[option].decode))
+        elif typing.get_origin(option) is tuple:
+            members = typing.get_args(option)
+            found.append((lambda value: isinstance(value, tuple), partial(_decode_tuple, members)))
+        elif option in LITERAL_TYPES:
+            found.append((lambda value: isinstance(value, dict), partial(_decode_literal, option)))
+    return tuple(found)
+
+
+def _decode_tuple(members: tuple[Any, ...], value: tuple[Any, ...]) -> tuple[Any, ...]:
+    if len(members) == 2 and members[1] is Ellipsis:
+        return tuple(decode(item, members[0]) for item in value)
+    return tuple(decode(item, member) for item, member in zip(value, members, strict=True))
+
+
+def _decode_literal(kind: type, value: Mapping[str, Any]) -> Any:
+    known = LITERAL_TYPES[kind]
+    return known.decode(value["$" + known.tag])
 
 
 def handle_type(name: str) -> type[Handle]:

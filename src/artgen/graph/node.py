@@ -2,7 +2,7 @@
 
 import hashlib
 import sys
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cache
 from types import FrameType, MappingProxyType
@@ -32,7 +32,7 @@ class Node:
     key: str = field(init=False)
     varies: bool = field(init=False)
     children: tuple["Node", ...] = field(init=False)
-    _spelling: Sequence[str] = field(init=False)  # what stands before, between and after its children's keys
+    _spelling: str = field(init=False)  # with %s where the keys of its children stand
 
     def __post_init__(self) -> None:
         """Compute the key from the inputs' keys."""
@@ -52,17 +52,17 @@ class Node:
         own["inputs"] = MappingProxyType(frozen)
         own["children"] = children = tuple([part for part in spelling if type(part) is Node])
         own["varies"] = self.op == PARAMETER or any(node.varies for node in children)
-        own["_spelling"] = _between(spelling)
-        own["key"] = self._digest([node.key for node in children])
+        own["_spelling"] = "\0".join(
+            [part.replace("%", "%%") if isinstance(part, str) else "$%s" for part in spelling]
+        )
+        own["key"] = self._digest(tuple([node.key for node in children]))
 
     def digest(self, keys: Mapping[str, str]) -> str:
         """Hash the operation, its literals, and what stands in `keys` for the keys of its children."""
-        return self._digest([keys[child.key] for child in self.children])
+        return self._digest(tuple([keys[child.key] for child in self.children]))
 
-    def _digest(self, keys: list[str]) -> str:
-        first, *rest = self._spelling
-        text = "".join([first, *[part for pair in zip(keys, rest, strict=True) for part in pair]])
-        return hashlib.blake2b(text.encode(), digest_size=12).hexdigest()
+    def _digest(self, keys: tuple[str, ...]) -> str:
+        return hashlib.blake2b((self._spelling % keys).encode(), digest_size=12).hexdigest()
 
     def __repr__(self) -> str:
         """Name the operation and its place, but not what lies below: that may be thousands of nodes."""
@@ -91,18 +91,6 @@ class Data(dict[str, Any]):
     def __reduce__(self) -> tuple[Any, ...]:
         """Make it anew when it is pickled or copied."""
         return Data, (dict(self), self.value)
-
-
-def _between(spelling: Iterable["str | Node"]) -> list[str]:
-    """Join the words of a spelling that stand before, between and after its nodes."""
-    runs, words = [], []
-    for part in spelling:
-        if isinstance(part, str):
-            words.append(part)
-        else:
-            runs.append("\0".join([*words, "$"]))
-            words = [""]
-    return [*runs, "\0".join(words)]
 
 
 def _frozen(value: Any) -> Any:

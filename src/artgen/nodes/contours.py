@@ -198,6 +198,9 @@ def moved_outline(outline: Outline, matrix: Array, offset: Array) -> Outline:
     Raises:
         ValueError: The matrix flattens the outline.
     """
+    scale = float(matrix[0, 0])
+    if scale > 0.0 and matrix.tolist() == [[scale, 0.0], [0.0, scale]]:  # most are not turned
+        return _placed(outline, scale, offset)
     determinant = float(np.linalg.det(matrix))
     if abs(determinant) < 1e-12:
         raise ValueError("the profile would be flattened: no scale may be 0")
@@ -219,6 +222,16 @@ def moved_outline(outline: Outline, matrix: Array, offset: Array) -> Outline:
 
     convex = outline.convex and tuple(moved_polygon(polygon) for polygon in outline.convex)
     return Outline(tuple(moved(contour) for contour in outline.contours), convex)
+
+
+def _placed(outline: Outline, scale: float, offset: Array) -> Outline:
+    """Return the outline with each point p at scale * p + offset: its normals stay."""
+    contours = tuple(
+        Contour(contour.points * scale + offset, contour.normals_in, contour.normals_out)
+        for contour in outline.contours
+    )
+    convex = outline.convex and tuple(polygon * scale + offset for polygon in outline.convex)
+    return Outline(contours, convex)
 
 
 def refined(outline: Outline, longest: float) -> Outline:

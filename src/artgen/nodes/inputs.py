@@ -11,6 +11,7 @@ from artgen.colliders.triangles import cross
 Array = NDArray[np.float64]
 
 _SHARP = 1e-6  # [m]
+_STILL = np.eye(4)  # each call of it takes as long as three copies
 
 
 def positive(name: str, value: float, unit: str = "m") -> float:
@@ -126,7 +127,7 @@ def frame_is_mirrored(rotation: Array) -> bool:
 
 def pose(rotation: Array, origin: Any = (0.0, 0.0, 0.0)) -> Array:
     """Return the affine matrix, shape (4, 4), of a linear part (3, 3) and an origin (3,)."""
-    matrix = np.eye(4)
+    matrix = _STILL.copy()
     matrix[:3, :3] = rotation
     matrix[:3, 3] = origin
     return matrix
