@@ -21,7 +21,6 @@ from artgen import (
     details,
     material,
     max_,
-    min_,
     require,
     shades,
     uniform,
@@ -256,7 +255,7 @@ def soap_dispenser(
     if style == "bottle":
         return body
     out = max_(width / 2.0 + 0.016, reach + 0.010)
-    # the ring of a clear one is below the level of the soap
-    ring_at = TRAY + (min_(0.42, fill - 0.06) if is_clear else 0.42) * height
+    # below what is printed, and below the level of the soap
+    ring_at = TRAY + (0.13 if shape == "apothecary" else 0.22) * height
     hung = holder(width / 2.0, out, ring_at, coloured("powder_coat", "black") if not is_metal else pump)
     return weld(body.at(0.0, 0.0, TRAY - 0.0002), weld(hung, tile(0.11, wall)).at(0.0, out, 0.0))

@@ -93,7 +93,7 @@ _EDGE = 0.0035  # chamfer of the foot of a blown bottle [m]
 _BLOWN: dict[str, tuple[list[Drawn], float]] = {
     # corners of the same in glass, above the foot, and the radius that rounds them; straight slopes need few
     # colliders
-    "round": ([(1.0, 1.0, -0.14)], 0.0045),
+    "round": ([(1.0, 1.0, -0.14)], 0.0040),
     "apothecary": ([(1.0, 1.0, -0.60)], 0.0095),
     "cone": ([(0.56, 1.0, -0.16)], 0.0040),
     "bell": ([(0.84, 1.0, -0.42)], 0.0090),
