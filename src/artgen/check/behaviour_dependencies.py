@@ -172,7 +172,7 @@ class _Push:
         for _ in range(round(_PUSH_TIME / simulation.step_time)):
             held.step()
             grown = min(1.0, float(simulation.data.time) / _RAMP_TIME)
-            simulation.data.qfrc_applied[self.motion.speeds[0]] = way * grown * self._force
+            simulation.applied[self.motion.dof] = way * grown * self._force
             simulation.step()
             position = min(max(float(simulation.data.qpos[at]), low), high)
             furthest = max(furthest, sense * (position - start))

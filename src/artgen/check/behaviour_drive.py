@@ -58,7 +58,7 @@ class Servo:
         load = simulation.load(motion)
         change, self._load = change + self._load - load, load
         self.force = self._bounded(self.force + change)
-        simulation.data.qfrc_applied[motion.speeds[0]] = self.force
+        simulation.applied[motion.dof] = self.force
 
     def _growth(self, speed: float) -> float:
         """Return by how much the force grows in a time step while nothing moves [N m or N].

@@ -38,6 +38,8 @@ class Simulation:
         data: MuJoCo's state.
         motions: The free joints by name.
         doing: What is being tried, for messages.
+        step_time: Length of a time step [s].
+        applied: Forces that act in the next time step, shape (nv,) [N m or N].
         warnings: What MuJoCo has warned of since `collected_warnings` began.
     """
 
@@ -50,16 +52,17 @@ class Simulation:
         self.motions = motions_of(asset, model)
         self._step = mujoco.mj_step
         self._mujoco = mujoco
+        self.step_time = float(model.opt.timestep)
+        # views of the state, which stay: asking for them takes as long as a small asset's time step
+        self._qpos, self._qvel = self.data.qpos, self.data.qvel
+        self._passive, self._bias = self.data.qfrc_passive, self.data.qfrc_bias
+        self.applied = self.data.qfrc_applied
+        self._warned = self.data.warning.number
         self._followers = _Followers.of(self.motions)
         self._watching = True
         self._noticed = 0
         self._findings: dict[tuple[str, str], Finding] = {}
         self._start: dict[str, float] = {}
-
-    @property
-    def step_time(self) -> float:
-        """Length of a time step [s]."""
-        return float(self.model.opt.timestep)
 
     def begin(self, q: Mapping[str, float], doing: str, *, jammed: bool = False) -> None:
         """Put all at rest at positions of free joints; those not given are closed.
@@ -83,13 +86,16 @@ class Simulation:
             UnstableError: The state is no longer finite.
         """
         self._step(self.model, self.data)
-        if len(self.warnings) > self._noticed or self.data.warning.number.any():
+        if len(self.warnings) > self._noticed or self._warned.any():
             self._notice_warnings()
         followers = self._followers
         if followers.names and self._watching:
-            qpos = self.data.qpos
+            qpos = self._qpos
             off = np.abs(qpos[followers.at] - followers.ratios * qpos[followers.leaders] - followers.offsets)
             beyond = off > followers.allowed
+            if not beyond.any():
+                followers.lasting[:] = 0.0
+                return
             followers.lasting = np.where(beyond, followers.lasting + self.step_time, 0.0)
             loose = beyond & ((followers.lasting >= _BRIEF) | (off > _BLOW * followers.allowed))
             worse = loose & (off > followers.worst)
@@ -99,11 +105,11 @@ class Simulation:
 
     def position(self, motion: Motion) -> float:
         """Return where a free joint stands [rad or m]."""
-        return float(self.data.qpos[motion.positions[0]])
+        return float(self._qpos[motion.at])
 
     def speed(self, motion: Motion) -> float:
         """Return how fast a free joint moves [rad/s or m/s]."""
-        return float(self.data.qvel[motion.speeds[0]])
+        return float(self._qvel[motion.dof])
 
     def pose(self) -> dict[str, float]:
         """Return where the free joints stand [rad or m]."""
@@ -124,8 +130,9 @@ class Simulation:
 
     def load(self, motion: Motion) -> float:
         """Return the force of gravity, springs and damping at a free joint, without friction [N m or N]."""
-        data = self.data
-        return float(motion.ratios @ (data.qfrc_passive - data.qfrc_bias)[motion.speeds])
+        if len(motion.members) == 1:
+            return float(self._passive[motion.dof] - self._bias[motion.dof])
+        return float(motion.ratios @ (self._passive - self._bias)[motion.speeds])
 
     def weight(self, motion: Motion) -> float:
         """Return the force of gravity alone at a free joint that is at rest [N m or N]."""
@@ -223,7 +230,7 @@ class Simulation:
                     hint="look for parts that overlap there, or for a mass or an armature that is too small",
                 ),
             )
-        number = self.data.warning.number
+        number = self._warned
         kinds = self._mujoco.mjtWarning
         bad = (kinds.mjWARN_BADQPOS, kinds.mjWARN_BADQVEL, kinds.mjWARN_BADQACC)
         if any(number[int(kind)] for kind in bad):

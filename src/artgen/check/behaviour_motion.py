@@ -43,6 +43,16 @@ class Motion:
         """Name of the free joint."""
         return self.joint.name
 
+    @cached_property
+    def at(self) -> int:
+        """Index of the free joint in MuJoCo's positions."""
+        return int(self.positions[0])
+
+    @cached_property
+    def dof(self) -> int:
+        """Index of the free joint in MuJoCo's velocities and forces."""
+        return int(self.speeds[0])
+
     @property
     def limits(self) -> tuple[float, float]:
         """The range to be looked at: without limits, a full turn or a metre [rad or m]."""
@@ -50,7 +60,7 @@ class Motion:
             return self.joint.limits
         return (0.0, 2.0 * math.pi if self.joint.kind == "revolute" else _TRAVEL)
 
-    @property
+    @cached_property
     def range(self) -> float:
         """Length of the range to be looked at [rad or m]."""
         low, high = self.limits
