@@ -39,7 +39,7 @@ THICK: dict[BurnerKind, float] = {"gas": 0.007, "radiant": 0.0045, "coil": 0.014
 _LAP = 0.016  # how far the plate laps over the worktop at the sides [m]
 _LAP_BACK = 0.012
 _WALL = 0.003  # of the hollow case of a gas cooktop [m]
-_SHEET = {"gas": 1100.0, "coil": 560.0}  # pressed sheet of 0.8-1.0 mm, drawn so thick [kg/m3]
+_SHEET = {"gas": 1100.0, "coil": 600.0}  # pressed sheet of 0.8-1.0 mm, drawn so thick [kg/m3]
 _GLASS = 2050.0  # 6 mm of tempered glass, drawn 7 mm thick [kg/m3]
 _CASE = {"gas": 1250.0, "radiant": 230.0, "coil": 210.0, "induction": 290.0}
 """What cases weigh by their volume: walls of 0.8 mm sheet, heaters in wool, coils with their electronics."""

@@ -167,7 +167,7 @@ def tap_joints(push: Push, *, friction: Scalar) -> tuple[Joint, Joint]:
         limits=(0.0, push.travel),
         stiffness=stiffness,
         rest=-preload / stiffness,
-        damping=4.0,
+        damping=20.0,  # of grease: with less the disc strikes the plate on its way out, and turns
         friction=0.4,
         armature=0.05,  # spindle and spring; without it solvers let so light a part through its limit
         effort=30.0,
