@@ -204,10 +204,10 @@ def test_generate_as_a_process_without_a_warning(tmp_path: Path) -> None:
 
 
 def test_generate_takes_the_size_of_the_maps(artgen_command, tmp_path) -> None:
-    few = artgen_command("generate", "handle", "--no-certify", "--format", "mjcf", "--textures", "0")
+    few = artgen_command("generate", "handle", "--no-certify", "--format", "mjcf", "--textures", "none")
     assert few.code == 0
     assert not list(tmp_path.rglob("*.png"))
-    wrong = artgen_command("generate", "handle", "--no-certify", "--textures", "300", "--out", "other")
+    wrong = artgen_command("generate", "handle", "--no-certify", "--texture-size", "300", "--out", "other")
     assert wrong.code == 2
     assert wrong.err == "error: textures have 256, 512, 1024, 2048 texels on a side, not 300\n"
     assert not (tmp_path / "other").exists()

@@ -22,7 +22,7 @@ def record(directory: Path) -> dict[str, object]:
 @pytest.mark.parametrize("layout", LAYOUTS)
 def test_an_export_is_written_again_in_every_layout(artgen_command, exported, tmp_path, layout):
     done = artgen_command(
-        "export", str(exported), "--layout", layout, "--textures", "256", "--out", str(tmp_path / "x")
+        "export", str(exported), "--layout", layout, "--texture-size", "256", "--out", str(tmp_path / "x")
     )
     assert done.code == 0, done.err
     data = record(tmp_path / "x")
@@ -35,7 +35,7 @@ def test_an_export_is_written_again_in_every_layout(artgen_command, exported, tm
 
 
 def test_the_flat_layout_again_says_the_same(artgen_command, exported, tmp_path):
-    done = artgen_command("export", str(exported), "--textures", "256", "--out", str(tmp_path / "x"))
+    done = artgen_command("export", str(exported), "--texture-size", "256", "--out", str(tmp_path / "x"))
     assert done.code == 0, done.err
     before, after = (record(directory) for directory in (exported, tmp_path / "x"))
     assert after["formats"] == before["formats"]
@@ -44,7 +44,7 @@ def test_the_flat_layout_again_says_the_same(artgen_command, exported, tmp_path)
 
 def test_formats_are_chosen(artgen_command, exported, tmp_path):
     done = artgen_command(
-        "export", str(exported), "--format", "glb,mjcf", "--textures", "0", "--out", str(tmp_path / "x")
+        "export", str(exported), "--format", "glb,mjcf", "--texture-size", "0", "--out", str(tmp_path / "x")
     )
     assert done.code == 0, done.err
     assert list(record(tmp_path / "x")["formats"]) == ["glb", "mjcf"]
@@ -57,7 +57,7 @@ def test_formats_are_chosen(artgen_command, exported, tmp_path):
         (["--format", "usdz"], "there is no format 'usdz'. Did you mean 'usd'?"),
         (["--layout", "simready", "--format", "urdf"], "the layout 'simready' has no 'urdf'; it holds usd"),
         (["--format", ","], "names no format; choose of urdf, mjcf, usd, glb"),
-        (["--textures", "300"], "300"),
+        (["--texture-size", "300"], "300"),
     ],
 )
 def test_wrong_input_is_one_line_and_writes_nothing(artgen_command, exported, tmp_path, arguments, message):

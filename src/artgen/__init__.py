@@ -11,6 +11,7 @@ from artgen import catalog
 from artgen.asset import Asset
 from artgen.asset.certificate import Certificate
 from artgen.catalog import generate
+from artgen.dataset import Dataset, stream
 from artgen.errors import (
     ArtgenError,
     AssetError,
@@ -111,6 +112,7 @@ __all__ = [
     "ClientError",
     "Condition",
     "Coupling",
+    "Dataset",
     "Dependency",
     "Distribution",
     "Evaluation",
@@ -223,6 +225,7 @@ __all__ = [
     "spline",
     "split",
     "sqrt",
+    "stream",
     "sweep",
     "switch",
     "tan",

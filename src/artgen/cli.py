@@ -2,28 +2,23 @@
 
 import sys
 from collections.abc import Sequence
-from pathlib import Path
-from typing import Annotated, Literal, NoReturn
+from typing import Annotated, NoReturn
 
 import typer
 from rich.console import Console
 from rich.table import Table
 
-from artgen.asset.files import main_files
 from artgen.catalog import categories, find
 from artgen.commands.certify import certify as certify_category
 from artgen.commands.clients import clients
 from artgen.commands.colliders import colliders
-from artgen.commands.export import check_formats, export
+from artgen.commands.export import export
+from artgen.commands.generate import generate
 from artgen.commands.render import render
 from artgen.commands.sheet import sheet
 from artgen.commands.validate import validate
 from artgen.errors import ArtgenError, CheckError
-from artgen.export import DEFAULT_FORMATS, FORMATS, LAYOUTS, TEXTURES
-from artgen.export.collision import Collision
-from artgen.generator import Fixed, OnCollision, Parameter
-from artgen.materials.textures import check_size
-from artgen.overrides import parse_overrides
+from artgen.generator import Fixed, Parameter
 from artgen.version import __version__
 
 _FAULT = 1  # exit code
@@ -108,94 +103,12 @@ def show_params(
     _console().print(table)
 
 
-@app.command()
-def generate(
-    category: Annotated[str, typer.Argument(help="Name of a category; `artgen list` shows them.")],
-    *,
-    seed: Annotated[int, typer.Option(help="Decides every draw: the same seed, the same bytes.")] = 0,
-    overrides: Annotated[
-        list[str] | None,
-        typer.Option(
-            "--set",
-            metavar="NAME=VALUE",
-            help="A value or distribution for a parameter: width=0.9, hand=left, 'width=uniform(0.8, 0.9)'. "
-            "May be given several times.",
-        ),
-    ] = None,
-    formats: Annotated[
-        str | None,
-        typer.Option(
-            "--format",
-            metavar="NAMES",
-            help=f"What to write, of {', '.join(FORMATS)}; by default {', '.join(DEFAULT_FORMATS)}, or what "
-            "the layout has of it.",
-        ),
-    ] = None,
-    layout: Annotated[
-        str, typer.Option(metavar="NAME", help=f"How the files lie: {', '.join(LAYOUTS)}.")
-    ] = "flat",
-    out: Annotated[
-        Path | None, typer.Option(metavar="DIRECTORY", help="Where to; ./<name of the asset> by default.")
-    ] = None,
-    base: Annotated[
-        Literal["fixed", "free"], typer.Option(help="Whether the asset is fixed to the world.")
-    ] = "fixed",
-    name: Annotated[str, typer.Option(help="Name of the asset; category and seed by default.")] = "",
-    collision: Annotated[
-        Collision,
-        typer.Option(help="Colliders: those known from how solids were made, CoACD's, or convex hulls."),
-    ] = "exact",
-    textures: Annotated[
-        int, typer.Option(metavar="TEXELS", help="Texels on a side of the maps; 0 for colours alone.")
-    ] = TEXTURES,
-    certify: Annotated[
-        bool, typer.Option(help="Prove that no two links collide anywhere in the joint ranges.")
-    ] = True,
-    tolerance: Annotated[
-        float, typer.Option(metavar="METRES", help="Clearance between links that has to be proven.")
-    ] = 0.0,
-    on_collision: Annotated[
-        OnCollision,
-        typer.Option(help="If that is not proven: draw another sample, fail, or keep the asset."),
-    ] = "redraw",
-) -> None:
-    """Generate an asset and print the paths of what was written."""
-    chosen = check_formats(layout, formats)
-    if textures != 0:
-        check_size(textures)
-    found = find(category)
-    asset, _ = found.evaluate(
-        seed,
-        name=name,
-        base=base,
-        certify=certify,
-        tolerance=tolerance,
-        on_collision=on_collision,
-        overrides=parse_overrides(overrides or ()),
-    )
-    if asset.certificate is not None and not asset.certificate.proven:
-        typer.echo(f"warning: {' '.join(str(asset.certificate).split())}", err=True)
-    directory = asset.export(
-        Path(asset.name) if out is None else out,
-        formats=chosen,
-        collision=collision,
-        textures=textures,
-        layout=layout,
-    )
-    if collision != "exact" and asset.certificate is not None:
-        typer.echo(
-            f"note: the certificate is of the exact colliders; the export with {collision!r} has none",
-            err=True,
-        )
-    for path in main_files(directory).values():
-        typer.echo(path)
-
-
 app.command(name="certify")(certify_category)
 app.command()(validate)
 app.command()(clients)
 app.command()(colliders)
 app.command()(export)
+app.command()(generate)
 app.command()(render)
 app.command()(sheet)
 

@@ -33,7 +33,7 @@ def export(
             help=f"What to write, of {', '.join(FORMATS)}; by default what is usual in the layout.",
         ),
     ] = None,
-    textures: Annotated[
+    texture_size: Annotated[
         int, typer.Option(metavar="TEXELS", help="Texels on a side of the maps; 0 for colours alone.")
     ] = TEXTURES,
     out: Annotated[
@@ -43,8 +43,8 @@ def export(
 ) -> None:
     """Export an asset again in another layout, and print the paths of its main files."""
     chosen = check_formats(layout, formats)
-    if textures != 0:
-        check_size(textures)
+    if texture_size != 0:
+        check_size(texture_size)
     asset = Asset.load(directory)
     target = Path(f"{asset.name}_{layout.replace('-', '_')}") if out is None else out
     source = directory.parent if directory.suffix == ".json" else directory  # as `Asset.load` takes it
@@ -52,7 +52,7 @@ def export(
         raise ExportError(
             f"cannot export {source} to itself: its surfaces are read from there; choose another --out"
         )
-    written = asset.export(target, formats=chosen, textures=textures, layout=layout)
+    written = asset.export(target, formats=chosen, textures=texture_size, layout=layout)
     for path in main_files(written).values():
         typer.echo(path)
 

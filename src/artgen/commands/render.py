@@ -46,7 +46,7 @@ def render(
     show: Annotated[
         Literal["color", "links", "labels", "depth", "normals"], typer.Option(help="What the pixels tell.")
     ] = "color",
-    textures: Annotated[
+    texture_size: Annotated[
         int, typer.Option(metavar="TEXELS", help="Texels on a side of the maps; 0 for plain colours.")
     ] = 512,
     samples: Annotated[int, typer.Option(help="How finely shadows and edges are drawn.")] = 32,
@@ -64,7 +64,7 @@ def render(
     asset = _asset(source, seed, overrides or [])
     q = opened(asset, opening) | _positions(positions or [])
     picture = asset.render(
-        q, camera=view, size=pixels, studio=studio, backend=backend, textures=textures, samples=samples
+        q, camera=view, size=pixels, studio=studio, backend=backend, textures=texture_size, samples=samples
     )
     path = Path(f"{asset.name}.png") if out is None else out
     typer.echo(save_image(_shown(picture, show), path))

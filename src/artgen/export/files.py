@@ -1,5 +1,6 @@
 """The only module that writes assets to a disk: all files of an asset at once, or none."""
 
+import hashlib
 import json
 import os
 import shutil
@@ -22,6 +23,7 @@ from artgen.materials.textures import check_size
 REPORT_FILE = "report.json"
 """What `artgen validate` says of an export, beside it; a new export makes it obsolete."""
 
+_NAME = 24  # characters of a digest that name a file in a store
 _OWN_FILES = (ASSET_FILE, CERTIFICATE_FILE, REPORT_FILE)
 
 
@@ -116,6 +118,42 @@ def encode(
     if asset.certificate is not None and asset.certificate.leaves is not None:
         files[CERTIFICATE_FILE] = json_text(asset.certificate.leaves).encode()
     return files
+
+
+def write_files(files: Mapping[str, bytes], directory: Path, store: Path | None = None) -> None:
+    """Write the files of an export to a new directory.
+
+    Args:
+        files: What `encode` returns.
+        directory: It must not exist.
+        store: Where maps of many assets are kept, named by their content: the asset gets hard links to them,
+            where the disk knows such, and else copies.
+
+    Raises:
+        OSError: The disk refuses.
+    """
+    for folder in sorted({path.rpartition("/")[0] for path in files}):
+        (directory / folder).mkdir(parents=True, exist_ok=True)
+    for path, content in files.items():
+        if store is not None and path.endswith(".png"):
+            _share(content, directory / path, store)
+        else:
+            (directory / path).write_bytes(content)
+
+
+def _share(content: bytes, path: Path, store: Path) -> None:
+    """Write a file as a link to the one with that content in a store, which gets it if it has none."""
+    kept = store / f"{hashlib.sha256(content).hexdigest()[:_NAME]}{path.suffix}"
+    if not kept.exists():
+        path.write_bytes(content)
+        with suppress(OSError):  # another process was faster, or the disk knows no links
+            os.link(path, kept)
+            return
+    try:
+        path.unlink(missing_ok=True)
+        os.link(kept, path)
+    except OSError:
+        path.write_bytes(content)
 
 
 def find_layout(name: str) -> Layout:

@@ -6,9 +6,9 @@ from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 from typing import Any
 
+from artgen.dataset.workers import run_tasks
 from artgen.errors import ExportError
 from artgen.survey.sample import measure
-from artgen.survey.workers import run_tasks
 
 Task = Callable[..., dict[str, Any]]
 

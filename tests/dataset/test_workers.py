@@ -3,7 +3,7 @@
 import os
 import time
 
-from artgen.survey.workers import run_tasks
+from artgen.dataset.workers import run_tasks
 
 
 def double(number: int) -> int:

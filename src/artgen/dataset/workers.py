@@ -1,13 +1,21 @@
 """Tasks in processes of their own, with a time limit: none of them can end a run."""
 
 import multiprocessing
+import os
+import signal
+import sys
+import threading
 import time
 import traceback
 from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from multiprocessing.connection import Connection, wait
 from multiprocessing.process import BaseProcess
+from types import ModuleType
 from typing import Any, Literal
+
+_START = 60.0  # that a process may take to start, beside its first task [s]
 
 State = Literal["done", "failed", "timed out", "crashed"]
 
@@ -80,15 +88,18 @@ class _Worker:
         self.pipe, other = context.Pipe()
         self._limit = limit
         self._process: BaseProcess = context.Process(target=_work, args=(task, other), daemon=True)
-        self._process.start()
+        with _unnamed_main():
+            self._process.start()
         other.close()
         self.give(item)
+        self.deadline += _START
 
     def give(self, item: Any) -> None:
         """Give it the next item."""
         self._item = item
         self.deadline = time.monotonic() + self._limit
-        self.pipe.send(item)
+        with suppress(OSError):  # it was killed since it answered: `ending` tells
+            self.pipe.send(item)
 
     def ending(self, *, readable: bool) -> Ending | None:
         """Return how its task ended; None if it has not."""
@@ -99,6 +110,9 @@ class _Worker:
                 self._process.join()
                 code = self._process.exitcode
                 return Ending(self._item, "crashed", message=f"its process ended with code {code}")
+            if state == "ready":
+                self.deadline = time.monotonic() + self._limit
+                return None
             if state == "done":
                 return Ending(self._item, "done", value)
             return Ending(self._item, "failed", message=value)
@@ -113,8 +127,25 @@ class _Worker:
         self.pipe.close()
 
 
+@contextmanager
+def _unnamed_main() -> Iterator[None]:
+    """Keep new processes from running the program of the user again, which may have no `__name__` guard.
+
+    They import the module of their task and need nothing else.
+    """
+    main = sys.modules["__main__"]
+    sys.modules["__main__"] = ModuleType("__main__")
+    try:
+        yield
+    finally:
+        sys.modules["__main__"] = main
+
+
 def _work(task: Callable[[Any], Any], pipe: Connection) -> None:
-    """Answer one item after another, until the other end is closed."""
+    """Answer one item after another, until the other end is closed or the process that gives them is gone."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the process that gives the items
+    threading.Thread(target=_end_with_parent, daemon=True).start()
+    pipe.send(("ready", None))
     while True:
         try:
             item = pipe.recv()
@@ -125,3 +156,11 @@ def _work(task: Callable[[Any], Any], pipe: Connection) -> None:
         except Exception:  # noqa: BLE001 - whatever a task raises is its answer
             answer = ("failed", traceback.format_exc())
         pipe.send(answer)
+
+
+def _end_with_parent() -> None:
+    """End this process once the one that started it was killed: its task may write where a new run does."""
+    parent = multiprocessing.parent_process()
+    if parent is not None:
+        parent.join()
+        os._exit(1)

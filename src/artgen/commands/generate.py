@@ -1,0 +1,209 @@
+"""`artgen generate`: one asset, or a dataset of many."""
+
+from pathlib import Path
+from typing import Annotated, Any, Literal
+
+import typer
+
+from artgen.asset.files import main_files
+from artgen.catalog import find
+from artgen.commands.export import check_formats
+from artgen.commands.progress import rate_bar
+from artgen.dataset import Plan, Summary, TextureMode, generate_many
+from artgen.dataset.folder import GO_ON
+from artgen.export import DEFAULT_FORMATS, FORMATS, LAYOUTS, TEXTURES
+from artgen.export.collision import Collision
+from artgen.generator import OnCollision
+from artgen.materials.textures import check_size
+from artgen.overrides import parse_overrides
+
+_FAULT = 1  # exit code
+_INTERRUPTED = 130  # exit code
+_SHOWN = 20  # failed seeds that are spelt out
+
+
+def generate(
+    categories: Annotated[
+        list[str],
+        typer.Argument(metavar="CATEGORY...", help="Names of categories; `artgen list` shows them."),
+    ],
+    *,
+    count: Annotated[
+        int | None,
+        typer.Option(
+            "--count",
+            "-n",
+            min=1,
+            help="Make a dataset of so many assets in --out, shared evenly among the categories; run again, "
+            "it goes on where it was interrupted. Without it, one asset is made.",
+        ),
+    ] = None,
+    seed: Annotated[
+        int,
+        typer.Option(help="Decides every draw: the same seed, the same bytes. The first one of a dataset."),
+    ] = 0,
+    overrides: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--set",
+            metavar="NAME=VALUE",
+            help="A value or distribution for a parameter: width=0.9, hand=left, 'width=uniform(0.8, 0.9)'; "
+            "door:width=0.9 for one category of several. May be given several times.",
+        ),
+    ] = None,
+    formats: Annotated[
+        str | None,
+        typer.Option(
+            "--format",
+            metavar="NAMES",
+            help=f"What to write, of {', '.join(FORMATS)}; by default {', '.join(DEFAULT_FORMATS)}, or what "
+            "the layout has of it.",
+        ),
+    ] = None,
+    layout: Annotated[
+        str, typer.Option(metavar="NAME", help=f"How the files lie: {', '.join(LAYOUTS)}.")
+    ] = "flat",
+    out: Annotated[
+        Path | None, typer.Option(metavar="DIRECTORY", help="Where to; ./<name of the asset> by default.")
+    ] = None,
+    jobs: Annotated[
+        int | None, typer.Option(min=1, help="How many processes make a dataset; all cores by default.")
+    ] = None,
+    base: Annotated[
+        Literal["fixed", "free"], typer.Option(help="Whether assets are fixed to the world.")
+    ] = "fixed",
+    name: Annotated[str, typer.Option(help="Name of the asset; category and seed by default.")] = "",
+    collision: Annotated[
+        Collision,
+        typer.Option(help="Colliders: those known from how solids were made, CoACD's, or convex hulls."),
+    ] = "exact",
+    textures: Annotated[
+        TextureMode | None,
+        typer.Option(
+            help="Where maps are kept: once for all assets of a dataset, with each asset, or nowhere, so "
+            "that colours alone are left. By default shared in a dataset."
+        ),
+    ] = None,
+    texture_size: Annotated[
+        int, typer.Option(metavar="TEXELS", help="Texels on a side of the maps.")
+    ] = TEXTURES,
+    certify: Annotated[
+        bool, typer.Option(help="Prove that no two links collide anywhere in the joint ranges.")
+    ] = True,
+    tolerance: Annotated[
+        float, typer.Option(metavar="METRES", help="Clearance between links that has to be proven.")
+    ] = 0.0,
+    on_collision: Annotated[
+        OnCollision,
+        typer.Option(help="If that is not proven: draw another sample, fail, or keep the asset."),
+    ] = "redraw",
+) -> None:
+    """Generate an asset and print the paths of what was written; with -n, a dataset of many."""
+    chosen = check_formats(layout, formats)
+    check_size(texture_size)
+    options: dict[str, Any] = {
+        "base": base,
+        "certify": certify,
+        "tolerance": tolerance,
+        "on_collision": on_collision,
+    }
+    if count is None:
+        _one(
+            categories,
+            seed,
+            name,
+            overrides or [],
+            out,
+            options,
+            {
+                "formats": chosen,
+                "collision": collision,
+                "layout": layout,
+                "textures": 0 if textures == "none" else texture_size,
+            },
+        )
+        return
+    if name:
+        raise typer.BadParameter("--name is for one asset; those of a dataset are named by category and seed")
+    if out is None:
+        raise typer.BadParameter("-n makes a dataset: say with --out DIRECTORY where to")
+    plan = Plan(
+        tuple(categories),
+        count,
+        seed,
+        tuple(overrides or ()),
+        formats=chosen,
+        layout=layout,
+        collision=collision,
+        textures=textures or "shared",
+        texture_size=texture_size,
+        **options,
+    )
+    _many(plan, out, jobs)
+
+
+def _one(
+    categories: list[str],
+    seed: int,
+    name: str,
+    overrides: list[str],
+    out: Path | None,
+    drawn: dict[str, Any],
+    written: dict[str, Any],
+) -> None:
+    """Generate one asset and print the paths of what was written."""
+    if len(categories) > 1:
+        raise typer.BadParameter(
+            f"one asset is of one category, not {', '.join(categories)}; say with -n how many"
+        )
+    asset, _ = find(categories[0]).evaluate(seed, name=name, overrides=parse_overrides(overrides), **drawn)
+    if asset.certificate is not None and not asset.certificate.proven:
+        typer.echo(f"warning: {' '.join(str(asset.certificate).split())}", err=True)
+    directory = asset.export(Path(asset.name) if out is None else out, **written)
+    if written["collision"] != "exact" and asset.certificate is not None:
+        typer.echo(
+            "note: the certificate is of the exact colliders; the export with "
+            f"{written['collision']!r} has none",
+            err=True,
+        )
+    for path in main_files(directory).values():
+        typer.echo(path)
+
+
+def _many(plan: Plan, out: Path, jobs: int | None) -> None:
+    """Generate a dataset, show how it goes on, and list what cannot be made.
+
+    Raises:
+        Exit: An asset cannot be made.
+    """
+    try:
+        with rate_bar() as bar:
+            task = bar.add_task(out.name, total=None, failed="")
+            failed = 0
+
+            def step(record: dict[str, Any]) -> None:
+                nonlocal failed
+                failed += record["state"] != "done"
+                bar.update(task, advance=1, failed=f"{failed} failed" if failed else "")
+
+            summary = generate_many(
+                plan, out, jobs=jobs, progress=step, begin=lambda left: bar.update(task, total=left)
+            )
+    except KeyboardInterrupt:
+        typer.echo(f"interrupted; {GO_ON}", err=True)
+        raise typer.Exit(_INTERRUPTED) from None
+    _tell(summary, out)
+    if summary.failed:
+        raise typer.Exit(_FAULT)
+
+
+def _tell(summary: Summary, out: Path) -> None:
+    """List what cannot be made on stderr, and say on stdout what there is."""
+    for record in summary.failed[:_SHOWN]:
+        typer.echo(f"{record['name']}: {record['error']}", err=True)
+    if len(summary.failed) > _SHOWN:
+        typer.echo(f"and {len(summary.failed) - _SHOWN} more: manifest.jsonl lists them", err=True)
+    each = f", {summary.seconds / summary.made:.2f} s each" if summary.made else ""
+    before = f", {summary.kept} were there" if summary.kept else ""
+    failed = f", {len(summary.failed)} cannot be made" if summary.failed else ""
+    typer.echo(f"made {summary.made} assets in {summary.seconds:.0f} s{each}{before}{failed}: {out}")

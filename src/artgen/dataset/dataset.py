@@ -1,0 +1,196 @@
+"""Reading a dataset back: assets are loaded when they are asked for."""
+
+import hashlib
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, overload
+
+from artgen.asset import Asset
+from artgen.dataset.folder import MANIFEST_FILE, read_manifest, read_plan
+from artgen.dataset.tables import rows
+from artgen.errors import ExportError, ParameterError, nearest
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+_SHARES = {"train": 0.8, "val": 0.1, "test": 0.1}
+
+
+class Dataset(Sequence[Asset]):
+    """The assets of a folder that `artgen generate -n` made, or some of them.
+
+        assets = artgen.Dataset("doors").filter("door", hand="left")
+        parts = assets.split()
+        for asset in parts["train"]: ...
+
+    Args:
+        directory: The folder. Assets whose run was interrupted are not in it.
+
+    Raises:
+        ExportError: It holds no dataset.
+
+    Attributes:
+        directory: The folder.
+        records: The line of each asset in the manifest, in order.
+    """
+
+    def __init__(self, directory: str | Path) -> None:
+        self.directory = Path(directory)
+        if read_plan(self.directory) is None or not (self.directory / MANIFEST_FILE).is_file():
+            raise ExportError(f"{directory} holds no dataset; `artgen generate CATEGORY -n 100` makes one")
+        self.records: tuple[Mapping[str, Any], ...] = tuple(
+            record for record in read_manifest(self.directory) if record["state"] == "done"
+        )
+
+    def __len__(self) -> int:
+        """Return how many assets there are."""
+        return len(self.records)
+
+    @overload
+    def __getitem__(self, index: int) -> Asset: ...
+
+    @overload
+    def __getitem__(self, index: slice) -> "Dataset": ...
+
+    def __getitem__(self, index: int | slice) -> "Asset | Dataset":
+        """Load an asset, or return the dataset of a slice.
+
+        Raises:
+            ExportError: Its files are gone or damaged.
+        """
+        if isinstance(index, slice):
+            return self._of(self.records[index])
+        return Asset.load(self._path(self.records[index]))
+
+    def __iter__(self) -> Iterator[Asset]:
+        """Load one asset after another."""
+        return map(Asset.load, self.paths())
+
+    def __repr__(self) -> str:
+        """Say how many assets of which categories there are."""
+        names = sorted({record["category"] for record in self.records})
+        return f"<{len(self)} assets of {', '.join(names) or 'no category'} in {self.directory}>"
+
+    def paths(self) -> list[Path]:
+        """Return the directory of each asset."""
+        return [self._path(record) for record in self.records]
+
+    def files(self, written: str) -> list[Path]:
+        """Return the main file of each asset in a format: `urdf`, `mjcf`, `usd` or `glb`.
+
+        Raises:
+            ExportError: They were not written in it.
+        """
+        known = self.records[0]["files"] if self.records else {written: ""}
+        if written not in known:
+            raise ExportError(f"{self.directory} has no {written!r}.{nearest(written, known)}")
+        return [self._path(record) / record["files"][written] for record in self.records]
+
+    def filter(
+        self,
+        category: str | Iterable[str] | None = None,
+        *,
+        joint: str | None = None,
+        where: Callable[[Mapping[str, Any]], bool] | None = None,
+        **parameters: Any,
+    ) -> "Dataset":
+        """Return the dataset of the assets that meet all conditions.
+
+        Args:
+            category: Name of their category, or several names.
+            joint: A kind of joint that they have: `revolute` or `prismatic`.
+            where: A function of an asset's line in the manifest.
+            **parameters: What was drawn: a value, several in a list or set, or a range as a tuple of its
+                lowest and highest value. An asset without such a parameter does not meet it.
+
+        Raises:
+            ParameterError: No asset here is of such a category, or has such a joint or parameter.
+        """
+        wanted = None if category is None else {category} if isinstance(category, str) else set(category)
+        self._refuse_unknown("category", wanted or (), (record["category"] for record in self.records))
+        kinds = {kind for record in self.records for kind in record["joints"].values()}
+        self._refuse_unknown("kind of joint", () if joint is None else (joint,), kinds)
+        known = {name for record in self.records for name in record["parameters"]}
+        dotted = {name.replace("__", "."): value for name, value in parameters.items()}
+        self._refuse_unknown("parameter", dotted, known)
+
+        def meets(record: Mapping[str, Any]) -> bool:
+            drawn = record["parameters"]
+            return (
+                (wanted is None or record["category"] in wanted)
+                and (joint is None or joint in record["joints"].values())
+                and (where is None or where(record))
+                and all(name in drawn and _matches(drawn[name], value) for name, value in dotted.items())
+            )
+
+        return self._of(tuple(record for record in self.records if meets(record)))
+
+    def split(self, **shares: float) -> dict[str, "Dataset"]:
+        """Divide the assets by seed, so that no seed is in two parts; by default 80, 10 and 10 %.
+
+        Assets of one seed share draws, such as materials, even across categories. Where a seed goes depends
+        on nothing else: a dataset that grows moves no asset from one part to another. The shares are met on
+        average.
+
+        Args:
+            **shares: Of each part by its name; together 1.
+
+        Raises:
+            ParameterError: They are not.
+        """
+        chosen = shares or _SHARES
+        if any(share < 0.0 for share in chosen.values()) or abs(sum(chosen.values()) - 1.0) > 1e-9:
+            raise ParameterError(f"the shares of the parts are together 1, not {sum(chosen.values()):g}")
+        parts: dict[str, list[Mapping[str, Any]]] = {name: [] for name in chosen}
+        for record in self.records:
+            parts[_part_of(record["seed"], chosen)].append(record)
+        return {name: self._of(tuple(records)) for name, records in parts.items()}
+
+    def to_pandas(self) -> "pd.DataFrame":
+        """Return a table with a row for each asset: what the manifest says of it, and its parameters.
+
+        Raises:
+            ExportError: pandas is missing.
+        """
+        try:
+            import pandas as pd
+        except ImportError as error:
+            raise ExportError("tables need pandas: pip install 'artgen[data]'") from error
+        table = rows(self.records)
+        cells = [{"category": name, **row} for name, each in table.items() for row in each]
+        place = {record["name"]: number for number, record in enumerate(self.records)}
+        return pd.DataFrame(sorted(cells, key=lambda row: place[row["name"]]))
+
+    def _of(self, records: tuple[Mapping[str, Any], ...]) -> "Dataset":
+        part = object.__new__(Dataset)
+        part.directory, part.records = self.directory, records
+        return part
+
+    def _path(self, record: Mapping[str, Any]) -> Path:
+        return self.directory / str(record["path"])
+
+    def _refuse_unknown(self, what: str, names: Iterable[str], known: Iterable[str]) -> None:
+        allowed = set(known)
+        for name in names:
+            if name not in allowed:
+                raise ParameterError(f"no asset here has the {what} {name!r}.{nearest(name, allowed)}")
+
+
+def _matches(drawn: Any, wanted: Any) -> bool:
+    if isinstance(wanted, tuple):
+        low, high = wanted
+        return isinstance(drawn, (int, float)) and bool(low <= drawn <= high)
+    if isinstance(wanted, (list, set, frozenset)):
+        return drawn in wanted
+    return bool(drawn == wanted)
+
+
+def _part_of(seed: int, shares: Mapping[str, float]) -> str:
+    """Return the part that a seed belongs to, the same everywhere."""
+    word = hashlib.blake2b(f"split {seed}".encode(), digest_size=8).digest()
+    left = int.from_bytes(word, "big") / 2.0**64
+    for name, share in shares.items():
+        left -= share
+        if left < 0.0:
+            return name
+    return [name for name, share in shares.items() if share > 0.0][-1]  # of rounding

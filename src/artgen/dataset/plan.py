@@ -1,0 +1,150 @@
+"""What a dataset is to hold: categories, seeds, and how assets are drawn and written."""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import asdict, dataclass
+from functools import cached_property
+from typing import Any, Literal, get_args
+
+from artgen.asset.asset import Base
+from artgen.catalog import find
+from artgen.errors import ParameterError
+from artgen.export.collision import Collision
+from artgen.export.files import chosen_formats, find_layout
+from artgen.export.formats import TEXTURES
+from artgen.generator import OnCollision
+from artgen.materials.textures import check_size
+from artgen.overrides import parse_overrides
+
+TextureMode = Literal["shared", "embedded", "none"]
+"""Where maps are kept: once for the whole dataset, with each asset, or nowhere."""
+
+_EVERY = ""  # the category of overrides that are for all
+
+
+@dataclass(frozen=True)
+class Item:
+    """One asset of a dataset.
+
+    Attributes:
+        category: Name of its category.
+        seed: Its seed.
+    """
+
+    category: str
+    seed: int
+
+    @property
+    def name(self) -> str:
+        """Name of the asset and of its directory."""
+        return f"{self.category}_{self.seed}"
+
+
+@dataclass(frozen=True)
+class Plan:
+    """What a dataset holds and how it is made; two runs with equal plans write the same bytes.
+
+    Attributes:
+        categories: Names of the categories, each once.
+        count: How many assets, shared evenly among the categories: the first one gets what is left over.
+        seed: The first seed of each category; the others follow it.
+        overrides: As in `NAME=VALUE` for all categories, or `CATEGORY:NAME=VALUE` for one.
+        base: Whether assets are fixed to the world.
+        certify: Whether each is proven free of collisions.
+        tolerance: Clearance between links that has to be proven [m].
+        on_collision: What to do if that is not proven.
+        formats: What is written of each.
+        layout: How its files lie.
+        collision: Which colliders it carries.
+        textures: Where its maps are kept.
+        texture_size: Texels on a side of them.
+    """
+
+    categories: tuple[str, ...]
+    count: int
+    seed: int = 0
+    overrides: tuple[str, ...] = ()
+    base: Base = "fixed"
+    certify: bool = True
+    tolerance: float = 0.0
+    on_collision: OnCollision = "redraw"
+    formats: tuple[str, ...] = ()
+    layout: str = "flat"
+    collision: Collision = "exact"
+    textures: TextureMode = "shared"
+    texture_size: int = TEXTURES
+
+    def __post_init__(self) -> None:
+        """Refuse what no run could do, before anything is written.
+
+        Raises:
+            ParameterError: A category, number or override is unknown or not allowed.
+            ExportError: A layout or format is.
+        """
+        if not self.categories:
+            raise ParameterError("a dataset needs at least one category")
+        twice = next((name for name in self.categories if self.categories.count(name) > 1), None)
+        if twice is not None:
+            raise ParameterError(f"the category {twice!r} is named twice; leave one of them out")
+        if self.count < 1:
+            raise ParameterError(f"a dataset holds at least one asset, not {self.count}")
+        if self.textures not in get_args(TextureMode):
+            raise ParameterError(f"textures are shared, embedded or none, not {self.textures!r}")
+        check_size(self.texture_size)
+        vars(self)["formats"] = chosen_formats(find_layout(self.layout), self.formats or None)
+        for name in self.categories:
+            find(name).sample(self.seed, overrides=self.overrides_of(name))
+
+    def items(self) -> Iterator[Item]:
+        """Yield its assets, the categories in turn: a longer plan begins with those of a shorter one."""
+        several = len(self.categories)
+        for number in range(self.count):
+            yield Item(self.categories[number % several], self.seed + number // several)
+
+    def overrides_of(self, category: str) -> dict[str, Any]:
+        """Return the overrides for a category, those for it alone before those for all.
+
+        Raises:
+            ParameterError: One cannot be read, or is for a category that the plan has not.
+        """
+        found = self._overrides
+        return found.get(_EVERY, {}) | found.get(category, {})
+
+    @cached_property
+    def _overrides(self) -> Mapping[str, dict[str, Any]]:
+        texts: dict[str, list[str]] = {}
+        for text in self.overrides:
+            before, colon, after = text.partition(":")
+            owner = before.strip() if colon and "=" not in before else _EVERY
+            if owner and owner not in self.categories:
+                raise ParameterError(
+                    f"the override {text!r} is for {owner!r}, of which there are none; there are "
+                    f"{', '.join(self.categories)}"
+                )
+            texts.setdefault(owner, []).append(after if owner else text)
+        return {owner: parse_overrides(each) for owner, each in texts.items()}
+
+    @property
+    def texels(self) -> int:
+        """Texels on a side of the maps; 0 where there are none."""
+        return 0 if self.textures == "none" else self.texture_size
+
+    def to_data(self) -> dict[str, Any]:
+        """Return the plan as JSON data."""
+        return {
+            name: list(value) if isinstance(value, tuple) else value for name, value in asdict(self).items()
+        }
+
+    @staticmethod
+    def from_data(data: Mapping[str, Any]) -> "Plan":
+        """Return the plan of JSON data.
+
+        Raises:
+            ParameterError: They are not those of a plan.
+        """
+        given: dict[str, Any] = {
+            name: tuple(value) if isinstance(value, list) else value for name, value in data.items()
+        }
+        try:
+            return Plan(**given)
+        except TypeError as error:
+            raise ParameterError(f"this is no plan of a dataset: {error}") from error

@@ -1,0 +1,42 @@
+"""The line of an asset in the manifest."""
+
+import hashlib
+import json
+from pathlib import Path
+from typing import Any
+
+from artgen.asset.files import ASSET_FILE
+
+_WORD = 16  # characters of a digest
+
+
+def record_of(directory: Path, folder: Path) -> dict[str, Any]:
+    """Return the line of an asset, from its `asset.json` alone.
+
+    Args:
+        directory: The asset's directory.
+        folder: The dataset's, which paths are relative to.
+    """
+    text = (directory / ASSET_FILE).read_bytes()
+    data = json.loads(text)
+    certificate = data["certificate"]
+    return {
+        "name": data["name"],
+        "category": data["category"],
+        "seed": data["seed"],
+        "state": "done",
+        "path": directory.relative_to(folder).as_posix(),
+        "files": {name: each["main"] for name, each in data["formats"].items()},
+        "attempt": data["attempt"],
+        "proven": None if certificate is None else certificate["proven"],
+        "mass": data["mass"],
+        "links": len(data["links"]),
+        "joints": {joint["name"]: joint["kind"] for joint in data["joints"]},
+        "parameters": data["parameters"],
+        "digest": hashlib.sha256(text).hexdigest()[:_WORD],
+    }
+
+
+def failure(name: str, category: str, seed: int, error: str) -> dict[str, Any]:
+    """Return the line of an asset that cannot be made."""
+    return {"name": name, "category": category, "seed": seed, "state": "failed", "error": error}

@@ -1,0 +1,90 @@
+"""Assets without end, generated on the fly for training."""
+
+import logging
+import sys
+from collections.abc import Iterable, Iterator
+from typing import Any
+
+from artgen.asset import Asset
+from artgen.catalog import find
+from artgen.errors import EvaluationError, InfeasibleError, ParameterError
+from artgen.generator.generator import checked_count
+
+_log = logging.getLogger("artgen")
+
+_OPTIONS = (
+    "name",
+    "base",
+    "cache",
+    "attempts",
+    "certify",
+    "tolerance",
+    "on_collision",
+)  # of `generate`, which are no parameters
+
+
+class Stream(Iterable[Asset]):
+    """Assets of some categories in turn, from seeds that follow one another; see `stream`.
+
+    Attributes:
+        categories: Their names.
+        seed: The first seed.
+        options: What `generate` takes, overrides included.
+    """
+
+    def __init__(self, categories: tuple[str, ...], seed: int, options: dict[str, Any]) -> None:
+        self.categories, self.seed, self.options = categories, seed, options
+
+    def __iter__(self) -> Iterator[Asset]:
+        """Yield assets without end; a worker of a PyTorch DataLoader its share of them."""
+        number, step = _share()
+        while True:
+            category = self.categories[number % len(self.categories)]
+            seed = self.seed + number // len(self.categories)
+            number += step
+            try:
+                yield find(category).generate(seed, **self.options)
+            except (InfeasibleError, EvaluationError) as error:
+                _log.warning("%s %d is left out: %s", category, seed, " ".join(str(error).split()))
+
+
+def stream(categories: str | Iterable[str], *, seed: int = 0, **options: Any) -> Stream:
+    """Return assets without end, generated when they are asked for.
+
+    It can be iterated again and begins anew then. In the workers of a PyTorch DataLoader, forked or spawned,
+    each generates its share; give it `batch_size=None`, or a `collate_fn`, as assets are no tensors. It is an
+    `IterableDataset` where torch was imported before.
+
+        loader = torch.utils.data.DataLoader(artgen.stream("door"), batch_size=None, num_workers=4)
+
+    Args:
+        categories: Name of a category, or several, which take turns.
+        seed: The first seed.
+        **options: What `artgen.generate` takes: values and distributions of parameters, `certify=False`, ...
+
+    Raises:
+        ParameterError: A category, the seed, an option or an override is unknown or not allowed.
+    """
+    names = (categories,) if isinstance(categories, str) else tuple(categories)
+    if not names:
+        raise ParameterError("a stream needs at least one category")
+    first = checked_count("seed", seed)
+    drawn = {name: value for name, value in options.items() if name not in _OPTIONS}
+    for name in names:
+        find(name).sample(first, overrides=drawn)
+    if "torch" in sys.modules:
+        from artgen.dataset.torch_stream import TorchStream
+
+        return TorchStream(names, first, options)
+    return Stream(names, first, options)
+
+
+def _share() -> tuple[int, int]:
+    """Return the first of the assets for this process, and from one to the next how many are others'."""
+    if "torch" in sys.modules:
+        from torch.utils.data import get_worker_info
+
+        worker = get_worker_info()
+        if worker is not None:
+            return worker.id, worker.num_workers
+    return 0, 1

@@ -1,0 +1,119 @@
+"""Reading datasets: lengths, slices, filters, splits and tables, of folders written by hand."""
+
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from artgen.dataset import Dataset, Plan
+from artgen.dataset.folder import MANIFEST_FILE, Folder
+from artgen.errors import ExportError, ParameterError
+
+
+def record(category: str, seed: int, **more: Any) -> dict[str, Any]:
+    return {
+        "name": f"{category}_{seed}",
+        "category": category,
+        "seed": seed,
+        "state": "done",
+        "path": f"{category}/{category}_{seed}",
+        "files": {"mjcf": f"{category}_{seed}.xml"},
+        "attempt": 0,
+        "proven": True,
+        "mass": 1.0 + seed,
+        "links": 2,
+        "joints": {"lid": "revolute" if category == "box" else "prismatic"},
+        "parameters": {"width": 0.01 * seed, "style": "round" if seed % 2 else "square"},
+        **more,
+    }
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    """A manifest of 40 assets, and of one that cannot be made."""
+    with Folder.opened(tmp_path / "set", Plan(("box", "drawer"), 41)):
+        pass
+    lines = [record(category, seed) for seed in range(20) for category in ("box", "drawer")]
+    lines.append({"name": "box_20", "category": "box", "seed": 20, "state": "failed", "error": "no room"})
+    text = "".join(json.dumps(line) + "\n" for line in lines)
+    (tmp_path / "set" / MANIFEST_FILE).write_text(text)
+    return tmp_path / "set"
+
+
+def test_only_what_was_made_is_in_it(folder: Path) -> None:
+    found = Dataset(folder)
+    assert len(found) == 40
+    assert repr(found) == f"<40 assets of box, drawer in {folder}>"
+    assert found.paths()[1] == folder / "drawer/drawer_0"
+    assert found.files("mjcf")[1] == folder / "drawer/drawer_0/drawer_0.xml"
+    assert [each["name"] for each in found[2:4].records] == ["box_1", "drawer_1"]
+    assert len(found[:0]) == 0
+
+
+def test_filters(folder: Path) -> None:
+    found = Dataset(folder)
+    assert {each["category"] for each in found.filter("box").records} == {"box"}
+    assert len(found.filter(["box", "drawer"])) == 40
+    assert found.filter(joint="prismatic").records == found.filter("drawer").records
+    assert {each["seed"] for each in found.filter(width=(0.05, 0.07)).records} == {5, 6, 7}
+    assert len(found.filter(style="round")) == 20
+    assert len(found.filter(style=["round", "square"])) == 40
+    assert [each["name"] for each in found.filter("box", where=lambda each: each["mass"] > 19.5).records] == [
+        "box_19"
+    ]
+
+
+@pytest.mark.parametrize(
+    ("condition", "told"),
+    [
+        ({"category": "bocks"}, r"no asset here has the category 'bocks'\. Did you mean 'box'\?"),
+        ({"joint": "ball"}, r"no asset here has the kind of joint 'ball'\. Allowed: prismatic, revolute"),
+        ({"widht": 1.0}, r"no asset here has the parameter 'widht'\. Did you mean 'width'\?"),
+    ],
+)
+def test_a_filter_that_nothing_could_meet_is_a_mistake(
+    folder: Path, condition: dict[str, Any], told: str
+) -> None:
+    with pytest.raises(ParameterError, match=told):
+        Dataset(folder).filter(**condition)
+
+
+def test_no_seed_is_in_two_parts(folder: Path) -> None:
+    found = Dataset(folder)
+    parts = found.split(train=0.5, test=0.5)
+    seeds = {name: {each["seed"] for each in part.records} for name, part in parts.items()}
+    assert all(seeds.values())
+    assert not seeds["train"] & seeds["test"]
+    assert sum(map(len, parts.values())) == 40
+    smaller = found[:20].split(train=0.5, test=0.5)
+    assert all(set(smaller[name].paths()) <= set(parts[name].paths()) for name in parts)
+
+
+def test_the_shares_of_a_split_are_met_on_average(folder: Path) -> None:
+    text = "".join(json.dumps(record("box", seed)) + "\n" for seed in range(2000))
+    (folder / MANIFEST_FILE).write_text(text)
+    sizes = {name: len(part) for name, part in Dataset(folder).split().items()}
+    assert sizes == pytest.approx({"train": 1600, "val": 200, "test": 200}, abs=60)
+
+
+def test_shares_that_are_not_one_are_refused(folder: Path) -> None:
+    with pytest.raises(ParameterError, match=r"the shares of the parts are together 1, not 0\.9"):
+        Dataset(folder).split(train=0.8, test=0.1)
+
+
+def test_tables(folder: Path) -> None:
+    pytest.importorskip("pandas")
+    table = Dataset(folder).to_pandas()
+    assert list(table["name"][:3]) == ["box_0", "drawer_0", "box_1"]
+    assert table["parameter.width"].max() == pytest.approx(0.19)
+
+
+def test_what_is_no_dataset_is_refused(tmp_path: Path) -> None:
+    with pytest.raises(ExportError, match=r"holds no dataset; `artgen generate CATEGORY -n 100` makes one"):
+        Dataset(tmp_path)
+
+
+def test_a_format_that_was_not_written(folder: Path) -> None:
+    with pytest.raises(ExportError, match=r"has no 'usd'\. Allowed: mjcf"):
+        Dataset(folder).files("usd")

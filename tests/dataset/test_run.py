@@ -1,0 +1,262 @@
+"""Runs: the same bytes whatever interrupts them, and a clear word where something does."""
+
+import hashlib
+import json
+import multiprocessing
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import artgen.dataset.make as making
+from artgen.asset import Asset
+from artgen.catalog import find
+from artgen.dataset import Plan, generate_many
+from artgen.dataset.folder import MANIFEST_FILE
+from artgen.dataset.lock import locked
+from artgen.errors import ArtgenError, ExportError
+
+CATEGORIES = ("cabinet", "drawer")
+PLAN = Plan(CATEGORIES, 5, formats=("mjcf",), texture_size=256)
+COMMAND = (*CATEGORIES, "--format", "mjcf", "--texture-size", "256")
+
+
+def content(folder: Path) -> dict[str, str]:
+    """Return the digest of every file below a folder."""
+    return {
+        path.relative_to(folder).as_posix(): hashlib.sha256(path.read_bytes()).hexdigest()
+        for path in sorted(folder.rglob("*"))
+        if path.is_file()
+    }
+
+
+def lines(folder: Path) -> list[dict[str, Any]]:
+    return [json.loads(line) for line in (folder / MANIFEST_FILE).read_text().splitlines()]
+
+
+def command(folder: Path, count: int = PLAN.count, *more: str) -> list[str]:
+    return [
+        *(sys.executable, "-m", "artgen", "generate", *COMMAND),
+        *("-n", str(count), "--jobs", "2", "--out", str(folder), *more),
+    ]
+
+
+@pytest.fixture(scope="module")
+def undisturbed(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A dataset that one process made at a stretch."""
+    folder = tmp_path_factory.mktemp("dataset") / "undisturbed"
+    summary = generate_many(PLAN, folder, jobs=1)
+    assert (summary.made, summary.kept, summary.failed) == (5, 0, ())
+    return folder
+
+
+def test_the_manifest_says_what_there_is(undisturbed: Path) -> None:
+    found = lines(undisturbed)
+    assert [each["name"] for each in found] == [item.name for item in PLAN.items()]
+    for each in found:
+        asset = Asset.load(undisturbed / each["path"])
+        assert (asset.name, asset.category, asset.seed) == (each["name"], each["category"], each["seed"])
+        assert each["mass"] == pytest.approx(asset.mass)
+        assert each["joints"] == {joint.name: joint.kind for joint in asset.joints}
+        assert each["parameters"] == asset.parameters
+        assert each["proven"] is True
+        assert (undisturbed / each["path"] / each["files"]["mjcf"]).is_file()
+
+
+def test_maps_are_kept_once(undisturbed: Path) -> None:
+    maps = [
+        path
+        for path in undisturbed.rglob("*.png")
+        if path.parent.name != "textures" or "meshes" in path.parts
+    ]
+    store = {path.stat().st_ino: path for path in (undisturbed / "textures").iterdir()}
+    assert len(maps) > len(store) > 3
+    assert all(path.stat().st_ino in store for path in maps)
+
+
+def test_more_processes_write_the_same(undisturbed: Path, tmp_path: Path) -> None:
+    generate_many(PLAN, tmp_path / "more", jobs=3)
+    assert content(tmp_path / "more") == content(undisturbed)
+
+
+def test_a_longer_plan_adds_to_a_shorter_one(undisturbed: Path, tmp_path: Path) -> None:
+    folder = tmp_path / "grown"
+    assert generate_many(Plan(CATEGORIES, 2, formats=("mjcf",), texture_size=256), folder, jobs=1).made == 2
+    summary = generate_many(PLAN, folder, jobs=2)
+    assert (summary.made, summary.kept) == (3, 2)
+    assert content(folder) == content(undisturbed)
+    assert generate_many(PLAN, folder).made == 0
+
+
+def test_a_killed_worker_is_replaced(undisturbed: Path, tmp_path: Path) -> None:
+    killed: list[int] = []
+
+    def kill(record: dict[str, Any]) -> None:
+        if len(killed) < 2:
+            victim = multiprocessing.active_children()[0]
+            killed.append(victim.pid or 0)
+            victim.kill()
+
+    summary = generate_many(PLAN, tmp_path / "killed", jobs=2, progress=kill)
+    assert len(set(killed)) == 2
+    assert (summary.made, summary.failed) == (5, ())
+    assert content(tmp_path / "killed") == content(undisturbed)
+
+
+def test_a_killed_run_goes_on(undisturbed: Path, tmp_path: Path) -> None:
+    folder = tmp_path / "killed"
+    run = subprocess.Popen(command(folder), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    deadline = time.monotonic() + 120.0
+    while not (folder / MANIFEST_FILE).exists() or not (folder / MANIFEST_FILE).read_text():
+        assert run.poll() is None
+        assert time.monotonic() < deadline
+        time.sleep(0.01)
+    run.send_signal(signal.SIGKILL)
+    run.wait()
+    with (folder / MANIFEST_FILE).open("a") as file:
+        file.write('{"name": "handle_1", "categ')  # as if it had been writing
+    before = {path: path.stat().st_mtime_ns for path in folder.rglob("asset.json")}
+    assert 1 <= len(before) < 5
+    done = subprocess.run(command(folder), check=True, capture_output=True, text=True)
+    assert f"{len(before)} were there" in done.stdout
+    assert content(folder) == content(undisturbed)
+    assert all(path.stat().st_mtime_ns == at for path, at in before.items() if ".staging" not in path.parts)
+
+
+def test_interrupted_with_the_keyboard(tmp_path: Path) -> None:
+    folder = tmp_path / "stopped"
+    run = subprocess.Popen(command(folder), stderr=subprocess.PIPE, text=True, start_new_session=True)
+    while not (folder / MANIFEST_FILE).exists():
+        assert run.poll() is None
+        time.sleep(0.01)
+    os.killpg(run.pid, signal.SIGINT)
+    _, told = run.communicate(timeout=60)
+    assert run.returncode == 130
+    assert told == "interrupted; what is done stays, and the same command goes on from there\n"
+    assert not (folder / ".staging").exists()
+
+
+def test_what_cannot_be_made_is_listed_and_the_others_are_made(tmp_path: Path) -> None:
+    options: dict[str, Any] = {"tolerance": 5e-4, "on_collision": "fail"}
+    plan = Plan(CATEGORIES, 4, formats=("mjcf",), textures="none", **options)
+    impossible = {}
+    for item in plan.items():
+        try:
+            find(item.category).generate(item.seed, **options)
+        except ArtgenError as error:
+            impossible[item.name] = " ".join(str(error).split())
+    assert 0 < len(impossible) < 4
+    summary = generate_many(plan, tmp_path / "some", jobs=2)
+    assert {each["name"]: each["error"] for each in summary.failed} == impossible
+    assert summary.made == 4 - len(impossible)
+    assert [each["state"] == "failed" for each in lines(tmp_path / "some")] == [
+        item.name in impossible for item in plan.items()
+    ]
+    again = generate_many(plan, tmp_path / "some", jobs=2)
+    assert (again.made, again.failed) == (0, summary.failed)
+
+
+def test_a_fault_of_artgen_is_on_record(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def broken(*_: object) -> None:
+        raise ZeroDivisionError("division by zero")
+
+    monkeypatch.setattr(making, "encode", broken)
+    made = making.make(next(PLAN.items()), plan=PLAN, folder=tmp_path, staging=tmp_path / ".staging")
+    assert made.record is not None
+    assert made.record["error"] == "ZeroDivisionError: division by zero"
+
+
+def test_two_runs_do_not_write_to_one_folder(undisturbed: Path) -> None:
+    before = content(undisturbed)
+    with (
+        locked(undisturbed),
+        pytest.raises(ExportError, match=f"another run .process {os.getpid()}. writes to .*; wait until"),
+    ):
+        generate_many(PLAN, undisturbed)
+    assert content(undisturbed) == before
+
+
+def test_another_plan_is_refused(undisturbed: Path) -> None:
+    before = content(undisturbed)
+    other = Plan(CATEGORIES, 5, formats=("mjcf", "usd"), texture_size=256)
+    told = "holds a dataset with formats = mjcf, not mjcf,usd: go on with the same options, or choose another"
+    with pytest.raises(ExportError, match=told):
+        generate_many(other, undisturbed)
+    assert content(undisturbed) == before
+
+
+def test_a_folder_of_other_things_is_refused(tmp_path: Path) -> None:
+    (tmp_path / "thesis.tex").write_text("years of work")
+    with pytest.raises(ExportError, match=r"it holds 'thesis\.tex' and is none; choose another folder"):
+        generate_many(PLAN, tmp_path)
+    assert [path.name for path in tmp_path.iterdir()] == ["thesis.tex"]
+
+
+def test_a_damaged_manifest_is_made_anew(undisturbed: Path, tmp_path: Path) -> None:
+    folder = shutil.copytree(undisturbed, tmp_path / "copy")
+    (folder / MANIFEST_FILE).unlink()
+    assert generate_many(PLAN, folder).made == 0
+    assert (folder / MANIFEST_FILE).read_bytes() == (undisturbed / MANIFEST_FILE).read_bytes()
+    (folder / MANIFEST_FILE).write_text("{what?}\n")
+    with pytest.raises(
+        ExportError, match=r"line 1 is damaged; remove the file, and the next run makes it anew"
+    ):
+        generate_many(PLAN, folder)
+
+
+def test_the_clock_does_not_matter(
+    undisturbed: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """An hour back in the middle of the run: nothing waits, and nothing of the time is in the files."""
+    real = time.time
+
+    def back(_: dict[str, Any]) -> None:
+        monkeypatch.setattr(time, "time", lambda: real() - 3600.0)
+
+    summary = generate_many(PLAN, tmp_path / "late", jobs=2, progress=back)
+    assert 0.0 < summary.seconds < 600.0
+    assert content(tmp_path / "late") == content(undisturbed)
+
+
+def mounted(script: str, folder: Path) -> subprocess.CompletedProcess[str]:
+    """Run a script that may mount what it likes at a folder, where the system lets us; else skip."""
+    if not sys.platform.startswith("linux") or shutil.which("unshare") is None:
+        pytest.skip("needs Linux's namespaces")
+    inside = ["unshare", "--map-root-user", "--mount", "sh", "-c"]
+    if subprocess.run(
+        [*inside, f"mount -t tmpfs tmpfs {folder}"], capture_output=True, check=False
+    ).returncode:
+        pytest.skip("this system lets nobody mount")
+    return subprocess.run([*inside, script], capture_output=True, text=True, check=False)
+
+
+def test_a_full_disk_ends_the_run_and_a_freed_one_lets_it_go_on(undisturbed: Path, tmp_path: Path) -> None:
+    disk, copy = tmp_path / "disk", tmp_path / "copy"
+    disk.mkdir()
+    run = " ".join(command(disk / "set"))
+    done = mounted(
+        f"mount -t tmpfs -o size=900k tmpfs {disk} && {run}; echo code $?; "
+        f"mount -o remount,size=200m {disk} && {run} && cp -a {disk}/set {copy}",
+        disk,
+    )
+    told = (
+        "an asset cannot be written: No space left on device; what is done stays, and the same command goes"
+    )
+    assert f"error: {told} on from there\n" in done.stderr
+    assert "code 2\n" in done.stdout
+    assert done.returncode == 0, done.stderr
+    assert content(copy) == content(undisturbed)
+
+
+def test_a_folder_that_cannot_be_written_is_named(tmp_path: Path) -> None:
+    disk = tmp_path / "disk"
+    disk.mkdir()
+    done = mounted(f"mount -t tmpfs -o ro tmpfs {disk} && {' '.join(command(disk / 'set'))}", disk)
+    assert done.returncode == 2
+    assert done.stderr.startswith(f"error: cannot write to {disk}/set: Read-only file system; ")
