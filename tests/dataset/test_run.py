@@ -191,6 +191,12 @@ def test_another_plan_is_refused(undisturbed: Path) -> None:
     assert content(undisturbed) == before
 
 
+def test_a_dataset_does_not_shrink(undisturbed: Path) -> None:
+    told = "holds a dataset of 5 assets: ask for as many or for more, or choose another folder"
+    with pytest.raises(ExportError, match=told):
+        generate_many(Plan(CATEGORIES, 4, formats=("mjcf",), texture_size=256), undisturbed)
+
+
 def test_a_folder_of_other_things_is_refused(tmp_path: Path) -> None:
     (tmp_path / "thesis.tex").write_text("years of work")
     with pytest.raises(ExportError, match=r"it holds 'thesis\.tex' and is none; choose another folder"):

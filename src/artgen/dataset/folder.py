@@ -95,8 +95,6 @@ class Folder:
         before = read_plan(self.path)
         if before is not None:
             _check_same(self.path, before, self.plan)
-            if before.count > self.plan.count:
-                self.plan = before  # a shorter plan of a longer dataset is done already
         if self.plan != before:
             _write(self.path / PLAN_FILE, _plan_text(self.plan))
         shutil.rmtree(self.staging, ignore_errors=True)
@@ -169,7 +167,12 @@ def _check_content(path: Path) -> None:
 
 
 def _check_same(path: Path, before: Plan, plan: Plan) -> None:
-    """Refuse to add assets of another plan: only how many there are may differ."""
+    """Refuse to add assets of another plan: there may only be more of them."""
+    if before.count > plan.count:
+        raise ExportError(
+            f"{path} holds a dataset of {before.count} assets: ask for as many or for more, or choose another "
+            "folder"
+        )
     old, new = before.to_data(), replace(plan, count=before.count).to_data()
     different = [name for name in old if old[name] != new[name]]
     if different:
