@@ -188,7 +188,7 @@ def microwave(
         space,
         finish=cabinet_finish(look, finish),
         inside=_CAVITIES[cavity],
-        stuffing=620.0,
+        stuffing=740.0,
         slots=latches.slots,
         vents=air,
         maker=maker,

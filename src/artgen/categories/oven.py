@@ -229,7 +229,7 @@ def oven(
         space,
         cabinet_finish(look, finish) if look in ("white", "pastel") and build == "range" else sides,
         enamel,
-        wool=365.0 if build == "built_in" else 300.0,
+        wool=390.0 if build == "built_in" else 315.0,
         bay=drawer,
         finish=finish,
         convection=convection,

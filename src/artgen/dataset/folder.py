@@ -170,8 +170,8 @@ def _check_same(path: Path, before: Plan, plan: Plan) -> None:
     """Refuse to add assets of another plan: there may only be more of them."""
     if before.count > plan.count:
         raise ExportError(
-            f"{path} holds a dataset of {before.count} assets: ask for as many or for more, or choose another "
-            "folder"
+            f"{path} holds a dataset of {before.count} assets: ask for as many or for more, or choose "
+            "another folder"
         )
     old, new = before.to_data(), replace(plan, count=before.count).to_data()
     different = [name for name in old if old[name] != new[name]]

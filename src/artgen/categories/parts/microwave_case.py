@@ -18,6 +18,7 @@ from artgen import (
     detail,
     details,
     material,
+    max_,
     part,
     rectangle,
     weld,
@@ -31,6 +32,7 @@ from artgen.categories.parts.screws import screws
 _LAP = 0.0005  # by which boards reach into each other, so that they have no corners in common [m]
 _WALL = 0.0035  # thickness of the cavity's right wall [m]
 _BEFORE = 0.045  # between the room of the latches and the works [m]
+_WORKS = 0.18  # how deep they are in all but the smallest [m]
 _OPEN = (0.0050, 0.0042)  # from the middle of a latch to the sides of its slot, to the left and right [m]
 _MICA = coloured("fabric", "sand").with_(name="mica", texture="", tile=None, specular_roughness=0.35)
 
@@ -92,7 +94,7 @@ class Case:
             board((right, passing), (front, rear - _LAP), wall),
         ]
         # the transformer and the fan are at the back; before them are the latches and the boards of the keys
-        heavy_from = deep + _BEFORE
+        heavy_from = max_(deep + _BEFORE, rear - _WORKS)
         works = board((passing - _LAP, outer[1]), (heavy_from, rear - 2.0 * _LAP), wall)
         light = board((rest, outer[1]), (front, heavy_from + _LAP), wall)
         strip = (passing - _LAP, rest + _LAP)
