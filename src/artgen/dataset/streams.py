@@ -9,18 +9,9 @@ from artgen.asset import Asset
 from artgen.catalog import find
 from artgen.errors import EvaluationError, InfeasibleError, ParameterError
 from artgen.generator.generator import checked_count
+from artgen.generator.signature import RESERVED
 
 _log = logging.getLogger("artgen")
-
-_OPTIONS = (
-    "name",
-    "base",
-    "cache",
-    "attempts",
-    "certify",
-    "tolerance",
-    "on_collision",
-)  # of `generate`, which are no parameters
 
 
 class Stream(Iterable[Asset]):
@@ -69,7 +60,7 @@ def stream(categories: str | Iterable[str], *, seed: int = 0, **options: Any) ->
     if not names:
         raise ParameterError("a stream needs at least one category")
     first = checked_count("seed", seed)
-    drawn = {name: value for name, value in options.items() if name not in _OPTIONS}
+    drawn = {name: value for name, value in options.items() if name not in RESERVED}
     for name in names:
         find(name).sample(first, overrides=drawn)
     if "torch" in sys.modules:

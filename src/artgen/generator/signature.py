@@ -13,7 +13,7 @@ from artgen.graph import Handle
 from artgen.sampling import Distribution, Fixed, Given
 from artgen.sampling.choices import By, case_key
 
-_RESERVED = (
+RESERVED = (
     "seed",
     "name",
     "base",
@@ -24,6 +24,7 @@ _RESERVED = (
     "on_collision",
     "overrides",
 )
+"""Names that parameters cannot have: generating takes options by them."""
 
 
 def read_parameters(function: Callable[..., Any], where: str) -> dict[str, Parameter]:
@@ -74,7 +75,7 @@ def _parameter(
                 f"  at {where}"
             )
         return None
-    if name in _RESERVED:
+    if name in RESERVED:
         raise BuildError(f"{place}: {name!r} is reserved for generate(); choose another name\n  at {where}")
     if "__" in name:
         raise BuildError(f"{place}: the double underscore means a dot; choose another name\n  at {where}")
