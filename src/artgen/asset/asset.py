@@ -73,6 +73,20 @@ class Asset:
         links, joints, contacts = assembled(tree)
         return Asset(name, category, links, joints, contacts=contacts, **fields)
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Pickle the asset as its files hold it: it comes back without solids, as one that was loaded."""
+        from artgen.asset.pickled import pack, unpack
+
+        return unpack, pack(self)
+
+    def __copy__(self) -> "Asset":
+        """Return the asset itself: it never changes."""
+        return self
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> "Asset":
+        """Return the asset itself: it never changes."""
+        return self
+
     def __repr__(self) -> str:
         """Tell its size and what is proven of it."""
         certificate = self.certificate

@@ -70,7 +70,7 @@ def load(directory: str | Path) -> Asset:
     if found != FORMAT:
         raise AssetError(f"{path} has format {found!r}; this version reads {FORMAT!r}")
     try:
-        return _asset(data, path.parent)
+        return asset_from_data(data, path.parent)
     except (KeyError, TypeError) as error:
         raise AssetError(f"{path} is damaged ({error!r}); export the asset again") from error
 
@@ -82,7 +82,7 @@ def as_stored(asset: Asset) -> Asset:
     when the asset is read back and written again.
     """
     data = asset.to_data()
-    result = _asset({**data, "certificate": None}, Path(), {link.name: link for link in asset.links})
+    result = asset_from_data({**data, "certificate": None}, Path(), {link.name: link for link in asset.links})
     if asset.certificate is not None:
         remember(result, asset.certificate)
     return result
@@ -139,7 +139,7 @@ def mesh_names(names: Mapping[str, Sequence[str]], taken: Iterable[str] = ()) ->
     return result
 
 
-def _asset(
+def asset_from_data(
     data: Mapping[str, Any], directory: Path, sources: Mapping[str, Link] = MappingProxyType({})
 ) -> Asset:
     """Make an asset of its JSON data; the surfaces are read from files where no link is their source."""
