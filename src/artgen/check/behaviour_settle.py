@@ -21,6 +21,8 @@ REST_SPEED = 1e-5
 REST_TIME = 0.25
 """How long everything has to be at rest to be taken as settled [s]."""
 
+_BEGUN = 0.05  # share of a drift that is no more the give of contacts
+_STILL = 1e-3  # speed below which a blow is over [rad/s or m/s]
 _DRIFTS = {"revolute": math.radians(0.5), "prismatic": 0.0005}  # that need a cause [rad or m]
 _DEPTH = 0.0005  # of contacts, beyond what the asset allows [m]
 _IMPACT_TIME = 0.05  # a contact that is deep for less is that of a part which falls shut [s]
@@ -137,7 +139,8 @@ class _Drift:
         why: What moves it, or holds it.
         furthest: How far it has moved at most [rad or m].
         since: When it had moved too far without a cause; None if it has not [s].
-        pushed: What pushes it then, of what gravity or a spring moves.
+        pushed: What pushes it, or has since it lay still, of what gravity or a spring moves: a blow may be
+            over when the joint has come that far.
         touching: What presses on it then.
     """
 
@@ -219,10 +222,13 @@ class _Run:
             pull = simulation.pull(motion)
             if abs(pull) > motion.friction and int(math.copysign(1, pull)) not in drift.causes:
                 drift.causes |= self._directions(motion, pull)
-        if abs(way) > _DRIFTS[motion.joint.kind] and int(math.copysign(1, way)) not in drift.causes:
-            drift.since = float(simulation.data.time)
+        if drift.pushed and abs(simulation.speed(motion)) < _STILL:
+            drift.pushed = []  # what moves on from here was not thrown by that
+        if abs(way) > _BEGUN * _DRIFTS[motion.joint.kind] and not drift.pushed and simulation.data.ncon:
             moving = frozenset[int]().union(*(other.motion.bodies for other in drifts if other.causes))
             drift.pushed = simulation.touching(motion, moving - motion.bodies)
+        if abs(way) > _DRIFTS[motion.joint.kind] and int(math.copysign(1, way)) not in drift.causes:
+            drift.since = float(simulation.data.time)
             drift.touching = simulation.touching(motion)
 
     def _blame(self, drift: _Drift) -> None:
