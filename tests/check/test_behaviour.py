@@ -586,3 +586,17 @@ def test_the_same_asset_gives_the_same_result():
 
 def test_an_asset_without_joints_is_only_loaded():
     assert checked(shell()) == CheckResult("behaviour", (), "let go in 1 poses; 0 joints driven")
+
+
+@pytest.mark.parametrize("friction", [3.0, 8.0])
+def test_what_a_spring_throws_is_pushed_though_the_blow_is_over(friction: float) -> None:
+    """The ram stops where it strikes the puck, which glides on alone for more than a drift."""
+    base = part(box(0.6, 0.1, 0.02).at(0.0, 0.0, 0.01), "base", OAK)
+    ram = part(box(0.1, 0.08, 0.05).at(-0.1, 0.0, 0.046), "ram", STEEL)
+    puck = part(box(0.05, 0.08, 0.05).at(0.0801, 0.0, 0.046), "puck", STEEL)
+    drive = Prismatic("drive", axis=X, limits=(0.0, 0.1053), stiffness=300.0, rest=0.2, damping=1.0)
+    glide = Prismatic("glide", axis=X, limits=(0.0, 0.05), friction=friction, damping=2.0)
+    (finding,) = checked(base.attach(ram, drive).attach(puck, glide)).findings
+    assert finding.severity == "note"
+    assert finding.joint == "glide"
+    assert "by what gravity or a spring moves: ram/ram and puck/puck touch" in finding.message
