@@ -248,7 +248,7 @@ def exported(red_cabinet, tmp_path) -> Asset:
     return red_cabinet.export(tmp_path / "cabinet", formats=("urdf",))
 
 
-FAST = ("--backend", "classic", "--textures", "0", "--samples", "1", "--size", "64x48")
+FAST = ("--backend", "classic", "--texture-size", "0", "--samples", "1", "--size", "64x48")
 
 
 @pytest.mark.usefixtures("opengl")
