@@ -41,7 +41,9 @@ install: $(STAMP)
 demo: $(STAMP)
 	$(BIN)/python scripts/demo.py
 
-test: lint types layers pytest
+test: $(STAMP)
+	$(MAKE) --jobs=3 --output-sync lint types layers
+	$(MAKE) pytest
 
 lint: $(STAMP)
 	$(BIN)/ruff format --check

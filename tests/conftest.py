@@ -14,6 +14,14 @@ settings.register_profile("artgen", deadline=None, derandomize=True, print_blob=
 settings.load_profile("artgen")
 
 
+_LONGEST = ("test_readme.py", "test_checklist.py", "test_same_bytes.py")
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Begin with what takes longest: at the end, the other processes would wait for it."""
+    items.sort(key=lambda item: item.path.name not in _LONGEST)
+
+
 @pytest.fixture(scope="session", autouse=True)
 def _own_cache(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
     """Keep textures away from the user's own cache, but together for all processes of a run."""

@@ -131,7 +131,14 @@ def test_a_killed_run_goes_on(undisturbed: Path, tmp_path: Path) -> None:
 
 def test_interrupted_with_the_keyboard(tmp_path: Path) -> None:
     folder = tmp_path / "stopped"
-    run = subprocess.Popen(command(folder), stderr=subprocess.PIPE, text=True, start_new_session=True)
+    # whoever runs the tests may have told its processes to ignore Ctrl-C
+    program = (
+        "import signal, artgen.cli\n"
+        "signal.signal(signal.SIGINT, signal.default_int_handler)\n"
+        "artgen.cli.main()"
+    )
+    arguments = [sys.executable, "-c", program, *command(folder)[3:]]
+    run = subprocess.Popen(arguments, stderr=subprocess.PIPE, text=True, start_new_session=True)
     while not (folder / MANIFEST_FILE).exists():
         assert run.poll() is None
         time.sleep(0.01)
