@@ -8,7 +8,6 @@ What was measured stays in the file, so that an interrupted run goes on where it
 as it has to be where the category has changed.
 """
 
-import os
 import sys
 from pathlib import Path
 from typing import Annotated
@@ -24,9 +23,6 @@ from artgen.survey.alike import SAME, likenesses, same_neighbours
 from artgen.survey.run import survey
 from artgen.survey.soak_page import soak_page
 from artgen.survey.summary import Criterion, criteria, failures, figures, listed
-
-for _name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"):
-    os.environ.setdefault(_name, "1")  # of the processes that measure: each has one core
 
 _PAIRS = 8  # most alike ones that are shown
 _STATES = {True: "[green]yes[/]", False: "[bold red]no[/]", None: "[yellow]?[/]"}

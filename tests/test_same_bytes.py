@@ -1,6 +1,5 @@
 """Same seed, same bytes: whatever the process, its hash seed, its cache, and what it made before."""
 
-import hashlib
 import os
 import subprocess
 import sys
@@ -11,6 +10,7 @@ import pytest
 from artgen.asset import Asset
 from artgen.catalog import categories, find
 from artgen.graph import Cache
+from support.digests import digests
 
 SEED = 5
 PROGRAM = """
@@ -23,15 +23,6 @@ for seed in range(before):
     find(category).generate(seed, cache=cache)
 find(category).generate(5, cache=cache).export(directory)
 """
-
-
-def digests(directory: Path) -> dict[str, str]:
-    """Return the digest of every file below a directory."""
-    return {
-        str(path.relative_to(directory)): hashlib.sha256(path.read_bytes()).hexdigest()
-        for path in sorted(directory.rglob("*"))
-        if path.is_file()
-    }
 
 
 def made_by_process(category: str, directory: Path, hash_seed: str, before: int) -> dict[str, str]:

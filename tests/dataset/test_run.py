@@ -1,6 +1,5 @@
 """Runs: the same bytes whatever interrupts them, and a clear word where something does."""
 
-import hashlib
 import json
 import multiprocessing
 import os
@@ -21,19 +20,11 @@ from artgen.dataset import Plan, generate_many
 from artgen.dataset.folder import MANIFEST_FILE
 from artgen.dataset.lock import locked
 from artgen.errors import ArtgenError, ExportError
+from support.digests import digests
 
 CATEGORIES = ("cabinet", "drawer")
 PLAN = Plan(CATEGORIES, 5, formats=("mjcf",), texture_size=256)
 COMMAND = (*CATEGORIES, "--format", "mjcf", "--texture-size", "256")
-
-
-def content(folder: Path) -> dict[str, str]:
-    """Return the digest of every file below a folder."""
-    return {
-        path.relative_to(folder).as_posix(): hashlib.sha256(path.read_bytes()).hexdigest()
-        for path in sorted(folder.rglob("*"))
-        if path.is_file()
-    }
 
 
 def lines(folder: Path) -> list[dict[str, Any]]:
@@ -82,7 +73,7 @@ def test_maps_are_kept_once(undisturbed: Path) -> None:
 
 def test_more_processes_write_the_same(undisturbed: Path, tmp_path: Path) -> None:
     generate_many(PLAN, tmp_path / "more", jobs=3)
-    assert content(tmp_path / "more") == content(undisturbed)
+    assert digests(tmp_path / "more") == digests(undisturbed)
 
 
 def test_a_longer_plan_adds_to_a_shorter_one(undisturbed: Path, tmp_path: Path) -> None:
@@ -90,7 +81,7 @@ def test_a_longer_plan_adds_to_a_shorter_one(undisturbed: Path, tmp_path: Path) 
     assert generate_many(Plan(CATEGORIES, 2, formats=("mjcf",), texture_size=256), folder, jobs=1).made == 2
     summary = generate_many(PLAN, folder, jobs=2)
     assert (summary.made, summary.kept) == (3, 2)
-    assert content(folder) == content(undisturbed)
+    assert digests(folder) == digests(undisturbed)
     assert generate_many(PLAN, folder).made == 0
 
 
@@ -106,7 +97,7 @@ def test_a_killed_worker_is_replaced(undisturbed: Path, tmp_path: Path) -> None:
     summary = generate_many(PLAN, tmp_path / "killed", jobs=2, progress=kill)
     assert len(set(killed)) == 2
     assert (summary.made, summary.failed) == (5, ())
-    assert content(tmp_path / "killed") == content(undisturbed)
+    assert digests(tmp_path / "killed") == digests(undisturbed)
 
 
 def test_a_killed_run_goes_on(undisturbed: Path, tmp_path: Path) -> None:
@@ -125,7 +116,7 @@ def test_a_killed_run_goes_on(undisturbed: Path, tmp_path: Path) -> None:
     assert 1 <= len(before) < 5
     done = subprocess.run(command(folder), check=True, capture_output=True, text=True)
     assert f"{len(before)} were there" in done.stdout
-    assert content(folder) == content(undisturbed)
+    assert digests(folder) == digests(undisturbed)
     assert all(path.stat().st_mtime_ns == at for path, at in before.items() if ".staging" not in path.parts)
 
 
@@ -180,22 +171,22 @@ def test_a_fault_of_artgen_is_on_record(tmp_path: Path, monkeypatch: pytest.Monk
 
 
 def test_two_runs_do_not_write_to_one_folder(undisturbed: Path) -> None:
-    before = content(undisturbed)
+    before = digests(undisturbed)
     with (
         locked(undisturbed),
         pytest.raises(ExportError, match=f"another run .process {os.getpid()}. writes to .*; wait until"),
     ):
         generate_many(PLAN, undisturbed)
-    assert content(undisturbed) == before
+    assert digests(undisturbed) == before
 
 
 def test_another_plan_is_refused(undisturbed: Path) -> None:
-    before = content(undisturbed)
+    before = digests(undisturbed)
     other = Plan(CATEGORIES, 5, formats=("mjcf", "usd"), texture_size=256)
     told = "holds a dataset with formats = mjcf, not mjcf,usd: go on with the same options, or choose another"
     with pytest.raises(ExportError, match=told):
         generate_many(other, undisturbed)
-    assert content(undisturbed) == before
+    assert digests(undisturbed) == before
 
 
 def test_a_dataset_does_not_shrink(undisturbed: Path) -> None:
@@ -234,7 +225,7 @@ def test_the_clock_does_not_matter(
 
     summary = generate_many(PLAN, tmp_path / "late", jobs=2, progress=back)
     assert 0.0 < summary.seconds < 600.0
-    assert content(tmp_path / "late") == content(undisturbed)
+    assert digests(tmp_path / "late") == digests(undisturbed)
 
 
 def mounted(script: str, folder: Path) -> subprocess.CompletedProcess[str]:
@@ -264,7 +255,7 @@ def test_a_full_disk_ends_the_run_and_a_freed_one_lets_it_go_on(undisturbed: Pat
     assert f"error: {told} on from there\n" in done.stderr
     assert "code 2\n" in done.stdout
     assert done.returncode == 0, done.stderr
-    assert content(copy) == content(undisturbed)
+    assert digests(copy) == digests(undisturbed)
 
 
 def test_a_folder_that_cannot_be_written_is_named(tmp_path: Path) -> None:

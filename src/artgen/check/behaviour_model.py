@@ -230,10 +230,9 @@ class Simulation:
                     hint="look for parts that overlap there, or for a mass or an armature that is too small",
                 ),
             )
-        number = self._warned
         kinds = self._mujoco.mjtWarning
         bad = (kinds.mjWARN_BADQPOS, kinds.mjWARN_BADQVEL, kinds.mjWARN_BADQACC)
-        if any(number[int(kind)] for kind in bad):
+        if any(self._warned[int(kind)] for kind in bad):
             raise UnstableError
 
     def _notice_couplings(self, off: Array, loose: NDArray[np.bool_]) -> None:

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, overload
 
 from artgen.asset import Asset
-from artgen.dataset.folder import MANIFEST_FILE, read_manifest, read_plan
+from artgen.dataset.folder import MANIFEST_FILE, read_manifest, stored_plan
 from artgen.dataset.tables import rows
 from artgen.errors import ExportError, ParameterError, nearest
 
@@ -36,7 +36,7 @@ class Dataset(Sequence[Asset]):
 
     def __init__(self, directory: str | Path) -> None:
         self.directory = Path(directory)
-        if read_plan(self.directory) is None or not (self.directory / MANIFEST_FILE).is_file():
+        if stored_plan(self.directory) is None or not (self.directory / MANIFEST_FILE).is_file():
             raise ExportError(f"{directory} holds no dataset; `artgen generate CATEGORY -n 100` makes one")
         self.records: tuple[Mapping[str, Any], ...] = tuple(
             record for record in read_manifest(self.directory) if record["state"] == "done"

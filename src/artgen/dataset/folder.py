@@ -16,7 +16,8 @@ from typing import Any, TextIO
 
 from artgen.asset.files import ASSET_FILE
 from artgen.asset.record import json_text
-from artgen.dataset.lock import locked
+from artgen.dataset.lines import lines_of
+from artgen.dataset.lock import LOCK_FILE, locked
 from artgen.dataset.plan import Item, Plan
 from artgen.dataset.record import record_of
 from artgen.errors import ExportError, ParameterError
@@ -71,10 +72,6 @@ class Folder:
         """Where assets are made before they are put in their places."""
         return self.path / _STAGING
 
-    def place(self, item: Item) -> Path:
-        """Return the directory of an asset."""
-        return self.path / item.category / item.name
-
     def add(self, item: Item, record: dict[str, Any]) -> None:
         """Add the line of an asset that is done or failed."""
         assert self._lines is not None
@@ -92,7 +89,7 @@ class Folder:
             _write(self.path / MANIFEST_FILE, "".join(lines))
 
     def _begin(self) -> None:
-        before = read_plan(self.path)
+        before = _read_plan(self.path)
         if before is not None:
             _check_same(self.path, before, self.plan)
         if self.plan != before:
@@ -102,20 +99,21 @@ class Folder:
         known = {str(record["name"]): record for record in read_manifest(self.path)}
         for item in self.plan.items():
             line = known.get(item.name, {"state": ""})
-            if (self.place(item) / ASSET_FILE).is_file():
+            made = self.path / item.path / ASSET_FILE
+            if made.is_file():
                 done = line["state"] == "done"
-                self.records[item.name] = line if done else record_of(self.place(item), self.path)
+                self.records[item.name] = line if done else record_of(made.read_bytes(), item.path)
             elif line["state"] == "failed":
                 self.records[item.name] = line
         _write(self.path / MANIFEST_FILE, "".join(_line(record) for record in self.records.values()))
         self._lines = (self.path / MANIFEST_FILE).open("a", encoding="utf-8")
 
 
-def read_plan(path: Path) -> Plan | None:
-    """Return the plan of a folder; None if it holds no dataset.
+def stored_plan(path: Path) -> dict[str, Any] | None:
+    """Return what a folder says of its dataset; None if it holds none.
 
     Raises:
-        ExportError: It holds one of another version.
+        ExportError: The file is damaged, or of another format.
     """
     try:
         data = json.loads((path / PLAN_FILE).read_text(encoding="utf-8"))
@@ -126,6 +124,18 @@ def read_plan(path: Path) -> Plan | None:
     found = data.get("format") if isinstance(data, dict) else None
     if found != _FORMAT:
         raise ExportError(f"{path / PLAN_FILE} has format {found!r}; this version reads {_FORMAT!r}")
+    return dict(data)
+
+
+def _read_plan(path: Path) -> Plan | None:
+    """Return the plan of a folder that a run may go on with; None if it holds no dataset.
+
+    Raises:
+        ExportError: It holds one that cannot be read, or of another version.
+    """
+    data = stored_plan(path)
+    if data is None:
+        return None
     if data["version"] != __version__:
         raise ExportError(
             f"{path} holds assets of artgen {data['version']}, and this is {__version__}: the same seeds may "
@@ -139,11 +149,7 @@ def read_plan(path: Path) -> Plan | None:
 
 def read_manifest(path: Path) -> Iterator[dict[str, Any]]:
     """Yield the lines of a manifest, without the last one if a killed run left it cut off."""
-    try:
-        text = (path / MANIFEST_FILE).read_text(encoding="utf-8")
-    except FileNotFoundError:
-        return
-    *lines, _ = text.split("\n")
+    lines, _ = lines_of(path / MANIFEST_FILE)
     for number, line in enumerate(lines):
         try:
             yield json.loads(line)
@@ -159,7 +165,7 @@ def _check_content(path: Path) -> None:
     if path.exists() and not path.is_dir():
         raise ExportError(f"cannot write a dataset to {path}: it is a file; choose another folder")
     if path.is_dir() and not (path / PLAN_FILE).exists():
-        found = sorted(each.name for each in path.iterdir() if each.name not in (".lock", _STAGING))
+        found = sorted(each.name for each in path.iterdir() if each.name not in (LOCK_FILE, _STAGING))
         if found:
             raise ExportError(
                 f"cannot write a dataset to {path}: it holds {found[0]!r} and is none; choose another folder"

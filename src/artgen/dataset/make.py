@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from artgen.asset.files import ASSET_FILE
 from artgen.catalog import find
 from artgen.dataset.folder import TEXTURE_DIRECTORY, put
 from artgen.dataset.plan import Item, Plan
@@ -39,17 +40,16 @@ def make(item: Item, *, plan: Plan, folder: Path, staging: Path) -> Made:
         files = _files(item, plan)
     except Exception as error:  # noqa: BLE001 - whatever a category raises, the others go on
         return Made(failure(item.name, item.category, item.seed, _told(error)))
-    place = folder / item.category / item.name
     made = staging / f"{item.name}.{os.getpid()}"
     try:
         store = folder / TEXTURE_DIRECTORY if plan.textures == "shared" else None
         if store is not None:
             store.mkdir(exist_ok=True)
         write_files(files, made, store)
-        put(made, place)
-        return Made(record_of(place, folder))
+        put(made, folder / item.path)
     except OSError as error:
         return Made(None, error.strerror or str(error))
+    return Made(record_of(files[ASSET_FILE], item.path))
 
 
 def _files(item: Item, plan: Plan) -> dict[str, bytes]:

@@ -38,6 +38,11 @@ class Item:
         """Name of the asset and of its directory."""
         return f"{self.category}_{self.seed}"
 
+    @property
+    def path(self) -> str:
+        """Its directory, relative to the dataset's."""
+        return f"{self.category}/{self.name}"
+
 
 @dataclass(frozen=True)
 class Plan:

@@ -2,22 +2,18 @@
 
 import hashlib
 import json
-from pathlib import Path
 from typing import Any
-
-from artgen.asset.files import ASSET_FILE
 
 _WORD = 16  # characters of a digest
 
 
-def record_of(directory: Path, folder: Path) -> dict[str, Any]:
+def record_of(text: bytes, path: str) -> dict[str, Any]:
     """Return the line of an asset, from its `asset.json` alone.
 
     Args:
-        directory: The asset's directory.
-        folder: The dataset's, which paths are relative to.
+        text: What that file holds.
+        path: The asset's directory, relative to the dataset's.
     """
-    text = (directory / ASSET_FILE).read_bytes()
     data = json.loads(text)
     certificate = data["certificate"]
     return {
@@ -25,7 +21,7 @@ def record_of(directory: Path, folder: Path) -> dict[str, Any]:
         "category": data["category"],
         "seed": data["seed"],
         "state": "done",
-        "path": directory.relative_to(folder).as_posix(),
+        "path": path,
         "files": {name: each["main"] for name, each in data["formats"].items()},
         "attempt": data["attempt"],
         "proven": None if certificate is None else certificate["proven"],

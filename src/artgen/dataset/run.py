@@ -17,7 +17,6 @@ from artgen.dataset.workers import Ending, run_tasks
 from artgen.errors import ExportError, ParameterError
 
 _TRIES = 3  # for an item whose process dies or takes too long
-_THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")
 
 Progress = Callable[[dict[str, Any]], None]
 
@@ -110,8 +109,6 @@ def _records(
     Raises:
         ExportError: The disk refuses.
     """
-    for name in _THREADS:  # of the processes that start: each has one core
-        os.environ.setdefault(name, "1")
     tries = dict.fromkeys(items, 0)
     while items:
         again = []

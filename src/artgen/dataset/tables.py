@@ -16,7 +16,7 @@ def rows(records: Iterable[Mapping[str, Any]]) -> dict[str, list[dict[str, Any]]
     for record in records:
         if record["state"] == "done":
             row = {name: record[name] for name in _COMMON}
-            row |= {f"parameter.{name}": _cell(value) for name, value in record["parameters"].items()}
+            row |= {f"parameter.{name}": value for name, value in record["parameters"].items()}
             found.setdefault(record["category"], []).append(row)
     return {category: sorted(each, key=lambda row: row["seed"]) for category, each in found.items()}
 
@@ -36,7 +36,3 @@ def write_tables(folder: Path, records: Iterable[Mapping[str, Any]]) -> None:
         partial = path.with_name(f".{path.name}.partial")
         parquet.write_table(pa.table(columns), partial)
         partial.replace(path)
-
-
-def _cell(value: Any) -> Any:
-    return list(value) if isinstance(value, tuple) else value

@@ -15,6 +15,7 @@ from multiprocessing.process import BaseProcess
 from types import ModuleType
 from typing import Any, Literal
 
+_THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")  # each process has one core
 _START = 60.0  # that a process may take to start, beside its first task [s]
 
 State = Literal["done", "failed", "timed out", "crashed"]
@@ -49,6 +50,8 @@ def run_tasks(
         jobs: How many processes there are.
         limit: How long a task may take [s]; its process is ended then, and another one takes its place.
     """
+    for name in _THREADS:
+        os.environ.setdefault(name, "1")
     waiting = iter(list(items))
     workers: list[_Worker] = []
     try:

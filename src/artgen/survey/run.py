@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 from typing import Any
 
+from artgen.dataset.lines import lines_of
 from artgen.dataset.workers import run_tasks
 from artgen.errors import ExportError
 from artgen.survey.sample import measure
@@ -78,22 +79,17 @@ def read_records(path: Path) -> Sequence[dict[str, Any]]:
     Raises:
         ExportError: The file is not one of a survey, or cannot be read.
     """
-    if not path.exists():
-        return ()
-    lines = path.read_text(encoding="utf-8").splitlines(keepends=True)
     records = []
+    lines, cut = lines_of(path)
     for number, line in enumerate(lines):
         try:
             record = json.loads(line)
-            if not line.endswith("\n"):
-                raise ValueError  # noqa: TRY301 - cut off where a number might have gone on
             record["seed"], record["category"], record["state"]
         except (ValueError, TypeError, KeyError) as error:
-            if number == len(lines) - 1 and not line.endswith("\n"):
-                path.write_text("".join(lines[:-1]), encoding="utf-8")
-                break
             raise ExportError(
                 f"{path}: line {number + 1} is no record of a survey; give another --out"
             ) from error
         records.append(record)
+    if cut:
+        path.write_text("".join(f"{line}\n" for line in lines), encoding="utf-8")
     return records
