@@ -185,6 +185,14 @@ def test_unlimited_slide_gets_far_limits_and_a_loss(nested: Asset) -> None:
     assert [loss.where for loss in written.losses if loss.feature == "unlimited slide"] == ["reach"]
 
 
+def test_links_stand_in_the_order_of_the_joints_that_end_in_them(nested: Asset) -> None:
+    """Genesis takes shapes from links in the order of the file, and bodies in the order of joints."""
+    root = ET.fromstring(write_urdf(nested).files["arm_1.urdf"])
+    links = [element.get("name") for element in root.iterfind("link")]
+    children = [element.get("link") for element in root.iterfind("joint/child")]
+    assert links == [nested.links[0].name, *children]
+
+
 def test_intermediate_link_never_takes_the_name_of_another(nested: Asset) -> None:
     root = ET.fromstring(write_urdf(nested).files["arm_1.urdf"])
     names = [element.get("name") for element in root.iterfind("link")]

@@ -13,6 +13,19 @@ _MAPS = Unavoidable(
 )
 
 
+_TURNED = Unavoidable(
+    r"\[Genesis\] \[.*\] \[WARNING\] Link '.*' has dubious inertia \[.*\] compared to the estimate from "
+    r"geometry \[.*\]\.",
+    "Genesis compares principal moments, as MuJoCo sorts them, with those about the link's axes",
+)
+
+_MEETING = Unavoidable(
+    r"\[Genesis\] \[.*\] \[WARNING\] Filtered out geometry pairs causing self-collision for the neutral "
+    r"configuration \(qpos0\): .*\. Consider tuning Morph option .*\.",
+    "Genesis looks for parts in each other with voxels that are wider than the gap between the jaws of pliers",
+)
+
+
 def _newton(form: FormatName, *layouts: str) -> Client:
     return Client(
         f"newton_{form}",
@@ -44,6 +57,8 @@ def _genesis(form: FormatName) -> Client:
                 r"\[W .*\] \[frontend_ir\.cpp:.*\] qd\.loop_config\(serialize=True\) does not have effect .*",
                 "Genesis says so of its own kernels while it compiles them",
             ),
+            _TURNED,
+            *((_MEETING,) if form == "urdf" else ()),
         ),
         tells=(*READ, "couplings", *MOVED),
     )

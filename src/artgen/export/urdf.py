@@ -58,11 +58,15 @@ def write_urdf(asset: Asset, textures: int = 0) -> Written:
     segments = chain(asset)
     robot = model.Robot(name=asset.name)
     robot.materials = [_material(material) for material in asset.materials if _is_plain(material, meshes)]
-    robot.links = [_link(asset, link, meshes) for link in asset.links]
-    for segment in segments:
-        if segment.child.link is None:
-            robot.links.append(_small_link(segment.child.name, INTERMEDIATE_MASS, INTERMEDIATE_INERTIA))
-        robot.joints.append(_joint(segment))
+    robot.links = [_link(asset, asset.links[0], meshes)]
+    for segment in segments:  # in the order of the joints, as some readers number both at once
+        child = segment.child
+        robot.links.append(
+            _small_link(child.name, INTERMEDIATE_MASS, INTERMEDIATE_INERTIA)
+            if child.link is None
+            else _link(asset, child.link, meshes)
+        )
+    robot.joints = [_joint(segment) for segment in segments]
     _add_affordances(robot, asset)
     tree = _tree(robot)
     _add_couplings(tree, asset)
