@@ -2,19 +2,24 @@
 #
 #   make demo    generate a door and a handle, check them with other people's readers, open the door
 #   make test    format, lint, types, layers, tests
+#   make same-bytes  let the other Pythons of this machine make what is in tests/tree_hashes.json
+#   make hashes  record there what seeds give now
 #   make clients make an environment for each simulator, validator and converter, in .clients; gigabytes
 #   make test-clients  let all of them read exports
 #   make client-table  write docs/clients.md: every client on many seeds of every category
-#   make soak    measure 500 samples of every category and write docs/soak.md; takes hours, goes on where it stopped
+#   make survey  measure 500 samples of every category and write docs/soak.md; takes hours, goes on where it stopped
+#   make soak    sample the ends of all ranges for MINUTES (30), and list every anomaly with what reproduces it
 #   make coverage-table  write docs/coverage.md: what many seeds of every category draw
 #   make sheets  draw docs/<category>.jpg: twelve samples of every category, closed and open
-#   make bench   time every stage of every category, and the certificate of assets made for it
+#   make bench   measure artgen against its peers and write docs/benchmarks.md; a quarter of an hour
 #   make clean   remove what the other targets made
 
 VENV := .venv
 BIN := $(VENV)/bin
 STAMP := $(VENV)/.installed
 PYTEST_FLAGS ?= -n auto
+SURVEY_FLAGS ?= --jobs 2
+MINUTES ?= 30
 SOAK_FLAGS ?= --jobs 2
 
 # The first of these that really starts and is new enough (a pyenv shim may exist and yet not start).
@@ -23,7 +28,7 @@ PYTHON ?= $(shell for name in python3.13 python3.12 python3.11 python3 python; d
 	done)
 
 .DEFAULT_GOAL := help
-.PHONY: help install demo test lint types layers pytest clients test-clients client-table soak coverage-table sheets bench format clean
+.PHONY: help install demo test lint types layers pytest same-bytes hashes clients test-clients client-table survey soak coverage-table sheets bench format clean
 
 help:
 	@sed -n 's/^#   //p' Makefile
@@ -58,6 +63,25 @@ layers: $(STAMP)
 pytest: $(STAMP)
 	$(BIN)/python -m pytest $(PYTEST_FLAGS)
 
+# Of each version the first that really starts; the one of $(VENV) has done it among the tests.
+same-bytes: $(STAMP)
+	$(MAKE) --jobs=2 --output-sync same-bytes-3.11 same-bytes-3.12 same-bytes-3.13
+
+same-bytes-%: $(STAMP)
+	@is='import sys; sys.exit("%d.%d" % sys.version_info[:2] != "$*")'; \
+	if $(BIN)/python -c "$$is"; then exit 0; fi; \
+	for python in python$* $${PYENV_ROOT:-$$HOME/.pyenv}/versions/$*.*/bin/python; do \
+		$$python -c "$$is" >/dev/null 2>&1 || continue; \
+		$$python -m venv --clear $(VENV)-$* && \
+		$(VENV)-$*/bin/python -m pip install --quiet --disable-pip-version-check --editable . && \
+		echo "Python $*:" && $(VENV)-$*/bin/python scripts/tree_hashes.py; \
+		exit; \
+	done; \
+	echo "note: there is no Python $*: what it makes is not compared"
+
+hashes: $(STAMP)
+	$(BIN)/python scripts/tree_hashes.py --write
+
 clients test-clients client-table: export ARTGEN_CLIENTS ?= $(CURDIR)/.clients
 
 clients: $(STAMP)
@@ -69,8 +93,11 @@ test-clients: $(STAMP)
 client-table: $(STAMP)
 	$(BIN)/python scripts/client_table.py
 
+survey: $(STAMP)
+	$(BIN)/python scripts/survey.py --page docs/soak.md $(SURVEY_FLAGS)
+
 soak: $(STAMP)
-	$(BIN)/python scripts/survey.py --page docs/soak.md $(SOAK_FLAGS)
+	$(BIN)/python scripts/soak.py --minutes $(MINUTES) $(SOAK_FLAGS)
 
 coverage-table: $(STAMP)
 	$(BIN)/python scripts/coverage_table.py
@@ -80,13 +107,12 @@ sheets: $(STAMP)
 	$(BIN)/python scripts/family.py
 
 bench: $(STAMP)
-	$(BIN)/python benchmarks/bench_categories.py
-	$(BIN)/python benchmarks/bench_certificate.py
+	$(BIN)/python benchmarks/run.py $(BENCHMARKS)
 
 format: $(STAMP)
 	$(BIN)/ruff format
 	$(BIN)/ruff check --fix
 
 clean:
-	rm -rf $(VENV) out build dist .hypothesis .import_linter_cache .mypy_cache .pytest_cache .ruff_cache
+	rm -rf $(VENV) $(VENV)-3.1* out build dist .hypothesis .import_linter_cache .mypy_cache .pytest_cache .ruff_cache
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +

@@ -1,4 +1,4 @@
-"""Measure many samples of categories, and say what fails. `make soak` runs this for all of them.
+"""Measure many samples of categories, and say what fails. `make survey` runs this for all of them.
 
 python scripts/survey.py toaster --seeds 60 --fast
 python scripts/survey.py refrigerator --seeds 500 --jobs 2 --out out/refrigerator.jsonl

@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from artgen.errors import ParameterError
-from artgen.overrides import DISTRIBUTIONS, parse_overrides, parse_value
+from artgen.overrides import DISTRIBUTIONS, parse_overrides, parse_value, spelled
 from artgen.sampling import choice, count, loguniform, normal, uniform
 
 
@@ -87,3 +87,29 @@ def test_no_code_runs(text: str, tmp_path: Any, monkeypatch: pytest.MonkeyPatch)
 
 def test_every_distribution_of_numbers_can_be_spelled() -> None:
     assert set(DISTRIBUTIONS) == {"choice", "count", "loguniform", "normal", "uniform"}
+
+
+@given(
+    st.dictionaries(st.from_regex(r"[a-z]+(\.[a-z]+)?", fullmatch=True), st.one_of(st.text(), st.integers()))
+)
+def test_what_is_spelled_reads_back(overrides: dict[str, Any]) -> None:
+    read = parse_overrides(spelled(overrides))
+    assert read == overrides
+    assert [type(value) for value in read.values()] == [type(value) for value in overrides.values()]
+
+
+@pytest.mark.parametrize(
+    ("value", "text"),
+    [
+        ("left", "hand=left"),
+        ("8", "hand='8'"),
+        ("", "hand=''"),
+        ("True", "hand='True'"),
+        ("uniform(0, 1)", "hand='uniform(0, 1)'"),
+        (" left", "hand=' left'"),
+        (True, "hand=True"),
+        (0.1, "hand=0.1"),
+    ],
+)
+def test_strings_are_quoted_where_they_would_be_read_as_something_else(value: Any, text: str) -> None:
+    assert spelled({"hand": value}) == [text]

@@ -8,7 +8,7 @@ from typing import Any
 from artgen.generator import Generator, Parameter
 from artgen.generator.draw import Overrides
 from artgen.generator.parameter import Variant
-from artgen.sampling import stream
+from artgen.sampling import Distribution, stream
 from artgen.sampling.choices import By
 from artgen.sampling.distributions import shown
 
@@ -74,10 +74,10 @@ def _drawn_options(category: Generator, seed: int, overrides: Mapping[str, Any])
     return list(found.values())
 
 
-def _ranges(
+def in_use(
     own: Mapping[str, Parameter], values: Mapping[str, Any], given: Overrides, short: str = "", full: str = ""
-) -> Iterator[tuple[str, tuple[float, float]]]:
-    """Yield the range of each number that varies, with the options that were drawn.
+) -> Iterator[tuple[str, Parameter, Distribution]]:
+    """Yield each parameter in use with its name in `values`, and how it is drawn with the options drawn.
 
     Args:
         own: The parameters of one generator.
@@ -86,19 +86,28 @@ def _ranges(
         short: What stands before their names in `values`.
         full: What stands before their names in full.
     """
-    for name, parameter in own.items():
+    for name, declared in own.items():
         value = values[short + name]
-        distribution = given.distribution(Parameter(full + name, parameter.kind, parameter.distribution))
+        parameter = Parameter(full + name, declared.kind, declared.distribution)
+        distribution = given.distribution(parameter)
         while isinstance(distribution, By):
             case = distribution.case(values[short + distribution.parameter])
             assert case is not None, "the draw would have failed"
             distribution = case
+        yield short + name, parameter, distribution
         if isinstance(value, Variant):
-            yield from _ranges(value.own, values, given, f"{short}{name}.", f"{full}{name}.{value.name}.")
-        elif not distribution.discrete:
+            yield from in_use(value.own, values, given, f"{short}{name}.", f"{full}{name}.{value.name}.")
+
+
+def _ranges(
+    own: Mapping[str, Parameter], values: Mapping[str, Any], given: Overrides
+) -> Iterator[tuple[str, tuple[float, float]]]:
+    """Yield the range of each number that varies, with the options that were drawn."""
+    for name, _, distribution in in_use(own, values, given):
+        if not distribution.discrete:
             low, high = distribution.support()
             if low < high:
-                yield short + name, (low, high)
+                yield name, (low, high)
 
 
 def _patterns(names: Sequence[str], category: str) -> list[Pattern]:

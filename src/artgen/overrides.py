@@ -62,6 +62,25 @@ def parse_value(text: str, name: str = "value") -> Any:
         return text
 
 
+def spelled(overrides: Mapping[str, Any]) -> list[str]:
+    """Write values as `NAME=VALUE`, so that `parse_overrides` reads the same ones.
+
+    Args:
+        overrides: Numbers, True, False or strings by name; generators and materials by their names.
+    """
+    return [f"{name}={_spelled(value)}" for name, value in overrides.items()]
+
+
+def _spelled(value: Any) -> str:
+    """Write a value; a string without quotes where it is read as that string all the same."""
+    if not isinstance(value, str) or not value or value != value.strip():
+        return repr(value)
+    try:
+        return value if parse_value(value) == value else repr(value)
+    except ParameterError:  # it looks like a distribution
+        return repr(value)
+
+
 def _literal(tree: ast.expr) -> Any:
     """Return the value of a literal, or a bare word as a string."""
     if isinstance(tree, ast.Name):

@@ -41,6 +41,13 @@ def test_an_environment_is_made_once(calls, tmp_path):
     assert len(calls) == 2
 
 
+def test_an_environment_that_artgen_does_not_know_is_made_of_given_requirements(calls, tmp_path):
+    assert install("peer", tmp_path, requirements={"peer": ("peer>=1", "numpy")}) == "made"
+    assert calls[1][-2:] == ["peer>=1", "numpy"]
+    with pytest.raises(ClientError, match=r"there is no environment 'pear'. Did you mean 'peer'\?"):
+        install("pear", tmp_path, requirements={"peer": ()})
+
+
 def test_other_requirements_make_it_anew(calls, tmp_path, monkeypatch):
     install("drake", tmp_path)
     monkeypatch.setitem(REQUIREMENTS, "drake", ("drake>=9",))

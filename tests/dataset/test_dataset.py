@@ -7,6 +7,7 @@ from typing import Any
 import pytest
 
 from artgen.dataset import Dataset, Plan
+from artgen.dataset.disk import Disk
 from artgen.dataset.folder import MANIFEST_FILE, Folder
 from artgen.errors import ExportError, ParameterError
 
@@ -32,7 +33,7 @@ def record(category: str, seed: int, **more: Any) -> dict[str, Any]:
 @pytest.fixture
 def folder(tmp_path: Path) -> Path:
     """A manifest of 40 assets, and of one that cannot be made."""
-    with Folder.opened(tmp_path / "set", Plan(("box", "drawer"), 41)):
+    with Folder.opened(Disk(tmp_path / "set"), Plan(("box", "drawer"), 41)):
         pass
     lines = [record(category, seed) for seed in range(20) for category in ("box", "drawer")]
     lines.append({"name": "box_20", "category": "box", "seed": 20, "state": "failed", "error": "no room"})

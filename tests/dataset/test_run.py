@@ -17,6 +17,7 @@ import artgen.dataset.make as making
 from artgen.asset import Asset
 from artgen.catalog import find
 from artgen.dataset import Plan, generate_many
+from artgen.dataset.disk import Disk
 from artgen.dataset.folder import MANIFEST_FILE
 from artgen.dataset.lock import locked
 from artgen.errors import ArtgenError, ExportError
@@ -165,7 +166,7 @@ def test_a_fault_of_artgen_is_on_record(tmp_path: Path, monkeypatch: pytest.Monk
         raise ZeroDivisionError("division by zero")
 
     monkeypatch.setattr(making, "encode", broken)
-    made = making.make(next(PLAN.items()), plan=PLAN, folder=tmp_path, staging=tmp_path / ".staging")
+    made = making.make(next(PLAN.items()), plan=PLAN, target=Disk(tmp_path))
     assert made.record is not None
     assert made.record["error"] == "ZeroDivisionError: division by zero"
 

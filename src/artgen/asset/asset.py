@@ -311,11 +311,20 @@ class Asset:
         collision: Literal["exact", "coacd", "hull"] = "exact",
         textures: int = 512,
         layout: str = "flat",
+        mesh_precision: float = 0.0,
     ) -> Path:
         """Write the asset to a directory, with its own colliders or others; see `artgen.export.export`."""
         from artgen.export import export
 
-        return export(self, directory, formats=formats, collision=collision, textures=textures, layout=layout)
+        return export(
+            self,
+            directory,
+            formats=formats,
+            collision=collision,
+            textures=textures,
+            layout=layout,
+            mesh_precision=mesh_precision,
+        )
 
     def render(
         self,

@@ -273,7 +273,26 @@ def _as_written(surface: Surface, origin: Array, material: Material) -> Surface:
     mesh = _rounded_mesh(surface.mesh, origin, material)
     # vertices that differed by less than what is written are one now, and some of them move on the maps
     mesh = joined([mesh])
-    return replace(surface, material=material, mesh=replace(mesh, uvs=_rounded_uvs(mesh, material)))
+    mesh = replace(mesh, uvs=_rounded_uvs(mesh, material))
+    return replace(surface, material=material, mesh=_in_order(mesh, origin, material))
+
+
+def _in_order(mesh: Mesh, origin: Array, material: Material) -> Mesh:
+    """Return a mesh with its vertices in the order in which a file numbers what it says of them."""
+    columns = (
+        (texture_coordinates(mesh, material), UV_DECIMALS),
+        (mesh.normals, NORMAL_DECIMALS),
+        (mesh.vertices - origin, POSITION_DECIMALS),  # which decide before the others
+    )
+    keys = [np.rint(each[:, ::-1].T * 10.0**decimals) for each, decimals in columns]
+    order = np.lexsort(np.concatenate(keys))
+    return Mesh(
+        mesh.vertices[order],
+        mesh.normals[order],
+        mesh.uvs[order],
+        mesh.paints[order],
+        np.argsort(order)[mesh.triangles],
+    )
 
 
 def _rounded_mesh(mesh: Mesh, origin: Array, material: Material) -> Mesh:
@@ -300,7 +319,7 @@ def read_obj(path: Path, origin: Array) -> Mesh:
     """Read the triangles of an OBJ file that artgen wrote.
 
     Args:
-        path: The file; each of its vertices has one normal and one texture coordinate.
+        path: The file; a vertex is what its faces name as position, texture coordinate and normal.
         origin: What to add to its vertices, shape (3,) [m].
 
     Raises:
@@ -322,14 +341,15 @@ def read_obj(path: Path, origin: Array) -> Mesh:
             rows[keyword].append(rest)
     try:
         corners = _numbers(rows[b"f"], 9).astype(np.int64).reshape(-1, 3) - 1
-        vertices = _numbers(rows[b"v"], 3)
-        normals, uvs = np.zeros((len(vertices), 3)), np.zeros((len(vertices), 2))
-        uvs[corners[:, 0]] = _numbers(rows[b"vt"], 2)[corners[:, 1]]
-        normals[corners[:, 0]] = _numbers(rows[b"vn"], 3)[corners[:, 2]]
+        # a lower number is a lower value, so that these are in the order of positions, normals, coordinates
+        keys = (corners[:, 0] * len(rows[b"vn"]) + corners[:, 2]) * len(rows[b"vt"]) + corners[:, 1]
+        _, first, numbers = np.unique(keys, return_index=True, return_inverse=True)
+        place, uv, normal = corners[first].T
+        vertices = _numbers(rows[b"v"], 3)[place] + origin
+        normals, uvs = _numbers(rows[b"vn"], 3)[normal], _numbers(rows[b"vt"], 2)[uv]
     except (ValueError, IndexError) as error:
         raise AssetError(f"{path} is not a mesh that artgen wrote: {error}") from error
-    paints = np.zeros(len(vertices), np.int64)
-    return Mesh(vertices + origin, normals, uvs, paints, corners[:, 0].reshape(-1, 3))
+    return Mesh(vertices, normals, uvs, np.zeros(len(vertices), np.int64), numbers.reshape(-1, 3))
 
 
 def _numbers(rows: Sequence[bytes], columns: int) -> Array:

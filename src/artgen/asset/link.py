@@ -1,6 +1,6 @@
 """Links: rigid bodies made of named pieces of one material each."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any, overload
@@ -179,9 +179,13 @@ class Link:
     @cached_property
     def surfaces(self) -> tuple[Surface, ...]:
         """The visible faces, one surface for each label and material."""
+        return self.surfaces_of(lambda piece: piece.shape.mesh)
+
+    def surfaces_of(self, mesh_of: Callable[[Piece], Mesh]) -> tuple[Surface, ...]:
+        """Return one surface for each label and material, of the meshes that stand for the pieces."""
         groups: dict[tuple[str, Material], list[Mesh]] = {}
         for index, piece in enumerate(self.pieces):
-            for number, mesh in by_paint(piece.shape.mesh):
+            for number, mesh in by_paint(mesh_of(piece)):
                 material = piece.shape.paints[number] if number else piece.material
                 laid = shifted(mesh, material, f"{self.name}/{index}")
                 groups.setdefault((piece.label, material), []).append(laid)
@@ -329,10 +333,22 @@ class MovedLink(Link):
     @cached_property
     def surfaces(self) -> tuple[Surface, ...]:
         """The visible faces of the source, moved; under another name they show another part of the maps."""
+        return super().surfaces if self._turned_over else self._carried(self.source.surfaces)
+
+    def surfaces_of(self, mesh_of: Callable[[Piece], Mesh]) -> tuple[Surface, ...]:
+        """Return one surface for each label and material, of meshes that stand for the source's pieces."""
+        if self._turned_over:
+            return super().surfaces_of(mesh_of)
+        return self._carried(self.source.surfaces_of(mesh_of))
+
+    @property
+    def _turned_over(self) -> bool:
+        """Whether print has to be turned on its own, to stay readable."""
         reflected = np.linalg.det(self.matrix[:3, :3]) < 0.0
-        if reflected and any(piece.reading is not None for piece in self.pieces):
-            return super().surfaces
-        moved = [replace(surface, mesh=surface.mesh.moved(self.matrix)) for surface in self.source.surfaces]
+        return bool(reflected) and any(piece.reading is not None for piece in self.pieces)
+
+    def _carried(self, surfaces: Sequence[Surface]) -> tuple[Surface, ...]:
+        moved = [replace(surface, mesh=surface.mesh.moved(self.matrix)) for surface in surfaces]
         if self.name != self.source.name:
             moved = [
                 replace(surface, mesh=shifted(surface.mesh, surface.material, self.name)) for surface in moved

@@ -32,6 +32,7 @@ from artgen import (
     choice,
     count,
     details,
+    require,
     shades,
     uniform,
 )
@@ -318,6 +319,11 @@ def box(
     model: int = count(100, 989),
 ) -> Body:
     """Make a cardboard or gift box, closed: flaps, tucks, ears, lid, drawer, bottles."""
+    if style in ("slotted", "half_slotted"):
+        free = width * (1.0 - aspect)  # between the minor flaps of the bottom
+        width = require(width, free > 0.006, "flaps meet in a square box: lower aspect, to 0.96 at most")
+    least = _least_height(style, mouth, wine)
+    height = require(height, height >= least, f"flaps and bottles need room: height at least {least:g} m")
     fresh = crease == "fresh"
     feel = Feel(stiffness if fresh else 0.0, springback if fresh else 0.0, friction, damping)
     draft = Draft(
@@ -360,3 +366,10 @@ def box(
                 rub=rub,
                 opening=lid_open,
             )
+
+
+def _least_height(style: Style, mouth: str, wine: str) -> float:
+    """Return how high a box has to be for the bottles in it, or for flaps at its ends [m]."""
+    if style == "wine" and wine != "none":
+        return 0.315
+    return 0.06 if style == "slotted" and mouth == "ends" else 0.0

@@ -47,7 +47,9 @@ from artgen.categories.parts.furniture_finish import (
 )
 from artgen.categories.parts.furniture_fronts import FrontLook, FrontStyle
 from artgen.categories.parts.furniture_pulls import bar_pull, cup_pull, edge_pull, knob_pull
+from artgen.categories.parts.suited import require_suited
 
+_HANDLES = {"knob": knob_pull, "bar": bar_pull, "cup": cup_pull, "edge": edge_pull}
 _GLASS = known("glass", "frosted_glass", "tinted_glass")
 _FINISH = boards("wood", "lacquer", "melamine", "decor")
 _WORKTOP, _LEG, _METAL = worktops(), leg_finishes(), hardware()
@@ -173,7 +175,7 @@ def cabinet(
     leg_finish: Material = _LEG,
     glass: Material = choice(*_GLASS, weights=(0.65, 0.25, 0.1)),
     metal: Material = _METAL,
-    handle: Generator = by("grip", knob=knob_pull, bar=bar_pull, cup=cup_pull, edge=edge_pull),
+    handle: Generator = by("grip", _HANDLES),
     hinges: int = by("kind", tall=choice(3, 4), otherwise=2, doc="of a door"),
     swing: Float = by(
         "hinge", concealed=uniform(1.6, 2.2), butt=uniform(1.6, 2.3), unit="rad", within=(0.5, 2.35)
@@ -182,6 +184,9 @@ def cabinet(
     hinge_damping: Float = uniform(0.2, 0.8, "N m s/rad"),
 ) -> Body:
     """Make a base, wall or tall cabinet with its doors shut: hinges, shelves, pulls."""
+    require_suited(handle, "grip", grip, _HANDLES)
+    if kind == "tall":
+        height = require(height, height >= 1.0, "a tall cabinet is at least 1 m high: raise height")
     require(hinge == "concealed" or grip != "edge", "a door between the sides has no free edge")
     slab = top_thickness if top == "worktop" else 0.0
     case = Carcass(
@@ -255,7 +260,9 @@ def _handled(
     hanging: Hanging, kind: str, grip: str, handle: Generator, metal: Material, rail: Scalar, name: str
 ) -> Body:
     """Make the handle of a door in place: near its free edge, where the hand is."""
-    pull: Body = handle(finish=metal, name=f"{name}_handle", **({"level": False} if grip == "bar" else {}))
+    # a bar stands 0.155 m from the end of a door; on a tall one it is near the middle
+    upright = {"level": False, "room": 0.92 if kind == "tall" else 0.31}
+    pull: Body = handle(finish=metal, name=f"{name}_handle", **(upright if grip == "bar" else {}))
     left, right = hanging.left, hanging.left + hanging.width
     low, high, face = hanging.low, hanging.high, hanging.face
     if grip == "edge":

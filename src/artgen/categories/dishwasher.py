@@ -27,6 +27,7 @@ from artgen import (
     count,
     details,
     material,
+    require,
     shades,
     uniform,
 )
@@ -202,6 +203,10 @@ def dishwasher(
     pull: Float = uniform(17.0, 24.0, "N", doc="at the handle, to begin to open the door"),
 ) -> Body:
     """Make a dishwasher: door, console, racks, spray arms, detergent flap."""
+    if handle == "recessed":
+        door_thickness = require(
+            door_thickness, door_thickness > 0.051, "a recessed handle is deep: door_thickness over 0.051 m"
+        )
     worktop = build == "freestanding" and controls == "front" and handle != "pocket"
     slim = size == "slim"
     girth = 0.0080

@@ -32,6 +32,7 @@ from artgen import (
     choice,
     details,
     one_of,
+    require,
     shades,
     uniform,
     vector,
@@ -74,7 +75,15 @@ from artgen.categories.parts.plates import finger_plate
 from artgen.categories.parts.pulls import pull_handle
 from artgen.categories.parts.push_bar import push_bar
 from artgen.categories.parts.roses import Fixing
+from artgen.categories.parts.suited import require_suited
 
+_HANDLES = {
+    "lever": lever_handle,
+    "knob": knob_handle,
+    "push_bar": push_bar,
+    "pull": pull_handle,
+    "none": finger_plate,
+}
 _ABOVE = 0.42  # of the place where hands push a leaf over its handle, past a deadbolt [m]
 _PAINTS = paints(480.0, "paint")  # over light softwood
 _SOLID_PAINTS = paints(660.0, "exterior_paint")  # over hardwood
@@ -193,9 +202,7 @@ def door(
         interior=choice("lever", "knob", "push_bar", "pull", "none", weights=(0.55, 0.24, 0.05, 0.09, 0.07)),
         exterior=choice("lever", "knob", "push_bar", "pull", "none", weights=(0.46, 0.16, 0.16, 0.18, 0.04)),
     ),
-    handle: Generator = by(
-        "opener", lever=lever_handle, knob=knob_handle, push_bar=push_bar, pull=pull_handle, none=finger_plate
-    ),
+    handle: Generator = by("opener", _HANDLES),
     handle_height: Float = uniform(0.86, 1.12, "m", doc="above the floor", within=(0.7, 1.4)),
     handle_range: Float = by(
         "opener",
@@ -240,6 +247,8 @@ def door(
     hinge_damping: Float = uniform(0.5, 2.0, "N m s/rad"),
 ) -> Body:
     """Make a door of one or two leaves in its frame: hinges, handle, latch, locks."""
+    require_suited(handle, "opener", opener, _HANDLES)
+    require(layout == "single" or frame != "arched", "two leaves have no arch: frame must be jambs or full")
     meeting = 1.25 * side_gap if layout == "double" else side_gap  # between the leaf and what its bolts enter
     arched = width * rise if frame == "arched" else None
     fittings = Fittings(metal, kick=kick_plate, sweep=sweep)

@@ -28,6 +28,7 @@ from artgen import (
     count,
     material,
     min_,
+    require,
     uniform,
     weld,
 )
@@ -59,9 +60,11 @@ from artgen.categories.parts.furniture_finish import (
 from artgen.categories.parts.furniture_fronts import FrontLook, FrontStyle
 from artgen.categories.parts.furniture_pulls import bar_pull, cup_pull, groove_pull, knob_pull
 from artgen.categories.parts.runners import RunnerStyle
+from artgen.categories.parts.suited import require_suited
 
 _FINISH, _ACCENT = boards("wood", "lacquer", "melamine", "decor", "steel"), accents()
 _WORKTOP, _LEG, _METAL = worktops(), leg_finishes(), hardware()
+_HANDLES = {"knob": knob_pull, "bar": bar_pull, "cup": cup_pull, "groove": groove_pull}
 _FRAMED = choice("flat", "beaded", "shaker", "ramped", weights=(0.4, 0.15, 0.25, 0.2))
 _MOUNTED = choice("overlay", "inset", weights=(0.55, 0.45))
 _SLABS = choice("flat", "beaded", weights=(0.7, 0.3))  # many framed fronts would be too many colliders
@@ -293,7 +296,7 @@ def drawer(
             otherwise=choice("knob", "bar", "cup", "groove", weights=(0.15, 0.4, 0.2, 0.25)),
         ),
     ),
-    handle: Generator = by("grip", knob=knob_pull, bar=bar_pull, cup=cup_pull, groove=groove_pull),
+    handle: Generator = by("grip", _HANDLES),
     handles: int = by(
         "kind",
         chest=by("columns", {1: choice(1, 2, weights=(0.25, 0.75))}, otherwise=1),
@@ -322,6 +325,8 @@ def drawer(
     slide_damping: Float = uniform(4.0, 12.0, "N s/m"),
 ) -> Body:
     """Make a chest, bedside table, filing cabinet or bank with its drawers shut."""
+    require_suited(handle, "grip", grip, _HANDLES)
+    require(style not in ("fielded", "glazed"), f"style={style} is for doors: no handle of a drawer meets it")
     slab = 0.0 if top == "flush" else top_thickness
     case = Carcass(
         width=width,
@@ -387,8 +392,10 @@ def drawer(
             else:
                 ends = {"": 0.0} if handles == 1 else {"_left": -0.28 * wide, "_right": 0.28 * wide}
                 at = (look_.sunk(front_thickness), level)
+                room = {"room": wide if handles == 1 else 0.44 * wide} if grip == "bar" else {}
                 on_front = [
-                    handle(finish=metal, name=f"drawer_handle{end}").at(x, *at) for end, x in ends.items()
+                    handle(finish=metal, name=f"drawer_handle{end}", **room).at(x, *at)
+                    for end, x in ends.items()
                 ]
             if kind == "file":
                 index = INDEXES[(first_index + number) % len(INDEXES)]

@@ -26,6 +26,7 @@ from artgen import (
     material,
     max_,
     min_,
+    require,
     shades,
     uniform,
     vector,
@@ -201,6 +202,13 @@ def faucet(
     rod_friction: Float = uniform(5.0, 9.0, "N"),
 ) -> Body:
     """Make a faucet, shut: spout, one or two handles, spray head, lift rod."""
+    require(
+        (spout == "beam") == (style in ("single_hole", "vessel")),
+        f"spout={spout} does not go with style={style}: a beam is the spout of single_hole and vessel, and "
+        "these have no other one",
+    )
+    require(spout != "low" or style == "wall", f"spout=low hangs before a wall, not on style={style}")
+    require(not rod or style != "wall", "a faucet on a wall has no lift rod: rod must be False")
     # slabs on a wall are thinner than worktops
     thick = min_(deck_thickness, 0.024) if style == "wall" else deck_thickness
     board = Board(deck_margin, thick, surface, reach if rod else None)

@@ -45,7 +45,9 @@ from artgen.categories.parts.latch import faceplate, latch_bolt, latch_pocket, l
 from artgen.categories.parts.levers import lever_handle, spring_turn
 from artgen.categories.parts.locks import with_button
 from artgen.categories.parts.roses import PIN_BELOW, Faces, Fixing, rose, spindle_hole
+from artgen.categories.parts.suited import require_suited
 
+_HANDLES = {"lever": lever_handle, "knob": knob_handle}
 _FOOT = 0.020  # thickness of the stand's foot [m]
 _DEEP = 0.15  # of the foot, front to back [m]
 _WIDTH = 0.20  # of the piece of door leaf [m]
@@ -82,7 +84,7 @@ def handle(
     inside: Literal["lever", "knob"] = by(
         "kind", lever=choice("lever"), knob=choice("knob"), grip_set=choice("lever", "knob")
     ),
-    handle: Generator = by("inside", lever=lever_handle, knob=knob_handle),
+    handle: Generator = by("inside", _HANDLES),
     rose_style: Literal["round", "square", "plate"] = choice(
         "round", "square", "plate", weights=(0.5, 0.25, 0.25)
     ),
@@ -127,6 +129,7 @@ def handle(
     model: int = count(101, 989, doc="number on the stand"),
 ) -> Body:
     """Make a lever, knob or grip set on a stand: both sides, spindle, latch, lock."""
+    require_suited(handle, "inside", inside, _HANDLES)
     is_set = kind == "grip_set"
     faces: Faces = "back" if is_set else "both"
     side = 1 if is_set else -1  # the face with the lock

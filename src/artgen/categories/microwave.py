@@ -26,6 +26,7 @@ from artgen import (
     coloured,
     details,
     material,
+    require,
     shades,
     uniform,
     weld,
@@ -172,6 +173,7 @@ def microwave(
     signed: Literal["door", "panel"] = choice("door", "panel", doc="where the maker's name is"),
 ) -> Body:
     """Make a microwave oven, closed: door, latch, turntable, keys, dials."""
+    require(key_shape != "round", "keys are wider than high: key_shape must be bar, square or pill")
     girth, projection = 0.0072, 0.034
     space = Space(
         width=width,
@@ -243,4 +245,7 @@ def microwave(
     body = body.attach(leaf.body(latches), hinge)
     spin = table.spin()
     body = body.attach(table.plate(), spin).attach(table.ring(), table.roll(spin))
-    return front.joined(body)
+    return front.joined(body).require(
+        front.room >= 0.0,
+        "dials do not fit over keys and button: raise height, or lower keys, dials or dial_radius",
+    )

@@ -26,6 +26,7 @@ from artgen import (
     count,
     details,
     material,
+    require,
     shades,
     uniform,
     weld,
@@ -210,6 +211,10 @@ def oven(
 ) -> Body:
     """Make an oven or a range, closed: door, racks, drawer, dials."""
     girth = 0.0080
+    if build == "range":
+        hinge_height = require(
+            hinge_height, hinge_height > 0.18, "there is a drawer below the door: hinge_height over 0.18 m"
+        )
     space = Space(
         build=build,
         width=width,

@@ -203,6 +203,12 @@ def toaster(
     """Make a toaster with its levers up: carriages, buttons, knobs, crumb tray."""
     require(levers == 1 or controls == "end", "two levers stand side by side on an end")
     require(controls == "end" or style in _FLAT_SIDES, "the sides of this body are not flat")
+    require(style != "retro" or tray == "back", "the sides of style=retro are round: tray must be back")
+    length = require(
+        length,
+        length - slot_length >= 0.05,
+        "a slot is shorter than the body: length 0.05 m over slot_length",
+    )
     plan = Plan(
         style, slots, slot_size == "long", slot_width, slot_length, bridge, shoulder, length, height, foot
     )

@@ -28,6 +28,7 @@ from artgen import (
     category,
     choice,
     count,
+    require,
     shades,
     uniform,
     weld,
@@ -209,6 +210,11 @@ def window(
     drag: Float = uniform(9.0, 18.0, "N", doc="of rollers, balances and brushes"),
 ) -> Body:
     """Make a casement, awning, sliding or double-hung window, shut and locked."""
+    require(style == "casement" or opens == "outwards", f"style={style} has opens=outwards only")
+    require(
+        shutters == "none" or (opens == "inwards" if style == "casement" else style != "awning"),
+        f"style={style} that opens {opens} would strike shutters={shutters}: they must be none",
+    )
     section = SECTIONS[kind]
     wide, tall = width - 2.0 * section.frame, height - SILL - 2.0 * section.frame
     glazing = Glazing(glass, sheets, columns, rows, finish)

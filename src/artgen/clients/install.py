@@ -4,7 +4,7 @@ import os
 import shutil
 import subprocess
 import sys
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
@@ -22,15 +22,22 @@ _RECORD = ".artgen-requirements"  # what artgen installed in an environment
 _SHOWN = 300  # characters of pip's complaint
 
 
-def install(environment: str, directory: Path, *, python: str = "") -> Done:
+def install(
+    environment: str,
+    directory: Path,
+    *,
+    python: str = "",
+    requirements: Mapping[str, Sequence[str]] = REQUIREMENTS,
+) -> Done:
     """Make the environment of some clients, unless it is there already.
 
     It counts as there only when pip is through, so an install that was interrupted is begun anew.
 
     Args:
-        environment: Its name, a key of `REQUIREMENTS`.
+        environment: Its name, a key of the requirements.
         directory: Where the environments lie.
         python: The Python program that it is made of; by default artgen's own.
+        requirements: What is installed in each environment.
 
     Returns:
         What was done. An environment that somebody else made is left as it is.
@@ -38,10 +45,10 @@ def install(environment: str, directory: Path, *, python: str = "") -> Done:
     Raises:
         ClientError: There is no such environment, or it cannot be made.
     """
-    if environment not in REQUIREMENTS:
-        raise ClientError(f"there is no environment {environment!r}.{nearest(environment, REQUIREMENTS)}")
+    if environment not in requirements:
+        raise ClientError(f"there is no environment {environment!r}.{nearest(environment, requirements)}")
     target = directory / environment
-    wanted = "\n".join(REQUIREMENTS[environment]) + "\n"
+    wanted = "\n".join(requirements[environment]) + "\n"
     try:
         directory.mkdir(parents=True, exist_ok=True)
         with _only_one(directory / f".{environment}.lock", environment):
@@ -50,7 +57,7 @@ def install(environment: str, directory: Path, *, python: str = "") -> Done:
                 return "there already"
             if whole and not record.exists():
                 return "made by hand"
-            _make(target, REQUIREMENTS[environment], python or sys.executable)
+            _make(target, requirements[environment], python or sys.executable)
             record.write_text(wanted, encoding="utf-8")
             (target / UNFINISHED).unlink()
     except OSError as error:

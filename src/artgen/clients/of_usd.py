@@ -22,7 +22,7 @@ _TURNED = Unavoidable(
 _MEETING = Unavoidable(
     r"\[Genesis\] \[.*\] \[WARNING\] Filtered out geometry pairs causing self-collision for the neutral "
     r"configuration \(qpos0\): .*\. Consider tuning Morph option .*\.",
-    "Genesis looks for parts in each other with voxels that are wider than the gap between the jaws of pliers",
+    "Genesis looks for parts in each other with voxels wider than the gap between the jaws of pliers",
 )
 
 

@@ -10,9 +10,11 @@ from artgen.catalog import find
 from artgen.commands.export import check_formats
 from artgen.commands.progress import rate_bar
 from artgen.dataset import Plan, Summary, TextureMode, generate_many
-from artgen.dataset.folder import GO_ON
+from artgen.dataset.engine import EngineName
+from artgen.dataset.target import GO_ON, is_url
 from artgen.export import DEFAULT_FORMATS, FORMATS, LAYOUTS, TEXTURES
 from artgen.export.collision import Collision
+from artgen.export.precision import check_precision
 from artgen.generator import OnCollision
 from artgen.materials.textures import check_size
 from artgen.overrides import parse_overrides
@@ -64,10 +66,25 @@ def generate(
         str, typer.Option(metavar="NAME", help=f"How the files lie: {', '.join(LAYOUTS)}.")
     ] = "flat",
     out: Annotated[
-        Path | None, typer.Option(metavar="DIRECTORY", help="Where to; ./<name of the asset> by default.")
+        str | None,
+        typer.Option(
+            metavar="DIRECTORY",
+            help="Where to; ./<name of the asset> by default. For a dataset also a URL that fsspec knows, "
+            "such as s3://bucket/doors.",
+        ),
     ] = None,
     jobs: Annotated[
         int | None, typer.Option(min=1, help="How many processes make a dataset; all cores by default.")
+    ] = None,
+    engine: Annotated[
+        EngineName, typer.Option(help="What runs them: processes of this machine, or a Ray cluster.")
+    ] = "local",
+    address: Annotated[
+        str | None,
+        typer.Option(
+            metavar="HOST:PORT",
+            help="Of the Ray cluster; by default that of RAY_ADDRESS, else one is started on this machine.",
+        ),
     ] = None,
     base: Annotated[
         Literal["fixed", "free"], typer.Option(help="Whether assets are fixed to the world.")
@@ -81,12 +98,20 @@ def generate(
         TextureMode | None,
         typer.Option(
             help="Where maps are kept: once for all assets of a dataset, with each asset, or nowhere, so "
-            "that colours alone are left. By default shared in a dataset."
+            "that colours alone are left. By default shared in a dataset; at a URL, embedded."
         ),
     ] = None,
     texture_size: Annotated[
         int, typer.Option(metavar="TEXELS", help="Texels on a side of the maps.")
     ] = TEXTURES,
+    mesh_precision: Annotated[
+        float,
+        typer.Option(
+            metavar="METRES",
+            help="How far what is seen may lie from what was made: 0.0005 halves the files; 0 writes every "
+            "triangle.",
+        ),
+    ] = 0.0,
     certify: Annotated[
         bool, typer.Option(help="Prove that no two links collide anywhere in the joint ranges.")
     ] = True,
@@ -101,6 +126,7 @@ def generate(
     """Generate an asset and print the paths of what was written; with -n, a dataset of many."""
     chosen = check_formats(layout, formats)
     check_size(texture_size)
+    check_precision(mesh_precision)
     options: dict[str, Any] = {
         "base": base,
         "certify": certify,
@@ -108,6 +134,10 @@ def generate(
         "on_collision": on_collision,
     }
     if count is None:
+        if out is not None and is_url(out):
+            raise typer.BadParameter(
+                f"one asset is written to a directory, not to {out}; say with -n how many"
+            )
         _one(
             categories,
             seed,
@@ -120,6 +150,7 @@ def generate(
                 "collision": collision,
                 "layout": layout,
                 "textures": 0 if textures == "none" else texture_size,
+                "mesh_precision": mesh_precision,
             },
         )
         return
@@ -135,11 +166,12 @@ def generate(
         formats=chosen,
         layout=layout,
         collision=collision,
-        textures=textures or "shared",
+        textures=textures,
         texture_size=texture_size,
+        mesh_precision=mesh_precision,
         **options,
     )
-    _many(plan, out, jobs)
+    _many(plan, out, {"jobs": jobs, "engine": engine, "address": address})
 
 
 def _one(
@@ -147,7 +179,7 @@ def _one(
     seed: int,
     name: str,
     overrides: list[str],
-    out: Path | None,
+    out: str | None,
     drawn: dict[str, Any],
     written: dict[str, Any],
 ) -> None:
@@ -159,7 +191,7 @@ def _one(
     asset, _ = find(categories[0]).evaluate(seed, name=name, overrides=parse_overrides(overrides), **drawn)
     if asset.certificate is not None and not asset.certificate.proven:
         typer.echo(f"warning: {' '.join(str(asset.certificate).split())}", err=True)
-    directory = asset.export(Path(asset.name) if out is None else out, **written)
+    directory = asset.export(asset.name if out is None else out, **written)
     if written["collision"] != "exact" and asset.certificate is not None:
         typer.echo(
             "note: the certificate is of the exact colliders; the export with "
@@ -170,7 +202,7 @@ def _one(
         typer.echo(path)
 
 
-def _many(plan: Plan, out: Path, jobs: int | None) -> None:
+def _many(plan: Plan, out: str, run: dict[str, Any]) -> None:
     """Generate a dataset, show how it goes on, and list what cannot be made.
 
     Raises:
@@ -178,7 +210,7 @@ def _many(plan: Plan, out: Path, jobs: int | None) -> None:
     """
     try:
         with rate_bar() as bar:
-            task = bar.add_task(out.name, total=None, failed="")
+            task = bar.add_task(Path(out).name, total=None, failed="")
             failed = 0
 
             def step(record: dict[str, Any]) -> None:
@@ -187,7 +219,7 @@ def _many(plan: Plan, out: Path, jobs: int | None) -> None:
                 bar.update(task, advance=1, failed=f"{failed} failed" if failed else "")
 
             summary = generate_many(
-                plan, out, jobs=jobs, progress=step, begin=lambda left: bar.update(task, total=left)
+                plan, out, progress=step, begin=lambda left: bar.update(task, total=left), **run
             )
     except KeyboardInterrupt:
         typer.echo(f"interrupted; {GO_ON}", err=True)
@@ -197,7 +229,7 @@ def _many(plan: Plan, out: Path, jobs: int | None) -> None:
         raise typer.Exit(_FAULT)
 
 
-def _tell(summary: Summary, out: Path) -> None:
+def _tell(summary: Summary, out: str) -> None:
     """List what cannot be made on stderr, and say on stdout what there is."""
     for record in summary.failed[:_SHOWN]:
         typer.echo(f"{record['name']}: {record['error']}", err=True)

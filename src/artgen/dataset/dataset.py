@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, overload
 from artgen.asset import Asset
 from artgen.dataset.folder import MANIFEST_FILE, read_manifest, stored_plan
 from artgen.dataset.tables import rows
+from artgen.dataset.target import is_url, target_of
 from artgen.errors import ExportError, ParameterError, nearest
 
 if TYPE_CHECKING:
@@ -24,22 +25,25 @@ class Dataset(Sequence[Asset]):
         for asset in parts["train"]: ...
 
     Args:
-        directory: The folder. Assets whose run was interrupted are not in it.
+        directory: The folder, or a URL that fsspec knows: from there, an asset is fetched when it is asked
+            for, to a folder that is removed when the process ends. Assets whose run was interrupted are not
+            in it.
 
     Raises:
-        ExportError: It holds no dataset.
+        ExportError: It holds no dataset, or cannot be read.
 
     Attributes:
-        directory: The folder.
+        directory: The folder or URL.
         records: The line of each asset in the manifest, in order.
     """
 
     def __init__(self, directory: str | Path) -> None:
-        self.directory = Path(directory)
-        if stored_plan(self.directory) is None or not (self.directory / MANIFEST_FILE).is_file():
+        self.directory = directory if is_url(directory) else Path(directory)
+        self._target = target_of(directory)
+        if stored_plan(self._target) is None or self._target.read(MANIFEST_FILE) is None:
             raise ExportError(f"{directory} holds no dataset; `artgen generate CATEGORY -n 100` makes one")
         self.records: tuple[Mapping[str, Any], ...] = tuple(
-            record for record in read_manifest(self.directory) if record["state"] == "done"
+            record for record in read_manifest(self._target) if record["state"] == "done"
         )
 
     def __len__(self) -> int:
@@ -64,7 +68,7 @@ class Dataset(Sequence[Asset]):
 
     def __iter__(self) -> Iterator[Asset]:
         """Load one asset after another."""
-        return map(Asset.load, self.paths())
+        return map(Asset.load, map(self._path, self.records))
 
     def __repr__(self) -> str:
         """Say how many assets of which categories there are."""
@@ -72,7 +76,7 @@ class Dataset(Sequence[Asset]):
         return f"<{len(self)} assets of {', '.join(names) or 'no category'} in {self.directory}>"
 
     def paths(self) -> list[Path]:
-        """Return the directory of each asset."""
+        """Return the directory of each asset, all fetched if they lie at a URL."""
         return [self._path(record) for record in self.records]
 
     def files(self, written: str) -> list[Path]:
@@ -163,11 +167,11 @@ class Dataset(Sequence[Asset]):
 
     def _of(self, records: tuple[Mapping[str, Any], ...]) -> "Dataset":
         part = object.__new__(Dataset)
-        part.directory, part.records = self.directory, records
+        part.directory, part._target, part.records = self.directory, self._target, records
         return part
 
     def _path(self, record: Mapping[str, Any]) -> Path:
-        return self.directory / str(record["path"])
+        return self._target.local(str(record["path"]))
 
     def _refuse_unknown(self, what: str, names: Iterable[str], known: Iterable[str]) -> None:
         allowed = set(known)

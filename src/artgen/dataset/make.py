@@ -1,17 +1,15 @@
 """One asset of a dataset: drawn, proven and written, in a process of its own."""
 
-import os
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any
 
 from artgen.asset.files import ASSET_FILE
 from artgen.catalog import find
-from artgen.dataset.folder import TEXTURE_DIRECTORY, put
 from artgen.dataset.plan import Item, Plan
 from artgen.dataset.record import failure, record_of
+from artgen.dataset.target import Target
 from artgen.errors import ArtgenError, ExportError
-from artgen.export.files import encode, write_files
+from artgen.export.files import encode
 
 
 @dataclass(frozen=True)
@@ -27,26 +25,20 @@ class Made:
     refusal: str = ""
 
 
-def make(item: Item, *, plan: Plan, folder: Path, staging: Path) -> Made:
+def make(item: Item, *, plan: Plan, target: Target) -> Made:
     """Make an asset and put it in its place.
 
     Args:
         item: Which.
         plan: How assets are drawn and written.
-        folder: The dataset's.
-        staging: Where it is made.
+        target: Where to.
     """
     try:
         files = _files(item, plan)
     except Exception as error:  # noqa: BLE001 - whatever a category raises, the others go on
         return Made(failure(item.name, item.category, item.seed, _told(error)))
-    made = staging / f"{item.name}.{os.getpid()}"
     try:
-        store = folder / TEXTURE_DIRECTORY if plan.textures == "shared" else None
-        if store is not None:
-            store.mkdir(exist_ok=True)
-        write_files(files, made, store)
-        put(made, folder / item.path)
+        target.put(files, item.path, share=plan.textures == "shared")
     except OSError as error:
         return Made(None, error.strerror or str(error))
     return Made(record_of(files[ASSET_FILE], item.path))
@@ -61,7 +53,7 @@ def _files(item: Item, plan: Plan) -> dict[str, bytes]:
         on_collision=plan.on_collision,
         overrides=plan.overrides_of(item.category),
     )
-    return encode(asset, plan.formats, plan.collision, plan.texels, plan.layout)
+    return encode(asset, plan.formats, plan.collision, plan.texels, plan.layout, plan.mesh_precision)
 
 
 def _told(error: Exception) -> str:

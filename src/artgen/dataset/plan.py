@@ -11,6 +11,7 @@ from artgen.errors import ParameterError
 from artgen.export.collision import Collision
 from artgen.export.files import chosen_formats, find_layout
 from artgen.export.formats import TEXTURES
+from artgen.export.precision import check_precision
 from artgen.generator import OnCollision
 from artgen.materials.textures import check_size
 from artgen.overrides import parse_overrides
@@ -60,8 +61,9 @@ class Plan:
         formats: What is written of each.
         layout: How its files lie.
         collision: Which colliders it carries.
-        textures: Where its maps are kept.
+        textures: Where its maps are kept; by default shared in a folder and embedded at a URL.
         texture_size: Texels on a side of them.
+        mesh_precision: How far what is seen may lie from what was made [m].
     """
 
     categories: tuple[str, ...]
@@ -75,8 +77,9 @@ class Plan:
     formats: tuple[str, ...] = ()
     layout: str = "flat"
     collision: Collision = "exact"
-    textures: TextureMode = "shared"
+    textures: TextureMode | None = None
     texture_size: int = TEXTURES
+    mesh_precision: float = 0.0
 
     def __post_init__(self) -> None:
         """Refuse what no run could do, before anything is written.
@@ -92,9 +95,10 @@ class Plan:
             raise ParameterError(f"the category {twice!r} is named twice; leave one of them out")
         if self.count < 1:
             raise ParameterError(f"a dataset holds at least one asset, not {self.count}")
-        if self.textures not in get_args(TextureMode):
+        if self.textures not in (None, *get_args(TextureMode)):
             raise ParameterError(f"textures are shared, embedded or none, not {self.textures!r}")
         check_size(self.texture_size)
+        check_precision(self.mesh_precision)
         vars(self)["formats"] = chosen_formats(find_layout(self.layout), self.formats or None)
         for name in self.categories:
             find(name).sample(self.seed, overrides=self.overrides_of(name))

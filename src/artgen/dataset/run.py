@@ -1,19 +1,20 @@
 """The run: worker processes make what a folder has not, and everything that lands is on record at once."""
 
 import functools
-import os
 import time
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from artgen.dataset.folder import GO_ON, Folder
+from artgen.dataset.engine import Engine, EngineName, engine_of
+from artgen.dataset.folder import Folder
 from artgen.dataset.make import Made, make
 from artgen.dataset.plan import Item, Plan
 from artgen.dataset.record import failure
 from artgen.dataset.tables import write_tables
-from artgen.dataset.workers import Ending, run_tasks
+from artgen.dataset.target import GO_ON, target_of
+from artgen.dataset.workers import Ending
 from artgen.errors import ExportError, ParameterError
 
 _TRIES = 3  # for an item whose process dies or takes too long
@@ -43,11 +44,13 @@ def generate_many(
     directory: str | Path,
     *,
     jobs: int | None = None,
+    engine: EngineName = "local",
+    address: str | None = None,
     limit: float = 600.0,
     progress: Progress | None = None,
     begin: Callable[[int], None] | None = None,
 ) -> Summary:
-    """Make all assets of a plan in a folder, with a manifest and tables of their parameters.
+    """Make all assets of a plan in a folder or at a URL, with a manifest and tables of their parameters.
 
     The files depend on the plan alone, not on how many processes work or how often they were interrupted: a
     run in a folder of the same plan makes what is missing. An asset that cannot be made is a line of the
@@ -56,36 +59,39 @@ def generate_many(
 
     Args:
         plan: What to make.
-        directory: Where; made if there is none, else it is empty or holds a dataset of the same plan.
-        jobs: How many processes work; by default as many as there are cores for this one.
+        directory: Where: a folder, or a URL that fsspec knows; made if there is none, else it is empty or
+            holds a dataset of the same plan.
+        jobs: How many processes work; by default as many as there are cores for this one, or in the cluster.
+        engine: What runs them: `local` processes, or `ray`.
+        address: Of a Ray cluster that runs; by default the variable RAY_ADDRESS tells it, or one is started
+            here.
         limit: How long one asset may take [s].
         progress: Called with each line of the manifest as it is added.
         begin: Called before, with how many assets are missing.
 
     Raises:
-        ParameterError: `jobs` is less than one.
-        ExportError: The folder holds something else, another run writes to it, or the disk refuses; what is
-            done stays.
+        ParameterError: `jobs` is less than one, or there is no such engine.
+        ExportError: The folder holds something else, another run writes to it, the disk refuses, or there is
+            no such cluster; what is done stays.
     """
-    workers = cores() if jobs is None else jobs
-    if workers < 1:
-        raise ParameterError(f"at least one process has to work, not {workers}")
+    if jobs is not None and jobs < 1:
+        raise ParameterError(f"at least one process has to work, not {jobs}")
     start = time.monotonic()
-    path = Path(directory).absolute()
-    with Folder.opened(path, plan) as folder:
+    target = target_of(directory).absolute()
+    with engine_of(engine, jobs=jobs, address=address) as run, Folder.opened(target, plan) as folder:
         left = [item for item in folder.plan.items() if item.name not in folder.records]
         kept = sum(record["state"] == "done" for record in folder.records.values())
         if begin is not None:
             begin(len(left))
         made = 0
-        task = functools.partial(make, plan=folder.plan, folder=path, staging=folder.staging)
-        for item, record in _records(task, left, workers, limit):
+        task = functools.partial(make, plan=folder.plan, target=target)
+        for item, record in _records(run, task, left, limit):
             folder.add(item, record)
             made += record["state"] == "done"
             if progress is not None:
                 progress(record)
         folder.finish()
-        write_tables(folder.path, folder.records.values())
+        write_tables(target, folder.records.values())
         failed = tuple(
             folder.records[item.name]
             for item in folder.plan.items()
@@ -94,15 +100,8 @@ def generate_many(
     return Summary(made, kept, failed, time.monotonic() - start)
 
 
-def cores() -> int:
-    """Return how many cores this process may use."""
-    if hasattr(os, "sched_getaffinity"):
-        return len(os.sched_getaffinity(0))
-    return os.cpu_count() or 1
-
-
 def _records(
-    task: Callable[[Item], Made], items: list[Item], jobs: int, limit: float
+    run: Engine, task: Callable[[Item], Made], items: list[Item], limit: float
 ) -> Iterator[tuple[Item, dict[str, Any]]]:
     """Yield each item with its line, in the order in which they are done.
 
@@ -112,7 +111,7 @@ def _records(
     tries = dict.fromkeys(items, 0)
     while items:
         again = []
-        for ending in run_tasks(task, items, jobs=jobs, limit=limit):
+        for ending in run(task, items, limit=limit):
             item: Item = ending.item
             tries[item] += 1
             if ending.state == "done":

@@ -2,8 +2,10 @@
 
 from collections.abc import Iterable, Mapping
 from importlib.util import find_spec
-from pathlib import Path
+from io import BytesIO
 from typing import Any
+
+from artgen.dataset.target import Target
 
 TABLE_DIRECTORY = "parameters"
 
@@ -21,7 +23,7 @@ def rows(records: Iterable[Mapping[str, Any]]) -> dict[str, list[dict[str, Any]]
     return {category: sorted(each, key=lambda row: row["seed"]) for category, each in found.items()}
 
 
-def write_tables(folder: Path, records: Iterable[Mapping[str, Any]]) -> None:
+def write_tables(target: Target, records: Iterable[Mapping[str, Any]]) -> None:
     """Write a Parquet table for each category, if pyarrow is there: `pip install artgen[data]`."""
     if find_spec("pyarrow") is None:
         return
@@ -31,8 +33,6 @@ def write_tables(folder: Path, records: Iterable[Mapping[str, Any]]) -> None:
     for category, table in rows(records).items():
         names = dict.fromkeys(name for row in table for name in row)
         columns = {name: [row.get(name) for row in table] for name in names}
-        path = folder / TABLE_DIRECTORY / f"{category}.parquet"
-        path.parent.mkdir(exist_ok=True)
-        partial = path.with_name(f".{path.name}.partial")
-        parquet.write_table(pa.table(columns), partial)
-        partial.replace(path)
+        content = BytesIO()
+        parquet.write_table(pa.table(columns), content)
+        target.write(f"{TABLE_DIRECTORY}/{category}.parquet", content.getvalue())

@@ -46,13 +46,13 @@ def run_tasks(
 
     Args:
         task: A function of a module, so that other processes can import it.
-        items: What it is given, one after another.
+        items: What it is given, one after another; asked for when a process is free, so they may be endless.
         jobs: How many processes there are.
         limit: How long a task may take [s]; its process is ended then, and another one takes its place.
     """
     for name in _THREADS:
         os.environ.setdefault(name, "1")
-    waiting = iter(list(items))
+    waiting = iter(items)
     workers: list[_Worker] = []
     try:
         while True:

@@ -9,14 +9,14 @@ import numpy as np
 from manifold3d import Manifold, OpType
 from numpy.typing import NDArray
 
-from artgen.asset import Asset, Collider, Link, Surface
+from artgen.asset import Asset, Collider, Link
 from artgen.asset.link import MOST_COLLIDERS, boxes_overlap
-from artgen.asset.mass import MassProperties
 from artgen.colliders import Convex
 from artgen.colliders.coacd import coacd_pieces
 from artgen.colliders.connected import closed_mesh, connected_parts
 from artgen.colliders.single import fewest, single_hull
-from artgen.errors import AssetError, ExportError, nearest
+from artgen.errors import ExportError, nearest
+from artgen.export.derived import DerivedLink, fields_of, need_solids
 from artgen.materials import Material
 
 Array = NDArray[np.float64]
@@ -69,14 +69,11 @@ def with_colliders(asset: Asset, kind: Collision | str) -> Asset:
         raise ExportError(f"there is no collision {kind!r}.{nearest(kind, COLLISIONS)}")
     if kind == "exact":
         return asset
-    for link in asset.links:
-        if not link.pieces:
-            raise AssetError(
-                f"asset {asset.name!r} was read from files, which keep no solids, so its colliders cannot be "
-                f"made anew as {kind!r}; generate the asset again, or write it with collision='exact', which "
-                "keeps the colliders that it has",
-                link=link.name,
-            )
+    need_solids(
+        asset,
+        f"its colliders cannot be made anew as {kind!r}",
+        "collision='exact', which keeps the colliders that it has",
+    )
     found = {link.name: made_colliders(solid_parts(link), kind) for link in asset.links}
     return replace_colliders(asset, found, kind)
 
@@ -84,17 +81,7 @@ def with_colliders(asset: Asset, kind: Collision | str) -> Asset:
 def replace_colliders(asset: Asset, colliders: dict[str, tuple[Collider, ...]], kind: str) -> Asset:
     """Return an asset with other colliders on its links, by the links' names."""
     links = [
-        RecollidedLink(
-            link.name,
-            link.label,
-            link.pieces,
-            link.grasps,
-            link.separate,
-            link.pushes,
-            source=link,
-            replacing=colliders[link.name],
-            collision=kind,
-        )
+        RecollidedLink(*fields_of(link), source=link, replacing=colliders[link.name], collision=kind)
         for link in asset.links
     ]
     return replace(asset, links=tuple(links))
@@ -185,40 +172,23 @@ def _bounds(solid: Manifold) -> Array:
 
 
 @dataclass(frozen=True, eq=False)
-class RecollidedLink(Link):
+class RecollidedLink(DerivedLink):
     """A link with colliders of another making; the rest is the source's.
 
     Attributes:
-        source: The link before.
         replacing: Its colliders now.
         collision: How they were made.
     """
 
-    source: Link = field(kw_only=True)
     replacing: tuple[Collider, ...] = field(kw_only=True)
     collision: str = field(kw_only=True)
-
-    @cached_property
-    def labels(self) -> tuple[str, ...]:
-        """The semantic labels on the link, its own first."""
-        return self.source.labels
-
-    @cached_property
-    def mass_properties(self) -> MassProperties:
-        """Mass, centre and inertia of the source: of its solids."""
-        return self.source.mass_properties
 
     @cached_property
     def colliders(self) -> tuple[Collider, ...]:
         """The colliders that replace the source's."""
         return self.replacing
 
-    @cached_property
-    def surfaces(self) -> tuple[Surface, ...]:
-        """The visible faces of the source."""
-        return self.source.surfaces
-
     def to_data(self) -> dict[str, Any]:
         """Return everything but the triangles as JSON data, with how the colliders were made."""
-        colliders = super().to_data()["colliders"]
-        return {**self.source.to_data(), "colliders": colliders, _RECORD: self.collision}
+        colliders = Link.to_data(self)["colliders"]
+        return {**super().to_data(), "colliders": colliders, _RECORD: self.collision}

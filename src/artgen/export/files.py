@@ -18,6 +18,7 @@ from artgen.export.collision import Collision, collision_of, with_colliders
 from artgen.export.digests import digests
 from artgen.export.formats import FORMATS, TEXTURES
 from artgen.export.layouts import LAYOUTS, Layout
+from artgen.export.precision import with_precision
 from artgen.materials.textures import check_size
 
 REPORT_FILE = "report.json"
@@ -35,6 +36,7 @@ def export(
     collision: Collision = "exact",
     textures: int = TEXTURES,
     layout: str = "flat",
+    mesh_precision: float = 0.0,
 ) -> Path:
     """Write an asset to a directory: `asset.json` and the files of each format.
 
@@ -53,6 +55,9 @@ def export(
         textures: Texels on a side of the materials' maps: 256, 512, 1024 or 2048; 0 for colours alone.
         layout: How the files lie, see `artgen.export.layouts`: `flat`, `simready`, `partnet-mobility` or
             `robocasa`.
+        mesh_precision: How far what is seen may lie from what was made [m], to write fewer triangles, and
+            texture coordinates only where there are maps: 0.0005 halves the meshes and is not seen from a
+            metre; 0 writes all.
 
     Returns:
         The directory.
@@ -60,10 +65,11 @@ def export(
     Raises:
         ExportError: A layout, format or collision is unknown, the layout has no such format, the directory
             holds other files, or the disk refuses.
-        AssetError: The asset was read from files, which keep no solids, and other colliders are asked for.
-        ParameterError: Maps cannot have that many texels.
+        AssetError: The asset was read from files, which keep no solids, and other colliders or surfaces are
+            asked for.
+        ParameterError: Maps cannot have that many texels, or surfaces that precision.
     """
-    files = encode(asset, formats, collision, textures, layout)
+    files = encode(asset, formats, collision, textures, layout, mesh_precision)
     target = Path(os.path.realpath(directory))
     kept = _foreign_files(target, files)
     try:
@@ -84,19 +90,21 @@ def encode(
     collision: Collision = "exact",
     textures: int = TEXTURES,
     layout: str = "flat",
+    mesh_precision: float = 0.0,
 ) -> dict[str, bytes]:
     """Return the content of every file of an export by its path relative to the directory.
 
     Raises:
         ExportError: A layout, format or collision is unknown, or the layout has no such format.
-        AssetError: The asset was read from files, which keep no solids, and other colliders are asked for.
-        ParameterError: Maps cannot have that many texels.
+        AssetError: The asset was read from files, which keep no solids, and other colliders or surfaces are
+            asked for.
+        ParameterError: Maps cannot have that many texels, or surfaces that precision.
     """
     if textures != 0:
         check_size(textures)
     laid_out = find_layout(layout)
     chosen = chosen_formats(laid_out, formats)
-    asset = as_stored(with_colliders(asset, collision))
+    asset = as_stored(with_precision(with_colliders(asset, collision), mesh_precision))
     files: dict[str, bytes] = {}
     record: dict[str, Any] = {}
     for name in chosen:

@@ -88,7 +88,7 @@ def mesh_files(asset: Asset, textures: int = 0) -> MeshFiles:
 def surface_text(mesh: Mesh, origin: Array, library: str, material: Material) -> bytes:
     """Return a surface as OBJ text, with its vertices taken from asset coordinates to a frame at `origin`.
 
-    Vertices keep their numbers; each normal and texture coordinate is written once.
+    Each position, normal and texture coordinate is written once; `read_obj` finds the vertices again.
     """
     coordinates = texture_coordinates(mesh, material)
     rows = np.concatenate([mesh.vertices - origin, coordinates, mesh.normals], axis=1)
@@ -97,13 +97,14 @@ def surface_text(mesh: Mesh, origin: Array, library: str, material: Material) ->
         a, b, c = corners[0]
         rows = np.concatenate([rows, rows[[a, b]].mean(axis=0, keepdims=True)])
         corners = np.array([[a, 3, c], [3, b, c]])
+    positions, place_numbers = _distinct(rounded(rows[:, :3], POSITION_DECIMALS))
     uvs, uv_numbers = _distinct(rounded(rows[:, 3:5], UV_DECIMALS))
     normals, normal_numbers = _distinct(rounded(rows[:, 5:8], NORMAL_DECIMALS))
-    numbers = np.column_stack([np.arange(len(rows)), uv_numbers, normal_numbers]) + 1
+    numbers = np.column_stack([place_numbers, uv_numbers, normal_numbers]) + 1
     return b"".join(
         (
             f"mtllib {library}\nusemtl {material.name}\n".encode(),
-            text(lines(("v ", " ", " "), rounded(rows[:, :3], POSITION_DECIMALS), POSITION_DECIMALS)),
+            text(lines(("v ", " ", " "), positions, POSITION_DECIMALS)),
             text(lines(("vt ", " "), uvs, UV_DECIMALS)),
             text(lines(("vn ", " ", " "), normals, NORMAL_DECIMALS)),
             text(face_lines(corners, numbers)),
@@ -130,8 +131,13 @@ def _distinct(values: Indices) -> tuple[Indices, Indices]:
     columns = np.ascontiguousarray(values.T)
     lowest = columns.min(axis=1)
     spans = [int(span) + 1 for span in columns.max(axis=1) - lowest]
-    if math.prod(spans) >= 2**63:  # too wide for one key per row: coordinates of kilometres
-        return values, np.arange(len(values))
+    if math.prod(spans) >= 2**63:  # too wide for one key per row
+        order = np.lexsort(columns[::-1])
+        ordered = values[order]
+        new = np.append(True, (ordered[1:] != ordered[:-1]).any(axis=1))
+        numbers = np.empty(len(values), np.int64)
+        numbers[order] = np.cumsum(new) - 1
+        return ordered[new], numbers
     keys = columns[0] - lowest[0]
     for column, least, span in zip(columns[1:], lowest[1:], spans[1:], strict=True):
         keys = keys * span + (column - least)

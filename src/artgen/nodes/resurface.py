@@ -1,12 +1,12 @@
 """New surfaces for old solids: other normals, texture coordinates or paint on the same triangles."""
 
-import math
 from collections.abc import Callable
 
 import numpy as np
 from manifold3d import Manifold
 from numpy.typing import NDArray
 
+from artgen.asset.creases import corner_normals
 from artgen.asset.manifolds import manifold_of
 from artgen.asset.shape import Shape
 from artgen.colliders import Pieces
@@ -40,7 +40,7 @@ def faceted_shape(solid: Manifold, pieces: Pieces) -> Shape:
     across = cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     size = np.linalg.norm(across, axis=1)
     flat = across / np.maximum(size, 1e-300)[:, None]
-    normals = _corner_normals(triangles, flat, across, corners)
+    normals = corner_normals(triangles, corners, CREASE)
     vertices = corners.reshape(-1, 3)
     uvs, side = boxed_uvs(vertices, np.repeat(flat, 3, axis=0), np.ptp(places, axis=0))
     table = np.column_stack([vertices, normals, uvs])
@@ -63,30 +63,3 @@ def faceted_shape(solid: Manifold, pieces: Pieces) -> Shape:
         pieces,
         targets=target[origin],
     )
-
-
-def _corner_normals(triangles: NDArray[np.int64], flat: Array, across: Array, corners: Array) -> Array:
-    """Return a normal for each corner of each triangle, shape (3 m, 3): the mean of its smooth surroundings.
-
-    Faces count by the angle that they take at the vertex, so that the cut of a face does not matter.
-    """
-    count = len(triangles)
-    following, before = np.roll(corners, -1, axis=1) - corners, np.roll(corners, 1, axis=1) - corners
-    cosine = np.einsum("ijk,ijk->ij", following, before)
-    sine = np.linalg.norm(across, axis=1)[:, None]
-    angle = np.arctan2(np.broadcast_to(sine, cosine.shape), cosine).ravel()
-    vertex = triangles.ravel()
-    face = np.repeat(np.arange(count), 3)
-    order = np.argsort(vertex, kind="stable")
-    start = np.searchsorted(vertex[order], np.arange(vertex.max() + 2))
-    fans = np.diff(start)
-    normals = np.zeros((3 * count, 3))
-    for size in np.unique(fans[fans > 0]).tolist():
-        heads = start[:-1][fans == size]
-        corner = order[heads[:, None] + np.arange(size)]
-        turned = flat[face[corner]]
-        near = np.einsum("vik,vjk->vij", turned, turned) > math.cos(CREASE)
-        weight = near * angle[corner][:, None, :]
-        normals[corner.ravel()] = np.einsum("vij,vjk->vik", weight, turned).reshape(-1, 3)
-    length = np.linalg.norm(normals, axis=1, keepdims=True)
-    return np.where(length > 1e-12, normals / np.maximum(length, 1e-300), np.repeat(flat, 3, axis=0))

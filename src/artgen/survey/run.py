@@ -13,6 +13,9 @@ from artgen.survey.sample import measure
 
 Task = Callable[..., dict[str, Any]]
 
+FIELDS = ("seed", "category", "state")
+"""What every line of a survey has."""
+
 
 def survey(
     category: str,
@@ -71,23 +74,31 @@ def survey(
     return [known[seed] for seed in wanted]
 
 
-def read_records(path: Path) -> Sequence[dict[str, Any]]:
+def read_records(
+    path: Path, fields: Sequence[str] = FIELDS, of: str = "a survey"
+) -> Sequence[dict[str, Any]]:
     """Return the records of a file; none if there is no such file.
 
     The last line of a run that was interrupted may be cut off; it is left out, and cut from the file.
 
+    Args:
+        path: The file, of JSON lines.
+        fields: What each line has to have.
+        of: What wrote such a file, in messages.
+
     Raises:
-        ExportError: The file is not one of a survey, or cannot be read.
+        ExportError: The file is of another kind, or cannot be read.
     """
     records = []
     lines, cut = lines_of(path)
     for number, line in enumerate(lines):
         try:
             record = json.loads(line)
-            record["seed"], record["category"], record["state"]
+            for field in fields:
+                record[field]
         except (ValueError, TypeError, KeyError) as error:
             raise ExportError(
-                f"{path}: line {number + 1} is no record of a survey; give another --out"
+                f"{path}: line {number + 1} is no record of {of}; give another --out"
             ) from error
         records.append(record)
     if cut:

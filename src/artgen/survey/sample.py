@@ -5,8 +5,6 @@ import time
 from collections.abc import Callable, Sequence
 from contextlib import suppress
 from importlib.util import find_spec
-from pathlib import Path
-from tempfile import TemporaryDirectory
 from typing import Any
 
 from artgen.asset import Asset
@@ -20,11 +18,11 @@ from artgen.check.validate import guarded
 from artgen.errors import ArtgenError, InfeasibleError
 from artgen.generator import Generator
 from artgen.graph import Cache, Graph
+from artgen.survey.folder import memory_folder
 from artgen.survey.products import misfits, size_of
 from artgen.survey.speed import speed
 from artgen.version import __version__
 
-_MEMORY = Path("/dev/shm")  # noqa: S108 - exports of a moment go where no disk is, in a directory of their own
 _DIGITS = 6  # significant digits of numbers
 
 
@@ -79,8 +77,8 @@ def _in_use(asset: Asset, checks: dict[str, Any]) -> dict[str, Any]:
     from artgen.check.behaviour import check_behaviour
     from artgen.view.opening import opened
 
-    with TemporaryDirectory(prefix="artgen_", dir=_MEMORY if _MEMORY.is_dir() else None) as folder:
-        directory = asset.export(Path(folder) / asset.name, formats=("mjcf",), textures=0)
+    with memory_folder() as folder:
+        directory = asset.export(folder / asset.name, formats=("mjcf",), textures=0)
         done = _checks(
             [
                 ("grasps", lambda: check_grasps(asset)),

@@ -20,8 +20,8 @@ def soak_page(records: Mapping[str, Sequence[Record]]) -> str:
         "",
         (
             f"What many samples of each category of artgen {__version__} were found to be. Written by "
-            "`make soak`, which takes hours and goes on where it was interrupted; do not edit it. Times are "
-            "those of the machine that ran it, with whatever else ran on it."
+            "`make survey`, which takes hours and goes on where it was interrupted; do not edit it. Times "
+            "are those of the machine that ran it, with whatever else ran on it."
         ),
         "",
         "| category | seeds | met | not met |",

@@ -69,7 +69,7 @@ class Failure:
 
     def __str__(self) -> str:
         """Tell the kind, the seeds and the first message."""
-        return f"{self.kind}: {listed(self.seeds)}\n  seed {self.seeds[0]}: {_shortened(self.message)}"
+        return f"{self.kind}: {listed(self.seeds)}\n  seed {self.seeds[0]}: {shortened(self.message)}"
 
 
 def criteria(records: Sequence[Record]) -> list[Criterion]:
@@ -140,7 +140,7 @@ def listed(seeds: Sequence[int]) -> str:
     return f"{len(seeds)} {plural}: {shown}" + (f" and {more} more" if more > 0 else "")
 
 
-def _shortened(message: str) -> str:
+def shortened(message: str) -> str:
     """Cut a long message: the end tells most of a traceback, the beginning of everything else."""
     if len(message) <= _LONG:
         return message

@@ -24,6 +24,7 @@ from artgen import (
     hull,
     material,
     part,
+    require,
     union,
 )
 from artgen.categories.parts.feet import corner_feet
@@ -244,9 +245,8 @@ class Carcass:
             case "legs":
                 return self.legs(leg, finish)
             case "feet":
-                return [
-                    corner_feet(self.width, self.rear - self.front, inset=0.03, radius=0.014, height=self.low)
-                ]
+                low = require(self.low, self.low > 0.004, "feet are higher: stand_height over 0.004 m")
+                return [corner_feet(self.width, self.rear - self.front, inset=0.03, radius=0.014, height=low)]
             case _:
                 x, y, z = self.right, self.behind, self.ceiling
                 bracket = board(
@@ -262,10 +262,13 @@ class Carcass:
             setback: From the front of the carcass to the board [m].
             finish: Of the board.
         """
+        low = require(
+            self.low, self.low > 0.02, "a plinth is higher than its boards: stand_height over 0.02 m"
+        )
         x = (-self.right - _BITE, self.right + _BITE)
-        z = (_SEAM, self.low + 0.002)
+        z = (_SEAM, low + 0.002)
         near = board(x, (self.front + setback, self.front + setback + 0.016), z, bevel=EASE)
-        far = board(x, (self.rear - 0.032, self.rear - 0.016), (0.02, self.low + 0.002), bevel=EASE)
+        far = board(x, (self.rear - 0.032, self.rear - 0.016), (0.02, low + 0.002), bevel=EASE)
         return [part(near, "plinth", finish), part(far, "plinth", finish)]
 
     def legs(self, style: LegStyle, finish: Material, *, inset: Scalar = 0.045) -> list[Body]:

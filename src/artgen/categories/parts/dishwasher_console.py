@@ -7,7 +7,7 @@ turned over.
 from dataclasses import dataclass
 from functools import cached_property
 
-from artgen import Body, Material, Scalar, Solid, Span, board, details, material, part, weld
+from artgen import Body, Material, Scalar, Solid, Span, board, details, material, part, require, weld
 from artgen.categories.parts.buttons import ButtonShape, button_press, push_button
 from artgen.categories.parts.control_panels import (
     PANE,
@@ -121,6 +121,8 @@ class Console:
         if not self.buttons:
             return [*boards, board((-x, end), y, (-z, z))]
         left, right = self._channel
+        room = "the buttons have no room on the console: raise width, or lower buttons"
+        left, right = require(left, left > -x, room), require(right, right < end, room)
         half = 0.5 * self._cap_height + 0.0012
         return [
             *boards,

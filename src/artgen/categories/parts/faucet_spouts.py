@@ -28,6 +28,7 @@ from artgen import (
     part,
     polyline,
     rectangle,
+    require,
     revolve,
     spline,
     sweep,
@@ -94,6 +95,11 @@ def _course(style: SpoutStyle, height: Scalar, reach: Scalar, fall: Scalar) -> P
     low = 0.004
     match style:
         case "gooseneck":
+            height = require(
+                height,
+                height - low > 0.5 * reach,
+                "a gooseneck is higher than half of its reach: raise height, or lower reach",
+            )
             return polyline(
                 [(0.0, 0.0, low), (0.0, 0.0, height), (0.0, -reach, height), (0.0, -reach, fall)],
                 fillet=0.4985 * reach,

@@ -36,6 +36,7 @@ from artgen import (
     part,
     polygon,
     polyline,
+    require,
     sweep,
     uniform,
     union,
@@ -114,6 +115,7 @@ def bar_pull(
     finish: Material,
     name: str = given("handle"),
     level: bool = given(True),
+    room: Scalar = given(1.0),
     style: BarStyle = choice("round", "square", "strap", "bow", weights=(0.4, 0.28, 0.12, 0.2)),
     length: Float = uniform(0.115, 0.230, "m", doc="overall length", within=(0.10, 0.9)),
     projection: Float = uniform(0.028, 0.036, "m", doc="face of the front to the middle of the bar"),
@@ -125,11 +127,13 @@ def bar_pull(
         finish: Its metal.
         name: Begins the name of its grasp, which has to be the only one of an asset.
         level: Whether it lies along X instead of standing along Z.
+        room: How long it may be on its front [m].
         style: What it looks like; see `bar_handle`.
         length: Overall length [m].
         projection: From the face of the front to the middle of the bar [m].
         girth: Half of its thickness [m].
     """
+    length = require(length, length < room, "the bar is longer than its front has room: lower handle.length")
     if style == "bow":
         bow = _bow(length, projection, girth, finish, name)
         return bow.rotate(Y, math.pi / 2) if level else bow

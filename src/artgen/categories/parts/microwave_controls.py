@@ -162,11 +162,21 @@ class Panel:
     @cached_property
     def _turned(self) -> list[tuple[Scalar, Scalar]]:
         """The middles of the dials, x and z [m]."""
+        high, step = self._room[1], self._step
+        return [(self._middle, high - (number + 0.5) * step) for number in range(self.dials)]
+
+    @cached_property
+    def _step(self) -> Scalar:
+        """The height that each dial has [m]."""
         low, high = self._room
         if self.keys:
             low = low + self._rows * _PITCH
-        step = (high - low) / max(self.dials, 1)
-        return [(self._middle, high - (number + 0.5) * step) for number in range(self.dials)]
+        return (high - low) / max(self.dials, 1)
+
+    @property
+    def room(self) -> Scalar:
+        """How much higher than needed what is left for dials is; negative where they do not fit [m]."""
+        return self._step - 2.0 * self.radius if self.dials else self._step
 
     @cached_property
     def _button(self) -> Scalar:

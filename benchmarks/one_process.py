@@ -1,0 +1,38 @@
+"""Make one asset after another in this process, and print of each what it took and how much memory there is.
+
+It is started by benchmarks: `one_process.py CATEGORY COUNT SEEDS DIRECTORY`. Where there are fewer seeds than
+assets, they come again and again, and each asset is made anew.
+"""
+
+import json
+import resource
+import sys
+from functools import partial
+from pathlib import Path
+
+from timing import seconds
+
+UNIT = 1 if sys.platform == "darwin" else 1024
+"""Bytes in which the system tells the largest memory of a process."""
+
+
+def main() -> None:
+    """Make the assets, and print a line of JSON for each: seconds, and the largest memory so far in bytes."""
+    import artgen
+
+    category, directory = artgen.catalog.find(sys.argv[1]), Path(sys.argv[4])
+    count, seeds = int(sys.argv[2]), int(sys.argv[3])
+
+    def make(number: int) -> None:
+        cache = artgen.Cache() if seeds < count else None  # by default one that the process shares
+        asset = category.generate(number % seeds, cache=cache)
+        asset.export(directory / str(number), formats=("mjcf",), textures=0)
+
+    for number in range(count):
+        spent = seconds(partial(make, number))
+        memory = UNIT * resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+        sys.stdout.write(json.dumps({"seconds": spent, "memory": memory}) + "\n")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,45 @@
+"""The program that makes scene-synthesizer's assets, in an environment where it is installed.
+
+It prints the package's version, then for each line of JSON on stdin, `{"kind", "seed", "path"}`, makes that
+asset, writes it as URDF and prints what that took of the processor [s], or what went wrong.
+"""
+
+import io
+import json
+import sys
+import time
+from contextlib import redirect_stdout
+from importlib import metadata
+
+import scene_synthesizer
+from scene_synthesizer import procedural_assets
+
+
+def made(kind: str, seed: int, path: str) -> dict[str, float]:
+    """Make an asset of a class, random where the class draws its own parameters, and write it."""
+    start = time.process_time()
+    maker = getattr(procedural_assets, kind)
+    asset = maker.random(seed=seed) if hasattr(maker, "random") else maker()
+    scene = scene_synthesizer.Scene()
+    scene.add_object(asset, kind)
+    scene.export(path)
+    return {"seconds": time.process_time() - start}
+
+
+def main() -> None:
+    """Answer until stdin ends."""
+    answers = sys.stdout
+    answers.write(json.dumps({"version": metadata.version("scene_synthesizer")}) + "\n")
+    answers.flush()
+    for line in sys.stdin:
+        with redirect_stdout(io.StringIO()):
+            try:
+                answer: dict[str, object] = {**made(**json.loads(line))}
+            except Exception as error:  # noqa: BLE001 - whatever the peer raises is told
+                answer = {"error": f"{type(error).__name__}: {error}"}
+        answers.write(json.dumps(answer) + "\n")
+        answers.flush()
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,112 @@
+"""Sample all categories at the ends of their ranges for some time, and list every anomaly: `make soak`.
+
+python scripts/soak.py --minutes 60 --jobs 2
+python scripts/soak.py door window --minutes 5 --seed 3
+python scripts/soak.py --seed 0 --sample 41
+
+Each sample is made with overrides at the ends of its distributions and hard limits, proven, exported and
+checked; MuJoCo reads it and lets it go for a second. What was found stays in the file, so that a run that is
+interrupted goes on with the next sample; --fresh begins anew, as it has to be where a category has changed.
+"""
+
+import sys
+from pathlib import Path
+from typing import Annotated
+
+import typer
+from rich.console import Console
+from rich.table import Table
+
+from artgen.catalog import categories as all_categories
+from artgen.catalog import find
+from artgen.commands.progress import rate_bar
+from artgen.errors import ArtgenError
+from artgen.overrides import spelled
+from artgen.survey.extreme_sample import measure_extreme
+from artgen.survey.soak import Record, anomalies, soak, soaked, tallies
+from artgen.survey.summary import shortened
+
+_WRONG_INPUT = 2  # exit code
+_INTERRUPTED = 130  # exit code
+
+
+def main(
+    categories: Annotated[list[str] | None, typer.Argument(help="Names; all by default.")] = None,
+    *,
+    minutes: Annotated[float, typer.Option(min=0.0, help="How long samples are begun [min].")] = 30.0,
+    jobs: Annotated[int, typer.Option(min=1, help="How many processes measure.")] = 1,
+    seed: Annotated[
+        int, typer.Option(min=0, help="Seed of the run: with a number, it decides a sample.")
+    ] = 0,
+    limit: Annotated[float, typer.Option(min=1.0, help="How long a sample may take [s].")] = 120.0,
+    fresh: Annotated[bool, typer.Option("--fresh", help="Throw away what was found before.")] = False,
+    sample: Annotated[
+        int | None, typer.Option(min=0, help="Measure the sample of this number again, and nothing else.")
+    ] = None,
+    out: Annotated[Path, typer.Option(help="The file of records.")] = Path("out/soak.jsonl"),
+) -> None:
+    """Measure samples and list what is wrong with them; exit code 1 if anything is."""
+    console = Console(width=None if sys.stdout.isatty() else 160, highlight=False)
+    if sample is not None:
+        raise typer.Exit(_one(console, seed, sample))
+    names = tuple(categories or all_categories())
+    for name in names:
+        find(name)
+    out.parent.mkdir(parents=True, exist_ok=True)
+    if fresh:
+        out.unlink(missing_ok=True)
+    interrupted = False
+    try:
+        with rate_bar() as bar:
+            task = bar.add_task(out.name, total=None, failed="")
+            odd = 0
+
+            def step(record: Record) -> None:
+                nonlocal odd
+                odd += bool(record["anomalies"])
+                bar.update(task, advance=1, failed=f"{odd} with anomalies" if odd else "")
+
+            soak(out, run=seed, names=names, seconds=60.0 * minutes, jobs=jobs, limit=limit, progress=step)
+    except KeyboardInterrupt:
+        interrupted = True
+    records = [record for record in soaked(out, seed) if record["category"] in names]
+    _show(console, records)
+    if any(record["anomalies"] for record in records):
+        raise typer.Exit(1)
+    if interrupted:
+        raise typer.Exit(_INTERRUPTED)
+
+
+def _one(console: Console, run: int, number: int) -> int:
+    """Measure one sample, show what is wrong with it, and return the exit code."""
+    record = measure_extreme(number, run=run)
+    console.print(f"{record['category']} --seed {record['seed']}", markup=False)
+    for each in spelled(record["overrides"]):
+        console.print(f"  {each}", markup=False, soft_wrap=True)
+    console.print(f"{record['state']} {record['message']}", markup=False, soft_wrap=True)
+    for each in record["anomalies"]:
+        console.print(f"{each['kind']}: {each['message']}", markup=False, soft_wrap=True)
+    return int(bool(record["anomalies"]))
+
+
+def _show(console: Console, records: list[Record]) -> None:
+    """Show a row for each category, and below them each anomaly with the command that shows it again."""
+    table = Table(box=None, pad_edge=False, header_style="bold")
+    for column in ("category", "samples", "ruled out", "with anomalies", "of which kinds"):
+        table.add_column(column)
+    for each in tallies(records):
+        kinds = ", ".join(f"{kind} {number}" for kind, number in each.kinds.items())
+        table.add_row(each.category, str(each.samples), str(each.ruled_out), str(each.odd), kinds)
+    console.print(table)
+    for found in anomalies(records):
+        console.print(f"\n{found.category}, sample {found.sample}: {found.kind}", markup=False)
+        console.print(f"  {shortened(' '.join(found.message.split()))}", markup=False, soft_wrap=True)
+        console.print(f"  {found.command}", markup=False, soft_wrap=True)
+
+
+if __name__ == "__main__":
+    try:
+        typer.run(main)
+    except ArtgenError as error:
+        typer.echo(f"error: {' '.join(str(error).split())}", err=True)
+        sys.exit(_WRONG_INPUT)

@@ -1,0 +1,74 @@
+"""Compare what seeds give with what they gave before: every file of three assets of each category.
+
+The same seed gives the same bytes on every machine and Python; `tests/tree_hashes.json` says which. After a
+change that is meant to alter assets, `--write` records the new ones.
+"""
+
+import hashlib
+import json
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+from artgen.catalog import categories, find
+from artgen.export.files import encode
+from artgen.graph import Cache
+
+RECORD = Path(__file__).parents[1] / "tests" / "tree_hashes.json"
+SEEDS = (2, 1, 0)  # the later ones find in the cache what the earlier ones left
+DIGITS = 16
+
+
+def main(
+    names: Annotated[list[str] | None, typer.Argument(metavar="[CATEGORY]...")] = None,
+    *,
+    write: Annotated[bool, typer.Option(help="Record what is found instead of comparing it.")] = False,
+) -> None:
+    """Generate, certify and write assets, and say which of their files differ from the record."""
+    known = json.loads(RECORD.read_text(encoding="utf-8")) if RECORD.exists() else {}
+    found = {name: each for category in names or categories() for name, each in hashes(category).items()}
+    if write:
+        record = dict(sorted((known | found).items()))
+        RECORD.write_text(json.dumps(record, indent=1) + "\n", encoding="utf-8")
+        return
+    different = {
+        name: [kind for kind, each in kinds.items() if known.get(name, {}).get(kind) != each]
+        for name, kinds in found.items()
+    }
+    for name, kinds in different.items():
+        if kinds:
+            typer.echo(f"{name}: not the same bytes as before: {', '.join(kinds)}", err=True)
+    if any(different.values()):
+        typer.echo(
+            f"if that is meant, run: python scripts/tree_hashes.py {' '.join(names or ())} --write", err=True
+        )
+        raise typer.Exit(1)
+    typer.echo(f"{len(found)} assets: the same bytes as before")
+
+
+def hashes(category: str) -> dict[str, dict[str, str]]:
+    """Return the hashes of the files of some assets of a category, by asset and format."""
+    cache, result = Cache(), {}
+    for seed in SEEDS:
+        asset, _ = find(category).evaluate(seed, cache=cache)
+        # maps in a GLB file are as packed as a machine packs them; those of the others are hashed unpacked
+        parts = [encode(asset, ("urdf", "mjcf", "usd"), textures=256), encode(asset, ("glb",), textures=0)]
+        result[asset.name] = {name: each for files in parts for name, each in _of_formats(files).items()}
+    return result
+
+
+def _of_formats(files: dict[str, bytes]) -> dict[str, str]:
+    data: dict[str, Any] = json.loads(files["asset.json"])
+    digests, formats = data.pop("digests"), data.pop("formats")
+    data.pop("version")
+    listed = {name: {path: digests[path] for path in each["files"]} for name, each in formats.items()}
+    return {name: _hash(each) for name, each in {**listed, "asset": data}.items()}
+
+
+def _hash(data: Any) -> str:
+    return hashlib.sha256(json.dumps(data, sort_keys=True).encode()).hexdigest()[:DIGITS]
+
+
+if __name__ == "__main__":
+    typer.run(main)

@@ -1,0 +1,49 @@
+"""Normals of bare triangles: smooth where they turn a little, split at creases."""
+
+import math
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from artgen.colliders.triangles import cross
+
+Array = NDArray[np.float64]
+
+
+def corner_normals(
+    triangles: NDArray[np.int64], corners: Array, crease: float, *, by: Literal["angle", "area"] = "angle"
+) -> Array:
+    """Return a normal for each corner of each triangle, shape (3 m, 3): the mean of its smooth surroundings.
+
+    Args:
+        triangles: Vertices of each triangle, one number for one place, shape (m, 3).
+        corners: Where they are, shape (m, 3, 3) [m].
+        crease: Faces that turn by less are smooth [rad].
+        by: What faces count by: the angle that they take at the vertex, so that the cut of a face does not
+            matter; or that times their area too, so that large faces stay even beside the strips of a
+            rounded edge.
+    """
+    count = len(triangles)
+    across = cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    areas = np.linalg.norm(across, axis=1)  # twice
+    flat = across / np.maximum(areas, 1e-300)[:, None]
+    following, before = np.roll(corners, -1, axis=1) - corners, np.roll(corners, 1, axis=1) - corners
+    cosine = np.einsum("ijk,ijk->ij", following, before)
+    angle = np.arctan2(np.broadcast_to(areas[:, None], cosine.shape), cosine).ravel()
+    share = angle * np.repeat(areas, 3) if by == "area" else angle
+    vertex = triangles.ravel()
+    face = np.repeat(np.arange(count), 3)
+    order = np.argsort(vertex, kind="stable")
+    start = np.searchsorted(vertex[order], np.arange(vertex.max() + 2))
+    fans = np.diff(start)
+    normals = np.zeros((3 * count, 3))
+    for size in np.unique(fans[fans > 0]).tolist():
+        heads = start[:-1][fans == size]
+        corner = order[heads[:, None] + np.arange(size)]
+        turned = flat[face[corner]]
+        near = np.einsum("vik,vjk->vij", turned, turned) > math.cos(crease)
+        weight = near * share[corner][:, None, :]
+        normals[corner.ravel()] = np.einsum("vij,vjk->vik", weight, turned).reshape(-1, 3)
+    length = np.linalg.norm(normals, axis=1, keepdims=True)
+    return np.where(length > 1e-12, normals / np.maximum(length, 1e-300), np.repeat(flat, 3, axis=0))

@@ -1,0 +1,145 @@
+"""Where a dataset lies: a folder on a disk, or a URL of a store that keeps objects by name.
+
+A run, its workers and `Dataset` speak to either in the words of `Target`. A path is relative to the place,
+with slashes.
+"""
+
+import os
+import socket
+from abc import ABC, abstractmethod
+from collections.abc import Iterable, Mapping
+from contextlib import AbstractContextManager
+from pathlib import Path
+from typing import Protocol
+from urllib.parse import urlsplit
+from urllib.request import url2pathname
+
+from artgen.errors import ExportError
+
+PLAN_FILE = "dataset.json"
+LOCK_FILE = ".lock"
+STAGING = ".staging"
+TEXTURE_DIRECTORY = "textures"
+
+GO_ON = "what is done stays, and the same command goes on from there"
+"""What messages say of a run that was ended."""
+
+
+class Lines(Protocol):
+    """A file that grows by a line at a time."""
+
+    def add(self, line: str) -> None:
+        """Add a line, which ends with a line break."""
+
+    def close(self) -> None:
+        """See that every line is in its place."""
+
+
+class Target(ABC):
+    """A place of a dataset; workers get a copy of it.
+
+    Attributes:
+        links: Whether assets can share maps by links.
+    """
+
+    links: bool
+
+    @abstractmethod
+    def __str__(self) -> str:
+        """Name the place in messages."""
+
+    @abstractmethod
+    def absolute(self) -> "Target":
+        """Return the place as processes with another working directory find it."""
+
+    @abstractmethod
+    def opened(self) -> AbstractContextManager[None]:
+        """Hold the place for one run, made if there is none; what a killed run left over is removed.
+
+        Raises:
+            ExportError: Another run holds it, or the place refuses.
+        """
+
+    @abstractmethod
+    def names(self) -> list[str]:
+        """Return what lies directly in the place, except for what is of a run.
+
+        Raises:
+            ExportError: It is a file.
+        """
+
+    @abstractmethod
+    def contents(self, paths: Iterable[str]) -> dict[str, bytes]:
+        """Return what the files hold, of those that there are."""
+
+    @abstractmethod
+    def write(self, path: str, content: bytes) -> None:
+        """Write a file, which nobody sees by half."""
+
+    @abstractmethod
+    def lines(self, path: str, text: str) -> Lines:
+        """Begin a file with some lines, to add others."""
+
+    @abstractmethod
+    def complete(self, paths: Iterable[str]) -> set[str]:
+        """Return those of some directories of assets that are whole."""
+
+    @abstractmethod
+    def put(self, files: Mapping[str, bytes], path: str, *, share: bool) -> None:
+        """Put an asset in its directory, which is whole or counts as absent.
+
+        Args:
+            files: What `artgen.export.files.encode` returns.
+            path: The directory.
+            share: Whether its maps are links to those of other assets.
+
+        Raises:
+            OSError: The place refuses, or this machine does not see it.
+        """
+
+    @abstractmethod
+    def local(self, path: str) -> Path:
+        """Return the directory of an asset on this machine, fetched if it lies elsewhere.
+
+        Raises:
+            ExportError: It cannot be.
+        """
+
+    def read(self, path: str) -> bytes | None:
+        """Return what a file holds; None if there is none."""
+        return self.contents([path]).get(path)
+
+
+def is_url(place: str | Path) -> bool:
+    """Tell whether a place is a URL, `file:` included; parts of chained ones are parted by `::`."""
+    return isinstance(place, str) and ("://" in place or "::" in place)
+
+
+def target_of(place: str | Path) -> Target:
+    """Return the target of a folder or URL.
+
+    Raises:
+        ExportError: The URL is not one of a folder, or nothing here knows its kind.
+    """
+    from artgen.dataset.disk import Disk
+    from artgen.dataset.store import Store
+
+    if isinstance(place, Path) or not is_url(place):
+        return Disk(Path(place))
+    parts = urlsplit(place)
+    if parts.scheme != "file":
+        return Store(place)
+    if parts.netloc not in ("", "localhost"):
+        raise ExportError(
+            f"{place} names a folder of another machine ({parts.netloc!r}): a folder of this one is "
+            "file:///PATH, with three slashes"
+        )
+    return Disk(Path(url2pathname(parts.path)))
+
+
+def unseen(target: Target) -> ExportError:
+    """Return the error of a worker that does not see what the run sees."""
+    return ExportError(
+        f"process {os.getpid()} on {socket.gethostname()} does not see {target}; choose a folder or URL that "
+        "all processes share"
+    )

@@ -1,0 +1,86 @@
+"""Surfaces of fewer triangles, for files that are small and quick to load."""
+
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from artgen.asset import Asset, Mesh, Surface
+from artgen.asset.coarser import coarser
+from artgen.asset.link import Piece
+from artgen.errors import ParameterError
+from artgen.export.derived import DerivedLink, fields_of, need_solids
+
+COARSEST = 0.005
+"""The farthest that what is seen may lie from what was made [m]."""
+
+_PRINT = 0.1  # share of the precision that holds for print, whose letters are small
+
+
+def with_precision(asset: Asset, precision: float) -> Asset:
+    """Return an asset whose surfaces have fewer triangles; colliders, masses and all else stay.
+
+    Surfaces of one colour, which need none, lose their texture coordinates.
+
+    Args:
+        asset: The asset.
+        precision: How far what is seen may lie from what was made [m]; 0 for what was made itself.
+
+    Raises:
+        ParameterError: That is no distance from 0 to `COARSEST`.
+        AssetError: The asset was read from files, which have no solids.
+    """
+    check_precision(precision)
+    if not precision:
+        return asset
+    need_solids(
+        asset,
+        f"its surfaces cannot be made anew within {precision:g} m",
+        "mesh_precision=0, which keeps the surfaces that it has",
+    )
+    links = [CoarseLink(*fields_of(link), source=link, precision=precision) for link in asset.links]
+    return replace(asset, links=tuple(links))
+
+
+def check_precision(precision: float) -> None:
+    """Refuse a precision that surfaces cannot have.
+
+    Raises:
+        ParameterError: It is no distance from 0 to `COARSEST`.
+    """
+    if not 0.0 <= precision <= COARSEST:
+        raise ParameterError(
+            f"surfaces are precise to 0 (all that was made) to {COARSEST:g} m, not {precision!r}"
+        )
+
+
+@dataclass(frozen=True, eq=False)
+class CoarseLink(DerivedLink):
+    """A link with surfaces of fewer triangles; the rest is the source's.
+
+    Attributes:
+        precision: How far they may lie from the source's [m].
+    """
+
+    precision: float = field(kw_only=True)
+
+    @cached_property
+    def surfaces(self) -> tuple[Surface, ...]:
+        """The visible faces of the source, of fewer triangles; those of one colour lie on one texel."""
+        return tuple(
+            surface if surface.material.texture else replace(surface, mesh=_unlaid(surface.mesh))
+            for surface in self.source.surfaces_of(self._mesh)
+        )
+
+    def _mesh(self, piece: Piece) -> Mesh:
+        return coarser(piece.shape, self.precision if piece.reading is None else _PRINT * self.precision)
+
+    def to_data(self) -> dict[str, Any]:
+        """Return everything but the triangles as JSON data, with how precise these are."""
+        return {**super().to_data(), "mesh_precision": self.precision}
+
+
+def _unlaid(mesh: Mesh) -> Mesh:
+    """Return a mesh without texture coordinates: vertices that differ in nothing else are one."""
+    return replace(mesh, uvs=np.zeros_like(mesh.uvs))

@@ -1,0 +1,112 @@
+"""Surfaces of fewer triangles: near what was made, closed, of the same names; nothing else changes."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+import trimesh
+
+from artgen import generate
+from artgen.asset import Asset
+from artgen.asset.coarser import coarser
+from artgen.asset.manifolds import is_closed
+from artgen.errors import AssetError, ParameterError
+from artgen.export.files import encode
+
+PRECISION = 0.0005
+
+
+@pytest.fixture(scope="module")
+def asset() -> Asset:
+    return generate("toaster", seed=3, certify=False)
+
+
+@pytest.fixture(scope="module")
+def exports(asset: Asset, tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Path]:
+    """Write the asset with all its triangles, and with fewer."""
+    folder = tmp_path_factory.mktemp("precision")
+    options = {"formats": ("mjcf", "usd"), "textures": 0}
+    return (
+        asset.export(folder / "all", **options),
+        asset.export(folder / "fewer", **options, mesh_precision=PRECISION),
+    )
+
+
+def surfaces(directory: Path) -> dict[str, trimesh.Trimesh]:
+    found = {}
+    for path in sorted((directory / "meshes").glob("*.obj")):
+        if "collider" not in path.name:
+            mesh = trimesh.load(path, force="mesh", process=False)
+            mesh.merge_vertices(merge_tex=True, merge_norm=True)
+            found[path.name] = mesh
+    return found
+
+
+def test_fewer_triangles_lie_near_all_of_them(exports: tuple[Path, Path]) -> None:
+    before, after = (surfaces(directory) for directory in exports)
+    assert list(before) == list(after)
+    count = [sum(len(mesh.faces) for mesh in found.values()) for found in (before, after)]
+    assert count[1] < 0.65 * count[0]
+    for name, mesh in after.items():
+        assert is_closed(np.asarray(mesh.faces)), name  # walls may come to touch at an edge
+        far = max(
+            np.abs(trimesh.proximity.closest_point(other, points)[1]).max()
+            for other, points in ((before[name], mesh.vertices), (mesh, before[name].vertices[::7]))
+        )
+        assert far < 1.01 * PRECISION, f"{name}: {1000.0 * far:.3f} mm"
+
+
+def test_files_are_smaller_and_say_how_precise_they_are(exports: tuple[Path, Path]) -> None:
+    size = [sum(path.stat().st_size for path in each.rglob("*.*")) for each in exports]
+    assert size[1] < 0.75 * size[0]
+    full, coarse = (json.loads((each / "asset.json").read_text()) for each in exports)
+    assert all(link["mesh_precision"] == PRECISION for link in coarse["links"])
+    for link, other in zip(full["links"], coarse["links"], strict=True):
+        assert {**link, "mesh_precision": PRECISION} == other
+
+
+def test_shading_of_large_faces_stays_even() -> None:
+    """The normals of a rounded edge do not shade the face beside it once the edge is gone."""
+    microwave = generate("microwave", seed=1, certify=False)
+    body = microwave.links[0]
+    for piece in body.pieces:
+        mesh = coarser(piece.shape, PRECISION)
+        corners = mesh.vertices[mesh.triangles]
+        across = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+        area = 0.5 * np.linalg.norm(across, axis=1)
+        large = area > 0.002
+        flat = across[large] / (2.0 * area[large])[:, None]
+        cosine = np.einsum("ijk,ik->ij", mesh.normals[mesh.triangles[large]], flat)
+        assert (cosine > np.cos(0.05)).all(), piece.label
+
+
+def test_the_same_numbers_every_time(asset: Asset) -> None:
+    again = generate("toaster", seed=3, certify=False)
+    files = [encode(each, ("mjcf",), textures=0, mesh_precision=PRECISION) for each in (asset, again)]
+    assert files[0] == files[1]
+
+
+def test_an_asset_that_was_read_is_refused_and_written_again_as_it_is(
+    exports: tuple[Path, Path], tmp_path: Path
+) -> None:
+    read = Asset.load(exports[1])
+    with pytest.raises(
+        AssetError, match=r"keep no solids, so its surfaces cannot be made anew within 0\.001 m"
+    ):
+        read.export(tmp_path / "a", mesh_precision=0.001)
+    again = read.export(tmp_path / "b", formats=("mjcf", "usd"), textures=0)
+    files = [
+        {path.relative_to(each): path.read_bytes() for path in each.rglob("*.*")}
+        for each in (exports[1], again)
+    ]
+    assert files[0] == files[1]
+
+
+@pytest.mark.parametrize("precision", [-0.001, 0.006, float("nan")])
+def test_other_precisions_are_refused(asset: Asset, tmp_path: Path, precision: float) -> None:
+    with pytest.raises(
+        ParameterError, match=r"surfaces are precise to 0 \(all that was made\) to 0\.005 m, not"
+    ):
+        asset.export(tmp_path / "a", mesh_precision=precision)
+    assert not (tmp_path / "a").exists()
