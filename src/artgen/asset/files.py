@@ -278,9 +278,19 @@ def _as_written(surface: Surface, origin: Array, material: Material) -> Surface:
 
 
 def _in_order(mesh: Mesh, origin: Array, material: Material) -> Mesh:
-    """Return a mesh with its vertices in the order in which a file numbers what it says of them."""
+    """Return a mesh with its vertices in the order in which a file numbers what it says of them.
+
+    `joined` has them in that of positions, normals and metres of texture; on turned maps the last is another.
+    """
+    coordinates = texture_coordinates(mesh, material)
+    steps = [each[1:] - each[:-1] for each in (mesh.vertices, mesh.normals)]
+    alike = ~np.any([each.any(axis=1) for each in steps], axis=0)
+    written = np.rint(coordinates * 10.0**UV_DECIMALS)
+    u, v = (written[1:] - written[:-1])[alike].T
+    if not ((u < 0.0) | (u == 0.0) & (v < 0.0)).any():
+        return mesh
     columns = (
-        (texture_coordinates(mesh, material), UV_DECIMALS),
+        (coordinates, UV_DECIMALS),
         (mesh.normals, NORMAL_DECIMALS),
         (mesh.vertices - origin, POSITION_DECIMALS),  # which decide before the others
     )

@@ -23,7 +23,8 @@ from artgen.materials import Material
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
-_GRAIN = 1e12  # steps per metre: hides the last digit, in which the sines of different machines differ
+GRAIN = 1e12
+"""Steps per metre that hide the last digits, in which the sines of machines and versions of NumPy differ."""
 _NEEDLE = 1e-9  # height of a triangle [m]
 _RIGID = 1e-12  # what a rotation may miss orthogonality by
 _UNTURNED = np.eye(3)
@@ -260,8 +261,8 @@ class MeshShape(Shape):
         table[:, :3] = vertices[targets[kept]]
         table[:, 3:6] = normals[kept]
         table[:, 6:8] = uvs[kept]
-        np.rint(table * _GRAIN, out=table)
-        table /= _GRAIN
+        np.rint(table * GRAIN, out=table)
+        table /= GRAIN
         if paints is not None:
             table[:, 8] = paints[kept]
         vars(self).update(

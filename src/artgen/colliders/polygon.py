@@ -9,6 +9,8 @@ from numpy.typing import NDArray
 from artgen.colliders.polytope import SNAP, Array
 from artgen.rings import predecessors, successors
 
+_DIGITS = 12  # of metres: the last ones, in which machines differ, decide about no ties
+
 _LEAST_SIDES = 4  # a thinned hole keeps so many sides, lest it vanish
 _FLAT = 1e-9  # relative: a corner that turns less is no corner
 
@@ -198,8 +200,9 @@ def _clipped(polygon: Array, point: Array, direction: Array, *, right: bool) -> 
 
 def _merged_triangles(contours: Sequence[Array]) -> list[Array]:
     """Triangulate a region and join the triangles across diagonals, longest first, while convex."""
+    contours = [np.round(contour, _DIGITS) for contour in contours]
     points = np.concatenate(contours)
-    triangles = np.asarray(triangulate(list(contours))).astype(np.int64)
+    triangles = np.asarray(triangulate(contours)).astype(np.int64)
     parts: dict[int, list[int]] = dict(enumerate(triangles.tolist()))
     owner = list(range(len(parts)))
     sides: dict[tuple[int, int], int] = {}
@@ -208,7 +211,8 @@ def _merged_triangles(contours: Sequence[Array]) -> list[Array]:
         for start, end in zip(loop, (*loop[1:], loop[0]), strict=True):
             sides[start, end] = number
             if (end, start) in sides:
-                diagonals.append((-float(np.hypot(*(points[end] - points[start]))), start, end))
+                length = round(float(np.hypot(*(points[end] - points[start]))), _DIGITS)
+                diagonals.append((-length, start, end))
 
     def find(number: int) -> int:
         while owner[number] != number:

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 from pxr import Gf, Sdf, Vt
 
+from artgen.asset.record import DECIMALS
 from artgen.errors import ExportError
 from artgen.export.frames import quaternion
 
@@ -155,8 +156,8 @@ def place(prim: Sdf.PrimSpec, pose: Array, scale: Sequence[float] | None = None)
         pose: Rigid transform, shape (4, 4) [m].
         scale: Factors along its own axes, which act first; None leaves the prim unscaled.
     """
-    write(prim, TYPES.Double3, {"xformOp:translate": Gf.Vec3d(*_plain(pose[:3, 3]))})
-    write(prim, TYPES.Quatd, {"xformOp:orient": Gf.Quatd(*_plain(quaternion(pose)))})
+    write(prim, TYPES.Double3, {"xformOp:translate": Gf.Vec3d(*_plain(np.round(pose[:3, 3], DECIMALS)))})
+    write(prim, TYPES.Quatd, {"xformOp:orient": Gf.Quatd(*_turn(pose))})
     if scale is not None:
         write(prim, TYPES.Double3, {"xformOp:scale": Gf.Vec3d(*_plain(scale))})
     order = _PLACED if scale is None else _PLACED_AND_SCALED
@@ -180,7 +181,7 @@ def int_array(values: NDArray[np.int64]) -> Vt.IntArray:
 
 def quatf(rotation: Array) -> Gf.Quatf:
     """Return a rotation, shape (3, 3), as a quaternion in single precision."""
-    return Gf.Quatf(*_plain(quaternion(rotation)))
+    return Gf.Quatf(*_turn(rotation))
 
 
 def text(layer: Sdf.Layer) -> bytes:
@@ -206,3 +207,8 @@ def _plain(values: Array | Sequence[float]) -> list[float]:
     """Return numbers without negative zeros, which would read oddly in the text."""
     plain: list[float] = (np.asarray(values) + 0.0).tolist()
     return plain
+
+
+def _turn(matrix: Array) -> list[float]:
+    """Return a rotation as a quaternion, to the decimals in which machines agree."""
+    return _plain(np.round(quaternion(matrix), DECIMALS))

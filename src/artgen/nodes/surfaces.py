@@ -14,7 +14,7 @@ from manifold3d import triangulate
 from numpy.typing import NDArray
 
 from artgen.asset.outline import Contour
-from artgen.asset.shape import Shape
+from artgen.asset.shape import GRAIN, Shape
 from artgen.colliders import Pieces
 from artgen.nodes import inputs
 from artgen.nodes.rail import Rail
@@ -196,7 +196,8 @@ class Sheets:
 
 def triangulated(rings: Sequence[Array]) -> Indices:
     """Return triangles over plane rings (outer ones counter-clockwise, holes clockwise), shape (m, 3)."""
-    return np.asarray(triangulate(list(rings)), np.int64).reshape(-1, 3)
+    even = [np.rint(ring * GRAIN) / GRAIN for ring in rings]  # or the last digits decide about ties
+    return np.asarray(triangulate(even), np.int64).reshape(-1, 3)
 
 
 def extrusion(
