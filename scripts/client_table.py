@@ -47,6 +47,13 @@ KNOWN = (
         ),
     ),
     (
+        "Genesis",
+        (
+            "in a URDF it gives shapes to links in the order of the file and joints in their own: keep both "
+            "the same, as artgen does; what it says of dubious inertia compares different axes"
+        ),
+    ),
+    (
         "MJX",
         "on JAX it refuses contacts between cylinders and boxes: `impl='warp'` takes them",
     ),
