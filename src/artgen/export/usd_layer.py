@@ -22,6 +22,8 @@ Array = NDArray[np.float64]
 
 TYPES = Sdf.ValueTypeNames
 
+_TURN_DECIMALS = 13  # of a quaternion: one more than of positions, for its errors add up in a rotation
+
 _PLACED = Vt.TokenArray(["xformOp:translate", "xformOp:orient"])
 _PLACED_AND_SCALED = Vt.TokenArray([*_PLACED, "xformOp:scale"])
 
@@ -211,4 +213,4 @@ def _plain(values: Array | Sequence[float]) -> list[float]:
 
 def _turn(matrix: Array) -> list[float]:
     """Return a rotation as a quaternion, to the decimals in which machines agree."""
-    return _plain(np.round(quaternion(matrix), DECIMALS))
+    return _plain(np.round(quaternion(matrix), _TURN_DECIMALS))
