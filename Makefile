@@ -11,6 +11,8 @@
 #   make soak    sample the ends of all ranges for MINUTES (30), and list every anomaly with what reproduces it
 #   make coverage-table  write docs/coverage.md: what many seeds of every category draw
 #   make sheets  draw docs/<category>.jpg: twelve samples of every category, closed and open
+#   make docs    write the documentation to site/: pictures, viewers and tables are made on the way; some minutes
+#   make docs-serve  show it at http://127.0.0.1:8000 while its pages are written, without pictures and viewers
 #   make bench   measure artgen against its peers and write docs/benchmarks.md; a quarter of an hour
 #   make clean   remove what the other targets made
 
@@ -28,7 +30,7 @@ PYTHON ?= $(shell for name in python3.13 python3.12 python3.11 python3 python; d
 	done)
 
 .DEFAULT_GOAL := help
-.PHONY: help install demo test lint types layers pytest same-bytes hashes clients test-clients client-table survey soak coverage-table sheets bench format clean
+.PHONY: help install demo test lint types layers pytest same-bytes hashes clients test-clients client-table survey soak coverage-table sheets docs docs-serve bench format clean
 
 help:
 	@sed -n 's/^#   //p' Makefile
@@ -106,6 +108,14 @@ sheets: $(STAMP)
 	$(BIN)/python scripts/sheets.py
 	$(BIN)/python scripts/family.py
 
+docs docs-serve: export NO_MKDOCS_2_WARNING = 1
+
+docs: $(STAMP)
+	$(BIN)/mkdocs build --strict
+
+docs-serve: $(STAMP)
+	ARTGEN_DOCS=quick $(BIN)/mkdocs serve
+
 bench: $(STAMP)
 	$(BIN)/python benchmarks/run.py $(BENCHMARKS)
 
@@ -114,5 +124,5 @@ format: $(STAMP)
 	$(BIN)/ruff check --fix
 
 clean:
-	rm -rf $(VENV) $(VENV)-3.1* out build dist .hypothesis .import_linter_cache .mypy_cache .pytest_cache .ruff_cache
+	rm -rf $(VENV) $(VENV)-3.1* out build dist site .hypothesis .import_linter_cache .mypy_cache .pytest_cache .ruff_cache
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +

@@ -53,8 +53,6 @@ def main(
     for name in names:
         find(name)
     out.parent.mkdir(parents=True, exist_ok=True)
-    if fresh:
-        out.unlink(missing_ok=True)
     interrupted = False
     try:
         with rate_bar() as bar:
@@ -66,7 +64,16 @@ def main(
                 odd += bool(record["anomalies"])
                 bar.update(task, advance=1, failed=f"{odd} with anomalies" if odd else "")
 
-            soak(out, run=seed, names=names, seconds=60.0 * minutes, jobs=jobs, limit=limit, progress=step)
+            soak(
+                out,
+                run=seed,
+                names=names,
+                seconds=60.0 * minutes,
+                jobs=jobs,
+                limit=limit,
+                fresh=fresh,
+                progress=step,
+            )
     except KeyboardInterrupt:
         interrupted = True
     records = [record for record in soaked(out, seed) if record["category"] in names]

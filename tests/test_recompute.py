@@ -1,8 +1,10 @@
 """A changed parameter recomputes only what depends on it, counted in kernels."""
 
+import pathlib
+
 import pytest
 
-from artgen.catalog import find
+from artgen.catalog import find, load_file
 from artgen.graph import OPERATIONS, Cache, Handle
 from artgen.nodes.handles import Path, Profile, Solid
 
@@ -44,3 +46,21 @@ def test_a_width_runs_only_what_depends_on_it(door: tuple[Cache, dict[str, float
 
 def test_nothing_runs_when_nothing_changes(door: tuple[Cache, dict[str, float], int]) -> None:
     assert again(door) == {}
+
+
+def test_only_a_structural_value_builds_the_graph_again(monkeypatch: pytest.MonkeyPatch) -> None:
+    crate = load_file(pathlib.Path(__file__).parent / "support" / "crate.py")
+    calls = []
+    function = crate.function
+    monkeypatch.setattr(crate, "function", lambda **given: calls.append(given) or function(**given))
+    first = crate.evaluate(1, certify=False, overrides={"handle": "bar", "finish": "plain"})[0]
+    for overrides in ({"width": 0.31}, {"swing": 1.1}, {"handle.length": 0.09}):
+        asset = crate.evaluate(1, certify=False, overrides={"handle": "bar", "finish": "plain", **overrides})[
+            0
+        ]
+        assert asset.parameters != first.parameters
+    assert len(calls) == 1
+    raised = crate.evaluate(1, certify=False, overrides={"handle": "bar", "finish": "raised"})[0]
+    assert len(calls) == 2
+    assert raised.link("lid").bounds()[1, 2] >= first.link("lid").bounds()[1, 2]
+    assert raised.mass > first.mass

@@ -1,16 +1,27 @@
-"""The catalog: categories by name, those of artgen and those that other packages bring."""
+"""The catalog: categories by name, those of artgen and those that other packages bring, or by file."""
 
 import functools
+import hashlib
+import re
+import sys
+from collections.abc import Mapping
 from importlib import import_module
+from importlib.util import decode_source
+from pathlib import Path
 from pkgutil import iter_modules
+from traceback import walk_tb
+from types import MappingProxyType, ModuleType
 from typing import Any
 
 from artgen.asset import Asset
-from artgen.errors import BuildError, ParameterError, nearest
-from artgen.generator import CATEGORIES, Generator
+from artgen.errors import ArtgenError, BuildError, ParameterError, nearest
+from artgen.generator import CATEGORIES, Generator, collected
+from artgen.graph.node import line_in
 
 ENTRY_POINTS = "artgen.categories"
 """Group of entry points by which other packages bring categories; each names a module that defines some."""
+
+_FILE = re.compile(r"(?P<path>.+\.py)(?::(?P<name>[^:/\\]*))?", re.DOTALL)
 
 
 @functools.cache
@@ -22,43 +33,165 @@ def _own() -> frozenset[str]:
 
 
 @functools.cache
-def _load_others() -> None:
-    """Import the modules of other packages that define categories, which enters them in `CATEGORIES`."""
+def broken() -> Mapping[str, str]:
+    """Import the categories of other packages, and tell by entry point why some cannot be."""
     from importlib.metadata import entry_points
 
+    messages = {}
     for point in sorted(entry_points(group=ENTRY_POINTS), key=lambda point: (point.name, point.value)):
+        package = f" of the package {point.dist.name}" if point.dist else ""
         try:
             point.load()
-        except Exception as error:
-            raise BuildError(f"the categories of {point.value!r} cannot be imported: {error!r}") from error
+            _refuse_own_names()
+        except (Exception, SystemExit) as error:  # noqa: BLE001 - whatever a package raises, others go on
+            told = _told(_culprit(error), error)
+            messages[point.name] = f"the categories in {point.value!r}{package} cannot be imported: {told}"
+    return MappingProxyType(messages)
+
+
+def _culprit(error: BaseException) -> str:
+    """Return the innermost file of a package that failed while it was imported; none if it is not there."""
+    files = [frame.f_code.co_filename for frame, _ in walk_tb(error.__traceback__)]
+    files = [file for file in files if not file.startswith("<") and "importlib" not in file][1:]  # not ours
+    if isinstance(error, SyntaxError) and error.filename:
+        files.append(error.filename)
+    return next((file for file in reversed(files) if Path(file).is_relative_to(Path(files[0]).parent)), "")
+
+
+def _refuse_own_names() -> None:
+    """Take from the catalog what another package has put there under the name of a category of artgen's.
+
+    Raises:
+        BuildError: There was such a category.
+    """
+    for name in sorted(_own() & set(CATEGORIES)):
+        if CATEGORIES[name].function.__module__ != f"artgen.categories.{name}":
+            other = CATEGORIES.pop(name)
+            raise BuildError(f"{name!r} is a category of artgen; rename the one\n  at {other.where}")
 
 
 def categories() -> tuple[str, ...]:
-    """Return the names of all categories in alphabetical order."""
-    _load_others()
+    """Return the names of all categories in alphabetical order; `broken` tells what is left out."""
+    broken()
     return tuple(sorted({*_own(), *CATEGORIES}))
 
 
 def find(name: str) -> Generator:
-    """Return the category of that name; of artgen's own, only its module is imported.
+    """Return the category of that name, or that of a file: see `load_file`.
+
+    Of artgen's own, only the module of that name is imported.
 
     Raises:
         ParameterError: There is none; the message has the nearest name.
+        BuildError: It is a file that cannot be loaded, or of a package that cannot be imported.
     """
+    if is_file(name):
+        return load_file(name)
     if name not in CATEGORIES and name in _own():
         import_module(f"artgen.categories.{name}")
     if name not in CATEGORIES:  # the caller's own categories need no catalog
-        _load_others()
+        broken()
     if name not in CATEGORIES:
-        raise ParameterError(f"there is no category {name!r}.{nearest(name, categories())}")
+        if name in broken():
+            raise BuildError(broken()[name])
+        missing = "".join(f"\n  {message}" for message in broken().values())
+        raise ParameterError(f"there is no category {name!r}.{nearest(name, categories())}{missing}")
     return CATEGORIES[name]
+
+
+def is_file(name: str) -> bool:
+    """Tell whether it means a file rather than a name: `stapler.py`, or `shop.py:stapler`."""
+    return _FILE.fullmatch(name) is not None
+
+
+def load_file(path: str | Path) -> Generator:
+    """Run a Python file and return the category that it defines.
+
+    It is run anew each time, so that what was edited is seen. The category does not enter the catalog: the
+    file may be a copy of an installed one. As for a script, the folder of the file is searched for what it
+    imports.
+
+    Args:
+        path: The file; of one with several categories, `file.py:name` picks.
+
+    Raises:
+        ParameterError: There is no such file, or no category of that name in it; or there are several, and
+            none is picked.
+        BuildError: The file is faulty, or defines no category; the message has the author's line.
+    """
+    parts = _FILE.fullmatch(str(path))
+    file = Path(parts["path"] if parts else path)
+    wanted = parts["name"] if parts else None
+    if file.suffix != ".py" or not file.is_file():
+        raise ParameterError(
+            f"there is no Python file {str(file)!r}; give the path of one, such as stapler.py"
+        )
+    file = file.resolve()
+    found = _run(file)
+    if not found:
+        raise BuildError(
+            f"{file} defines no category; put @artgen.category(labels=(...)) before the function that "
+            "returns its Body"
+        )
+    if wanted is not None:
+        if wanted not in found:
+            raise ParameterError(f"{file} defines no category {wanted!r}.{nearest(wanted, found)}")
+        return found[wanted]
+    if len(found) > 1:
+        picks = " or ".join(f"{file.name}:{name}" for name in found)
+        raise ParameterError(f"{file} defines {len(found)} categories; pick one: {picks}")
+    return next(iter(found.values()))
+
+
+def _run(file: Path) -> dict[str, Generator]:
+    """Run a file as a module of its own and return the categories that it defines.
+
+    Its text is compiled here: Python's own cache takes an edit within one second for no edit.
+
+    Raises:
+        BuildError: It cannot be read or run.
+    """
+    path = str(file)
+    name = f"category_file_{hashlib.blake2b(path.encode(), digest_size=6).hexdigest()}"
+    before = sys.modules.get(name)
+    module = ModuleType(name)
+    module.__file__ = path
+    sys.modules[name] = module  # dataclasses look their module up
+    sys.path.insert(0, str(file.parent))
+    try:
+        with collected(name) as found:
+            text = decode_source(file.read_bytes())
+            exec(compile(text, path, "exec", dont_inherit=True), vars(module))  # noqa: S102 - that is its purpose
+    except (Exception, SystemExit) as error:
+        if before is None:
+            del sys.modules[name]
+        else:
+            sys.modules[name] = before
+        raise BuildError(_told(path, error)) from error
+    finally:
+        sys.path.remove(str(file.parent))
+    return found
+
+
+def _told(path: str, error: BaseException) -> str:
+    """Spell an error in a file, with the line of the file at fault."""
+    if isinstance(error, ArtgenError) and f"{path}:" in str(error):
+        return str(error)
+    if isinstance(error, ArtgenError):
+        reason = str(error)
+    elif isinstance(error, SyntaxError) and error.filename == path:
+        reason = f"{type(error).__name__}: {error.msg}"
+    else:
+        reason = f"{type(error).__name__}: {error}"
+    place = line_in(path, error)
+    return f"{reason}\n  at {place}" if place else reason
 
 
 def generate(category: str | Generator, /, seed: int = 0, **overrides: Any) -> Asset:
     """Generate an asset.
 
     Args:
-        category: Name of a category, or a category or generator itself.
+        category: Name of a category, file that defines one, or a category or generator itself.
         seed: Decides every draw: the same seed gives the same asset, byte for byte.
         **overrides: What `Generator.generate` takes: `name`, `base` ("fixed" or "free"), `certify=False` to
             skip the proof that no two links collide, `tolerance` [m] and `on_collision` ("redraw", "fail" or
@@ -67,6 +200,7 @@ def generate(category: str | Generator, /, seed: int = 0, **overrides: Any) -> A
 
     Raises:
         ParameterError: The category, the seed, an option or an override is unknown or not allowed.
+        BuildError: The category is written wrongly.
         EvaluationError: A kernel failed.
         InfeasibleError: No draw met the category's requirements, or none is proven free of collisions.
         CheckError: The links are not proven apart, and `on_collision` is "fail".

@@ -8,15 +8,20 @@ import typer
 from rich.console import Console
 from rich.table import Table
 
-from artgen.catalog import categories, find
+from artgen.catalog import broken, categories, find
 from artgen.commands.certify import certify as certify_category
 from artgen.commands.clients import clients
 from artgen.commands.colliders import colliders
 from artgen.commands.export import export
+from artgen.commands.gallery import gallery
 from artgen.commands.generate import generate
+from artgen.commands.graph import graph
+from artgen.commands.new import new
 from artgen.commands.render import render
 from artgen.commands.sheet import sheet
+from artgen.commands.studio import studio
 from artgen.commands.validate import validate
+from artgen.commands.view import view
 from artgen.errors import ArtgenError, CheckError
 from artgen.generator import Fixed, Parameter
 from artgen.version import __version__
@@ -79,6 +84,8 @@ def _options(
 @app.command(name="list")
 def list_categories() -> None:
     """List the categories."""
+    for message in broken().values():
+        typer.echo(f"warning: {' '.join(message.split())}", err=True)
     table = _table("category", "what it is", "joints", "parameters", "labels")
     for name in categories():
         category = find(name)
@@ -90,7 +97,9 @@ def list_categories() -> None:
 
 @app.command()
 def show_params(
-    category: Annotated[str, typer.Argument(help="Name of a category; `artgen list` shows them.")],
+    category: Annotated[
+        str, typer.Argument(help="Name of a category, which `artgen list` shows, or a file that defines one.")
+    ],
 ) -> None:
     """Show what varies in a category, the parameters of its sub-generators included."""
     found = find(category)
@@ -108,9 +117,14 @@ app.command()(validate)
 app.command()(clients)
 app.command()(colliders)
 app.command()(export)
+app.command()(gallery)
 app.command()(generate)
+app.command()(graph)
+app.command()(new)
 app.command()(render)
 app.command()(sheet)
+app.command()(studio)
+app.command()(view)
 
 
 def _range(least: int, most: int) -> str:

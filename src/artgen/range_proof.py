@@ -183,9 +183,11 @@ class RangeProof:
 
     def _failure_lines(self) -> list[str]:
         lines: list[str] = []
-        for failure in self.failures:
+        first = {failure.message: failure for failure in reversed(self.failures)}  # most have one cause
+        told = sorted(first.values(), key=self.failures.index)
+        for failure in told:
             lines += [f"{failure.origin}: {failure.message}", f"  {_listed(failure.parameters)}"]
-        more = self.feasible - self.counts["proven"] - len(self.failures)
+        more = self.feasible - self.counts["proven"] - len(told)
         return [*lines, f"and {more} more that are not proven"] if more else lines
 
 

@@ -5,6 +5,8 @@ from typing import Any
 import pytest
 
 from artgen.catalog import find
+from artgen.check.colliders import check_colliders
+from artgen.check.solids import check_solids
 from artgen.errors import InfeasibleError
 
 HANDLES = [
@@ -21,11 +23,18 @@ HANDLES = [
 LIMITS = [
     ("box", {"style": "slotted", "aspect": 1.0}, "lower aspect, to 0.96 at most"),
     ("box", {"style": "slotted", "mouth": "ends", "height": 0.04}, "height at least 0.06 m"),
+    ("box", {"style": "tuck_end", "height": 0.04}, "height at least 0.1 m"),
+    ("box", {"style": "tray", "width": 0.08}, "need room: width at least 0.14 m"),
+    ("box", {"style": "mailer", "width": 0.08}, "need room: width at least 0.15 m"),
     ("box", {"style": "wine", "wine": "red", "height": 0.3}, "height at least 0.315 m"),
+    ("cabinet", {"stand": "feet"}, "it must be plinth, legs or brackets"),
     ("cabinet", {"kind": "tall", "height": 0.55}, "a tall cabinet is at least 1 m high: raise height"),
+    ("cooktop", {"dial_radius": 0.028, "dial_pitch": 0.055}, "dials touch each other: raise dial_pitch"),
     ("dishwasher", {"handle": "recessed", "door_thickness": 0.05}, "door_thickness over 0.051 m"),
     ("door", {"layout": "double", "frame": "arched"}, "frame must be jambs or full"),
     ("drawer", {"stand": "plinth", "stand_height": 0.005}, "stand_height over 0.02 m"),
+    ("drawer", {"stand": "legs", "stand_height": 0.005}, "stand_height over 0.05 m"),
+    ("drawer", {"kind": "kitchen", "rows": 5, "height": 0.38}, "raise height, or lower rows or stand_height"),
     ("drawer", {"grip": "bar", "handle.length": 0.9}, "lower handle.length"),
     ("cabinet", {"kind": "base", "grip": "bar", "handle.length": 0.32}, "lower handle.length"),
     ("drawer", {"style": "fielded"}, "style=fielded is for doors"),
@@ -37,14 +46,60 @@ LIMITS = [
         "spout=low hangs before a wall, not on style=gooseneck",
     ),
     ("faucet", {"style": "wall", "spout": "low", "rod": True}, "rod must be False"),
+    (
+        "faucet",
+        {"style": "pull_down", "spout": "gooseneck", "reach": 0.08, "lever_length": 0.07},
+        "swings past the lever: reach over lever_length by 0.045 m",
+    ),
+    ("faucet", {"style": "pull_down", "spout": "gooseneck", "girth": 0.009}, "girth over 0.0104 m"),
+    ("lamp", {"style": "reading", "shade_radius": 0.26}, "lower shade_radius, or raise arm_length"),
     ("microwave", {"key_shape": "round"}, "key_shape must be bar, square or pill"),
     (
         "microwave",
         {"controls": "dials", "keys": 6, "height": 0.25, "face": "banded", "show": "9:41", "handle": "none"},
         "raise height, or lower keys, dials or dial_radius",
     ),
+    ("oven", {"build": "built_in", "drawer": True}, "drawer must be False"),
+    ("oven", {"build": "range", "height": 0.59}, "height at least 0.8 m"),
+    (
+        "pepper_grinder",
+        {"style": "barrel", "top": "bulb", "height": 0.12, "head_height": 1.8, "diameter": 0.07},
+        "raise height, or lower head_height",
+    ),
+    ("pepper_grinder", {"style": "classic", "top": "ball", "head_height": 0.6}, "head_height at least 0.91"),
+    ("plier", {"style": "slip_joint", "opening": 0.2}, "opening at least 0.41"),
+    ("plier", {"length": 0.12, "handle_width": 0.012}, "lower handle_width, or raise length or spread"),
+    (
+        "refrigerator",
+        {"layout": "french", "outer_drawers": 2, "freezer_share": 0.2},
+        "raise freezer_share or height, or lower outer_drawers or kick_height",
+    ),
+    (
+        "refrigerator",
+        {"layout": "side_by_side", "shelf_kind": "wire", "shelves": 4, "freezer_shelves": 4},
+        "shelves and freezer_shelves must be 6 at most",
+    ),
+    (
+        "soap_dispenser",
+        {"style": "holder", "shape": "amphora", "build": "steel"},
+        "must be round or apothecary",
+    ),
+    (
+        "soap_dispenser",
+        {"style": "holder", "shape": "round", "build": "clear", "fill": 0.2},
+        "fill at least 0.28",
+    ),
+    ("toaster", {"slots": 1, "controls": "end", "layout": "beside", "shoulder": 0.034}, "have no room"),
     ("toaster", {"style": "retro", "tray": "side"}, "tray must be back"),
     ("toaster", {"length": 0.25, "slot_length": 0.28}, "length 0.05 m over slot_length"),
+    ("trashcan", {"style": "ball", "width": 0.285, "height": 0.24}, "raise height, or lower width or aspect"),
+    ("trashcan", {"style": "butterfly", "carry": "bail"}, "strike a bail: carry=loop"),
+    (
+        "window",
+        {"style": "sliding", "layout": "single", "slides": "one", "width": 1.2},
+        "style=sliding has layout=pair or row only",
+    ),
+    ("window", {"style": "sliding", "layout": "row", "width": 0.4}, "width at least 1 m"),
     ("window", {"style": "awning", "opens": "inwards"}, "style=awning has opens=outwards only"),
     (
         "window",
@@ -86,3 +141,28 @@ def test_a_handle_brings_the_draws_that_suit_it(name: str, option: str, handle: 
         asset = find(name).generate(seed, certify=False, handle=handle)
         assert asset.parameters["handle"] == handle
         assert handle.startswith(str(asset.parameters[option]))
+
+
+SOUND = [
+    ("handle", {"inside": "knob", "handle.style": "ball", "handle.radius": 0.04, "rose_depth": 0.014}),
+    ("pepper_grinder", {"top": "crank", "build": "wood", "knob_radius": 0.016}),
+    (
+        "plier",
+        {
+            "style": "needle_nose",
+            "length": 0.14,
+            "handle_width": 0.0104,
+            "handle_share": 0.66,
+            "grips": "bare",
+        },
+    ),
+    ("soap_dispenser", {"style": "box", "press": "button", "box_depth": 0.06, "travel": 0.0202}),
+    ("window", {"style": "double_hung", "shutters": "louvred", "width": 0.4}),
+]
+
+
+@pytest.mark.parametrize(("name", "given"), SOUND, ids=[name for name, _ in SOUND])
+def test_what_is_at_the_end_of_its_range_is_built(name: str, given: dict[str, Any]) -> None:
+    asset = find(name).generate(1, attempts=1, **given)  # proven, or it fails
+    assert check_colliders(asset).faults == ()
+    assert check_solids(asset).faults == ()

@@ -204,6 +204,8 @@ def test_costs_are_reported():
     result = evaluate(box(1.0, 1.0, 1.0).at(1.0) | box(1.0, 2.0, 1.0))
     assert set(result.seconds) == {"box", "translate", "union"}
     assert all(seconds >= 0.0 for seconds in result.seconds.values())
+    assert len(result.node_seconds) == sum(result.runs.values())
+    assert sum(result.node_seconds.values()) == pytest.approx(sum(result.seconds.values()))
 
 
 def test_two_kernels_of_one_name_are_refused():

@@ -18,6 +18,7 @@ from artgen import Body, Prismatic, Revolute, X, Z, box, material, part
 from artgen.asset import Asset
 from artgen.catalog import categories, find
 from artgen.cli import app
+from artgen.dataset.lock import locked
 from artgen.errors import ExportError
 from artgen.graph import evaluate
 from artgen.survey import extreme_sample, rest
@@ -53,6 +54,19 @@ def slow(number: int, *, run: int, folder: Path) -> dict[str, Any]:
     (folder / "left").write_text(str(number))
     time.sleep(0.0 if number == 0 else 60.0)
     return counted(number, run=run, folder=folder)
+
+
+def brief(number: int, *, run: int, folder: Path) -> dict[str, Any]:
+    """Stand in for `measure_extreme`, and tell which process measured."""
+    time.sleep(0.05)
+    return {
+        "run": run,
+        "sample": number,
+        "category": category_of(number),
+        "state": "sound",
+        "anomalies": [],
+        "process": os.getpid(),
+    }
 
 
 def run_of(path: Path, samples: int, task: Any = counted, names: Any = NAMES, **options: Any) -> None:
@@ -129,7 +143,82 @@ def test_a_sample_that_hangs_is_an_anomaly_and_leaves_no_files(tmp_path: Path, m
     assert record["state"] == "timed out"
     assert record["anomalies"] == [{"kind": "timed out", "message": "it took more than 1 s"}]
     assert again(record, "timed out") == "python scripts/soak.py --seed 0 --sample 1"
-    assert list(tmp_path.iterdir()) == [path]
+    assert {each.name for each in tmp_path.iterdir()} == {path.name, f".{path.name}.lock"}
+
+
+def test_a_killed_worker_is_replaced_and_its_sample_listed(tmp_path: Path) -> None:
+    path = tmp_path / "soak.jsonl"
+    done: list[Any] = []
+
+    def kill(record: Any) -> None:
+        done.append(record)
+        if len(done) == 3:
+            os.kill(record["process"], signal.SIGKILL)
+        if len(done) == 8:
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        soak(path, run=0, names=NAMES, seconds=60.0, jobs=2, progress=kill, task=brief)
+    records = soaked(path, 0)
+    assert sorted(each["sample"] for each in done) == [each["sample"] for each in records]
+    (ended,) = [each for each in records if each["state"] != "sound"]
+    assert ended["anomalies"] == [{"kind": "crashed", "message": "its process ended with code -9"}]
+    (found,) = anomalies(records)
+    assert found.command == f"python scripts/soak.py --seed 0 --sample {ended['sample']}"
+    killed = done[2]["process"]
+    assert killed not in {each.get("process") for each in done[3:]}
+
+
+def test_a_killed_run_goes_on_and_loses_nothing(tmp_path: Path) -> None:
+    path = tmp_path / "soak.jsonl"
+    program = (
+        "from pathlib import Path\n"
+        "from test_soak import NAMES, brief, soak\n"
+        f"soak(Path({str(path)!r}), run=0, names=NAMES, seconds=60.0, jobs=2, task=brief)"
+    )
+    paths = os.pathsep.join([str(Path(__file__).parent), os.environ.get("PYTHONPATH", "")])
+    run = subprocess.Popen([sys.executable, "-c", program], env={**os.environ, "PYTHONPATH": paths})
+    while not path.exists() or path.read_text().count("\n") < 5:
+        assert run.poll() is None
+        time.sleep(0.01)
+    run.kill()
+    run.wait()
+    before = soaked(path, 0)  # which cuts off a line that is half written
+    workers = {each["process"] for each in before}
+    end = time.monotonic() + 10.0
+    while any(_lives(process) for process in workers):
+        assert time.monotonic() < end, "a worker outlives its run"
+        time.sleep(0.01)
+    run_of(path, 4, task=brief)
+    after = soaked(path, 0)
+    assert [each for each in after if each in before] == before
+    # those that were being measured when the run was killed are measured first
+    assert [each["sample"] for each in after] == list(range(len(before) + 4))
+
+
+def _lives(process: int) -> bool:
+    try:
+        os.kill(process, 0)
+    except ProcessLookupError:
+        return False
+    return True
+
+
+def test_two_runs_do_not_write_to_one_file(tmp_path: Path) -> None:
+    path = tmp_path / "soak.jsonl"
+    run_of(path, 1, task=brief)
+    before = path.read_text()
+    told = (
+        rf"another run \(process {os.getpid()}\) writes to .*soak\.jsonl; wait until it is done, or choose "
+    )
+    for fresh in (False, True):
+        with locked(path), pytest.raises(ExportError, match=told + "another file"):
+            soak(path, run=0, names=NAMES, seconds=60.0, fresh=fresh, task=brief)
+        assert path.read_text() == before
+    with locked(path):
+        run_of(tmp_path / "other.jsonl", 1, task=brief)
+    soak(path, run=0, names=NAMES, seconds=0.0, fresh=True, task=brief)
+    assert path.read_text() == ""
 
 
 @pytest.mark.parametrize("text", ["{}\n", '{"seed": 1, "category": "door", "state": "done"}\n'])
@@ -220,8 +309,19 @@ class TestRest:
 
     def test_limits_that_give_are_odd(self, tmp_path, monkeypatch) -> None:
         monkeypatch.setitem(rest.BEYOND, "prismatic", -10.0)
+        monkeypatch.setattr(rest, "_give", lambda stop, speed: -10.0)
         found = odd(made(slide(friction=200.0)), tmp_path)
         assert found["limits"].startswith("joint slide: goes ")
+
+    def test_a_spring_drives_a_part_into_its_stop(self, tmp_path, monkeypatch) -> None:
+        turn = Revolute(
+            "turn", axis=Z, limits=(0.0, 0.5), stiffness=0.8, rest=0.9, friction=1e-3, armature=2e-5
+        )
+        base = part(box(0.1, 0.1, 0.1).at(0.0, 0.0, 0.05), "base", OAK)
+        asset = made(base.attach(part(box(0.1, 0.01, 0.01).at(0.05, 0.0, 0.12), "arm", OAK), turn))
+        assert "limits" not in odd(asset, tmp_path / "sprung")
+        monkeypatch.setattr(rest, "_give", lambda stop, speed: 0.0)
+        assert "rad beyond its limits" in odd(asset, tmp_path / "hard")["limits"]
 
 
 class TestCommands:

@@ -23,7 +23,7 @@ from artgen.materials import Material
 
 if TYPE_CHECKING:
     from artgen.check.report import Report
-    from artgen.view import Camera, Picture, View
+    from artgen.view import Camera, Page, Picture, View
 
 Array = NDArray[np.float64]
 Base = Literal["fixed", "free"]
@@ -350,6 +350,12 @@ class Asset:
             textures=textures,
             samples=samples,
         )
+
+    def show(self, *, textures: int = 512, height: int = 600) -> "Page":
+        """Return a page with a slider for each joint, which notebooks show; see `artgen.view.page_of`."""
+        from artgen.view import page_of
+
+        return page_of(self, textures=textures, height=height)
 
     @staticmethod
     def load(directory: str | Path) -> "Asset":

@@ -345,7 +345,7 @@ class MovedLink(Link):
     def _turned_over(self) -> bool:
         """Whether print has to be turned on its own, to stay readable."""
         reflected = np.linalg.det(self.matrix[:3, :3]) < 0.0
-        return bool(reflected) and any(piece.reading is not None for piece in self.pieces)
+        return bool(reflected) and any(piece.reading is not None for piece in self.source.pieces)
 
     def _carried(self, surfaces: Sequence[Surface]) -> tuple[Surface, ...]:
         moved = [replace(surface, mesh=surface.mesh.moved(self.matrix)) for surface in surfaces]

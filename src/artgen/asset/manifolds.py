@@ -78,6 +78,29 @@ def is_closed(faces: Indices) -> bool:
     return np.array_equal(np.sort(start * count + end), np.sort(end * count + start))
 
 
+def groups(faces: Indices) -> list[Indices]:
+    """Return the points of each connected part of triangles, shape (m, 3), in their order."""
+    from scipy.sparse import csr_array
+    from scipy.sparse.csgraph import connected_components
+
+    count = int(faces.max()) + 1
+    # each triangle is a row that leads to the next corner: a matrix as scipy keeps it, without sorting
+    order = np.argsort(faces.ravel(), kind="stable")
+    ends = np.cumsum(np.bincount(faces.ravel(), minlength=count))
+    following = faces[:, [1, 2, 0]].ravel()[order]
+    sides = csr_array(
+        (np.ones(len(order), np.int8), following, np.append(0, ends)), shape=(count, count), copy=False
+    )
+    _, part = connected_components(sides, directed=False)
+    used = np.flatnonzero(np.diff(ends, prepend=0))
+    part = part[used]
+    if (part == part[0]).all():
+        return [used]
+    order = np.argsort(part, kind="stable")
+    sizes = np.bincount(part)
+    return np.split(used[order], np.cumsum(sizes[sizes > 0])[:-1])
+
+
 def connected(triangles: Indices, targets: Indices) -> tuple[Indices, Indices, Indices]:
     """Return how a surface hangs together; that of small ones, which are often alike, is remembered.
 

@@ -13,6 +13,7 @@ from artgen.asset.manifolds import (
     TURNED_OVER,
     coincident,
     connected,
+    groups,
     manifold_of,
     moved_manifold,
 )
@@ -300,6 +301,11 @@ class MeshShape(Shape):
     def mesh(self) -> Mesh:
         """The triangles as they were given."""
         return _mesh(self._table, self._triangles)
+
+    @cached_property
+    def parts(self) -> tuple[Array, ...]:
+        """The vertices of each connected part of the surface, without a manifold for each."""
+        return tuple(self._table[of_part, :3] for of_part in groups(self._targets[self._triangles]))
 
 
 class ComposedShape(Shape):

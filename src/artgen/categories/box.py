@@ -63,6 +63,8 @@ from artgen.categories.parts.box_print import Look, Signs
 
 Style = Literal["slotted", "half_slotted", "mailer", "pizza", "tuck_end", "wine", "tray", "gift"]
 
+_LEAST_WIDTH: dict[Style, float] = {"tray": 0.14, "mailer": 0.15}  # [m]
+
 
 @category(
     labels=(
@@ -324,6 +326,8 @@ def box(
         width = require(width, free > 0.006, "flaps meet in a square box: lower aspect, to 0.96 at most")
     least = _least_height(style, mouth, wine)
     height = require(height, height >= least, f"flaps and bottles need room: height at least {least:g} m")
+    least = _LEAST_WIDTH.get(style, 0.0)
+    width = require(width, width >= least, f"a strap, tucks and ears need room: width at least {least:g} m")
     fresh = crease == "fresh"
     feel = Feel(stiffness if fresh else 0.0, springback if fresh else 0.0, friction, damping)
     draft = Draft(
@@ -372,4 +376,6 @@ def _least_height(style: Style, mouth: str, wine: str) -> float:
     """Return how high a box has to be for the bottles in it, or for flaps at its ends [m]."""
     if style == "wine" and wine != "none":
         return 0.315
+    if style == "tuck_end":
+        return 0.1
     return 0.06 if style == "slotted" and mouth == "ends" else 0.0

@@ -184,6 +184,7 @@ def cabinet(
     hinge_damping: Float = uniform(0.2, 0.8, "N m s/rad"),
 ) -> Body:
     """Make a base, wall or tall cabinet with its doors shut: hinges, shelves, pulls."""
+    require(stand != "feet", "stand=feet is for chests: it must be plinth, legs or brackets")
     require_suited(handle, "grip", grip, _HANDLES)
     if kind == "tall":
         height = require(height, height >= 1.0, "a tall cabinet is at least 1 m high: raise height")

@@ -71,6 +71,7 @@ _GLASS = (
     material("black_glass").with_(name="white_glass", base_color=(0.72, 0.72, 0.70)),
 )
 _SILVER, _WHITE = coloured("abs", "silver"), coloured("abs", "white")
+_BETWEEN = 0.002  # two dials [m]
 _EXTRAS = ("timer", "fan")  # beside the burners' dials, with these icons
 
 
@@ -276,7 +277,10 @@ def cooktop(
         knob = dial_on(plan, looks, top=height, name=f"{name}_dial", label="dial")
         turn = electric_turn(f"{name}_dial_turn", friction=dial_friction, pivot=(x, y, 0.0))
         body = body.attach(knob.at(x, y, 0.0), turn)
-    return body
+    return body.require(
+        plan.spaced > 2.0 * dial_radius + _BETWEEN,
+        "dials touch each other: raise dial_pitch, or lower dial_radius or dials",
+    )
 
 
 def _light(finish: Material) -> Material:

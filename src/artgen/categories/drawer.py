@@ -65,6 +65,7 @@ from artgen.categories.parts.suited import require_suited
 _FINISH, _ACCENT = boards("wood", "lacquer", "melamine", "decor", "steel"), accents()
 _WORKTOP, _LEG, _METAL = worktops(), leg_finishes(), hardware()
 _HANDLES = {"knob": knob_pull, "bar": bar_pull, "cup": cup_pull, "groove": groove_pull}
+_LEAST = 0.09  # from one drawer to the next [m]
 _FRAMED = choice("flat", "beaded", "shaker", "ramped", weights=(0.4, 0.15, 0.25, 0.2))
 _MOUNTED = choice("overlay", "inset", weights=(0.55, 0.45))
 _SLABS = choice("flat", "beaded", weights=(0.7, 0.3))  # many framed fronts would be too many colliders
@@ -328,6 +329,11 @@ def drawer(
     require_suited(handle, "grip", grip, _HANDLES)
     require(style not in ("fielded", "glazed"), f"style={style} is for doors: no handle of a drawer meets it")
     slab = 0.0 if top == "flush" else top_thickness
+    height = require(
+        height,
+        height - stand_height - slab > _LEAST * rows,
+        f"drawers are {_LEAST:g} m high at least: raise height, or lower rows or stand_height",
+    )
     case = Carcass(
         width=width,
         low=stand_height,

@@ -82,6 +82,7 @@ _DECKS: dict[Material | str, float] = {
     "granite": 1.0,
     "walnut": 1.0,
 }
+_PAST = 0.045  # from the end of a lever to the middle of a spray head [m]
 _METAL_WEIGHTS, _DECK_WEIGHTS = tuple(_METALS.values()), tuple(_DECKS.values())
 
 
@@ -244,6 +245,10 @@ def faucet(
         ).attach(
             spray_head(radius=girth, travel=head_travel, finish=finish).at(end),
             pull_out(travel=head_travel, force=head_force, pivot=end),
+        )
+        turned = turned.require(
+            reach > lever_length + _PAST,
+            f"the spray head swings past the lever: reach over lever_length by {_PAST:g} m",
         )
     else:
         fall = {"gooseneck": straight - 0.032, "arc": 0.6 * rise}.get(spout, rise - 0.032)

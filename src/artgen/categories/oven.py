@@ -211,10 +211,12 @@ def oven(
 ) -> Body:
     """Make an oven or a range, closed: door, racks, drawer, dials."""
     girth = 0.0080
+    require(not drawer or build == "range", "a drawer is below the door of a range: drawer must be False")
     if build == "range":
         hinge_height = require(
             hinge_height, hinge_height > 0.18, "there is a drawer below the door: hinge_height over 0.18 m"
         )
+        height = require(height, height >= 0.8, "a range stands on the floor: height at least 0.8 m")
     space = Space(
         build=build,
         width=width,

@@ -164,10 +164,17 @@ def pepper_grinder(
     maker: str = choice(*details.BRANDS),
 ) -> Body:
     """Make a pepper or salt mill: a head that turns, or a crank with its knob."""
+    least = 0.91 if top == "ball" else 0.0
+    head_height = require(
+        head_height, head_height >= least, f"a ball is no lower: head_height at least {least:g}"
+    )
     require(build != "clear" or style in _STRAIGHT, "a clear tube is straight: style must be cylinder")
     radius = diameter / 2.0
     crown = head_height * HEAD_HEIGHT[top] * radius
     tall = height - crown  # of the body
+    tall = require(
+        tall, tall > 1.2 * radius, "there is no room for a body below: raise height, or lower head_height"
+    )
     if build == "clear":
         body = clear(radius, tall, finish, ends, content=content, rings=_RINGS[size])
     else:

@@ -28,10 +28,11 @@ from artgen import (
     details,
     material,
     max_,
+    require,
     shades,
     uniform,
 )
-from artgen.categories.parts.plier_fittings import PASSES, Grip, Key
+from artgen.categories.parts.plier_fittings import PASSES, Grip, Key, off_middle
 from artgen.categories.parts.plier_half import Make
 from artgen.categories.parts.plier_halves import Forging, Style
 
@@ -78,7 +79,7 @@ def plier(
         within=(0.12, 0.26),
     ),
     spread: Float = uniform(0.118, 0.140, doc="half of the width over the closed handles, over the length"),
-    handle_width: Float = uniform(0.0088, 0.0104, "m", doc="of the bare bar", within=(0.006, 0.014)),
+    handle_width: Float = uniform(0.0088, 0.0104, "m", doc="of the bare bar", within=(0.007, 0.012)),
     handle_share: Float = uniform(0.66, 0.82, doc="thickness of the bar over that at the pivot"),
     jagged: bool = by("style", cutter=False, otherwise=choice(True, False, weights=(0.8, 0.2))),
     teeth_count: int = by("jagged", {True: count(6, 20), False: 6}, doc="on the flat of a jaw"),
@@ -104,6 +105,10 @@ def plier(
     """Make combination, needle-nose, slip-joint or cutting pliers, closed."""
     slip = style == "slip_joint"
     key = Key.of(length)
+    least = PASSES + 0.01 if slip else 0.0
+    opening = require(
+        opening, opening >= least, f"the bolt passes its slot when they are open: opening at least {least:g}"
+    )
     # fingers come between the handles of the smallest, too
     forging = Forging(style, length, key.way if slip else 0.0, max_(spread * length, 0.0178))
     inlay = coloured("rubber", "graphite") if sum(sleeve.base_color) / 3.0 > _BRIGHT else accent
@@ -134,4 +139,8 @@ def plier(
         needs=(hinge > PASSES).until(0.985 * key.way),
     )
     body = make.lower().attach(make.upper(), *((slide, hinge) if slip else (hinge,)))
+    body = body.require(
+        off_middle(forging, grips, handle_width) > 0.0002,
+        "thick handles touch each other below the joint: lower handle_width, or raise length or spread",
+    )
     return body.at(-make.middle(), (forging.rear - forging.jaw) / 2.0, make.rests())

@@ -36,6 +36,7 @@ from artgen import (
     details,
     material,
     max_,
+    require,
     shades,
     uniform,
     weld,
@@ -78,6 +79,7 @@ _TRIMS = (
     material("aluminium"),
     material("glossy_plastic_white").with_(name="trim_smoke", base_color=(0.16, 0.17, 0.18)),
 )
+_WIRE_SHELVES = 6  # in one refrigerator
 _MORE = 0.12  # how much further than its drawers need a door opens [rad]
 
 
@@ -282,6 +284,10 @@ def refrigerator(
     case = Case(width, depth, height - COVER, kick_height, door_thickness, wall, gap)
     # drawers fill a freezer up to the flat inside of its door
     full = layout == "bottom_freezer" or (layout == "top_freezer" and freezer_drawers > 0)
+    require(
+        shelf_kind == "glass" or shelves + freezer_shelves <= _WIRE_SHELVES,
+        f"wire shelves have many colliders: shelves and freezer_shelves must be {_WIRE_SHELVES} at most",
+    )
     boxed = ice_box and layout == "single"
     divided = Divided(case, freezer_share, bin_depth, None if full else 0.72 * bin_depth, bins, outer_drawers)
     plan = divided.plan(layout)
@@ -303,9 +309,17 @@ def refrigerator(
         abreast=plan.abreast,
     )
 
-    below = _rows(crispers, stacked=layout in ("single", "side_by_side"))
     held = Furniture(
-        below, crisper_height, shelves, shelf_kind, trim, liner, boxed, egg_tray, control, display or "4"
+        _rows(crispers, stacked=layout in ("single", "side_by_side")),
+        crisper_height,
+        shelves,
+        shelf_kind,
+        trim,
+        liner,
+        boxed,
+        egg_tray,
+        control,
+        display or "4",
     )
     cold = furnish(case, plan.cold, bin_depth, held)
     rooms = {"door": cold}

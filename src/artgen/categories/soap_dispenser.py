@@ -60,6 +60,7 @@ from artgen.categories.parts.soap_wall import TRAY, Press, holder, lever_hinge, 
 Build = Literal["clear", "ceramic", "plastic", "steel"]
 
 _CLEAR: tuple[Shape, ...] = ("round", "square", "cube", "hexagonal", "cone", "bell", "apothecary")
+_HELD: tuple[Shape, ...] = ("round", "apothecary")
 
 
 @category(
@@ -103,7 +104,7 @@ def soap_dispenser(
             "beehive",
             weights=(0.15, 0.10, 0.08, 0.10, 0.08, 0.08, 0.08, 0.08, 0.12, 0.07, 0.06),
         ),
-        holder=choice("round", "apothecary"),
+        holder=choice(*_HELD),
         box="square",
     ),
     build: Build = by(
@@ -168,7 +169,7 @@ def soap_dispenser(
     box_width: Float = uniform(0.074, 0.094, "m", doc="of a box", within=(0.07, 0.11)),
     box_depth: Float = uniform(0.066, 0.078, "m", doc="how far a box stands out", within=(0.06, 0.09)),
     reach: Float = uniform(0.042, 0.054, "m", doc="of the spout from its axis", within=(0.038, 0.07)),
-    travel: Float = uniform(0.012, 0.020, "m", doc="of nozzle or button", within=(0.010, 0.0203)),
+    travel: Float = uniform(0.012, 0.020, "m", doc="of nozzle or button", within=(0.010, 0.0202)),
     swing: Float = uniform(0.20, 0.30, "rad", doc="of a lever", within=(0.1, 0.35)),
     force: Float = uniform(9.0, 22.0, "N", doc="of the spring, pressed home", within=(5.0, 30.0)),
     damping: Float = uniform(6.0, 12.0, "N s/m", doc="of the soap that is drawn in"),
@@ -217,7 +218,7 @@ def soap_dispenser(
             word=" ".join(WORDS[content]),
         )
         body = weld(body, tile(1.5 * box_width, wall))
-        pressed = panel(box_width, box_depth, press=press, finish=finish, ink=ink_on(finish))
+        pressed = panel(box_width, box_depth, press=press, travel=travel, finish=finish, ink=ink_on(finish))
         if press == "button":
             return body.attach(
                 pressed,
@@ -227,6 +228,15 @@ def soap_dispenser(
         return body.attach(pressed, hinge)
 
     require(build != "clear" or shape in _CLEAR, f"no {shape} bottle is made of clear glass")
+    require(
+        style != "holder" or shape in _HELD,
+        f"the ring of style=holder fits round bottles with upright sides: shape={shape} must be "
+        f"{' or '.join(_HELD)}",
+    )
+    least = 0.28 if style == "holder" else 0.0
+    fill = require(
+        fill, fill >= least, f"its holder grips a bottle where it is full: fill at least {least:g}"
+    )
     sizes = Sizes(width, depth, height)
     is_clear = build == "clear"
     if is_clear:

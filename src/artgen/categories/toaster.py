@@ -58,6 +58,7 @@ from artgen.categories.parts.toaster_shell import Cuts, ShellLooks, back_print, 
 from artgen.categories.parts.toaster_tray import Tray, TrayWay
 
 _QUARTER = math.pi / 2.0
+_NO_ROOM = "controls have no room: raise height or shoulder, or lower buttons"
 _ENDS_APART: tuple[BodyStyle, ...] = ("steel", "classic")  # whose ends are of another material
 _FLAT_SIDES: tuple[BodyStyle, ...] = ("box", "steel")  # which may have controls
 
@@ -271,7 +272,7 @@ def toaster(
             f"lever_slide{tail}", travel=lever_travel, force=lever_force, damping=lever_damping
         )
         body = body.attach(pressed, slide)
-    return front.attached(body, button_force, knob_friction)
+    return front.attached(body, button_force, knob_friction).require(front.fits(), _NO_ROOM)
 
 
 def _cord(

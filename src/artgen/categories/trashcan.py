@@ -267,6 +267,7 @@ def trashcan(
         sheet=WALL,
         taper=taper if style in _TAPERED else 0.0,
     )
+    require(style != "butterfly" or carry != "bail", "the flaps of a butterfly bin strike a bail: carry=loop")
     plastic = _DARK if trim.base_metalness > 0.5 else trim
     shown = {"same": finish, "plastic": plastic, "steel": STEELS[0]}[lid_finish]
     looks = Looks(finish, lid_of(shown), trim, material("chrome"), plastic)

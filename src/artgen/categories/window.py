@@ -215,6 +215,11 @@ def window(
         shutters == "none" or (opens == "inwards" if style == "casement" else style != "awning"),
         f"style={style} that opens {opens} would strike shutters={shutters}: they must be none",
     )
+    require(style != "sliding" or layout in ("pair", "row"), "style=sliding has layout=pair or row only")
+    abreast = {"single": 1, "row": 4}.get(layout, 2)
+    # a row of sashes needs room for the glass of each
+    least = 0.2 * (abreast + 1) if style in ("casement", "sliding") else 0.0
+    width = require(width, width >= least, f"layout={layout} has narrow sashes: width at least {least:g} m")
     section = SECTIONS[kind]
     wide, tall = width - 2.0 * section.frame, height - SILL - 2.0 * section.frame
     glazing = Glazing(glass, sheets, columns, rows, finish)
@@ -233,7 +238,6 @@ def window(
         few,
     )
     first = 1 if hand == "left" else -1
-    abreast = {"single": 1, "row": 4}.get(layout, 2)
     sides = tuple(first if hands == "same" else 1 - 2 * (index % 2) for index in range(abreast))
     match style:
         case "casement":

@@ -15,7 +15,9 @@ _FAULT = 1  # exit code
 
 
 def certify(
-    category: Annotated[str, typer.Argument(help="Name of a category; `artgen list` shows them.")],
+    category: Annotated[
+        str, typer.Argument(help="Name of a category, which `artgen list` shows, or a file that defines one.")
+    ],
     *,
     samples: Annotated[int, typer.Option(metavar="NUMBER", help="How many seeds are drawn.")] = 500,
     corners: Annotated[

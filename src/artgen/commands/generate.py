@@ -27,7 +27,10 @@ _SHOWN = 20  # failed seeds that are spelt out
 def generate(
     categories: Annotated[
         list[str],
-        typer.Argument(metavar="CATEGORY...", help="Names of categories; `artgen list` shows them."),
+        typer.Argument(
+            metavar="CATEGORY...",
+            help="Names of categories, which `artgen list` shows; for one asset also a file with one.",
+        ),
     ],
     *,
     count: Annotated[

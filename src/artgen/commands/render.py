@@ -5,10 +5,8 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import typer
 
-from artgen.asset import Asset
-from artgen.asset.files import ASSET_FILE
+from artgen.commands.source import asset_from
 from artgen.errors import ParameterError
-from artgen.overrides import parse_overrides
 
 if TYPE_CHECKING:
     from artgen.view import Picture
@@ -17,7 +15,9 @@ if TYPE_CHECKING:
 def render(
     source: Annotated[
         str,
-        typer.Argument(metavar="DIRECTORY|CATEGORY", help="An exported asset, or the name of a category."),
+        typer.Argument(
+            metavar="DIRECTORY|CATEGORY", help="An exported asset, a category, or a file with one."
+        ),
     ],
     *,
     seed: Annotated[int, typer.Option(help="Of a category: decides every draw.")] = 0,
@@ -61,25 +61,13 @@ def render(
     if out is not None:
         check_suffix(out)
     pixels = _size(size)
-    asset = _asset(source, seed, overrides or [])
+    asset = asset_from(source, seed, overrides or [])
     q = opened(asset, opening) | _positions(positions or [])
     picture = asset.render(
         q, camera=view, size=pixels, studio=studio, backend=backend, textures=texture_size, samples=samples
     )
     path = Path(f"{asset.name}.png") if out is None else out
     typer.echo(save_image(_shown(picture, show), path))
-
-
-def _asset(source: str, seed: int, overrides: list[str]) -> Asset:
-    """Load an exported asset, or generate one of a category, which needs no proof to be seen."""
-    from artgen.catalog import find
-
-    directory = Path(source)
-    if directory.is_dir() or directory.name == ASSET_FILE:
-        if overrides:
-            raise ParameterError(f"--set is for categories; {source} is an exported asset")
-        return Asset.load(directory)
-    return find(source).evaluate(seed, certify=False, overrides=parse_overrides(overrides))[0]
 
 
 def _positions(items: list[str]) -> dict[str, float]:

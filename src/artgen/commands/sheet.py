@@ -14,7 +14,9 @@ from artgen.overrides import parse_overrides
 
 
 def sheet(
-    category: Annotated[str, typer.Argument(help="Name of a category; `artgen list` shows them.")],
+    category: Annotated[
+        str, typer.Argument(help="Name of a category, which `artgen list` shows, or a file that defines one.")
+    ],
     *,
     seeds: Annotated[int, typer.Option(metavar="NUMBER", help="How many samples.")] = 12,
     first_seed: Annotated[int, typer.Option(help="The first of their seeds.")] = 0,
@@ -41,14 +43,14 @@ def sheet(
 
     if seeds < 1:
         raise ParameterError(f"--seeds {seeds} must be at least 1")
-    path = Path(f"{category}.jpg") if out is None else out
+    found, chosen = find(category), parse_overrides(overrides or [])
+    path = Path(f"{found.name}.jpg") if out is None else out
     check_suffix(path)
     if not path.absolute().parent.is_dir():
         raise ExportError(f"cannot write {path}: give a file in a directory that exists")
-    found, chosen = find(category), parse_overrides(overrides or [])
     makers = [partial(_asset, found, seed, chosen) for seed in range(first_seed, first_seed + seeds)]
     with progress_bar() as bar:
-        task = bar.add_task(category, total=seeds)
+        task = bar.add_task(found.name, total=seeds)
         pixels = draw(
             makers,
             views=views,

@@ -1,4 +1,4 @@
-"""A folder is written by one run at a time."""
+"""A folder, or a file that grows, is written by one run at a time."""
 
 import os
 from collections.abc import Iterator
@@ -11,24 +11,29 @@ LOCK_FILE = ".lock"
 
 
 @contextmanager
-def locked(folder: Path) -> Iterator[None]:
-    """Hold the lock of a folder; the system frees it when the process ends, however it does.
+def locked(place: Path) -> Iterator[None]:
+    """Hold the lock of a folder or a file; the system frees it when the process ends, however it does.
+
+    Args:
+        place: A folder that exists, whose lock is in it; else a file, whose lock is beside it.
 
     Raises:
-        ExportError: Another process holds it, or the folder cannot be written.
+        ExportError: Another process holds it, or the place cannot be written.
     """
+    kind = "folder" if place.is_dir() else "file"
+    lock = place / LOCK_FILE if kind == "folder" else place.with_name(f".{place.name}{LOCK_FILE}")
     try:
-        descriptor = os.open(folder / LOCK_FILE, os.O_RDWR | os.O_CREAT, 0o644)
+        descriptor = os.open(lock, os.O_RDWR | os.O_CREAT, 0o644)
     except OSError as error:
-        raise ExportError(f"cannot write to {folder}: {error.strerror}") from error
+        raise ExportError(f"cannot write to {place}: {error.strerror}") from error
     with os.fdopen(descriptor, "r+", encoding="ascii") as file:
         try:
             _take(descriptor)
         except OSError as error:
             holder = file.read().strip() or "unknown"
             raise ExportError(
-                f"another run (process {holder}) writes to {folder}; wait until it is done, or choose "
-                "another folder"
+                f"another run (process {holder}) writes to {place}; wait until it is done, or choose "
+                f"another {kind}"
             ) from error
         file.truncate(0)
         file.write(str(os.getpid()))

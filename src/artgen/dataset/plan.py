@@ -6,7 +6,7 @@ from functools import cached_property
 from typing import Any, Literal, get_args
 
 from artgen.asset.asset import Base
-from artgen.catalog import find
+from artgen.catalog import find, is_file
 from artgen.errors import ParameterError
 from artgen.export.collision import Collision
 from artgen.export.files import chosen_formats, find_layout
@@ -101,6 +101,11 @@ class Plan:
         check_precision(self.mesh_precision)
         vars(self)["formats"] = chosen_formats(find_layout(self.layout), self.formats or None)
         for name in self.categories:
+            if is_file(name):  # its assets are named by it, and other machines may not have it
+                raise ParameterError(
+                    f"a dataset takes the names of categories, not the file {name}; `artgen new` makes a "
+                    "package, which brings its category to every machine that installs it"
+                )
             find(name).sample(self.seed, overrides=self.overrides_of(name))
 
     def items(self) -> Iterator[Item]:

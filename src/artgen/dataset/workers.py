@@ -53,11 +53,11 @@ def run_tasks(
     for name in _THREADS:
         os.environ.setdefault(name, "1")
     waiting = iter(items)
-    workers: list[_Worker] = []
+    workers: list[Worker] = []
     try:
         while True:
             while len(workers) < jobs and (item := next(waiting, None)) is not None:
-                workers.append(_Worker(task, item, limit))
+                workers.append(Worker(task, item, limit))
             if not workers:
                 return
             left = max(min(worker.deadline for worker in workers) - time.monotonic(), 0.0)
@@ -78,7 +78,7 @@ def run_tasks(
             worker.stop()
 
 
-class _Worker:
+class Worker:
     """A process that runs a task on one item after another.
 
     Attributes:
@@ -91,7 +91,7 @@ class _Worker:
         self.pipe, other = context.Pipe()
         self._limit = limit
         self._process: BaseProcess = context.Process(target=_work, args=(task, other), daemon=True)
-        with _unnamed_main():
+        with _unnamed_main(), _deaf():
             self._process.start()
         other.close()
         self.give(item)
@@ -142,6 +142,19 @@ def _unnamed_main() -> Iterator[None]:
         yield
     finally:
         sys.modules["__main__"] = main
+
+
+@contextmanager
+def _deaf() -> Iterator[None]:
+    """Keep Ctrl-C from new processes while they start: those that begin inherit what is blocked here."""
+    if not hasattr(signal, "pthread_sigmask"):
+        yield
+        return
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
 def _work(task: Callable[[Any], Any], pipe: Connection) -> None:

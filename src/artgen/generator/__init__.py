@@ -1,6 +1,6 @@
 """Generators: typed functions whose signatures say what varies and how."""
 
-from artgen.generator.declare import CATEGORIES, category, generator, one_of
+from artgen.generator.declare import CATEGORIES, category, collected, generator, one_of
 from artgen.generator.generator import Generator
 from artgen.generator.parameter import Parameter, accept
 from artgen.generator.proof import OnCollision
@@ -15,6 +15,7 @@ __all__ = [
     "Parameter",
     "accept",
     "category",
+    "collected",
     "generator",
     "one_of",
     "shades",

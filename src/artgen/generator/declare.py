@@ -1,7 +1,9 @@
 """Decorators that make generators, and the categories by name."""
 
 import typing
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
 from typing import Any
 
 from artgen.errors import BuildError, ParameterError
@@ -13,6 +15,25 @@ from artgen.sampling import choice
 
 CATEGORIES: dict[str, Generator] = {}
 """The categories by name, filled when the modules that define them are imported."""
+
+_COLLECTED: ContextVar[tuple[str, dict[str, Generator]]] = ContextVar("collected", default=("", {}))
+
+
+@contextmanager
+def collected(module: str) -> Iterator[dict[str, Generator]]:
+    """Collect the categories of a module while it runs, and keep them out of the catalog.
+
+    A file that is run by its path may be a copy of an installed module, so its names may be taken.
+
+    Args:
+        module: Its `__name__`; the categories of others that it imports enter the catalog as ever.
+    """
+    found: dict[str, Generator] = {}
+    token = _COLLECTED.set((module, found))
+    try:
+        yield found
+    finally:
+        _COLLECTED.reset(token)
 
 
 def generator(function: Callable[..., Any]) -> Generator:
@@ -56,6 +77,10 @@ def category(
             raise BuildError(
                 f"{made.name} returns {spelled(returned)}; a category returns a Body\n  at {made.where}"
             )
+        collector, found = _COLLECTED.get()
+        if function.__module__ == collector:
+            found[made.name] = made
+            return made
         other = CATEGORIES.get(made.name)
         # a module or notebook cell that runs again replaces its own categories
         if other is not None and other.function.__module__ != function.__module__:

@@ -16,6 +16,8 @@ from artgen.errors import (
     ParameterError,
     nearest,
 )
+from artgen.generator.blame import call_author
+from artgen.generator.built import Built
 from artgen.generator.draw import Draw, Overrides
 from artgen.generator.parameter import Parameter, Variant, is_variant
 from artgen.generator.proof import OnCollision, certify_sample, check_proof
@@ -59,6 +61,7 @@ class Generator(Variant):
         self.where = f"{function.__code__.co_filename}:{function.__code__.co_firstlineno}"
         self.signature = inspect.signature(function)
         self.own = read_parameters(function, self.where)
+        self._built = Built(self.own, self.build)
 
     def parameters(self, prefix: str = "") -> dict[str, Parameter]:
         """Return every parameter by its full dotted name, those of all sub-generators included."""
@@ -99,7 +102,7 @@ class Generator(Variant):
             **inputs: What the caller gives; takes the place of parameters of the same name.
 
         Raises:
-            BuildError: An input is unknown or missing, or the function returns no handle.
+            BuildError: An input is unknown or missing, or the function fails or returns no handle.
         """
 
         def given(parameter: Parameter) -> Any:
@@ -147,7 +150,7 @@ class Generator(Variant):
                 raise BuildError(f"{self.name} needs the input {name!r}\n  defined at {self.where}")
             elif isinstance(declared.default, Given):
                 arguments[name] = declared.default.value
-        result = self.function(**arguments)
+        result = call_author(self.name, self.function, arguments)
         if not isinstance(result, Handle):
             raise BuildError(
                 f"{self.name} returned {result!r}; it must return a handle such as a Body\n  at {self.where}"
@@ -241,7 +244,7 @@ class Generator(Variant):
             if values in refused:  # few parameters, or few values of them, give the same sample again
                 continue
             try:
-                body = self.build(values)
+                body = self._built.of(values)
                 evaluation = Graph(body).evaluate(values, _SHARED_CACHE if cache is None else cache)
                 try:
                     asset = self._asset(body, evaluation, values, name, base, seed=seed, attempt=attempt)

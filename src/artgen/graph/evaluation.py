@@ -61,6 +61,7 @@ class Evaluation:
         hits: How many values came from the cache.
         seconds: Time spent in each operation's kernel [s].
         keys: The content key of each node, by the node's own key.
+        node_seconds: Time spent in the kernel of each node that ran, by the node's own key [s].
     """
 
     value: Any = None
@@ -68,6 +69,7 @@ class Evaluation:
     hits: int = 0
     seconds: dict[str, float] = field(default_factory=dict)
     keys: dict[str, str] = field(default_factory=dict)
+    node_seconds: dict[str, float] = field(default_factory=dict)
 
 
 def evaluate(
@@ -108,7 +110,8 @@ def evaluate(
             continue
         start = perf_counter()
         values[node.key] = value = _run(node, known, values)
-        result.seconds[node.op] = result.seconds.get(node.op, 0.0) + perf_counter() - start
+        result.node_seconds[node.key] = elapsed = perf_counter() - start
+        result.seconds[node.op] = result.seconds.get(node.op, 0.0) + elapsed
         result.runs[node.op] += 1
         cache.put(content, value)
     result.value = values[handle.node.key]

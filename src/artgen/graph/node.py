@@ -5,6 +5,7 @@ import sys
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cache
+from traceback import walk_tb
 from types import FrameType, MappingProxyType
 from typing import Any
 
@@ -160,6 +161,14 @@ def authors_line() -> str:
     if frame is not None and not frame.f_code.co_filename.startswith("<frozen importlib"):
         inner = frame
     return f"{inner.f_code.co_filename}:{inner.f_lineno}" if inner is not None else ""
+
+
+def line_in(path: str, error: BaseException) -> str:
+    """Return `file:line` of the innermost line of a file that an error went through; the file if none did."""
+    if isinstance(error, SyntaxError) and error.filename == path:
+        return f"{path}:{error.lineno}"
+    lines = [line for frame, line in walk_tb(error.__traceback__) if frame.f_code.co_filename == path]
+    return f"{path}:{lines[-1]}" if lines else path
 
 
 @cache

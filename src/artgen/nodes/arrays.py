@@ -38,5 +38,8 @@ def array(solid: Solid, *, at: PointsLike) -> Solid:
     Args:
         solid: What to copy.
         at: By how much each copy is moved [m].
+
+    Examples:
+        >>> array(box(0.02, 0.1, 0.05), at=row((0, 0, 0), (0.04, 0, 0), 5))
     """
     return Solid.record(_array, solid=solid, at=at)

@@ -84,6 +84,9 @@ def part(
             0.5 mm between them for a fault unless it is said.
         push: Frames at which a finger pushes: on the surface, `approach` in the direction of the push, as
             `push_on` finds them.
+
+    Examples:
+        >>> part(box(0.3, 0.2, 0.018, bevel=0.002), "shelf", material("oak"))
     """
     grasps = (grasp,) if isinstance(grasp, Frame) else grasp
     pushes = (push,) if isinstance(push, Frame) else push
@@ -128,6 +131,10 @@ def detail(
         material: What it is made of.
         reads: For print, the direction of its lines: where the body is mirrored, the print stays readable.
         about: The middle of the print [m]; by default that of its bounding box.
+
+    Examples:
+        >>> plate = part(box(0.06, 0.004, 0.04), "plate", material("abs"))
+        >>> weld(plate, detail(box(0.03, 0.001, 0.01).at(y=-0.0025), "stripe", material("copper")))
     """
     return Body.record(_detail, solid=solid, label=label, material=material, reads=reads, about=about)
 
@@ -155,6 +162,10 @@ def weld(*bodies: Body) -> Body:
     """Join bodies rigidly: one link with the name of the first, each solid keeping its label and material.
 
     Where the solids overlap, the volume counts once, with the density of the first.
+
+    Examples:
+        >>> head = part(box(0.1, 0.03, 0.03).at(z=0.15), "head", material("steel"))
+        >>> weld(part(cylinder(0.012, 0.3), "handle", material("oak")), head)
     """
     return Body.record(_weld, bodies=bodies)
 

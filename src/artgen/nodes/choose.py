@@ -89,6 +89,10 @@ def switch(condition: Any, a: Any, b: Any) -> Any:
 
     Raises:
         BuildError: `a` and `b` are of different types, or of one that cannot be chosen.
+
+    Examples:
+        >>> block = box(0.3, 0.2, 0.1)
+        >>> switch(block.size().x > 0.2, block - bore(0.05, 0.2), block)
     """
     kind = _common_type(a, b)
     if kind not in _CHOOSABLE:
@@ -117,6 +121,10 @@ def require(value: Any, condition: Any, message: str = "") -> Any:
         InfeasibleError: The condition is known and does not hold.
         BuildError: A condition that is known at evaluation came without a value, or the first argument is
             neither a condition nor a value.
+
+    Examples:
+        >>> block = box(0.3, 0.2, 0.1)
+        >>> require(block, block.size().x > 0.2, "the block is too narrow")
     """
     if not isinstance(condition, str):
         if isinstance(value, Handle):

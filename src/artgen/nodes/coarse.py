@@ -50,5 +50,8 @@ def coarse(solid: Solid, within: Scalar = MOST) -> Solid:
     Args:
         solid: What collides coarsely, before anything is cut out of it.
         within: How far its colliders may stand off, at most 1 mm [m].
+
+    Examples:
+        >>> coarse(tube(0.1, 0.098, 0.2))
     """
     return Solid.record(_coarse, solid=solid, within=within)

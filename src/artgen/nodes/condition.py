@@ -9,7 +9,16 @@ from artgen.nodes.handles import Scalar
 
 
 class Condition(Handle):
-    """A region of joint space."""
+    """A region of joint space.
+
+    Examples:
+        >>> case = part(box(0.3, 0.1, 0.02), "case", material("walnut"))
+        >>> lever = part(box(0.1, 0.02, 0.01).at(-0.08, 0, 0.02), "lever", material("steel"))
+        >>> bolt = part(box(0.08, 0.02, 0.01).at(0.08, 0, 0.02), "bolt", material("brass"))
+        >>> turn = Revolute("turn", pivot=(-0.08, 0, 0), axis=Z, limits=(0, 1.2))
+        >>> slide = Prismatic("slide", axis=X, limits=(0, 0.05), needs=turn > 1.0)
+        >>> case.attach(lever, turn).attach(bolt, slide)
+    """
 
     __slots__ = ()
     value_type: ClassVar[Any] = values.Condition
@@ -23,29 +32,75 @@ class Condition(Handle):
         return Condition.record("condition_any", a=self, b=other)
 
     def until(self, position: Scalar) -> "Dependency":
-        """Ask for the condition only while the dependent joint stands below a position [rad or m]."""
+        """Ask for the condition only while the dependent joint stands below a position [rad or m].
+
+        Examples:
+            >>> case = part(box(0.3, 0.1, 0.02), "case", material("walnut"))
+            >>> lever = part(box(0.1, 0.02, 0.01).at(-0.08, 0, 0.02), "lever", material("steel"))
+            >>> bolt = part(box(0.08, 0.02, 0.01).at(0.08, 0, 0.02), "bolt", material("brass"))
+            >>> turn = Revolute("turn", pivot=(-0.08, 0, 0), axis=Z, limits=(0, 1.2))
+            >>> slide = Prismatic("slide", axis=X, limits=(0, 0.05), needs=(turn > 1.0).until(0.03))
+            >>> case.attach(lever, turn).attach(bolt, slide)
+        """
         return Dependency.record("dependency", condition=self, until=position)
 
     def beyond(self, position: Scalar) -> "Dependency":
         """Ask for the condition only while the dependent joint stands beyond a position [rad or m].
 
         Up to there it is free, as a drawer behind a door that stands a finger's breadth before it.
+
+        Examples:
+            >>> case = part(box(0.3, 0.1, 0.02), "case", material("walnut"))
+            >>> lever = part(box(0.1, 0.02, 0.01).at(-0.08, 0, 0.02), "lever", material("steel"))
+            >>> bolt = part(box(0.08, 0.02, 0.01).at(0.08, 0, 0.02), "bolt", material("brass"))
+            >>> turn = Revolute("turn", pivot=(-0.08, 0, 0), axis=Z, limits=(0, 1.2))
+            >>> slide = Prismatic("slide", axis=X, limits=(0, 0.05), needs=(turn > 1.0).beyond(0.01))
+            >>> case.attach(lever, turn).attach(bolt, slide)
         """
         return Dependency.record("dependency_beyond", needs=self, position=position)
 
 
 class Dependency(Handle):
-    """Where a joint may leave its closed position."""
+    """Where a joint may leave its closed position.
+
+    Examples:
+        >>> case = part(box(0.3, 0.1, 0.02), "case", material("walnut"))
+        >>> lever = part(box(0.1, 0.02, 0.01).at(-0.08, 0, 0.02), "lever", material("steel"))
+        >>> bolt = part(box(0.08, 0.02, 0.01).at(0.08, 0, 0.02), "bolt", material("brass"))
+        >>> turn = Revolute("turn", pivot=(-0.08, 0, 0), axis=Z, limits=(0, 1.2))
+        >>> free = (turn > 1.0).until(0.03)
+        >>> case.attach(lever, turn).attach(bolt, Prismatic("slide", axis=X, limits=(0, 0.05), needs=free))
+    """
 
     __slots__ = ()
     value_type: ClassVar[Any] = values.Dependency
 
     def until(self, position: Scalar) -> "Dependency":
-        """Ask for the condition only while the dependent joint stands below a position [rad or m]."""
+        """Ask for the condition only while the dependent joint stands below a position [rad or m].
+
+        Examples:
+            >>> case = part(box(0.3, 0.1, 0.02), "case", material("walnut"))
+            >>> lever = part(box(0.1, 0.02, 0.01).at(-0.08, 0, 0.02), "lever", material("steel"))
+            >>> bolt = part(box(0.08, 0.02, 0.01).at(0.08, 0, 0.02), "bolt", material("brass"))
+            >>> turn = Revolute("turn", pivot=(-0.08, 0, 0), axis=Z, limits=(0, 1.2))
+            >>> needs = (turn > 1.0).beyond(0.01).until(0.04)
+            >>> slide = Prismatic("slide", axis=X, limits=(0, 0.05), needs=needs)
+            >>> case.attach(lever, turn).attach(bolt, slide)
+        """
         return Dependency.record("dependency_until", needs=self, position=position)
 
     def beyond(self, position: Scalar) -> "Dependency":
-        """Ask for the condition only while the dependent joint stands beyond a position [rad or m]."""
+        """Ask for the condition only while the dependent joint stands beyond a position [rad or m].
+
+        Examples:
+            >>> case = part(box(0.3, 0.1, 0.02), "case", material("walnut"))
+            >>> lever = part(box(0.1, 0.02, 0.01).at(-0.08, 0, 0.02), "lever", material("steel"))
+            >>> bolt = part(box(0.08, 0.02, 0.01).at(0.08, 0, 0.02), "bolt", material("brass"))
+            >>> turn = Revolute("turn", pivot=(-0.08, 0, 0), axis=Z, limits=(0, 1.2))
+            >>> needs = (turn > 1.0).until(0.04).beyond(0.01)
+            >>> slide = Prismatic("slide", axis=X, limits=(0, 0.05), needs=needs)
+            >>> case.attach(lever, turn).attach(bolt, slide)
+        """
         return Dependency.record("dependency_beyond", needs=self, position=position)
 
     @classmethod

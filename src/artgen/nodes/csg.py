@@ -77,7 +77,11 @@ def _union(solids: tuple[Shape, ...]) -> Shape:
 
 
 def union(*solids: Solid) -> Solid:
-    """Unite solids; two are also written `a | b`. Overlaps count once."""
+    """Unite solids; two are also written `a | b`. Overlaps count once.
+
+    Examples:
+        >>> union(box(0.3, 0.02, 0.02), box(0.02, 0.3, 0.02), sphere(0.04))
+    """
     return Solid.record(_union, solids=solids)
 
 
@@ -107,7 +111,11 @@ def _intersection(a: Shape, b: Shape) -> Shape:
 
 
 def intersection(a: Solid, b: Solid) -> Solid:
-    """Keep what two solids have in common; also written `a & b`."""
+    """Keep what two solids have in common; also written `a & b`.
+
+    Examples:
+        >>> intersection(box(0.16, 0.16, 0.16), sphere(0.1))
+    """
     return Solid.record(_intersection, a=a, b=b)
 
 
@@ -124,7 +132,11 @@ def _hull(solids: tuple[Shape, ...]) -> Shape:
 
 
 def hull(*solids: Solid) -> Solid:
-    """Make the convex hull of solids: the least convex solid that contains them all."""
+    """Make the convex hull of solids: the least convex solid that contains them all.
+
+    Examples:
+        >>> hull(cylinder(0.05, 0.03), cylinder(0.02, 0.03).at(0.15))
+    """
     return Solid.record(_hull, solids=solids)
 
 
@@ -161,6 +173,9 @@ def split(solid: Solid, *, point: VectorLike, normal: VectorLike) -> Solid:
         solid: What to cut.
         point: A point on the plane [m].
         normal: Square to the plane, towards the part to keep.
+
+    Examples:
+        >>> split(sphere(0.1), point=(0, 0, 0.03), normal=-Z)
     """
     return Solid.record(_split, solid=solid, point=point, normal=normal)
 
@@ -251,6 +266,9 @@ def shell(solid: Solid, thickness: Scalar, *, open: VectorLike | None = None) ->
         solid: A convex solid.
         thickness: Thickness of the walls [m].
         open: The side without a wall, as a direction; all sides have walls by default.
+
+    Examples:
+        >>> shell(box(0.3, 0.2, 0.1, bevel=0.01), 0.008, open=Z)
     """
     return Solid.record(_shell, solid=solid, thickness=thickness, open=open)
 
@@ -291,5 +309,9 @@ def enclosed(solid: Solid) -> Solid:
 
     Args:
         solid: What to enclose.
+
+    Examples:
+        >>> slats = array(box(0.01, 0.1, 0.02), at=row((0, 0, 0), (0.02, 0, 0), 10))
+        >>> enclosed(slats | box(0.2, 0.005, 0.02).at(0.09))
     """
     return Solid.record(_enclosed, solid=solid)

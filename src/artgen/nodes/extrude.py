@@ -66,6 +66,9 @@ def extrude(
         bevel: Radius to which the edges of both ends are rounded [m].
         taper: By what share of its size the profile is smaller where the axis ends (-1 doubles it).
         twist: How far the end of the axis is turned about it, right-handed [rad].
+
+    Examples:
+        >>> extrude(regular_polygon(6, 0.05), 0.15, bevel=0.004, taper=0.3, twist=0.5)
     """
     return Solid.record(
         _extrude, profile=profile, length=length, axis=axis, bevel=bevel, taper=taper, twist=twist

@@ -71,6 +71,10 @@ def half_section(
         bore: Radius of the hole along the axis of a thing without wall [m].
         within: How deep below the line straight runs may lie that stand for it; 0 follows the line [m].
             They nowhere stand out of it: a core of few facets hides within a smooth skin.
+
+    Examples:
+        >>> outside = spline([(0.03, 0, 0), (0.05, 0, 0.05), (0.02, 0, 0.1), (0.03, 0, 0.14)])
+        >>> revolve(half_section(outside, wall=0.003))
     """
     return Profile.record(_half_section, path=path, wall=wall, inset=inset, bore=bore, within=within)
 

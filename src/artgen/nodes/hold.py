@@ -57,6 +57,10 @@ def frame(
         at: The point between the fingers, or under the finger that pushes, in asset coordinates [m].
         approach: Direction in which the hand comes.
         closing: Direction along which the fingers close; made perpendicular to `approach`.
+
+    Examples:
+        >>> bar = box(0.2, 0.012, 0.012)
+        >>> part(bar, "handle", material("steel"), grasp=frame((0, 0, 0), approach=Y, closing=Z))
     """
     return Frame.record(_frame, at=at, approach=approach, closing=closing)
 
@@ -104,6 +108,10 @@ def grasp_on(
         at: A point at which to take hold; by default the middle of the bounding box [m].
         depth: How far the tips of the fingers reach past the front of the solid; by default 9 mm past its
             middle, at most 30 mm [m].
+
+    Examples:
+        >>> bar = box(0.2, 0.012, 0.012)
+        >>> part(bar, "handle", material("steel"), grasp=grasp_on(bar, closing=Z))
     """
     return Frame.record(_grasp_on, solid=solid, approach=approach, closing=closing, at=at, depth=depth)
 
@@ -129,6 +137,10 @@ def push_on(solid: Solid, *, direction: VectorLike = (0.0, 1.0, 0.0), at: Vector
         solid: What is pushed: a button, a flap, a bar, the leaf of a door.
         direction: Direction of the push.
         at: A point on the way of the finger; by default the middle of the bounding box [m].
+
+    Examples:
+        >>> cap = cylinder(0.01, 0.006, axis=Y, bevel=0.001)
+        >>> part(cap, "button", material("abs"), push=push_on(cap))
     """
     return Frame.record(_push_on, solid=solid, direction=direction, at=at)
 

@@ -14,7 +14,15 @@ Limits = tuple[Scalar, Scalar] | None
 
 
 class Coupling(Handle):
-    """The law by which a joint follows another: `ratio * leader + offset`."""
+    """The law by which a joint follows another: `ratio * leader + offset`.
+
+    Examples:
+        >>> case = part(box(0.3, 0.1, 0.02), "case", material("walnut"))
+        >>> lever = part(box(0.1, 0.02, 0.01).at(-0.08, 0, 0.02), "lever", material("steel"))
+        >>> bolt = part(box(0.08, 0.02, 0.01).at(0.08, 0, 0.02), "bolt", material("brass"))
+        >>> turn = Revolute("turn", pivot=(-0.08, 0, 0), axis=Z, limits=(0, 1.2))
+        >>> case.attach(lever, turn).attach(bolt, Prismatic("slide", axis=X, follows=0.04 * turn + 0.005))
+    """
 
     __slots__ = ()
     value_type: ClassVar[Any] = values.Coupling
@@ -52,7 +60,15 @@ class Coupling(Handle):
 
 
 class Joint(Handle):
-    """A joint to attach a child with. Its arithmetic makes couplings, its comparisons conditions."""
+    """A joint to attach a child with. Its arithmetic makes couplings, its comparisons conditions.
+
+    Examples:
+        >>> case = part(box(0.3, 0.1, 0.02), "case", material("walnut"))
+        >>> lever = part(box(0.1, 0.02, 0.01).at(-0.08, 0, 0.02), "lever", material("steel"))
+        >>> bolt = part(box(0.08, 0.02, 0.01).at(0.08, 0, 0.02), "bolt", material("brass"))
+        >>> turn = Revolute("turn", pivot=(-0.08, 0, 0), axis=Z, limits=(0, 1.2))
+        >>> case.attach(lever, turn).attach(bolt, Prismatic("slide", axis=X, follows=0.04 * turn))
+    """
 
     __slots__ = ()
     value_type: ClassVar[Any] = values.Joint
@@ -257,6 +273,11 @@ def Revolute(  # noqa: N802 - reads as the type of joint that it makes
         needs: Where the joint may leave 0, such as `handle > 0.5`; `(handle > 0.5).until(0.06)` asks for it
             only below 0.06, `(door > 1.2).beyond(0.03)` only beyond 0.03.
         driven: What moves the joint where no hand does, such as `a motor`: checks then ask for no grasp.
+
+    Examples:
+        >>> lid = part(box(0.3, 0.2, 0.01), "lid", material("oak"))
+        >>> case = part(box(0.3, 0.2, 0.1).at(z=-0.057), "case", material("walnut"))
+        >>> case.attach(lid, Revolute("hinge", pivot=(0, 0.1, -0.006), axis=-X, limits=(0, 1.5)))
     """
     return joint(
         name,
@@ -312,6 +333,11 @@ def Prismatic(  # noqa: N802 - reads as the type of joint that it makes
         needs: Where the joint may leave 0, such as `door > 1.2`; `(door > 1.2).beyond(0.03)` asks for it
             only beyond 0.03, `(door > 1.2).until(0.3)` only below 0.3.
         driven: What moves the joint where no hand does, such as `a motor`: checks then ask for no grasp.
+
+    Examples:
+        >>> case = part(shell(box(0.3, 0.2, 0.1), 0.01, open=-Y), "case", material("walnut"))
+        >>> drawer = part(box(0.27, 0.18, 0.07).at(y=-0.01), "drawer", material("oak"))
+        >>> case.attach(drawer, Prismatic("slide", axis=-Y, limits=(0, 0.15)))
     """
     return joint(
         name,

@@ -61,6 +61,9 @@ def loft(
         profiles: At least two, each convex and without holes.
         heights: Where each is along the axis, ascending [m].
         axis: Direction of the axis.
+
+    Examples:
+        >>> loft([rectangle(0.2, 0.2), circle(0.08), circle(0.04)], [0.0, 0.1, 0.2])
     """
     return Solid.record(_loft, profiles=profiles, heights=heights, axis=axis)
 

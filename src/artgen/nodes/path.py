@@ -33,7 +33,11 @@ def _line(start: Array3, end: Array3) -> Curve:
 
 
 def line(start: VectorLike, end: VectorLike) -> Path:
-    """Make a straight path between two points [m]."""
+    """Make a straight path between two points [m].
+
+    Examples:
+        >>> line((0, 0, 0), (0.3, 0, 0.1))
+    """
     return Path.record(_line, start=start, end=end)
 
 
@@ -101,6 +105,9 @@ def polyline(points: Sequence[VectorLike], *, fillet: Scalar = 0.0, closed: bool
         points: Corners [m].
         fillet: Radius of the arcs that replace the corners [m]; 0 leaves them sharp.
         closed: Whether the last point joins the first.
+
+    Examples:
+        >>> polyline([(0, 0, 0), (0.2, 0, 0), (0.2, 0, 0.15), (0.35, 0, 0.15)], fillet=0.03)
     """
     return Path.record(_polyline, points=points, fillet=fillet, closed=closed)
 
@@ -142,6 +149,9 @@ def arc(
         start: Angle of the first point [rad].
         sweep: Angle from the first to the last point, negative for the other way [rad].
         axis: Direction about which it turns.
+
+    Examples:
+        >>> arc((0, 0, 0), 0.1, start=0.0, sweep=4.0, axis=-Y)
     """
     return Path.record(_arc, center=center, radius=radius, start=start, sweep=sweep, axis=axis)
 
@@ -190,7 +200,11 @@ def _bezier(points: tuple[Array3, ...]) -> Curve:
 
 
 def bezier(points: Sequence[VectorLike]) -> Path:
-    """Make a Bezier curve from its first control point to its last, drawn towards those between [m]."""
+    """Make a Bezier curve from its first control point to its last, drawn towards those between [m].
+
+    Examples:
+        >>> bezier([(0, 0, 0), (0.1, 0, 0.3), (0.3, 0, -0.1), (0.4, 0, 0.15)])
+    """
     return Path.record(_bezier, points=points)
 
 
@@ -239,6 +253,9 @@ def spline(points: Sequence[VectorLike], *, closed: bool = False) -> Path:
     Args:
         points: Where it passes.
         closed: Whether it returns to the first point.
+
+    Examples:
+        >>> spline([(0, 0, 0), (0.1, 0, 0.1), (0.2, 0, 0), (0.3, 0, 0.15)])
     """
     return Path.record(_spline, points=points, closed=closed)
 
@@ -266,5 +283,8 @@ def helix(radius: Scalar, pitch: Scalar, turns: Scalar, *, axis: VectorLike = (0
         pitch: Advance in one turn [m].
         turns: Number of turns.
         axis: Direction of its axis.
+
+    Examples:
+        >>> helix(0.05, 0.03, 5)
     """
     return Path.record(_helix, radius=radius, pitch=pitch, turns=turns, axis=axis)

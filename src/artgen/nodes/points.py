@@ -19,7 +19,11 @@ def _points(vectors: tuple[Array3, ...]) -> ArrayN3:
 
 
 def points(*vectors: VectorLike) -> Points:
-    """Make a list of points [m]."""
+    """Make a list of points [m].
+
+    Examples:
+        >>> array(sphere(0.02), at=points((0, 0, 0), (0.1, 0, 0.05), (0.2, 0, 0)))
+    """
     return Points.record(_points, vectors=vectors)
 
 
@@ -30,7 +34,11 @@ def _row(start: Array3, step: Array3, count: int) -> ArrayN3:
 
 
 def row(start: VectorLike, step: VectorLike, count: int) -> Points:
-    """Make `count` points from `start` on, each a `step` further [m]."""
+    """Make `count` points from `start` on, each a `step` further [m].
+
+    Examples:
+        >>> array(cylinder(0.01, 0.1), at=row((0, 0, 0), (0.04, 0, 0), 6))
+    """
     return Points.record(_row, start=start, step=step, count=count)
 
 
@@ -44,7 +52,12 @@ def _grid(center: Array3, u: Array3, v: Array3, columns: int, rows: int) -> Arra
 
 
 def grid(center: VectorLike, u: VectorLike, v: VectorLike, *, columns: int, rows: int) -> Points:
-    """Make a grid about its centre: neighbours differ by `u` along a row and by `v` between rows [m]."""
+    """Make a grid about its centre: neighbours differ by `u` along a row and by `v` between rows [m].
+
+    Examples:
+        >>> holes = grid((0, 0, 0), 0.03 * X, 0.03 * Z, columns=6, rows=3)
+        >>> box(0.2, 0.02, 0.12) - array(bore(0.008, 0.05, axis=Y), at=holes)
+    """
     return Points.record(_grid, center=center, u=u, v=v, columns=columns, rows=rows)
 
 
@@ -64,6 +77,9 @@ def ring_points(
     """Make points evenly spaced on a circle about an axis [m].
 
     The angle `start` [rad] counts from the x axis (from y for the axis x) counter-clockwise.
+
+    Examples:
+        >>> cylinder(0.1, 0.02) - array(bore(0.01, 0.05), at=ring_points((0, 0, 0), 0.07, count=8))
     """
     return Points.record(_ring_points, center=center, radius=radius, axis=axis, count=count, start=start)
 
@@ -91,7 +107,11 @@ def _along(path: Curve, count: int) -> ArrayN3:
 
 
 def along(path: Path, count: int) -> Points:
-    """Make points evenly spaced along a path, both ends included (a single one lies in the middle)."""
+    """Make points evenly spaced along a path, both ends included (a single one lies in the middle).
+
+    Examples:
+        >>> array(sphere(0.01), at=along(arc((0, 0, 0), 0.1, axis=Y), 9))
+    """
     return Points.record(_along, path=path, count=count)
 
 

@@ -21,6 +21,7 @@ from artgen.nodes.covers import (
 )
 from artgen.nodes.cuboid import rounded_box
 from artgen.nodes.handles import Array3, Scalar, Solid, Span, VectorLike
+from artgen.nodes.round_contours import axial, half_ellipse, onto_axis
 from artgen.nodes.surfaces import bevel_steps, extrusion, lathe, sides_of
 
 Array = NDArray[np.float64]
@@ -48,6 +49,9 @@ def box(x: Scalar, y: Scalar, z: Scalar, *, bevel: Scalar = 0.0) -> Solid:
         y: Length along Y [m].
         z: Length along Z [m].
         bevel: Radius to which all edges and corners are rounded [m]; 0 leaves them sharp.
+
+    Examples:
+        >>> box(0.3, 0.2, 0.1, bevel=0.01)
     """
     return Solid.record(_box, x=x, y=y, z=z, bevel=bevel)
 
@@ -70,6 +74,9 @@ def box_between(low: VectorLike, high: VectorLike, *, bevel: Scalar = 0.0) -> So
         low: The corner where x, y and z are least [m].
         high: The opposite corner [m].
         bevel: Radius to which all edges are rounded [m], at most half the shortest side.
+
+    Examples:
+        >>> box_between((0, 0, 0), (0.3, 0.2, 0.018)) | box_between((0, 0, 0.018), (0.018, 0.2, 0.2))
     """
     return Solid.record(_box_between, low=low, high=high, bevel=bevel)
 
@@ -82,19 +89,12 @@ def board(x: Span, y: Span, z: Span, *, bevel: Scalar = 0.0) -> Solid:
         y: The same along Y [m].
         z: The same along Z [m].
         bevel: Radius to which all edges are rounded [m], at most half the shortest side.
+
+    Examples:
+        >>> board((0, 0.3), (0, 0.2), (0, 0.018)) | board((0, 0.018), (0, 0.2), (0.018, 0.2))
     """
     low, high = zip(x, y, z, strict=True)
     return box_between(low, high, bevel=bevel)
-
-
-def _axial(radius: float, half: float, bevel: float, top_radius: float | None = None) -> Contour:
-    """Return the (r, z) half section of a cylinder or frustum, its rims rounded."""
-    top = radius if top_radius is None else top_radius
-    corners = [(0.0, -half), (radius, -half), (top, half), (0.0, half)]
-    points = np.array([corner for at, corner in enumerate(corners) if at in (0, 3) or corner[0] > 0.0])
-    if bevel == 0.0:
-        return faceted(points)
-    return rounded_polygon(points, [bevel if point[0] > 0.0 else 0.0 for point in points])
 
 
 @kernel
@@ -103,7 +103,7 @@ def _cylinder(radius: float, length: float, axis: Array3, bevel: float) -> Shape
     inputs.positive("length", length)
     bevel = inputs.rounding("bevel", bevel, min(radius, length / 2.0) * 0.999)
     turn = inputs.frame(axis)
-    skin = lathe([_axial(radius, length / 2.0, bevel)]).turned(turn)
+    skin = lathe([axial(radius, length / 2.0, bevel)]).turned(turn)
     pieces = around_cylinder(radius, length, sides_of(radius), inputs.pose(turn), bevel)
     return skin.shape(pieces)
 
@@ -116,6 +116,9 @@ def cylinder(radius: Scalar, length: Scalar, *, axis: VectorLike = UP, bevel: Sc
         length: Length along the axis [m].
         axis: Direction of the axis.
         bevel: Radius to which both rims are rounded [m].
+
+    Examples:
+        >>> cylinder(0.05, 0.2, bevel=0.005)
     """
     return Solid.record(_cylinder, radius=radius, length=length, axis=axis, bevel=bevel)
 
@@ -138,6 +141,9 @@ def cylinder_between(start: VectorLike, end: VectorLike, radius: Scalar, *, beve
         end: The middle of the other one [m].
         radius: Its radius [m]; the facets stay inside of it.
         bevel: Radius to which both rims are rounded [m].
+
+    Examples:
+        >>> cylinder_between((0, 0, 0), (0.3, 0, 0.1), 0.01)
     """
     return Solid.record(_cylinder_between, start=start, end=end, radius=radius, bevel=bevel)
 
@@ -149,7 +155,7 @@ def _bore(radius: float, length: float, axis: Array3) -> Shape:
     turn = inputs.frame(axis)
     sides = sides_of(radius)
     outside = radius / math.cos(math.pi / sides)
-    skin = lathe([_axial(outside, length / 2.0, 0.0)], sides=sides).turned(turn)
+    skin = lathe([axial(outside, length / 2.0, 0.0)], sides=sides).turned(turn)
     return skin.shape(around_cylinder(outside, length, sides, inputs.pose(turn)))
 
 
@@ -162,6 +168,9 @@ def bore(radius: Scalar, length: Scalar, *, axis: VectorLike = UP) -> Solid:
         radius: Radius of the hole [m].
         length: Length along the axis [m].
         axis: Direction of the axis.
+
+    Examples:
+        >>> box(0.1, 0.1, 0.04) - bore(0.02, 0.1)
     """
     return Solid.record(_bore, radius=radius, length=length, axis=axis)
 
@@ -174,7 +183,7 @@ def _frustum(bottom_radius: float, top_radius: float, length: float, axis: Array
     inputs.positive("length", length)
     bevel = inputs.rounding("bevel", bevel, math.inf)
     turn = inputs.frame(axis)
-    contour = _axial(bottom_radius, length / 2.0, bevel, top_radius)
+    contour = axial(bottom_radius, length / 2.0, bevel, top_radius)
     return lathe([contour]).turned(turn).shape(moved(around_lathe([contour]), inputs.pose(turn)))
 
 
@@ -194,6 +203,9 @@ def frustum(
         length: Length along the axis [m].
         axis: Direction from bottom to top.
         bevel: Radius to which both rims are rounded [m].
+
+    Examples:
+        >>> frustum(0.08, 0.04, 0.12, bevel=0.005)
     """
     return Solid.record(
         _frustum,
@@ -205,41 +217,19 @@ def frustum(
     )
 
 
-def _half_ellipse(radius: float, half: float, start: float) -> Contour:
-    """Return the (r, z) section of an ellipsoid from an angle [rad] to its upper pole."""
-    sides = sides_of(max(radius, half))
-    steps = max(2, math.ceil(sides * (0.5 * math.pi - start) / math.tau - 1e-9))
-    unit, _ = arc_points(np.zeros(2), 1.0, start, 0.5 * math.pi - start, steps)
-    normals = unit / np.array([radius, half])
-    normals /= np.linalg.norm(normals, axis=1, keepdims=True)
-    return _onto_axis(unit * np.array([radius, half]), normals)
-
-
-def _onto_axis(points: Array, normals: Array) -> Contour:
-    """Close a smooth (r, z) line along the axis (and along a flat base where it starts away from it)."""
-    points, normals = points.copy(), normals.copy()
-    points[-1, 0] = 0.0
-    if points[0, 0] > 1e-9:
-        points = np.concatenate([[[0.0, points[0, 1]]], points])
-        base = np.array([[0.0, -1.0]])
-        arriving = np.concatenate([[[-1.0, 0.0]], base, normals[1:]])
-        leaving = np.concatenate([base, normals[:-1], [[-1.0, 0.0]]])
-        return Contour(points, arriving, leaving)
-    points[0, 0] = 0.0
-    arriving, leaving = normals.copy(), normals.copy()
-    arriving[0] = leaving[-1] = (-1.0, 0.0)
-    return Contour(points, arriving, leaving)
-
-
 @kernel
 def _sphere(radius: float) -> Shape:
     inputs.positive("radius", radius)
-    skin = lathe([_half_ellipse(radius, radius, -0.5 * math.pi)])
+    skin = lathe([half_ellipse(radius, radius, -0.5 * math.pi)])
     return skin.shape(around_round(Convex.sphere(radius), skin.vertices))
 
 
 def sphere(radius: Scalar) -> Solid:
-    """Make a sphere [m] about the origin."""
+    """Make a sphere [m] about the origin.
+
+    Examples:
+        >>> sphere(0.05)
+    """
     return Solid.record(_sphere, radius=radius)
 
 
@@ -251,7 +241,7 @@ def _ellipsoid(radius_x: float, radius_y: float, radius_z: float) -> Shape:
             for name, r in (("x", radius_x), ("y", radius_y), ("z", radius_z))
         ]
     )
-    skin = lathe([_half_ellipse(1.0, 1.0, -0.5 * math.pi)], sides=sides_of(float(radii.max())))
+    skin = lathe([half_ellipse(1.0, 1.0, -0.5 * math.pi)], sides=sides_of(float(radii.max())))
     vertices = skin.vertices * radii
     normals = skin.normals / radii
     normals /= np.linalg.norm(normals, axis=1, keepdims=True)
@@ -269,6 +259,9 @@ def ellipsoid(radius_x: Scalar, radius_y: Scalar, radius_z: Scalar) -> Solid:
         radius_x: Half axis along X [m].
         radius_y: Half axis along Y [m].
         radius_z: Half axis along Z [m].
+
+    Examples:
+        >>> ellipsoid(0.15, 0.1, 0.05)
     """
     return Solid.record(_ellipsoid, radius_x=radius_x, radius_y=radius_y, radius_z=radius_z)
 
@@ -278,7 +271,7 @@ def _dome(radius: float, height: float | None, axis: Array3) -> Shape:
     inputs.positive("radius", radius)
     rise = radius if height is None else inputs.positive("height", height)
     turn = inputs.frame(axis)
-    skin = lathe([_half_ellipse(radius, rise, 0.0)]).turned(turn)
+    skin = lathe([half_ellipse(radius, rise, 0.0)]).turned(turn)
     return skin.shape(around_hull(skin.vertices))
 
 
@@ -289,6 +282,9 @@ def dome(radius: Scalar, *, height: Scalar | None = None, axis: VectorLike = UP)
         radius: Radius of the base [m].
         height: Height above the base [m]; the radius by default.
         axis: Direction from the base to the top.
+
+    Examples:
+        >>> dome(0.1, height=0.06)
     """
     return Solid.record(_dome, radius=radius, height=height, axis=axis)
 
@@ -304,7 +300,7 @@ def _capsule(radius: float, length: float, axis: Array3) -> Shape:
     steps = max(2, sides_of(radius) // 4)
     low, low_out = arc_points(np.array([0.0, -half]), radius, -0.5 * math.pi, 0.5 * math.pi, steps)
     high, high_out = arc_points(np.array([0.0, half]), radius, 0.0, 0.5 * math.pi, steps)
-    contour = _onto_axis(np.concatenate([low, high]), np.concatenate([low_out, high_out]))
+    contour = onto_axis(np.concatenate([low, high]), np.concatenate([low_out, high_out]))
     skin = lathe([contour]).turned(turn)
     return skin.shape(around_round(Convex.capsule(radius, 2.0 * half, inputs.pose(turn)), skin.vertices))
 
@@ -316,6 +312,9 @@ def capsule(radius: Scalar, length: Scalar, *, axis: VectorLike = UP) -> Solid:
         radius: Its radius [m].
         length: Overall length along the axis [m], at least twice the radius.
         axis: Direction of the axis.
+
+    Examples:
+        >>> capsule(0.03, 0.2, axis=X)
     """
     return Solid.record(_capsule, radius=radius, length=length, axis=axis)
 
@@ -337,6 +336,9 @@ def torus(major: Scalar, minor: Scalar, *, axis: VectorLike = UP) -> Solid:
         major: Radius of the circle on which the tube's centre runs [m].
         minor: Radius of the tube [m], less than the major radius.
         axis: Direction of the axis.
+
+    Examples:
+        >>> torus(0.1, 0.025)
     """
     return Solid.record(_torus, major=major, minor=minor, axis=axis)
 
@@ -366,6 +368,9 @@ def tube(
         length: Length along the axis [m].
         axis: Direction of the axis.
         bevel: Radius to which the four rims are rounded [m].
+
+    Examples:
+        >>> tube(0.05, 0.04, 0.12, bevel=0.002)
     """
     return Solid.record(_tube, outer=outer, inner=inner, length=length, axis=axis, bevel=bevel)
 
@@ -385,5 +390,8 @@ def wedge(x: Scalar, y: Scalar, z: Scalar) -> Solid:
         x: Width along X [m].
         y: Depth along Y [m].
         z: Height at the back [m].
+
+    Examples:
+        >>> wedge(0.1, 0.2, 0.08)
     """
     return Solid.record(_wedge, x=x, y=y, z=z)

@@ -53,6 +53,9 @@ def rectangle(width: Scalar, height: Scalar, *, radius: Scalar = 0.0) -> Profile
         width: Length along x [m].
         height: Length along y [m].
         radius: Radius of the corners [m], at most half the shorter side.
+
+    Examples:
+        >>> rectangle(0.3, 0.2, radius=0.03)
     """
     return Profile.record(_rectangle, width=width, height=height, radius=radius)
 
@@ -63,7 +66,11 @@ def _circle(radius: float) -> Outline:
 
 
 def circle(radius: Scalar) -> Profile:
-    """Make a circle [m] about the origin."""
+    """Make a circle [m] about the origin.
+
+    Examples:
+        >>> circle(0.1)
+    """
     return Profile.record(_circle, radius=radius)
 
 
@@ -80,6 +87,9 @@ def ellipse(radius_x: Scalar, radius_y: Scalar) -> Profile:
     Args:
         radius_x: Half of its width [m].
         radius_y: Half of its height [m].
+
+    Examples:
+        >>> ellipse(0.15, 0.08)
     """
     return Profile.record(_ellipse, radius_x=radius_x, radius_y=radius_y)
 
@@ -113,6 +123,9 @@ def polygon(points: Sequence[tuple[Scalar, Scalar]], *, radius: Scalar = 0.0) ->
     Args:
         points: Corners (x, y) [m].
         radius: Radius to which every corner is rounded [m].
+
+    Examples:
+        >>> polygon([(0, 0), (0.3, 0), (0.3, 0.08), (0.08, 0.08), (0.08, 0.2), (0, 0.2)], radius=0.01)
     """
     return Profile.record(_polygon, points=points, radius=radius)
 
@@ -132,6 +145,9 @@ def regular_polygon(sides: int, radius: Scalar) -> Profile:
     Args:
         sides: How many sides.
         radius: Distance of the corners from the origin [m].
+
+    Examples:
+        >>> regular_polygon(6, 0.1)
     """
     return Profile.record(_regular_polygon, sides=sides, radius=radius)
 
@@ -154,6 +170,9 @@ def slot(length: Scalar, width: Scalar) -> Profile:
     Args:
         length: Overall length along x [m], at least the width.
         width: Length along y, twice the radius of the ends [m].
+
+    Examples:
+        >>> slot(0.3, 0.08)
     """
     return Profile.record(_slot, length=length, width=width)
 
@@ -174,6 +193,9 @@ def ring(outer: Scalar, inner: Scalar) -> Profile:
     Args:
         outer: Outer radius [m].
         inner: Radius of the hole [m].
+
+    Examples:
+        >>> ring(0.1, 0.07)
     """
     return Profile.record(_ring, outer=outer, inner=inner)
 
@@ -206,6 +228,9 @@ def bow(radius: Scalar, width: Scalar, *, start: Scalar = 0.0, sweep: Scalar = m
         width: Width of the band across the line [m].
         start: Angle of its first end, from x towards y [rad].
         sweep: Angle to its other end, counter-clockwise [rad].
+
+    Examples:
+        >>> bow(0.1, 0.03, start=0.3, sweep=2.5)
     """
     return Profile.record(_bow, radius=radius, width=width, start=start, sweep=sweep)
 

@@ -49,5 +49,8 @@ def revolve(
         axis: Direction of the axis.
         sides: Facets of the full circle; 0 for as many as look round. A hollow thing collides as one piece
             for each of them and for each bend of the profile, so a thin shell wants few.
+
+    Examples:
+        >>> revolve(rectangle(0.04, 0.1, radius=0.01).at(0.08), angle=4.5)
     """
     return Solid.record(_revolve, profile=profile, angle=angle, axis=axis, sides=sides)

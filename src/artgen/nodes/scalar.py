@@ -78,7 +78,13 @@ def _and_(a: bool, b: bool) -> bool:
 
 
 def and_(a: Condition_, b: Condition_) -> Bool:
-    """Tell whether both conditions hold."""
+    """Tell whether both conditions hold.
+
+    Examples:
+        >>> block = box(0.3, 0.2, 0.1)
+        >>> size = block.size()
+        >>> switch(and_(size.x > 0.2, size.y > 0.1), block, sphere(0.1))
+    """
     return Bool.record("and_", a=a, b=b)
 
 
@@ -88,7 +94,13 @@ def _or_(a: bool, b: bool) -> bool:
 
 
 def or_(a: Condition_, b: Condition_) -> Bool:
-    """Tell whether at least one of the conditions holds."""
+    """Tell whether at least one of the conditions holds.
+
+    Examples:
+        >>> block = box(0.3, 0.2, 0.1)
+        >>> size = block.size()
+        >>> switch(or_(size.x > 0.4, size.y > 0.1), block, sphere(0.1))
+    """
     return Bool.record("or_", a=a, b=b)
 
 
@@ -98,7 +110,12 @@ def _not_(a: bool) -> bool:
 
 
 def not_(a: Condition_) -> Bool:
-    """Tell whether the condition does not hold."""
+    """Tell whether the condition does not hold.
+
+    Examples:
+        >>> block = box(0.3, 0.2, 0.1)
+        >>> switch(not_(block.size().x > 0.4), block, sphere(0.1))
+    """
     return Bool.record("not_", a=a)
 
 
@@ -108,7 +125,13 @@ def _min_(a: float, b: float) -> float:
 
 
 def min_(a: Scalar, b: Scalar) -> Float:
-    """Return the smaller of two numbers."""
+    """Return the smaller of two numbers.
+
+    Examples:
+        >>> block = box(0.3, 0.2, 0.1)
+        >>> size = block.size()
+        >>> block - bore(0.4 * min_(size.x, size.y), 0.2)
+    """
     return Float.record("min_", a=a, b=b)
 
 
@@ -118,7 +141,13 @@ def _max_(a: float, b: float) -> float:
 
 
 def max_(a: Scalar, b: Scalar) -> Float:
-    """Return the larger of two numbers."""
+    """Return the larger of two numbers.
+
+    Examples:
+        >>> block = box(0.3, 0.2, 0.1)
+        >>> size = block.size()
+        >>> block | cylinder(0.6 * max_(size.x, size.y), 0.01)
+    """
     return Float.record("max_", a=a, b=b)
 
 
@@ -130,7 +159,12 @@ def _clamp(value: float, low: float, high: float) -> float:
 
 
 def clamp(value: Scalar, low: Scalar, high: Scalar) -> Float:
-    """Return the number between `low` and `high` that is nearest to `value`."""
+    """Return the number between `low` and `high` that is nearest to `value`.
+
+    Examples:
+        >>> heights = [clamp(0.015 * i, 0.03, 0.1) for i in range(10)]
+        >>> union(*(box(0.02, 0.03, h).align((0.02 * i, 0, 0), z=-1) for i, h in enumerate(heights)))
+    """
     return Float.record(_clamp, value=value, low=low, high=high)
 
 
@@ -140,7 +174,12 @@ def _lerp(a: float, b: float, t: float) -> float:
 
 
 def lerp(a: Scalar, b: Scalar, t: Scalar) -> Float:
-    """Return the number at the fraction `t` of the way from `a` to `b`."""
+    """Return the number at the fraction `t` of the way from `a` to `b`.
+
+    Examples:
+        >>> heights = [lerp(0.02, 0.12, i / 9) for i in range(10)]
+        >>> union(*(box(0.02, 0.03, h).align((0.02 * i, 0, 0), z=-1) for i, h in enumerate(heights)))
+    """
     return Float.record(_lerp, a=a, b=b, t=t)
 
 
@@ -152,7 +191,12 @@ def _sqrt(a: float) -> float:
 
 
 def sqrt(a: Scalar) -> Float:
-    """Return the square root."""
+    """Return the square root.
+
+    Examples:
+        >>> heights = [0.04 * sqrt(i + 1) for i in range(10)]
+        >>> union(*(box(0.02, 0.03, h).align((0.02 * i, 0, 0), z=-1) for i, h in enumerate(heights)))
+    """
     return Float.record(_sqrt, a=a)
 
 
@@ -162,7 +206,12 @@ def _sin(a: float) -> float:
 
 
 def sin(a: Scalar) -> Float:
-    """Return the sine of an angle [rad]."""
+    """Return the sine of an angle [rad].
+
+    Examples:
+        >>> heights = [0.08 + 0.05 * sin(0.5 * i) for i in range(13)]
+        >>> union(*(box(0.02, 0.03, h).align((0.02 * i, 0, 0), z=-1) for i, h in enumerate(heights)))
+    """
     return Float.record(_sin, a=a)
 
 
@@ -172,7 +221,12 @@ def _cos(a: float) -> float:
 
 
 def cos(a: Scalar) -> Float:
-    """Return the cosine of an angle [rad]."""
+    """Return the cosine of an angle [rad].
+
+    Examples:
+        >>> heights = [0.08 + 0.05 * cos(0.5 * i) for i in range(13)]
+        >>> union(*(box(0.02, 0.03, h).align((0.02 * i, 0, 0), z=-1) for i, h in enumerate(heights)))
+    """
     return Float.record(_cos, a=a)
 
 
@@ -182,7 +236,12 @@ def _tan(a: float) -> float:
 
 
 def tan(a: Scalar) -> Float:
-    """Return the tangent of an angle [rad]."""
+    """Return the tangent of an angle [rad].
+
+    Examples:
+        >>> rise = 0.3 * tan(0.5)
+        >>> wedge(0.1, 0.3, rise)
+    """
     return Float.record(_tan, a=a)
 
 
@@ -192,7 +251,11 @@ def _atan2(y: float, x: float) -> float:
 
 
 def atan2(y: Scalar, x: Scalar) -> Float:
-    """Return the angle of the direction (x, y), from -pi to pi [rad]."""
+    """Return the angle of the direction (x, y), from -pi to pi [rad].
+
+    Examples:
+        >>> box(0.3, 0.02, 0.02).rotate(Z, atan2(0.1, 0.2)) | sphere(0.03).at(0.2, 0.1)
+    """
     return Float.record(_atan2, y=y, x=x)
 
 
@@ -202,7 +265,12 @@ def _floor(a: float) -> float:
 
 
 def floor(a: Scalar) -> Float:
-    """Return the largest whole number that is not above `a`."""
+    """Return the largest whole number that is not above `a`.
+
+    Examples:
+        >>> heights = [0.03 * (1 + floor(i / 3)) for i in range(10)]
+        >>> union(*(box(0.02, 0.03, h).align((0.02 * i, 0, 0), z=-1) for i, h in enumerate(heights)))
+    """
     return Float.record(_floor, a=a)
 
 
@@ -212,5 +280,10 @@ def _round_(a: float) -> float:
 
 
 def round_(a: Scalar) -> Float:
-    """Return the nearest whole number, the even one of two."""
+    """Return the nearest whole number, the even one of two.
+
+    Examples:
+        >>> heights = [0.03 * (1 + round_(i / 3)) for i in range(10)]
+        >>> union(*(box(0.02, 0.03, h).align((0.02 * i, 0, 0), z=-1) for i, h in enumerate(heights)))
+    """
     return Float.record("round_", a=a)

@@ -171,6 +171,10 @@ def sweep(profile: Profile, path: Path) -> Solid:
     Args:
         profile: The cross-section; the path runs through its origin.
         path: Where it goes; a closed path makes a closed ring.
+
+    Examples:
+        >>> bail = polyline([(0, 0, 0), (0, -0.05, 0), (0.2, -0.05, 0), (0.2, 0, 0)], fillet=0.02)
+        >>> sweep(rectangle(0.02, 0.01), bail)
     """
     return Solid.record(_sweep, profile=profile, path=path)
 

@@ -161,10 +161,18 @@ def text(string: str, height: Scalar, *, align: Literal["left", "center", "right
         height: Height of the capital letters [m].
         align: `center` centres the line on the origin, in both directions; `left` and `right` put the
             origin on the base line at that end.
+
+    Examples:
+        >>> text("Push 42", 0.02)
     """
     return Profile.record(_text, string=string, height=height, align=align)
 
 
 def text_width(string: str) -> float:
-    """Return the length of a line of text, in heights of its capital letters."""
+    """Return the length of a line of text, in heights of its capital letters.
+
+    Examples:
+        >>> width = 0.02 * text_width("PUSH") + 0.02
+        >>> extrude(rectangle(width, 0.04) - text("PUSH", 0.02), 0.004, axis=-Y)
+    """
     return sum(_glyph(character)[1] for character in string)

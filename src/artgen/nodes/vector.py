@@ -13,7 +13,11 @@ def _vector(x: float, y: float, z: float) -> Array3:
 
 
 def vector(x: Scalar = 0.0, y: Scalar = 0.0, z: Scalar = 0.0) -> Vector:
-    """Make a vector of its components."""
+    """Make a vector of its components.
+
+    Examples:
+        >>> box(0.3, 0.2, 0.02) | box(0.1, 0.1, 0.1).at(vector(0.1, 0.0, 0.05))
+    """
     return Vector.record(_vector, x=x, y=y, z=z)
 
 
@@ -73,7 +77,13 @@ def _dot(a: Array3, b: Array3) -> float:
 
 
 def dot(a: VectorLike, b: VectorLike) -> Float:
-    """Return the scalar product of two vectors."""
+    """Return the scalar product of two vectors.
+
+    Examples:
+        >>> tip = vector(0.1, 0.0, 0.2)
+        >>> shadow = dot(tip, X) * X
+        >>> cylinder_between((0, 0, 0), tip, 0.01) | cylinder_between((0, 0, 0), shadow, 0.005)
+    """
     return Float.record(_dot, a=a, b=b)
 
 
@@ -83,7 +93,13 @@ def _cross(a: Array3, b: Array3) -> Array3:
 
 
 def cross(a: VectorLike, b: VectorLike) -> Vector:
-    """Return the vector product of two vectors."""
+    """Return the vector product of two vectors.
+
+    Examples:
+        >>> a, b = vector(0.2, 0.0, 0.0), vector(0.1, 0.15, 0.0)
+        >>> up = 0.2 * normalize(cross(a, b))
+        >>> union(*(cylinder_between((0, 0, 0), tip, 0.006) for tip in (a, b, up)))
+    """
     return Vector.record(_cross, a=a, b=b)
 
 
@@ -93,7 +109,12 @@ def _norm(vector: Array3) -> float:
 
 
 def norm(vector: VectorLike) -> Float:
-    """Return the length of a vector."""
+    """Return the length of a vector.
+
+    Examples:
+        >>> tip = vector(0.15, 0.1, 0.0)
+        >>> torus(norm(tip), 0.01) | sphere(0.03).at(tip)
+    """
     return Float.record(_norm, vector=vector)
 
 
@@ -115,7 +136,12 @@ def _normalize(vector: Array3) -> Array3:
 
 
 def normalize(vector: VectorLike) -> Vector:
-    """Return the vector of length one in the same direction."""
+    """Return the vector of length one in the same direction.
+
+    Examples:
+        >>> tip = vector(0.2, 0.0, 0.2)
+        >>> cylinder_between((0, 0, 0), tip, 0.005) | sphere(0.02).at(0.1 * normalize(tip))
+    """
     return Vector.record(_normalize, vector=vector)
 
 

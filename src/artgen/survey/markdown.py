@@ -2,5 +2,5 @@
 
 
 def escaped(text: str) -> str:
-    """Return text for a cell of a table: on one line, its bars escaped."""
-    return text.replace("|", r"\|").replace("\n", " ")
+    """Return text for a cell of a table: on one line, its bars and what looks like a link escaped."""
+    return text.replace("|", r"\|").replace("[", r"\[").replace("\n", " ")

@@ -1,6 +1,7 @@
 """One second of an asset that is let go, in MuJoCo: whatever is not at rest then has to have a cause."""
 
 import itertools
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -25,7 +26,7 @@ TURNING = 20.0
 """A part that turns slower may be as long as it likes [rad/s]."""
 
 BEYOND = {"revolute": 0.05, "prismatic": 0.005}
-"""How far limits may give [rad or m]."""
+"""How far limits may give [rad or m]; more where a spring drives a part against them."""
 
 _RISE = 1e-3  # of the energy, by rounding and the give of contacts [J]
 _RISE_SHARE = 0.01  # of the largest kinetic energy, by the length of time steps
@@ -116,8 +117,19 @@ def _judged(asset: Asset, model: Any, course: _Course) -> Iterator[Oddity]:
         low, high = joint.limits
         way = course.positions[:, found.qposadr[0]]
         beyond = max(low - float(way.min()), float(way.max()) - high)
-        if beyond > BEYOND[joint.kind]:
+        if beyond > max(BEYOND[joint.kind], _give(model.jnt_solref[found.id], fastest)):
             yield "limits", f"joint {joint.name}: goes {beyond:.3g} {turns} beyond its limits"
+
+
+def _give(stop: Array, speed: float) -> float:
+    """Return how far a limit gives, at most, where it is struck at a speed [rad or m].
+
+    Args:
+        stop: The time constant of the spring that it is [s], and its damping, 1 where that is critical.
+        speed: Of the joint [rad/s or m/s].
+    """
+    time, ratio = stop
+    return float(time * ratio * speed / math.e)
 
 
 def _absurd(asset: Asset, joint: Joint, speed: float) -> bool:

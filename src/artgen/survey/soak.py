@@ -11,6 +11,7 @@ from itertools import count
 from pathlib import Path
 from typing import Any
 
+from artgen.dataset.lock import locked
 from artgen.dataset.workers import Ending, run_tasks
 from artgen.errors import ExportError
 from artgen.survey.extreme_sample import measure_extreme, of_record
@@ -81,6 +82,7 @@ def soak(
     seconds: float,
     jobs: int = 1,
     limit: float = 120.0,
+    fresh: bool = False,
     progress: Callable[[Record], None] | None = None,
     task: Task = measure_extreme,
 ) -> None:
@@ -95,25 +97,29 @@ def soak(
         seconds: How long samples are begun [s].
         jobs: How many processes measure.
         limit: How long one sample may take [s].
+        fresh: Whether to throw away what the file holds.
         progress: Called with each record.
         task: What measures.
 
     Raises:
-        ExportError: The file is not one of a soak, or cannot be written.
+        ExportError: The file is not one of a soak, cannot be written, or another soak writes to it.
     """
-    known = {record["sample"] for record in soaked(path, run)}
     end = time.monotonic() + seconds
-    try:
-        with memory_folder() as folder, path.open("a", encoding="utf-8") as file:
-            work = functools.partial(task, run=run, folder=folder)
-            for ending in run_tasks(work, _numbers(names, known, end), jobs=jobs, limit=limit):
-                record = _record_of(ending, run)
-                file.write(json.dumps(record, allow_nan=False) + "\n")
-                file.flush()
-                if progress is not None:
-                    progress(record)
-    except OSError as error:
-        raise ExportError(f"cannot write {path}: {error.strerror}") from error
+    with locked(path):
+        if fresh:
+            path.unlink(missing_ok=True)
+        known = {record["sample"] for record in soaked(path, run)}
+        try:
+            with memory_folder() as folder, path.open("a", encoding="utf-8") as file:
+                work = functools.partial(task, run=run, folder=folder)
+                for ending in run_tasks(work, _numbers(names, known, end), jobs=jobs, limit=limit):
+                    record = _record_of(ending, run)
+                    file.write(json.dumps(record, allow_nan=False) + "\n")
+                    file.flush()
+                    if progress is not None:
+                        progress(record)
+        except OSError as error:
+            raise ExportError(f"cannot write {path}: {error.strerror}") from error
 
 
 def soaked(path: Path, run: int) -> list[Record]:

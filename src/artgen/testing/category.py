@@ -27,7 +27,7 @@ def check_category(
     are written to a temporary directory.
 
     Args:
-        generator: A category or generator, or the name of a category.
+        generator: A category or generator, the name of a category, or a file that defines one: `stool.py`.
         seeds: The seeds.
         checks: Names of the checks to run; all of them by default.
         behaviour: Whether to simulate each asset in MuJoCo as well, which takes seconds.

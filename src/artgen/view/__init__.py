@@ -1,9 +1,22 @@
-"""Pictures of assets: colours, segmentation, depth and normals, and sheets of many samples."""
+"""Pictures of assets: colours, segmentation, depth and normals, sheets of many samples, and pages."""
 
 from artgen.errors import RenderError
 from artgen.view.camera import VIEWS, Camera, View
 from artgen.view.opening import opened
 from artgen.view.picture import Picture, Segmentation
 from artgen.view.rendering import close, render
+from artgen.view.web import Page, page_of
 
-__all__ = ["VIEWS", "Camera", "Picture", "RenderError", "Segmentation", "View", "close", "opened", "render"]
+__all__ = [
+    "VIEWS",
+    "Camera",
+    "Page",
+    "Picture",
+    "RenderError",
+    "Segmentation",
+    "View",
+    "close",
+    "opened",
+    "page_of",
+    "render",
+]

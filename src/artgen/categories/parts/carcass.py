@@ -279,7 +279,8 @@ class Carcass:
             finish: What they are made of.
             inset: From the sides, the front and the rear to their middles [m].
         """
-        core, skin = _leg(style, self.low + 0.0008)
+        low = require(self.low, self.low > 0.05, "legs are higher: stand_height over 0.05 m")
+        core, skin = _leg(style, low + 0.0008)
         x, y = self.width / 2 - inset, (self.front + inset, self.rear - inset)
         corners = ((-1, 0), (1, 0), (-1, 1), (1, 1))
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal
 
-from artgen import Scalar, min_
+from artgen import Float, Scalar, min_
 
 BurnerKind = Literal["gas", "radiant", "coil", "induction"]
 """Flames, glowing bands under glass, tubes of steel, or coils under glass that heat the pot itself."""
@@ -159,15 +159,19 @@ class Plan:
         return [place for column in self.columns for place in column.burners]
 
     @cached_property
+    def spaced(self) -> Float:
+        """Distance between dials [m]."""
+        span = (self.width if self.side in ("front", "back") else self.depth) - 2.0 * (self.radius + _END)
+        return min_(self.pitch, span / max(self.dials - 1, 1))
+
+    @cached_property
     def dial_places(self) -> list[tuple[Scalar, Scalar]]:
         """Where the dials are, from left to right or from front to back [m]."""
         across = self.side in ("front", "back")
-        span = (self.width if across else self.depth) - 2.0 * (self.radius + _END)
-        pitch = min_(self.pitch, span / max(self.dials - 1, 1))
         inset = EDGE + PRINT + self.radius
         level = (self.depth if across else self.width) / 2 - inset
         level = -level if self.side in ("front", "left") else level
-        row = [(number - (self.dials - 1) / 2.0) * pitch for number in range(self.dials)]
+        row = [(number - (self.dials - 1) / 2.0) * self.spaced for number in range(self.dials)]
         return [(along, level) if across else (level, along) for along in row]
 
     @cached_property

@@ -52,6 +52,7 @@ HEAD = 0.085
 
 _FOOT = 0.024  # height of the hub of a spout [m]
 _BORE = 0.0084  # radius of the bore in which a hose slides [m]
+_LEAST = 0.0104  # radius of a spout with that bore [m]
 _HOSE = 0.0056  # radius of the hose [m]
 _DOCK = 0.010  # what remains of the hose in the spout when the head is out [m]
 _SIDES = 12  # facets of hollow parts, under a smooth skin
@@ -249,6 +250,9 @@ def pull_down_spout(
         finish: Its metal.
     """
     metal = casting(finish, 0.32)
+    radius = require(
+        radius, radius > _LEAST, f"the hose of a spray head is in its spout: girth over {_LEAST:g} m"
+    )
     deep = travel + _DOCK + 0.006  # of the bore
     pipe = sweep(circle(radius), _course("gooseneck", height, reach, fall + deep))
     hub = frustum(radius + 0.0065, radius + 0.0035, _FOOT, bevel=0.0015).align((0.0, 0.0, GAP), z=-1)

@@ -4,9 +4,9 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal
 
-from artgen import Body, Material, Scalar, X
+from artgen import Body, Material, Scalar, X, require
 from artgen.categories.parts.appliance_hinges import hinge_bracket, hinge_cover
-from artgen.categories.parts.fridge_case import Case, Cell
+from artgen.categories.parts.fridge_case import HUMP_HIGH, Case, Cell
 from artgen.categories.parts.fridge_drawers import Front
 from artgen.categories.parts.fridge_leaf import PIN, Leaf
 
@@ -145,6 +145,13 @@ class Divided:
     def _fronts(self, low: Scalar, high: Scalar) -> tuple[Front, ...]:
         """Divide the freezer into drawers of equal fronts."""
         count, half = self.drawers, self.case.gap / 2
+        lowest = (high - low) / count - _FLOOR - _HALF_WALL  # its height
+        high = require(
+            high,
+            lowest > HUMP_HIGH - 1.5 * _HALF_WALL,  # the top of the machine room is in the wall over it
+            "the machine room behind the lowest drawer is as high as that: raise freezer_share or height, "
+            "or lower outer_drawers or kick_height",
+        )
         edges = [low + (high - low) * index / count for index in range(count + 1)]
         fronts = []
         for index in range(count):

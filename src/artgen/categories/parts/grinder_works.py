@@ -223,7 +223,9 @@ def crank(sizes: Crank, low: Scalar, looks: HeadLooks) -> Body:
     head_ = cylinder_between((0.0, 0.0, top + GAP), (0.0, 0.0, top + GAP + 0.0016), 0.0042, bevel=0.0006)
     hole = box_between((-_PIN - _PLAY, -_PIN - _PLAY, end), (_PIN + _PLAY, _PIN + _PLAY, top + 0.01))
     hold = grasp_on(core(grip), approach=-Z, closing=X, depth=1.25 * sizes.knob)
-    knob = turned(grip, "knob", looks.finish, hole=hole, bore=_PIN + _PLAY, sides=16, grasp=hold)
+    knob = turned(
+        grip, "knob", looks.finish, hole=hole, spare=0.0003, bore=_PIN + _PLAY, sides=16, grasp=hold
+    )
     spin = Revolute(
         "knob_spin",
         axis=Z,

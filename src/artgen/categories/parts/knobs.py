@@ -20,6 +20,7 @@ from artgen import (
     frustum,
     generator,
     given,
+    min_,
     part,
     uniform,
     union,
@@ -66,10 +67,11 @@ def knob_handle(
     solids: list[Solid] = []
     grasps: list[Frame] = []
     start, end = thickness / 2 + rose_depth + NECK_GAP, thickness / 2 + projection
-    back = _one_knob(style, start, end, radius)
+    deep = min_(0.74 * radius, 0.48 * (end - start))  # half the depth of a ball, which the rose clears
+    back = _one_knob(style, start, end, radius, deep)
     for side in SIDES[faces]:
         solids += back if side > 0 else [solid.rotate(X, math.pi) for solid in back]
-        middle = (0.0, side * (end - _girth(style, radius)), 0.0)
+        middle = (0.0, side * (end - _girth(style, deep)), 0.0)
         lean = _PAST_JAMB if side > 0 else 0.0
         towards = (math.sin(lean), -side * math.cos(lean), 0.0)
         grasps.append(frame(middle, approach=towards, closing=_CLOSING[style]))
@@ -83,17 +85,16 @@ def knob_handle(
     return with_button(body, lock, face=face, depth=_PIN_DEPTH, finish=finish, side=lock_side)
 
 
-def _girth(style: str, radius: Scalar) -> Scalar:
+def _girth(style: str, deep: Scalar) -> Scalar:
     """Return how far behind its end a knob is widest, or flat [m]."""
-    return {"ball": 0.74 * radius, "egg": 0.74 * radius, "flat": 0.011, "tulip": 0.009}[style]
+    return {"ball": deep, "egg": deep, "flat": 0.011, "tulip": 0.009}[style]
 
 
-def _one_knob(style: str, start: Scalar, end: Scalar, radius: Scalar) -> list[Solid]:
-    """Make a knob from y = start, in front of the rose, to y = end."""
+def _one_knob(style: str, start: Scalar, end: Scalar, radius: Scalar, deep: Scalar) -> list[Solid]:
+    """Make a knob from y = start, in front of the rose, to y = end; `deep` is half the depth of a ball."""
     neck = cylinder(0.0115, (end - start) * 0.7, axis=Y)
     collar = cylinder(0.016, 0.0045, axis=Y, bevel=0.0015)
     solids = [neck.at(0.0, start + 0.35 * (end - start), 0.0), collar.at(0.0, start + 0.00225, 0.0)]
-    deep = 0.74 * radius  # half the depth of a ball
     if style == "ball":
         solids.append(ellipsoid(radius, deep, radius).at(0.0, end - deep, 0.0))
     elif style == "egg":

@@ -27,6 +27,7 @@ from artgen import (
     min_,
     norm,
     part,
+    require,
     sin,
     sqrt,
     vector,
@@ -325,6 +326,9 @@ def reading_arm(
     own = mass(bar)
     # upright the shade would strike the pole: its hinge stays farther out than the shade reaches
     sine = (reach + bore + 0.012 - out) / length
+    sine = require(
+        sine, sine < 0.95, "the shade strikes the pole: lower shade_radius, or raise arm_length or height"
+    )
     low = atan2(sine, sqrt(1.0 - sine * sine))
     high = 2.0
     end = vector(*_tip(length, lean)) + (out, 0.0, 0.0)

@@ -4,6 +4,7 @@ Axes are those of `plier_halves`. Everything here belongs to the half whose jaw 
 """
 
 import math
+from functools import reduce
 from typing import Literal, NamedTuple
 
 from artgen import (
@@ -195,6 +196,20 @@ def _rings(forging: Forging, style: Grip, width: Scalar, thick: Scalar) -> list[
     lead = 0.78 if style == "two_component" else 0.88
     upper = _Ring(y + 0.0026, x + 0.0005, lead * wide, lead * tall)
     return [upper, *rings, _below(rings[-1], 0.0036, 0.56)]
+
+
+def off_middle(forging: Forging, style: Grip, width: Scalar) -> Scalar:
+    """Return how far handles stay off the middle between them, closed, where they begin to part [m].
+
+    Args:
+        forging: The half.
+        style: What is on its handle.
+        width: Of the bar in it [m].
+    """
+    off = [-x - width / 2.0 for _, x in forging.course[1:3]]
+    if style != "bare":
+        off += [-ring.x - ring.wide / 2.0 for ring in _rings(forging, style, width, width)[:3]]
+    return reduce(min_, off)
 
 
 def _below(ring: _Ring, down: float, share: float) -> _Ring:

@@ -24,6 +24,7 @@ LAP_GAP = 0.00015
 _OFF = 0.0006  # from a plate to the shoulders around it [m]
 _STEPS = 3  # chords of a shoulder's arc
 RECESSED = 0.00035  # from the middle to the face of a jaw under its teeth or edges [m]
+_FLARE, _FLARE_LESS = 0.0122, 0.0050  # how much wider a bar may begin than its neck, by its thickness [m]
 _CLOSED = 0.0001  # from the middle to an edge that cuts [m]
 
 
@@ -288,8 +289,11 @@ class Forging:
         left, right = self.neck
         bends = [bend for index, bend in enumerate(self.course) if not (hidden and index in (5, 7))]
         root = rectangle(right - left, self.thick, radius=0.0015)
-        bar = rectangle(width, thick, radius=min_(0.0028, 0.49 * thick))
-        sections = [root.at(bends[0][1]), *(bar.at(x) for _, x in bends[1:])]
+        # a thin bar much wider than the neck would twist the sides between them
+        flare = right - left + _FLARE * thick / self.thick - _FLARE_LESS
+        wide = [min_(width, flare), *(width for _ in bends[2:])]
+        bars = [rectangle(each, thick, radius=min_(0.0028, 0.49 * thick)) for each in wide]
+        sections = [root.at(bends[0][1]), *(bar.at(x) for bar, (_, x) in zip(bars, bends[1:], strict=True))]
         return loft(sections[::-1], [y for y, _ in reversed(bends)], axis=Y)
 
 

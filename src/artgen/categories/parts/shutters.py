@@ -5,7 +5,7 @@ They hang in front of the frame and open to -y.
 
 from typing import Literal, NamedTuple
 
-from artgen import Body, Joint, Material, Revolute, Scalar, X, Z, array, box, part, union, weld
+from artgen import Body, Joint, Material, Revolute, Scalar, X, Z, array, box, max_, part, sqrt, union, weld
 from artgen.categories.parts.infill import Opening, slats_in
 from artgen.categories.parts.window_hardware import BARREL, Pin, barrel_hinges, bow_pull
 from artgen.categories.parts.window_plan import SEAM
@@ -15,8 +15,19 @@ ShutterStyle = Literal["none", "louvred", "boarded"]
 _THICK = 0.032  # of a leaf [m]
 _OFF = 0.012  # from a leaf to the frame behind it [m]
 _STILE, _RAIL = 0.048, 0.062  # faces of their boards [m]
-_MEETING = 0.004  # between two leaves [m]
+_MEETING = 0.004  # between two leaves, where they are wide [m]
+_PIN_IN = 0.004  # from the face of a leaf to its pin [m]
 _LEDGE = 0.016  # thickness of the ledges that hold boards together [m]
+
+
+def _edge(reach: Scalar) -> Scalar:
+    """Return how far before the middle a leaf ends, so that its back corner swings past the other leaf [m].
+
+    Args:
+        reach: From its pin to the middle [m].
+    """
+    behind, free = _THICK - _PIN_IN, reach - 0.0003
+    return max_(_MEETING / 2.0, reach - sqrt(free * free - behind * behind))
 
 
 class Shutters(NamedTuple):
@@ -50,9 +61,9 @@ class Shutters(NamedTuple):
             low: Height of their lower edges [m].
             high: Height of their upper edges [m].
         """
-        pin = Pin(BARREL - width / 2.0, front - _OFF - _THICK + 0.004)
+        pin = Pin(BARREL - width / 2.0, front - _OFF - _THICK + _PIN_IN)
         start = pin.x + BARREL + 0.002
-        wide, tall = -_MEETING / 2.0 - start, high - low
+        wide, tall = -_edge(-pin.x) - start, high - low
         levels = [low + 0.16 * tall, low + 0.84 * tall]
         on_frame, on_leaf = barrel_hinges(
             pin, levels, tall=0.075, to=start, face=front, finish=self.metal, solid=self.solid

@@ -20,6 +20,7 @@ from artgen import (
     details,
     enclosed,
     material,
+    min_,
     part,
     push_on,
     rectangle,
@@ -160,13 +161,16 @@ def wall_box(
     )
 
 
-def panel(wide: Scalar, deep: Scalar, *, press: Press, finish: Material, ink: Material) -> Body:
+def panel(
+    wide: Scalar, deep: Scalar, *, press: Press, travel: Scalar, finish: Material, ink: Material
+) -> Body:
     """Make the panel that a hand presses: the link `button` or `lever`.
 
     Args:
         wide: Width of the box [m].
         deep: How far the box stands out [m].
         press: How it moves.
+        travel: How far a button goes in [m].
         finish: What it is made of.
         ink: Its print.
     """
@@ -176,9 +180,10 @@ def panel(wide: Scalar, deep: Scalar, *, press: Press, finish: Material, ink: Ma
     foot = _PUMP + 0.002 if press == "button" else _PUMP - 0.020
     sheet = box_between((-half, front, foot), (half, front + _THICK, high_of(press)), bevel=0.0022)
     bodies = [part(sheet, press, finish, push=push_on(sheet, direction=Y, at=(0.0, 0.0, foot + 0.016)))]
-    stub = cylinder_between(
-        (0.0, front + _THICK - 0.001, low - 0.016), (0.0, front + _THICK + 0.009, low - 0.016), 0.0050
-    )
+    back = front + _THICK
+    # pressed home, a button's stub stays off the block of the pump
+    out = min_(0.009, -_BLOCK - 0.0002 - travel - back) if press == "button" else 0.009
+    stub = cylinder_between((0.0, back - 0.001, low - 0.016), (0.0, back + out, low - 0.016), 0.0050)
     bodies.append(part(stub, press, material("polypropylene")))
     sign = details.lettering(("PUSH",), 0.0060, tracking=0.3)
     bodies.append(details.printed(sign, (0.0, front, foot + 0.030), material=ink))

@@ -9,6 +9,7 @@ from typing import Literal
 
 from artgen import (
     Body,
+    Bool,
     Material,
     Profile,
     Scalar,
@@ -52,6 +53,7 @@ _OVER = 0.012  # from the lower edge to a dial, room for its print [m]
 _UNDER = 0.014  # from the upper edge to the arm of a lever at rest [m]
 _FINGERS = 0.020  # around a dial, for fingers that turn it [m]
 _NEAREST = 0.045  # how far from the middle a lever stands at most that has controls beside it [m]
+_BESIDE = 0.045  # between the arm of a lever and what stands beside it [m]
 _ICONS = ("cross", "bagel", "defrost", "steam")  # cancel, one side only, frozen bread, reheat
 
 
@@ -212,6 +214,14 @@ class Panel:
         aside = self.radius + 0.022  # at both sides of the dial
         rows = [self._dial + row * (_PITCH + 0.001) for row in (0, 1)]
         return [((2 * (number % 2) - 1) * aside, rows[number // 2]) for number in numbers]
+
+    def fits(self) -> Bool | bool:
+        """Tell whether buttons end below the upper edge, and clear of a lever beside them."""
+        site, top = self.site, self._keys[-1][1] if self._keys else self._dial
+        below = top + _CAP / 2 < site.high
+        if site.layout != "beside":
+            return below
+        return below & (site.lean * (self._aside - site.levers[0]) > _BESIDE)
 
     def _at(self, place: tuple[Scalar, Scalar]) -> Vector:
         return vector(self.site.middle + place[0], self.site.plane, place[1])

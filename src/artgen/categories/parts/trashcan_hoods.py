@@ -9,6 +9,7 @@ from typing import Literal
 
 from artgen import (
     Body,
+    Float,
     Frame,
     Joint,
     Material,
@@ -32,6 +33,7 @@ from artgen import (
     part,
     push_on,
     rectangle,
+    sin,
     weld,
 )
 from artgen.categories.parts.bins import Can
@@ -251,6 +253,10 @@ class Hood:
             *(part(each, "lid", dark) for each in posts),
             detail(below, "lid", dark),
         )
+
+    def dip(self, opening: Scalar) -> Float:
+        """Return the height to which the edge of the lid turns down [m]."""
+        return self.axis - 0.5 * self._opening[1] * sin(opening)
 
     def turn(self, body: Body, *, opening: Scalar) -> Joint:
         """Make the joint of the lid, which turns both ways."""

@@ -201,7 +201,11 @@ def hooded_bin(draft: Draft, kind: Turning, *, opening: Scalar, rise: Scalar) ->
     lid = hood.lid(finish=lid_of(looks.lid, light), dark=material("black_abs"))
     top = hood.body(looks.bright).attach(lid, hood.turn(lid, opening=opening))
     body = stand(can, looks, floor=can.foot, dress=draft.dress, rim=0.0)
-    return body.attach(top, hood.lift(top, travel=0.4 * can.width))
+    body = body.attach(top, hood.lift(top, travel=0.4 * can.width))
+    return body.require(
+        hood.dip(opening) > can.foot + 0.01,
+        "the lid turns down to the floor of the bin: raise height, or lower width or aspect",
+    )
 
 
 def butterfly_bin(draft: Draft, lid: Lid, foot: Foot | None) -> Body:

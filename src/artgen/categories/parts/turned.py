@@ -44,6 +44,8 @@ _SMOOTH = 48  # of a skin: off a circle of 30 mm by less than 0.07 mm
 _GLASS_SIDES = 42  # of a blown vessel: with 0.7 mm to spare, 2 of them are one collider
 _GLASS_OFF = 0.0007  # [m]
 
+_SPARE = 0.0005  # of the colliders around a hole [m]
+
 _WITHIN = 0.0005  # how deep the straight runs of a core lie below the outline [m]
 
 
@@ -92,6 +94,7 @@ def turned(
     finish: Material,
     *,
     hole: Solid | None = None,
+    spare: float = _SPARE,
     bore: Scalar = 0.0,
     sides: int = SIDES,
     name: str | None = None,
@@ -104,6 +107,7 @@ def turned(
         label: Semantic label.
         finish: Its material.
         hole: What is cut out of its core: a square hole costs four colliders for each bend of the outline.
+        spare: How far the colliders around the hole may stand off the core [m].
         bore: Radius of the hole along the axis that is seen [m].
         sides: Facets of the core.
         name: Name of the link; by default the label.
@@ -111,7 +115,7 @@ def turned(
     """
     body = core(runs, sides=sides)
     if hole is not None:
-        body = coarse(body, 0.0005) - hole
+        body = coarse(body, spare) - hole
     return weld(
         part(body, label, finish, name=name, grasp=grasp), detail(skin(runs, bore=bore), label, finish)
     )

@@ -153,6 +153,9 @@ def dial_scale(
         number_height: Height of the numbers [m].
         number_gap: Space between ticks and numbers [m].
         orientation: Whether numbers stand upright or radially.
+
+    Examples:
+        >>> details.dial_scale(0.02, 11, major_every=5, numbers=("0", "5", "10"))
     """
     numbers = tuple(numbers)
     return Profile.record(
@@ -220,6 +223,9 @@ def dial_icons(
         start: Angle of the first, clockwise from the top [rad]; by default the sweep is symmetric, and a full
             circle begins at the top.
         weight: How heavy their lines are.
+
+    Examples:
+        >>> details.dial_icons(("power", "fan", "light", "timer"), 0.02, 0.008)
     """
     names = tuple(names)
     return Profile.record(

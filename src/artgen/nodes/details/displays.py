@@ -112,6 +112,10 @@ def display(
 
     Raises:
         BuildError: The style cannot show a character.
+
+    Examples:
+        >>> plate = part(box(0.06, 0.004, 0.04), "plate", material("abs"))
+        >>> weld(plate, details.display("12:30", 0.05, 0.02, at=(0, -0.002, 0), color="green"))
     """
     pane, lit, dark = _materials(color)
 

@@ -98,5 +98,8 @@ def dot_matrix(
         height: Height of a character from the first to the last row of dots [m].
         dot: Shape of the dots.
         show: Which dots. Between characters there is a column that stays dark.
+
+    Examples:
+        >>> details.dot_matrix("ARTGEN", 0.01, dot="round")
     """
     return Profile.record(_dot_matrix, string=string, height=height, dot=dot, show=show)

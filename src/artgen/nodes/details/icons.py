@@ -63,6 +63,9 @@ def icon(name: str, height: Scalar, *, weight: Weight = "regular") -> Profile:
 
     Raises:
         BuildError: There is no such icon; the message has the nearest name.
+
+    Examples:
+        >>> details.icon("power", 0.01)
     """
     try:
         checked_icon(name)

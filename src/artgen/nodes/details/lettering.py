@@ -91,6 +91,9 @@ def lettering(
         leading: From one base line to the next, in capital heights.
         align: Whether x = 0 is the left end, the middle or the right end of every line.
         fineness: `coarse` letters have a third of the vertices, for small print.
+
+    Examples:
+        >>> details.lettering(("Turn", "and push"), 0.005, align="left")
     """
     lines = tuple(lines)
     return Profile.record(
@@ -105,7 +108,12 @@ def lettering(
 
 
 def lettering_width(string: str, tracking: float = 0.0) -> float:
-    """Return the length of a line, in heights of its capital letters."""
+    """Return the length of a line, in heights of its capital letters.
+
+    Examples:
+        >>> width = 0.01 * details.lettering_width("ON", tracking=0.5) + 0.01
+        >>> rectangle(width, 0.02) - details.lettering(("ON",), 0.01, tracking=0.5)
+    """
     return text.text_width(string) + tracking * (len(string) - 1)
 
 
@@ -150,6 +158,9 @@ def emblem(name: Emblem, height: Scalar) -> Profile:
     Args:
         name: Which one; known while building.
         height: Side of the square about the origin that it fills [m].
+
+    Examples:
+        >>> details.emblem("leaf", 0.02)
     """
     return Profile.record(_emblem, name=name, height=height)
 
@@ -170,6 +181,9 @@ def logo(
         sign: The emblem to the left of the name.
         tracking: Space added between the letters, in capital heights.
         capitals: Whether it is set in capitals alone.
+
+    Examples:
+        >>> details.logo("Norvik", 0.01, sign="peak")
     """
     string = name.upper() if capitals else name
     word = lettering((string,), height, tracking=tracking)

@@ -51,6 +51,11 @@ def rating_plate(
 
     Raises:
         BuildError: It has no lines, or more letters than small print may cost.
+
+    Examples:
+        >>> plate = part(box(0.06, 0.004, 0.04), "plate", material("abs"))
+        >>> lines = ("Model A-12", "230 V ~ 50 Hz", "1200 W")
+        >>> weld(plate, details.rating_plate(0.04, 0.02, lines, at=(0, -0.002, 0)))
     """
     shown = [line for line in lines if line.strip()]
     letters = sum(not character.isspace() for line in shown for character in line)

@@ -40,6 +40,9 @@ def dial_band(
         end_width: Width where it ends [m].
         sweep: How far it goes [rad].
         start: Where it begins, clockwise from the top [rad]; by default it is symmetric.
+
+    Examples:
+        >>> details.dial_band(0.02, 0.001, 0.005)
     """
     return Profile.record(
         _dial_band, radius=radius, width=width, end_width=end_width, sweep=sweep, start=start
@@ -56,6 +59,9 @@ def pointer(
         outer: Distance of its upper end from the middle [m].
         width: Its width; the diameter of a dot, which sits at the upper end [m].
         style: A line, a triangle that points outward, or a dot.
+
+    Examples:
+        >>> circle(0.02) - details.pointer(0.008, 0.018, 0.004, style="triangle")
     """
     if style == "dot":
         return circle(width / 2).at(0.0, outer - width / 2)

@@ -117,6 +117,9 @@ def wire_rack(
         corner: Radius of the frame's corners, at its middle line [m].
         direction: Along which side the wires run.
         supports: How many wires of the frame's thickness cross under them.
+
+    Examples:
+        >>> details.wire_rack(0.4, 0.3, supports=2)
     """
     return Solid.record(
         _wire_rack,
@@ -169,6 +172,9 @@ def tine_row(
         wire: Radius of a tine [m].
         rail: Radius of the wire on which they stand [m].
         lean: How far they are turned about X, towards the front [rad].
+
+    Examples:
+        >>> details.tine_row(8, lean=0.2)
     """
     return Solid.record(_tine_row, count=count, pitch=pitch, height=height, wire=wire, rail=rail, lean=lean)
 
@@ -208,5 +214,9 @@ def bent_wires(path: Path, radius: Scalar, *, at: PointsLike) -> Solid:
         path: The middle line of a wire.
         radius: Radius of the wires [m].
         at: By how much each wire is moved [m].
+
+    Examples:
+        >>> bend = polyline([(0, 0, 0), (0, 0, 0.05), (0, 0.1, 0.05), (0, 0.1, 0)], fillet=0.01)
+        >>> details.bent_wires(bend, 0.002, at=row((0, 0, 0), (0.02, 0, 0), 8))
     """
     return Solid.record(_bent_wires, path=path, radius=radius, at=at)

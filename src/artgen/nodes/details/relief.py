@@ -126,6 +126,9 @@ def relief(
         proud: How far it stands out of the face [m].
         sunk: How far it reaches into the face [m], so that it never fights the face for a pixel.
         bevel: Radius of its upper rim [m]; less where the profile is too fine for it.
+
+    Examples:
+        >>> box(0.06, 0.004, 0.04) - details.relief(text("EXIT", 0.012), (0, -0.002, 0), sunk=0.001)
     """
     return Solid.record(
         _relief, profile=profile, at=at, facing=facing, up=up, proud=proud, sunk=sunk, bevel=bevel
@@ -181,6 +184,11 @@ def printed(
         up: Upward for the reader; by default Z, or Y on a face that looks up or down.
         label: Semantic label.
         proud: How far the ink stands out [m]; it reaches as far into the face.
+
+    Examples:
+        >>> plate = part(box(0.06, 0.004, 0.04), "plate", material("abs"))
+        >>> ink = material("black_abs")
+        >>> weld(plate, details.printed(details.icon("light", 0.02), (0, -0.002, 0), material=ink))
     """
     return raised(profile, at, material=material, facing=facing, up=up, label=label, proud=proud, bevel=0.0)
 
@@ -207,6 +215,11 @@ def raised(
         label: Semantic label.
         proud: How far it stands out, 0.0003-0.001 [m].
         bevel: Radius of its rim [m]; less where the profile is too fine for it.
+
+    Examples:
+        >>> plate = part(box(0.06, 0.004, 0.04), "plate", material("abs"))
+        >>> brass = material("brass")
+        >>> weld(plate, details.raised(text("EXIT", 0.012), (0, -0.002, 0), material=brass, proud=0.001))
     """
     solid = relief(profile, at, facing=facing, up=up, proud=proud, sunk=proud, bevel=bevel)
     return detail(solid, label, material, reads=reading(facing, up), about=middle(profile, at, facing, up))
@@ -232,6 +245,10 @@ def engraved(
         facing: Out of the face.
         up: Upward for the reader; by default Z, or Y on a face that looks up or down.
         label: Semantic label.
+
+    Examples:
+        >>> plate = part(box(0.06, 0.004, 0.04), "plate", material("abs"))
+        >>> weld(plate, details.engraved(text("EXIT", 0.012), (0, -0.002, 0), material=material("abs")))
     """
     groove = in_shade(material)
     return printed(profile, at, material=groove, facing=facing, up=up, label=label, proud=0.0001)

@@ -86,6 +86,9 @@ def drive_recess(radius: Scalar, drive: Drive) -> Profile:
     Args:
         radius: Its greatest distance from the origin [m].
         drive: Its form; known while building.
+
+    Examples:
+        >>> circle(0.005) - details.drive_recess(0.003, "torx")
     """
     return Profile.record(_drive_recess, radius=radius, drive=drive)
 
@@ -167,6 +170,9 @@ def screw_head(
         drive: The recess; known while building.
         head: A low dome, a disc that stands out by a sixth of its radius, or a tall cylinder.
         turn: How far the recess is turned [rad]; real screws end up at any angle.
+
+    Examples:
+        >>> details.screw_head(0.004, drive="hex", head="cap")
     """
     return Solid.record(_screw_head, radius=radius, at=at, facing=facing, drive=drive, head=head, turn=turn)
 
@@ -193,6 +199,10 @@ def screw(
         head: A low dome, a disc that stands out by a sixth of its radius, or a tall cylinder.
         turn: How far the recess is turned [rad].
         label: Semantic label.
+
+    Examples:
+        >>> plate = part(box(0.06, 0.004, 0.04), "plate", material("abs"))
+        >>> weld(plate, details.screw(0.008, (0, -0.002, 0), material=material("steel"), drive="torx"))
     """
     solid = screw_head(radius, at, facing=facing, drive=drive, head=head, turn=turn)
     floor = _HEADS[head][-1][1] - _DEPTH[head]
@@ -215,6 +225,9 @@ def rivet(
         at: Where its middle lies on the face [m].
         facing: Out of the face.
         style: A plain dome, or a blind rivet with the pit that its mandrel left.
+
+    Examples:
+        >>> box(0.03, 0.002, 0.02) | details.rivet(0.004, (0, -0.001, 0))
     """
     if style == "dome":
         return dome(radius, height=0.55 * radius, axis=facing).at(at)

@@ -49,6 +49,9 @@ def gasket_section(size: Scalar, section: Seal = "bulb") -> Profile:
     Args:
         size: A tenth more than the width of its foot [m]; it is at most as high.
         section: Its form; known while building.
+
+    Examples:
+        >>> details.gasket_section(0.012, "bulb_lip")
     """
     return Profile.record(_gasket_section, size=size, section=section)
 
@@ -69,6 +72,9 @@ def gasket(
         size: Width of its cross-section [m].
         radius: Radius of its corners, more than half of its size [m].
         section: Its cross-section; a lip leans inward.
+
+    Examples:
+        >>> details.gasket(0.3, 0.2, size=0.02)
     """
     x, z = width / 2, height / 2
     # it begins in the middle of a side, where it is known which way is up
@@ -85,6 +91,9 @@ def seam(width: Scalar, height: Scalar, *, gap: Scalar = 0.0006, radius: Scalar 
         height: Outer height [m].
         gap: Width of the line [m].
         radius: Radius of the outer corners, more than the gap where they are round [m].
+
+    Examples:
+        >>> details.seam(0.06, 0.04, gap=0.001, radius=0.005)
     """
     inner = rectangle(width - 2 * gap, height - 2 * gap, radius=max_(radius - gap, 0.0))
     return rectangle(width, height, radius=radius) - inner
@@ -97,6 +106,9 @@ def foot(radius: Scalar, height: Scalar, *, style: Literal["pad", "round", "leve
         radius: Radius at the floor [m].
         height: Its height [m].
         style: A rubber pad, a rounded knob that is narrower above, or a disc on a stem that can be screwed.
+
+    Examples:
+        >>> details.foot(0.015, 0.02, style="levelling")
     """
     if style == "levelling":
         pad = cylinder(radius, 0.28 * height, bevel=0.09 * height).at(0.0, 0.0, 0.14 * height)

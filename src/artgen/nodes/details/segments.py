@@ -141,5 +141,8 @@ def seven_segment(string: str, height: Scalar, *, slant: Scalar = 0.1, show: Lit
         height: Height of the figures [m].
         slant: How far they lean to the right [rad].
         show: Which segments.
+
+    Examples:
+        >>> details.seven_segment("12:30", 0.01)
     """
     return Profile.record(_seven_segment, string=string, height=height, slant=slant, show=show)

@@ -107,6 +107,9 @@ def perforation(
         radius: Their radius [m].
         pattern: Holes in rows and columns, or each with six neighbours.
         margin: Least width that is left between a hole and the border [m].
+
+    Examples:
+        >>> circle(0.03) - details.perforation(circle(0.03), 0.005, 0.0015)
     """
     return Profile.record(
         _perforation, outline=outline, pitch=pitch, radius=radius, pattern=pattern, margin=margin
@@ -175,6 +178,9 @@ def vent_slots(
         slot: Width of a slot [m].
         direction: How the slots run.
         slant: How far they lean [rad].
+
+    Examples:
+        >>> rectangle(0.08, 0.04) - details.vent_slots(0.06, 0.02, 9)
     """
     return Profile.record(
         _vent_slots, width=width, height=height, count=count, slot=slot, direction=direction, slant=slant
@@ -218,6 +224,9 @@ def louvre_section(height: Scalar, count: int, *, depth: Scalar, thickness: Scal
         depth: From their front to their back [m].
         thickness: Thickness of a slat [m].
         tilt: How far they fall to the front [rad].
+
+    Examples:
+        >>> details.louvre_section(0.06, 5, depth=0.012, thickness=0.0015, tilt=0.6)
     """
     return Profile.record(
         _louvre_section, height=height, count=count, depth=depth, thickness=thickness, tilt=tilt
@@ -242,6 +251,9 @@ def louvres(
         depth: From their front to their back [m].
         thickness: Thickness of a slat [m].
         tilt: How far they fall to the front (-Y) [rad].
+
+    Examples:
+        >>> details.louvres(0.1, 0.06, 5)
     """
     profile = louvre_section(height, count, depth=depth, thickness=thickness, tilt=tilt)
     return extrude(profile, width, axis=(1.0, 0.0, 0.0))

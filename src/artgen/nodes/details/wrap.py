@@ -66,6 +66,10 @@ def wrap(profile: Profile, path: Path, height: Scalar, *, proud: Scalar = 0.0002
         path: The line that was turned about z, as for `half_section`; it has to pass the whole print.
         height: Where the origin of the profile is on the line [m].
         proud: How far it stands out [m]; it reaches as far into the thing.
+
+    Examples:
+        >>> around = line((0.04, 0, 0), (0.04, 0, 0.1))
+        >>> cylinder(0.04, 0.1).at(z=0.05) | details.wrap(text("MILK", 0.009), around, 0.05, proud=0.001)
     """
     return Solid.record(_wrap, profile=profile, path=path, height=height, proud=proud)
 
@@ -88,5 +92,10 @@ def wrapped(
         material: The ink.
         label: Semantic label.
         proud: How far the ink stands out [m]; it reaches as far into the thing.
+
+    Examples:
+        >>> around = line((0.04, 0, 0), (0.04, 0, 0.1))
+        >>> can = part(cylinder(0.04, 0.1).at(z=0.05), "can", material("steel"))
+        >>> weld(can, details.wrapped(text("MILK", 0.009), around, 0.05, material=material("copper")))
     """
     return detail(wrap(profile, path, height, proud=proud), label, material, reads=(1.0, 0.0, 0.0))

@@ -1,0 +1,85 @@
+"""The nodes that the documentation shows, by page, and the example in each one's docstring."""
+
+import doctest
+import inspect
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+import artgen
+from artgen import details
+from artgen.nodes.condition import Condition, Dependency
+from artgen.nodes.handles import Body, Profile, Solid, Vector
+from artgen.nodes.joint import Coupling, Joint
+
+HANDLES = (
+    artgen.Float,
+    artgen.Bool,
+    Vector,
+    artgen.Points,
+    Profile,
+    Solid,
+    Body,
+    Joint,
+    Coupling,
+    Condition,
+    Dependency,
+)
+"""The handles whose public methods are nodes."""
+
+_INNER = {"lift", "decode", "record", "parameter"}  # how handles work, not what authors write
+
+
+@dataclass(frozen=True)
+class Example:
+    """A node and how to use it.
+
+    Attributes:
+        name: As authors write it after `artgen.`, such as `box`, `details.icon` or `Solid.at`.
+        home: The module that defines it.
+        source: Lines of the example, the last one an expression.
+    """
+
+    name: str
+    home: str
+    source: tuple[str, ...]
+
+    def run(self) -> Any:
+        """Return the handle that the example gives."""
+        names = {name: getattr(artgen, name) for name in artgen.__all__}
+        *before, last = self.source
+        for line in before:
+            exec(line, names)  # noqa: S102 - what runs is our own docstring
+        return eval(last, names)  # noqa: S307 - the same
+
+
+def nodes() -> Iterator[tuple[str, Any]]:
+    """Yield every public node by its name: functions, details, joints, handles and their methods."""
+    for name in artgen.__all__:
+        made = getattr(artgen, name)
+        if inspect.isfunction(made) and made.__module__.startswith("artgen.nodes."):
+            yield name, made
+    for name in details.__all__:
+        if inspect.isfunction(getattr(details, name)):
+            yield f"details.{name}", getattr(details, name)
+    for handle in HANDLES:
+        yield handle.__name__, handle
+        for name, method in vars(handle).items():
+            if inspect.isfunction(method) and not name.startswith("_"):
+                yield f"{handle.__name__}.{name}", method
+
+
+def examples() -> dict[str, Example]:
+    """Return the example of every node, by name.
+
+    Raises:
+        LookupError: A node has none.
+    """
+    parser = doctest.DocTestParser()
+    found = {}
+    for name, made in nodes():
+        source = tuple(each.source.rstrip("\n") for each in parser.get_examples(made.__doc__ or ""))
+        if not source:
+            raise LookupError(f"{made.__module__}.{made.__qualname__} has no example; add `Examples:` to it")
+        found[name] = Example(name, made.__module__, source)
+    return found

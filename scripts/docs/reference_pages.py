@@ -1,0 +1,80 @@
+"""The pages of the API reference: what is public and no node."""
+
+from collections.abc import Mapping
+
+FOLDER = "reference"
+
+PAGES: Mapping[str, tuple[str, tuple[str, ...]]] = {
+    "generation": (
+        "Categories and generation",
+        (
+            "generate",
+            "catalog.find",
+            "catalog.categories",
+            "category",
+            "generator.declare.generator",
+            "one_of",
+            "shades",
+            "Generator",
+        ),
+    ),
+    "distributions": (
+        "Distributions",
+        ("uniform", "normal", "loguniform", "choice", "count", "by", "fixed", "given", "Distribution"),
+    ),
+    "assets": ("Assets", ("Asset", "asset.Link", "asset.Joint", "asset.affordance.Affordance")),
+    "proof": (
+        "Certificate and checks",
+        (
+            "Certificate",
+            "asset.certificate.PairResult",
+            "asset.certificate.Witness",
+            "prove_range",
+            "check.recheck.recheck",
+            "check.report.Report",
+            "testing.check_category",
+        ),
+    ),
+    "materials": ("Materials", ("Material", "materials.table.material", "coloured", "MATERIALS", "COLORS")),
+    "graphs": ("Graphs", ("Graph", "Cache", "Evaluation")),
+    "datasets": ("Datasets", ("Dataset", "stream", "dataset.generate_many", "dataset.Plan")),
+    "views": (
+        "Pictures",
+        (
+            "view.render",
+            "view.opened",
+            "view.Picture",
+            "view.View",
+            "view.Camera",
+            "view.page_of",
+            "view.Page",
+        ),
+    ),
+    "types": (
+        "Types of arguments",
+        ("Scalar", "VectorLike", "Span", "Path", "Frame", "X", "Y", "Z", "details.ICONS", "details.BRANDS"),
+    ),
+    "errors": (
+        "Errors",
+        (
+            "ArtgenError",
+            "ParameterError",
+            "BuildError",
+            "GraphError",
+            "EvaluationError",
+            "InfeasibleError",
+            "AssetError",
+            "CheckError",
+            "ExportError",
+            "ClientError",
+            "RenderError",
+        ),
+    ),
+}
+"""Title and names after `artgen.` of each page, by its file's name."""
+
+
+def written(name: str) -> str:
+    """Return a page, in Markdown."""
+    title, names = PAGES[name]
+    return "\n\n".join([f"# {title}", *(f"::: artgen.{each}" for each in names)]) + "\n"

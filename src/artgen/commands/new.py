@@ -1,0 +1,80 @@
+"""`artgen new`: a small package that brings a category, to start from."""
+
+import importlib.util
+import keyword
+import shutil
+from importlib.resources import files
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from artgen.catalog import categories
+from artgen.errors import ExportError, ParameterError
+from artgen.export.files import write_files
+
+_NAME = "my_category"  # what the starter is called
+_FILES = {
+    "README.md": "README.md",
+    "package.toml": "pyproject.toml",  # by its own name, tools would take artgen for two projects
+    f"src/{_NAME}.py": "src/{name}.py",
+    f"tests/test_{_NAME}.py": "tests/test_{name}.py",
+}
+"""The files of the starter, and where they go."""
+
+
+def new(
+    name: Annotated[str, typer.Argument(metavar="NAME", help="Of the category and its package: stapler.")],
+    *,
+    folder: Annotated[
+        Path, typer.Option("--dir", metavar="DIRECTORY", help="Where the folder of the package is made.")
+    ] = Path(),
+) -> None:
+    """Write a package with a starter category, its test, and the entry point by which artgen finds it."""
+    target = folder / name
+    _check_name(name)
+    if target.exists():
+        raise ExportError(f"{target} exists; choose another name, or another place with --dir")
+    starter = files("artgen") / "starter"
+    texts = {
+        path.format(name=name): (starter / file).read_text(encoding="utf-8").replace(_NAME, name)
+        for file, path in _FILES.items()
+    }
+    _write(texts, target)
+    module = target / "src" / f"{name}.py"
+    typer.echo(f"{module}\n\nlook at it:    artgen view {module}\nprove it:      artgen certify {module}")
+    typer.echo(f"bring it to `artgen list`:  pip install --editable {target}")
+
+
+def _check_name(name: str) -> None:
+    """Refuse a name that cannot be that of a category and of its module.
+
+    Raises:
+        ParameterError: It is no identifier, or taken.
+    """
+    import artgen
+
+    if not name.isascii() or not name.isidentifier() or keyword.iskeyword(name) or name != name.lower():
+        raise ParameterError(f"{name!r} cannot name a category; use small letters, digits and _: stapler")
+    if name in categories():
+        raise ParameterError(f"there is a category {name!r}; choose another name")
+    if name in artgen.__all__:
+        raise ParameterError(f"{name!r} is a word of artgen, which categories import; choose another name")
+    module = importlib.util.find_spec(name)
+    if module is not None and module.origin is not None:  # a mere folder has none
+        raise ParameterError(f"there is a Python module {name!r}; choose another name")
+
+
+def _write(texts: dict[str, str], target: Path) -> None:
+    """Write all files, or nothing.
+
+    Raises:
+        ExportError: The disk refuses.
+    """
+    partial = target.with_name(f".{target.name}.partial")
+    try:
+        write_files({path: text.encode() for path, text in texts.items()}, partial)
+        partial.rename(target)
+    except OSError as error:
+        shutil.rmtree(partial, ignore_errors=True)
+        raise ExportError(f"cannot write {target}: {error.strerror or error}; nothing was written") from error

@@ -1,0 +1,31 @@
+"""The asset that a command looks at: an exported one, or one made of a category."""
+
+from pathlib import Path
+
+from artgen.asset import Asset
+from artgen.asset.files import ASSET_FILE
+from artgen.errors import ParameterError
+from artgen.overrides import parse_overrides
+
+
+def asset_from(source: str, seed: int, overrides: list[str], *, certify: bool = False) -> Asset:
+    """Load an exported asset, or generate one of a category.
+
+    Args:
+        source: The directory of an exported asset or its `asset.json`, a category, or a file with one.
+        seed: Of a category.
+        overrides: The same: `NAME=VALUE`.
+        certify: The same: whether to prove it; one that is only to be seen needs no proof.
+
+    Raises:
+        ParameterError: Overrides are given for an exported asset, or cannot be read.
+        ArtgenError: There is no such asset or category, or it cannot be made.
+    """
+    from artgen.catalog import find
+
+    directory = Path(source)
+    if directory.is_dir() or directory.name == ASSET_FILE:
+        if overrides:
+            raise ParameterError(f"--set is for categories; {source} is an exported asset")
+        return Asset.load(directory)
+    return find(source).evaluate(seed, certify=certify, overrides=parse_overrides(overrides))[0]

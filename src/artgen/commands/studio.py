@@ -1,0 +1,48 @@
+"""`artgen studio`: a category in the browser, seen while it is made."""
+
+import time
+import webbrowser
+from typing import Annotated
+
+import typer
+
+from artgen.overrides import parse_overrides
+
+
+def studio(
+    category: Annotated[
+        str, typer.Argument(help="Name of a category, which `artgen list` shows, or a file that defines one.")
+    ],
+    *,
+    seed: Annotated[int, typer.Option(help="Decides every draw.")] = 0,
+    overrides: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--set", metavar="NAME=VALUE", help="A value for a parameter. May be given several times."
+        ),
+    ] = None,
+    host: Annotated[
+        str, typer.Option(help="Where to serve; 0.0.0.0 lets other machines in, which may then export files.")
+    ] = "127.0.0.1",
+    port: Annotated[int, typer.Option(help="Where to serve; 0 takes any that is free.")] = 8080,
+    browser: Annotated[bool, typer.Option(help="Open it in the browser.")] = True,
+) -> None:
+    """Turn the parameters and joints of a category in the browser; needs artgen[studio].
+
+    The file of the category is loaded again when it is saved. Ctrl-C ends the studio.
+    """
+    from artgen.studio import Session, Source
+    from artgen.studio.app import Studio
+
+    session = Session(Source(category), seed, parse_overrides(overrides or []))
+    served = Studio(session, host, port)
+    try:
+        typer.echo(f"{session.source.generator.name} in the studio: {served.address} (Ctrl-C ends it)")
+        if browser:
+            webbrowser.open(served.address)
+        while True:
+            time.sleep(1.0)
+    except KeyboardInterrupt:
+        typer.echo("\nthe studio is closed")
+    finally:
+        served.close()

@@ -1,0 +1,304 @@
+"""The typed handles of numbers: truth values, numbers, vectors and lists of points."""
+
+import math
+from collections.abc import Sequence
+from typing import Annotated, Any, ClassVar, Union
+
+import numpy as np
+from numpy.typing import NDArray
+
+from artgen.errors import BuildError
+from artgen.graph import Handle
+from artgen.graph.handle import is_sequence
+from artgen.graph.node import Node, authors_line
+
+Array3 = Annotated[NDArray[np.float64], "vector"]
+"""The value of a `Vector`, shape (3,)."""
+ArrayN3 = Annotated[NDArray[np.float64], "points"]
+"""The value of `Points`, shape (n, 3)."""
+
+Scalar = Union["Float", float, int]
+VectorLike = Union["Vector", Sequence["Scalar"], NDArray[np.float64]]
+PointsLike = Union["Points", Sequence["VectorLike"], NDArray[np.float64]]
+Condition_ = Union["Bool", bool]
+Span = tuple[Scalar, Scalar]
+"""From where to where something is along an axis [m]."""
+
+# tuples: to make a union takes longer than to test for one
+_BOOLS = (bool, np.bool_)
+_NUMBERS = (float, int, np.floating, np.integer)
+
+
+def _number(value: Any) -> Any:
+    """Return a finite Python float for a number, or NotImplemented."""
+    if type(value) is not float and not (isinstance(value, _NUMBERS) and not isinstance(value, _BOOLS)):
+        return NotImplemented
+    number = float(value)
+    if not math.isfinite(number):
+        raise BuildError(f"{number} is no finite number\n  at {authors_line()}")
+    return number
+
+
+class Bool(Handle):
+    """A truth value.
+
+    Examples:
+        >>> block = box(0.3, 0.2, 0.1)
+        >>> wide = (block.size().x > 0.2) & ~(block.size().y > 0.4)
+        >>> switch(wide, block, sphere(0.1))
+    """
+
+    __slots__ = ()
+    value_type: ClassVar[Any] = bool
+
+    @classmethod
+    def lift(cls, value: Any) -> Any:
+        """Accept a Bool or a Python bool."""
+        if isinstance(value, _BOOLS):
+            return bool(value)
+        return super().lift(value)
+
+    def __and__(self, other: Condition_) -> "Bool":
+        """Tell whether both hold."""
+        return Bool.record("and_", a=self, b=other)
+
+    def __or__(self, other: Condition_) -> "Bool":
+        """Tell whether either holds."""
+        return Bool.record("or_", a=self, b=other)
+
+    def __invert__(self) -> "Bool":
+        """Tell whether it does not hold."""
+        return Bool.record("not_", a=self)
+
+    __rand__, __ror__ = __and__, __or__
+
+
+class Float(Handle):
+    """A number.
+
+    Examples:
+        >>> block = box(0.3, 0.2, 0.1)
+        >>> half = block.size().x / 2 - 0.01
+        >>> block | box(2 * half, 0.1, 0.1).at(z=half / 2)
+    """
+
+    __slots__ = ()
+    value_type: ClassVar[Any] = float
+
+    @classmethod
+    def lift(cls, value: Any) -> Any:
+        """Accept a Float or a finite Python number."""
+        return value.node if isinstance(value, Float) else _number(value)
+
+    def _with(self, name: str, a: Any, b: Any) -> Any:
+        """Record arithmetic, or let the other operand try."""
+        for operand in (a, b):
+            if not isinstance(operand, (Float, *_NUMBERS)):
+                return NotImplemented
+        return (Bool if name in _COMPARISONS else Float).record(name, a=a, b=b)
+
+    def __add__(self, other: Scalar) -> "Float":
+        """Add."""
+        return self._with("add", self, other)  # type: ignore[no-any-return]
+
+    def __radd__(self, other: Scalar) -> "Float":
+        """Add."""
+        return self._with("add", other, self)  # type: ignore[no-any-return]
+
+    def __sub__(self, other: Scalar) -> "Float":
+        """Subtract."""
+        return self._with("subtract", self, other)  # type: ignore[no-any-return]
+
+    def __rsub__(self, other: Scalar) -> "Float":
+        """Subtract."""
+        return self._with("subtract", other, self)  # type: ignore[no-any-return]
+
+    def __mul__(self, other: Scalar) -> "Float":
+        """Multiply."""
+        return self._with("multiply", self, other)  # type: ignore[no-any-return]
+
+    def __rmul__(self, other: Scalar) -> "Float":
+        """Multiply."""
+        return self._with("multiply", other, self)  # type: ignore[no-any-return]
+
+    def __truediv__(self, other: Scalar) -> "Float":
+        """Divide."""
+        return self._with("divide", self, other)  # type: ignore[no-any-return]
+
+    def __rtruediv__(self, other: Scalar) -> "Float":
+        """Divide."""
+        return self._with("divide", other, self)  # type: ignore[no-any-return]
+
+    def __pow__(self, other: Scalar) -> "Float":
+        """Raise to a power."""
+        return self._with("power", self, other)  # type: ignore[no-any-return]
+
+    def __rpow__(self, other: Scalar) -> "Float":
+        """Raise to a power."""
+        return self._with("power", other, self)  # type: ignore[no-any-return]
+
+    def __mod__(self, other: Scalar) -> "Float":
+        """Return the remainder, with the sign of the divisor."""
+        return self._with("modulo", self, other)  # type: ignore[no-any-return]
+
+    def __rmod__(self, other: Scalar) -> "Float":
+        """Return the remainder, with the sign of the divisor."""
+        return self._with("modulo", other, self)  # type: ignore[no-any-return]
+
+    def __neg__(self) -> "Float":
+        """Negate."""
+        return Float.record("negate", a=self)
+
+    def __abs__(self) -> "Float":
+        """Return the magnitude."""
+        return Float.record("absolute", a=self)
+
+    def __lt__(self, other: Scalar) -> Bool:
+        """Compare."""
+        return self._with("less", self, other)  # type: ignore[no-any-return]
+
+    def __gt__(self, other: Scalar) -> Bool:
+        """Compare."""
+        return self._with("greater", self, other)  # type: ignore[no-any-return]
+
+    def __le__(self, other: Scalar) -> Bool:
+        """Compare."""
+        return self._with("at_most", self, other)  # type: ignore[no-any-return]
+
+    def __ge__(self, other: Scalar) -> Bool:
+        """Compare."""
+        return self._with("at_least", self, other)  # type: ignore[no-any-return]
+
+
+_COMPARISONS = ("less", "greater", "at_most", "at_least")
+
+
+class Vector(Handle):
+    """A point or direction in space.
+
+    Examples:
+        >>> block = box(0.3, 0.2, 0.1)
+        >>> corner = block.anchor(x=1, z=1)
+        >>> block | sphere(0.03).at(corner + (-0.05, 0, 0.02))
+    """
+
+    __slots__ = ()
+    value_type: ClassVar[Any] = Array3
+
+    @classmethod
+    def lift(cls, value: Any) -> Any:
+        """Accept a Vector or three scalars."""
+        if isinstance(value, Vector):
+            return value.node
+        if not is_sequence(value) or len(value) != 3:
+            return NotImplemented
+        scalars = tuple(Float.lift(item) for item in value)
+        if any(item is NotImplemented for item in scalars):
+            return NotImplemented
+        if any(isinstance(item, Node) for item in scalars):
+            return Vector.record("vector", x=value[0], y=value[1], z=value[2]).node
+        return scalars
+
+    @classmethod
+    def decode(cls, literal: Any) -> Any:
+        """Return the array of three numbers."""
+        return np.array(literal, float)
+
+    @property
+    def x(self) -> Float:
+        """The component along x."""
+        return Float.record("component", vector=self, index=0)
+
+    @property
+    def y(self) -> Float:
+        """The component along y."""
+        return Float.record("component", vector=self, index=1)
+
+    @property
+    def z(self) -> Float:
+        """The component along z."""
+        return Float.record("component", vector=self, index=2)
+
+    def __add__(self, other: VectorLike) -> "Vector":
+        """Add."""
+        return Vector.record("vector_add", a=self, b=other)
+
+    def __radd__(self, other: VectorLike) -> "Vector":
+        """Add."""
+        return Vector.record("vector_add", a=other, b=self)
+
+    def __sub__(self, other: VectorLike) -> "Vector":
+        """Subtract."""
+        return Vector.record("vector_subtract", a=self, b=other)
+
+    def __rsub__(self, other: VectorLike) -> "Vector":
+        """Subtract."""
+        return Vector.record("vector_subtract", a=other, b=self)
+
+    def __mul__(self, factor: Scalar) -> "Vector":
+        """Multiply by a number."""
+        return Vector.record("vector_scale", vector=self, factor=factor)
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, divisor: Scalar) -> "Vector":
+        """Divide by a number."""
+        return self * Float.record("divide", a=1.0, b=divisor)
+
+    def __neg__(self) -> "Vector":
+        """Point the other way."""
+        return Vector.record("vector_scale", vector=self, factor=-1.0)
+
+    def rotate(self, axis: VectorLike, angle: Scalar) -> "Vector":
+        """Turn about an axis through the origin by an angle [rad].
+
+        Examples:
+            >>> spoke = vector(0.1, 0.0, 0.0)
+            >>> union(*(sphere(0.03).at(spoke.rotate(Y, 1.257 * i)) for i in range(5)))
+        """
+        return Vector.record("vector_rotate", vector=self, axis=axis, angle=angle)
+
+
+class Points(Handle):
+    """A list of points in space.
+
+    Examples:
+        >>> holes = row((0, 0, 0), (0.04, 0, 0), 5) + (-0.08, 0, 0)
+        >>> box(0.22, 0.05, 0.02) - array(bore(0.012, 0.1), at=holes)
+    """
+
+    __slots__ = ()
+    value_type: ClassVar[Any] = ArrayN3
+
+    @classmethod
+    def lift(cls, value: Any) -> Any:
+        """Accept Points or a sequence of vectors."""
+        if isinstance(value, Points):
+            return value.node
+        if not is_sequence(value) or not len(value):
+            return NotImplemented
+        vectors = tuple(Vector.lift(item) for item in value)
+        if any(item is NotImplemented for item in vectors):
+            return NotImplemented
+        if any(isinstance(item, Node) for item in vectors):
+            return Points.record("points", vectors=value).node
+        return vectors
+
+    @classmethod
+    def decode(cls, literal: Any) -> Any:
+        """Return the array of points."""
+        return np.array(literal, float).reshape(-1, 3)
+
+    def __add__(self, offset: VectorLike) -> "Points":
+        """Move all points."""
+        return Points.record("points_move", points=self, offset=offset)
+
+    def __sub__(self, offset: VectorLike) -> "Points":
+        """Move all points back."""
+        return self + Vector.record("vector_scale", vector=offset, factor=-1.0)
+
+    def __mul__(self, factor: Scalar) -> "Points":
+        """Multiply all points by a number."""
+        return Points.record("points_scale", points=self, factor=factor)
+
+    __radd__, __rmul__ = __add__, __mul__

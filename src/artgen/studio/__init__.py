@@ -1,0 +1,9 @@
+"""The studio: a category in the browser, where a value is turned and the hinge is seen to move.
+
+`session` and what it uses know no browser; `app` serves one with viser, of the extra `artgen[studio]`.
+"""
+
+from artgen.studio.session import Session
+from artgen.studio.source import Source
+
+__all__ = ["Session", "Source"]

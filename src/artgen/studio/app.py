@@ -1,0 +1,307 @@
+"""The studio in the browser: a viser server whose wishes one thread grants, the last of each kind only."""
+
+import contextlib
+import errno
+import io
+import socket
+import threading
+import time
+import traceback
+from collections.abc import Callable, Iterator
+from typing import Any
+
+from artgen.errors import ArtgenError, ParameterError, RenderError
+from artgen.studio.panel import Panel, tell
+from artgen.studio.prover import Prover
+from artgen.studio.session import Session, message_of
+from artgen.studio.signs import Sign
+from artgen.studio.stage import Stage
+
+HOST, PORT = "127.0.0.1", 8080
+
+_BREATH = 0.1  # after which files, proofs and what was replaced are looked at [s]
+_CALM = 0.5  # that nothing must have changed before a proof is begun [s]
+_PORTS = 65535
+
+
+class Studio:
+    """A session served to browsers.
+
+    Wishes of browsers are kept by name, the last of each; one thread grants them, evaluates, and sends what
+    changed. Whatever goes wrong there is a message in the panel.
+
+    Attributes:
+        session: What is shown; only the studio's thread touches it.
+        stage: The scene.
+        panel: The controls.
+        host: Where it is served.
+        port: The same.
+        updates: How long each of the last changes took, from the wish to all being sent [s].
+    """
+
+    def __init__(
+        self, session: Session, host: str = HOST, port: int = PORT, *, rich_light: bool = True
+    ) -> None:
+        """Begin to serve.
+
+        Args:
+            session: What is shown.
+            host: Where it is served.
+            port: The same; 0 takes any that is free.
+            rich_light: Whether there are reflections and shadows, which take minutes without a GPU.
+
+        Raises:
+            RenderError: viser is not installed.
+            ParameterError: The port is taken or not allowed, or the host is none of this machine's.
+        """
+        self.session = session
+        self.host = host
+        self._server = _server(host, port)
+        self.port: int = self._server.get_port()
+        self._wishes: dict[str, tuple[float, Callable[[], None]]] = {}
+        self._changed = threading.Condition()
+        self._running = True
+        self._stale = True
+        self._since = time.monotonic()
+        self._proven = False
+        self._prover = Prover()
+        self._moving = ""
+        self.updates: list[float] = []
+        self.stage = Stage(self._server)
+        self.stage.light(rich=rich_light)
+        self.panel = Panel(
+            self._server, session, self.ask, self._actions(), waits=self._waits, rich_light=rich_light
+        )
+        self._thread = threading.Thread(target=self._run, name="artgen studio", daemon=True)
+        self._thread.start()
+
+    @property
+    def address(self) -> str:
+        """The address for browsers."""
+        host = "127.0.0.1" if self.host in ("0.0.0.0", "::") else self.host  # noqa: S104 - a test, no binding
+        return f"http://{host}:{self.port}"
+
+    def ask(self, name: str, wish: Callable[[], None]) -> None:
+        """Take a wish; an earlier one of that name that is not granted yet is forgotten."""
+        with self._changed:
+            since = self._wishes.pop(name, (time.monotonic(), wish))[0]
+            self._wishes[name] = (since, wish)
+            self._changed.notify()
+
+    def _waits(self, name: str) -> bool:
+        with self._changed:
+            return name in self._wishes
+
+    def close(self) -> None:
+        """End the server, its thread and its process."""
+        with self._changed:
+            self._running = False
+            self._changed.notify()
+        self._thread.join(timeout=10.0)
+        self._prover.close()
+        _stop(self._server)
+
+    # the studio's thread
+
+    def _run(self) -> None:
+        while self._running:
+            with self._changed:
+                if not self._wishes and not self._stale:
+                    self._changed.wait(_BREATH)
+                wishes, self._wishes = self._wishes, {}
+            began = min((since for since, _ in wishes.values()), default=time.monotonic())
+            with self._told(), self._server.atomic():
+                for _, wish in wishes.values():
+                    with self._told():
+                        wish()
+                if self._stale:
+                    self._stale = False
+                    self._evaluate()
+            if wishes:
+                self.updates = [*self.updates[-99:], time.monotonic() - began]
+            with self._told():
+                self._look_around()
+
+    @contextlib.contextmanager
+    def _told(self) -> Iterator[None]:
+        """Tell what goes wrong instead of ending."""
+        try:
+            yield
+        except ArtgenError as error:
+            self.session.fault = message_of(error)
+            self.panel.show_fault()
+        except Exception as error:  # noqa: BLE001 - the server lives on whatever happens
+            place = traceback.extract_tb(error.__traceback__)[-1]
+            self.session.fault = f"{message_of(error)}\n  at {place.filename}:{place.lineno}"
+            self.panel.show_fault()
+
+    def _evaluate(self) -> None:
+        self._since = time.monotonic()
+        self._proven = False
+        self._prover.cancel()
+        if self.session.evaluate():
+            self.stage.show(self.session.asset, self.session.q)
+            self.panel.show()
+            self.panel.show_positions()
+            self.panel.show_proof("waiting for a moment of calm ...")
+        self.panel.show_fault()
+
+    def _look_around(self) -> None:
+        """Look at the file of the category, at the proof, and at what was replaced."""
+        self.stage.tidy()
+        if self.session.source.saved():
+            if self.session.reload():
+                self._stale = True
+            else:
+                self._prover.cancel()
+            self.panel.show_fault()
+        ending = self._prover.poll()
+        if ending is not None and ending.state == "done":
+            self.session.certified(ending.value)
+            self.panel.show_proof()
+            self.panel.show_fault()
+        elif ending is not None:
+            last = ending.message.strip().rpartition("\n")[2]
+            self.panel.show_proof(f"no certificate: {last}")
+        calm = time.monotonic() - self._since > _CALM and not self._wishes and not self._stale
+        task = self.session.task()
+        if calm and not self._proven and task is not None:
+            self._proven = True
+            self._prover.start(task)
+            self.panel.show_proof("being proven ...")
+
+    # wishes
+
+    def _actions(self) -> dict[str, Callable[..., None]]:
+        return {
+            "set": self.set,
+            "seed": self._resample,
+            "resample": lambda: self.ask("seed", self._next_seed),
+            "reset": lambda: self.ask("reset", self._reset),
+            "move": self._move,
+            "close": lambda: self.ask("pose", lambda: self._pose({})),
+            "open": lambda: self.ask("pose", self._open),
+            "worst": self._worst,
+            "labels": self._labels,
+            "textures": self._textures,
+            "sign": self._sign,
+            "light": lambda wanted: self.stage.light(rich=wanted),
+            "export": self._export,
+        }
+
+    def set(self, name: str, value: Any) -> None:
+        """Set a parameter; a wish, for `ask`."""
+        self.session.set(name, value)
+        self._stale = True
+
+    def _resample(self, seed: int) -> None:
+        self.session.resample(seed)
+        self._stale = True
+
+    def _next_seed(self) -> None:
+        self._resample(self.session.seed + 1)
+        self.panel.seed.value = self.session.seed
+
+    def _reset(self) -> None:
+        self.session.reset()
+        self._stale = True
+
+    def _move(self, joint: str, position: float) -> None:
+        if joint in self.session.asset.positions():  # it may be gone since
+            self.session.move(joint, position)
+            self._posed(joint)
+
+    def _open(self) -> None:
+        from artgen.view import opened
+
+        self._pose(opened(self.session.asset))
+
+    def _pose(self, q: dict[str, float]) -> None:
+        self.session.pose(q)
+        self._posed()
+
+    def _posed(self, moving: str = "", red: tuple[str, ...] = ()) -> None:
+        self.stage.pose(self.session.q)
+        self.stage.dress(red)
+        self.panel.show_positions(moving)
+
+    def _worst(self, number: int) -> None:
+        pair = self.session.collisions[number]
+        assert pair.witness is not None
+        self.session.pose(pair.witness.pose)
+        self._posed(red=pair.links)
+
+    def _labels(self, wanted: bool) -> None:  # noqa: FBT001 - a checkbox says so
+        self.stage.by_label = wanted
+        self.stage.dress()
+
+    def _textures(self, size: int) -> None:
+        self.stage.textures = size
+        self.stage.dress()
+
+    def _sign(self, kind: Sign, wanted: bool) -> None:  # noqa: FBT001 - a checkbox says so
+        kinds = self.stage.signs.kinds
+        (kinds.add if wanted else kinds.discard)(kind)
+        self.stage.signs.show(self.session.asset, self.session.q)
+
+    def _export(self, folder: str, formats: tuple[str, ...]) -> None:
+        try:
+            path = self.session.export(folder, formats)
+        except ArtgenError as error:
+            tell(self.panel.exported, message_of(error), "fault")
+        else:
+            tell(self.panel.exported, f"written to {path.resolve()}", "plain")
+
+
+def _server(host: str, port: int) -> Any:
+    """Return a viser server at that very port: viser itself takes the next free one without a word."""
+    try:
+        import viser
+    except ImportError as error:
+        raise RenderError(
+            f'the studio needs viser, which cannot be loaded ({error}): pip install "artgen[studio]"'
+        ) from error
+    if not 0 <= port <= _PORTS:
+        raise ParameterError(f"--port {port} is not allowed: it must be in 0..{_PORTS}; 0 takes any free one")
+    _check_free(host, port)
+    with _quiet():
+        server = viser.ViserServer(host=host, port=port, verbose=False)
+    if port and server.get_port() != port:  # taken since
+        _stop(server)
+        raise ParameterError(_taken(host, port))
+    return server
+
+
+def _quiet() -> contextlib.redirect_stdout[io.StringIO]:
+    """Keep viser from printing what the studio says itself."""
+    return contextlib.redirect_stdout(io.StringIO())
+
+
+def _stop(server: Any) -> None:
+    with _quiet():
+        server.stop()
+
+
+def _check_free(host: str, port: int) -> None:
+    try:
+        family, kind, protocol, _, place = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM)[0]
+        with socket.socket(family, kind, protocol) as probe:
+            probe.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)  # as the server will
+            probe.bind(place)
+    except socket.gaierror as error:
+        raise ParameterError(f"--host {host!r} is no address of this machine: {error.strerror}") from None
+    except PermissionError:
+        raise ParameterError(
+            f"--port {port} is not allowed for this user; take one from 1024 on, such as {PORT}"
+        ) from None
+    except OSError as error:
+        if error.errno == errno.EADDRINUSE:
+            raise ParameterError(_taken(host, port)) from None
+        raise ParameterError(f"--host {host!r} is no address of this machine: {error.strerror}") from None
+
+
+def _taken(host: str, port: int) -> str:
+    return (
+        f"port {port} of {host} is in use, perhaps by another studio: end what uses it, or take another one: "
+        f"--port {port + 1}, or --port 0 for any that is free"
+    )

@@ -1,0 +1,226 @@
+"""What a person can set: the parameters in use and the free joints, as data for any user interface."""
+
+import math
+import typing
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+from typing import Any, Literal
+
+from artgen.asset import Asset
+from artgen.generator import Generator, Parameter
+from artgen.generator.parameter import is_variant
+from artgen.materials import Material
+from artgen.nodes.handles import Bool, Float, Vector
+from artgen.sampling import Distribution
+from artgen.sampling.choices import By, Choice
+from artgen.sampling.distributions import is_number, shown
+
+Kind = Literal["slider", "number", "menu", "checkbox", "vector", "text"]
+
+_STEPS = 400  # at least, that a slider has
+_ROOM = 0.5  # how far a joint without limits can be pulled either way [m]
+
+
+@dataclass(frozen=True)
+class Control:
+    """One parameter in use.
+
+    Attributes:
+        name: Full name, generators included: `handle.lever_handle.length`.
+        short: Its name among the parameters of an asset: `handle.length`.
+        kind: How it is set.
+        value: Where it stands: a number, True or False, text, or three numbers.
+        hint: How it is drawn, its hard limits, and what it is.
+        unit: Such as `m`; empty for none.
+        low: Least value of a slider, and of a number with hard limits.
+        high: The greatest.
+        step: Between two values of a slider or number.
+        options: Of a menu.
+    """
+
+    name: str
+    short: str
+    kind: Kind
+    value: Any
+    hint: str
+    unit: str = ""
+    low: float | None = None
+    high: float | None = None
+    step: float = 0.0
+    options: tuple[str, ...] = ()
+
+    @property
+    def group(self) -> str:
+        """What stands before the name: the parameter and the generator that it belongs to, if any."""
+        return self.name.rpartition(".")[0]
+
+    @property
+    def shape(self) -> tuple[Any, ...]:
+        """All but the value: a user interface makes a control anew when this changes."""
+        return (self.name, self.kind, self.hint, self.low, self.high, self.options)
+
+
+def parameters_in_use(generator: Generator, asset: Asset) -> tuple[Control, ...]:
+    """Return a control for each parameter that an asset of a category was made of, in their order."""
+    return tuple(_controls(generator.own, asset.parameters, "", ""))
+
+
+def _controls(
+    own: Mapping[str, Parameter], values: Mapping[str, Any], short: str, full: str
+) -> Iterator[Control]:
+    for name, parameter in own.items():
+        value = values[short + name]
+        siblings = {sibling: values[short + sibling] for sibling in own}
+        yield _control(Parameter(full + name, parameter.kind, parameter.distribution), short, value, siblings)
+        chosen = next((item for item in parameter.variants if item.name == value), None)
+        if chosen is not None:
+            yield from _controls(chosen.own, values, f"{short}{name}.", f"{full}{name}.{chosen.name}.")
+
+
+def _control(parameter: Parameter, short: str, value: Any, siblings: Mapping[str, Any]) -> Control:
+    distribution = parameter.distribution
+    drawn = _drawn(distribution, siblings)
+    name = parameter.name.rpartition(".")[2]
+    hint = _hint(distribution, drawn)
+    control = Control(parameter.name, short + name, "text", str(value), hint, distribution.unit)
+    options = _options(parameter, drawn, value)
+    if parameter.kind in (Bool, bool):
+        return replace(control, kind="checkbox", value=bool(value))
+    if options:
+        return replace(control, kind="menu", options=options)
+    if parameter.kind is Vector:
+        return replace(control, kind="vector", value=tuple(value))
+    if parameter.kind in (Float, int):
+        low, high = _range(distribution, drawn, value)
+        fixed = low is None or high is None or low == high
+        width = (abs(value) or 1.0) if low is None or high is None or low == high else high - low
+        step = 1.0 if parameter.kind is int else _step(width)
+        kind: Kind = "number" if fixed else "slider"
+        return replace(control, kind=kind, value=value, low=low, high=high, step=step)
+    return control
+
+
+def _drawn(distribution: Distribution, siblings: Mapping[str, Any]) -> Distribution:
+    """Return the case of a distribution that is in use."""
+    while isinstance(distribution, By):
+        case = distribution.case(siblings.get(distribution.parameter))
+        if case is None:
+            break
+        distribution = case
+    return distribution
+
+
+def _hint(distribution: Distribution, drawn: Distribution) -> str:
+    limits = "" if distribution.within is None else "allowed: {:g} to {:g}".format(*distribution.within)
+    weights = drawn.weights if isinstance(drawn, Choice) else None
+    weighed = "" if weights is None else "weights " + ", ".join(f"{weight:g}" for weight in weights)
+    how = f"{drawn!r} {distribution.unit}".strip()
+    return "; ".join(part for part in (distribution.doc, how, weighed, limits) if part)
+
+
+def _options(parameter: Parameter, drawn: Distribution, value: Any) -> tuple[str, ...]:
+    """Return the names of what a menu offers: all that is allowed, or for materials what may be drawn."""
+    if is_variant(parameter.kind):
+        return tuple(dict.fromkeys(option.name for option in parameter.variants))
+    if typing.get_origin(parameter.kind) is Literal:
+        return tuple(map(str, typing.get_args(parameter.kind)))
+    if parameter.kind in (int, Float) and isinstance(drawn, Choice) and parameter.distribution.within is None:
+        numbers = sorted({*drawn.options, value})
+        return () if numbers == list(range(numbers[0], numbers[-1] + 1)) else tuple(map(str, numbers))
+    if parameter.kind not in (str, Material) or not drawn.discrete or len(drawn.support()) < 2:
+        return (str(value),) if parameter.kind is Material else ()
+    found = tuple(str(option) if isinstance(option, str) else shown(option) for option in drawn.support())
+    return found if value in found else (str(value), *found)  # a shade has a name of its own
+
+
+def _range(
+    distribution: Distribution, drawn: Distribution, value: float
+) -> tuple[float | None, float | None]:
+    """Return the hard limits, or else what may be drawn and where the value stands."""
+    if distribution.within is not None:
+        return distribution.within
+    numbers = [float(item) for item in drawn.support() if is_number(item)]
+    if len(numbers) < 2:
+        return None, None
+    return min(*numbers, value), max(*numbers, value)
+
+
+def _step(width: float) -> float:
+    """Return 1, 2 or 5 times a power of ten, of which a width has at least `_STEPS`."""
+    rough = width / _STEPS
+    power = 10.0 ** math.floor(math.log10(rough))
+    step = power * next((factor for factor in (5.0, 2.0) if power * factor <= rough), 1.0)
+    return float(f"{step:.0e}")
+
+
+def read_value(control: Control, kind: Any, value: Any) -> Any:
+    """Return what a user interface gave as the parameter takes it.
+
+    Args:
+        control: Of the parameter.
+        kind: Its annotation.
+        value: What was given: of a menu, the text of an option.
+    """
+    if typing.get_origin(kind) is Literal:
+        return next((item for item in typing.get_args(kind) if str(item) == value), value)
+    if kind is int:
+        return int(value)
+    if kind is Float:
+        return float(value)
+    return tuple(float(item) for item in value) if control.kind == "vector" else value
+
+
+@dataclass(frozen=True)
+class JointControl:
+    """One joint that can move.
+
+    Attributes:
+        name: Its name.
+        unit: `rad` or `m`.
+        low: Least position, or where a slider begins.
+        high: The greatest.
+        value: Where it stands.
+        step: Between two positions of a slider.
+        hint: What it joins, follows and waits for.
+        follows: Whether another joint moves it.
+    """
+
+    name: str
+    unit: str
+    low: float
+    high: float
+    value: float
+    step: float
+    hint: str
+    follows: bool
+
+    @property
+    def shape(self) -> tuple[Any, ...]:
+        """All but the position: a user interface makes a control anew when this changes."""
+        return (self.name, self.low, self.high, self.hint, self.follows)
+
+
+def joint_controls(asset: Asset, q: Mapping[str, float]) -> tuple[JointControl, ...]:
+    """Return a control for each joint of an asset that is not locked."""
+    positions = asset.positions(q)
+    result = []
+    for joint in asset.joints:
+        if joint.locked:
+            continue
+        turns = joint.kind == "revolute"
+        reach = math.pi if turns else _ROOM
+        low, high = joint.limits or (-reach, reach)
+        parts = [f"{joint.parent} to {joint.child}", f"{low:.4g} to {high:.4g} {'rad' if turns else 'm'}"]
+        if joint.limits is None:
+            parts[1] = "no limits"
+        if joint.follows is not None:
+            parts.append(f"follows {joint.follows.leader}")
+        if joint.needs is not None:
+            parts.append(f"waits for {joint.needs}")
+        value = min(max(positions[joint.name], low), high)
+        step = _step(high - low)
+        hint, follows = "; ".join(parts), joint.follows is not None
+        result.append(
+            JointControl(joint.name, "rad" if turns else "m", low, high, value, step, hint, follows)
+        )
+    return tuple(result)

@@ -1,0 +1,286 @@
+"""A session of the studio, without any user interface: what is wanted, what is shown, and what went wrong."""
+
+import time
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from artgen.asset import Asset
+from artgen.asset.asset import remember
+from artgen.asset.certificate import Certificate, PairResult
+from artgen.catalog import is_file
+from artgen.errors import ArtgenError, InfeasibleError, ParameterError
+from artgen.graph import Cache, Evaluation
+from artgen.sampling import Distribution
+from artgen.studio.controls import Control, JointControl, joint_controls, parameters_in_use, read_value
+from artgen.studio.moving import moved, settled
+from artgen.studio.prover import Task
+from artgen.studio.source import Source
+
+_ATTEMPTS = 100  # draws of a new seed, as `generate` makes
+_VALUES = 16384  # that the cache keeps: of the largest category, those of several values of a slider
+
+
+@dataclass(frozen=True)
+class Shown:
+    """An asset with what it was made of.
+
+    Attributes:
+        asset: The asset.
+        evaluation: What it cost.
+        seconds: Time it took, sampling and building included [s].
+        seed: What was drawn from.
+        overrides: What was set, by name.
+    """
+
+    asset: Asset
+    evaluation: Evaluation
+    seconds: float
+    seed: int
+    overrides: Mapping[str, Any] = field(default_factory=dict)
+
+
+class Session:
+    """A category with a seed, what a person sets, and where its joints stand.
+
+    What cannot be made leaves a message in `fault`, and the asset before stays.
+
+    Attributes:
+        source: The category.
+        seed: What is drawn from.
+        overrides: What is set, by name; what belongs to generators that are not chosen waits.
+        shown: The last asset that could be made; None before there is one.
+        q: Where its free joints stand, those that are not at rest [rad or m].
+        fault: What is wrong with what is wanted; empty if nothing is.
+        held: Why a joint goes no farther; empty if none is held.
+        certificate: What is proven of the asset; None while that is not known.
+    """
+
+    def __init__(self, source: Source, seed: int = 0, overrides: Mapping[str, Any] | None = None) -> None:
+        """Begin; the asset is made by `evaluate`.
+
+        Raises:
+            ParameterError: The seed is negative, or an override is unknown or not allowed.
+        """
+        source.generator.sample(seed, overrides=overrides)
+        self.source = source
+        self.seed = seed
+        self.overrides: dict[str, Any] = dict(overrides or {})
+        self.shown: Shown | None = None
+        self.q: dict[str, float] = {}
+        self.fault = ""
+        self.held = ""
+        self.certificate: Certificate | None = None
+        self._cache = Cache(_VALUES)
+        self._attempts = _ATTEMPTS
+        self._controls: tuple[Control, ...] = ()
+
+    @property
+    def asset(self) -> Asset:
+        """The asset that is shown.
+
+        Raises:
+            ParameterError: None could be made yet.
+        """
+        if self.shown is None:
+            raise ParameterError(self.fault or f"{self.source.text} is not evaluated yet")
+        return self.shown.asset
+
+    # what is wanted
+
+    def set(self, name: str, value: Any) -> None:
+        """Set a parameter by its full name; a value that it had when it was drawn sets it too."""
+        control, known = self._control(name), self.source.generator.parameters()
+        if name not in known:  # a browser may not have heard of a change yet
+            raise ParameterError(f"{self.source.text} has no parameter {name!r}")
+        if control is not None:
+            self.overrides.pop(control.short, None)
+            value = read_value(control, known[name].kind, value)
+        self.overrides[name] = value
+
+    def unset(self, name: str) -> None:
+        """Let a parameter be drawn again."""
+        control = self._control(name)
+        self.overrides.pop(name, None)
+        if control is not None:
+            self.overrides.pop(control.short, None)
+
+    def reset(self) -> None:
+        """Let every parameter be drawn again."""
+        self.overrides.clear()
+        self._attempts = _ATTEMPTS
+
+    def resample(self, seed: int) -> None:
+        """Draw from another seed; what is set stays set."""
+        self.seed = seed
+        self._attempts = _ATTEMPTS
+
+    def reload(self) -> bool:
+        """Load the category again after its file was saved; tell whether that worked."""
+        try:
+            self.source.reload()
+        except ArtgenError as error:
+            self.fault = message_of(error)
+            return False
+        known = self.source.generator.parameters()
+        short = {".".join(name.split(".")[::2]) for name in known}
+        self.overrides = {
+            name: value for name, value in self.overrides.items() if name in known or name in short
+        }
+        self._cache = Cache(_VALUES)  # the file may define operations, whose values are other ones now
+        self._attempts = _ATTEMPTS
+        return True
+
+    # what is shown
+
+    def evaluate(self) -> bool:
+        """Make the asset of what is wanted, as far as it is not in the cache; tell whether that worked.
+
+        A new seed is drawn as often as `generate` would; what is set later draws no more often, so that a
+        value that is not feasible is a fault instead of another asset.
+        """
+        overrides = self._applicable()
+        start = time.perf_counter()
+        try:
+            asset, evaluation = self.source.generator.evaluate(
+                self.seed,
+                cache=self._cache,
+                attempts=self._attempts,
+                certify=False,
+                overrides=overrides,
+            )
+        except Exception as error:  # noqa: BLE001 - whatever an author's file raises is a message
+            self.fault = message_of(error)
+            if isinstance(error, InfeasibleError) and self._attempts < _ATTEMPTS:
+                self.fault = self.fault.partition("; the last: ")[2] or self.fault
+            return False
+        self.fault = ""
+        self._attempts = asset.attempt + 1
+        self._controls = parameters_in_use(self.source.generator, asset)
+        self.shown = Shown(asset, evaluation, time.perf_counter() - start, self.seed, overrides)
+        self.certificate = None
+        self.q = settled(asset, self.q)
+        self.held = ""
+        return True
+
+    def controls(self) -> tuple[Control, ...]:
+        """Return a control for each parameter that the asset was made of."""
+        return self._controls
+
+    def is_set(self, control: Control) -> bool:
+        """Tell whether a person set a parameter."""
+        return control.name in self.overrides or control.short in self.overrides
+
+    # joints
+
+    def joints(self) -> tuple[JointControl, ...]:
+        """Return a control for each joint that can move."""
+        return joint_controls(self.asset, self.q) if self.shown is not None else ()
+
+    def move(self, joint: str, wanted: float) -> float:
+        """Move a free joint as far as dependencies let it, and return where it stands then [rad or m].
+
+        `held` says why it goes no farther.
+        """
+        self.q, blocked = moved(self.asset, self.q, joint, wanted)
+        reasons = []
+        for name in blocked:
+            needs = self.asset.joint(name).needs
+            reasons.append(f"{name} waits for {needs}" if name == joint else f"then {name} needs {needs}")
+        self.held = f"{joint} is held: {'; '.join(reasons)}" if reasons else ""
+        return self.asset.positions(self.q)[joint]
+
+    def pose(self, q: Mapping[str, float]) -> None:
+        """Put the joints where they are wanted, such as at a witness; dependencies hold none."""
+        self.q = {name: float(position) for name, position in q.items()}
+        self.held = ""
+
+    # the certificate
+
+    def task(self) -> Task | None:
+        """Return what another process needs to know to certify the asset; None if there is none."""
+        if self.shown is None or self.fault:
+            return None
+        source, shown = self.source, self.shown
+        attempts = shown.asset.attempt + 1
+        return Task(source.reference, source.revision, shown.seed, attempts, dict(shown.overrides))
+
+    def certified(self, certificate: Certificate) -> None:
+        """Take what was proven of the asset that is shown."""
+        self.certificate = certificate
+        remember(self.asset, certificate)
+
+    @property
+    def collisions(self) -> tuple[PairResult, ...]:
+        """The pairs of links that collide somewhere, the deepest first."""
+        pairs = self.certificate.failures if self.certificate is not None else ()
+        found = [pair for pair in pairs if pair.witness is not None]
+        return tuple(sorted(found, key=lambda pair: (pair.verdict != "collision", -_depth(pair))))
+
+    # what is taken away
+
+    def python(self) -> str:
+        """Return Python source that makes the asset that is shown."""
+        asset, shown, generator = self.asset, self.shown, self.source.generator
+        assert shown is not None
+        lines = ["import artgen", ""]
+        arguments = [f"seed={shown.seed}"]
+        for name, value in shown.overrides.items():
+            short = self._short(name)
+            drawn = asset.parameters.get(short) if isinstance(value, Distribution) else value
+            arguments.append(f"{short.replace('.', '__')}={drawn!r}")
+        if self.certificate is None:
+            arguments.append("certify=False")
+        elif not self.certificate.proven:
+            arguments.append('on_collision="keep"')
+        if is_file(self.source.text):
+            lines[0] = "from artgen import catalog"
+            made = f"catalog.load_file({self.source.text!r}).generate({', '.join(arguments)})"
+        else:
+            made = f'artgen.generate("{generator.name}", {", ".join(arguments)})'
+        note = f"  # the draw {asset.attempt + 1} of that seed" if asset.attempt else ""
+        return "\n".join([*lines, f"asset = {made}{note}"])
+
+    def export(self, folder: str | Path, formats: tuple[str, ...]) -> Path:
+        """Write the asset that is shown; see `artgen.export.export`.
+
+        Raises:
+            ParameterError: No folder or no format is given.
+            ExportError: The folder cannot be written, or holds other files.
+        """
+        if not str(folder).strip():
+            raise ParameterError("give the folder to export to")
+        if not formats:
+            raise ParameterError("choose a format to export")
+        return self.asset.export(folder, formats=formats)
+
+    def _control(self, name: str) -> Control | None:
+        return next((control for control in self.controls() if control.name == name), None)
+
+    def _applicable(self) -> dict[str, Any]:
+        """Return what is set, without what belongs to a generator beside the one that is set."""
+        chosen = {self._short(name): value for name, value in self.overrides.items()}
+        result = {}
+        for name, value in self.overrides.items():
+            parts = name.split(".") if self._short(name) != name else [name]
+            owners = [(".".join(parts[:end:2]), parts[end]) for end in range(1, len(parts), 2)]
+            if all(chosen.get(owner, generator) == generator for owner, generator in owners):
+                result[name] = value
+        return result
+
+    def _short(self, name: str) -> str:
+        """Return the name of a parameter without the generators; names that are not full stay."""
+        known = name in self.source.generator.parameters()
+        return ".".join(name.split(".")[::2]) if known else name
+
+
+def message_of(error: BaseException) -> str:
+    """Return what to tell a person about an error; whatever is not artgen's own is named by its kind."""
+    if isinstance(error, ArtgenError):
+        return str(error)
+    return f"{type(error).__name__}: {error}"
+
+
+def _depth(pair: PairResult) -> float:
+    return pair.witness.depth if pair.witness is not None else 0.0

@@ -1,0 +1,222 @@
+"""The scene in the browser: a frame for each link, which joints move, with what is seen of it below.
+
+What did not change is not sent again: a joint only sets poses, and a link that looks as it did stays.
+"""
+
+import time
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from artgen.asset import Asset
+from artgen.export.frames import quaternion
+from artgen.studio.link_glb import link_glb
+from artgen.studio.link_keys import Placed, placed
+from artgen.studio.signs import Signs
+from artgen.view.overlays import Rgb, label_colors
+
+Array = NDArray[np.float64]
+Color = tuple[int, int, int]
+
+_GHOST = 0.25  # what is replaced stays so long, since browsers need time to read what replaces it [s]
+_REDS = ((222, 36, 27), (255, 122, 92))  # of the first and the second of two links that collide
+_FLOOR = (0.02, 0.1, 0.5)  # sizes of the cells of the floor [m]
+_VIEW = (0.45, -0.82, 0.35)  # from where the asset is seen at first
+_DISTANCE = 1.75  # the same, as a share of the asset's size
+_FIELD = 0.65  # angle of view from top to bottom [rad]
+
+
+@dataclass
+class _Shown:
+    """A link in the scene.
+
+    Attributes:
+        frame: Node that its pose moves.
+        looks: Decides whether what is below has to be made anew.
+        nodes: What is seen of it.
+        pose: Where the frame stands.
+    """
+
+    frame: Any
+    looks: tuple[Any, ...] = ()
+    nodes: list[Any] = field(default_factory=list)
+    pose: Array = field(default_factory=lambda: np.full((4, 4), np.nan))
+
+
+class Stage:
+    """The scene of a viser server.
+
+    Attributes:
+        sent: How many links were sent since the server began, for who wants to know what a change costs.
+        by_label: Whether links have the colours of their semantic labels.
+        textures: Texels on a side of the materials' maps; 0 for colours alone.
+    """
+
+    def __init__(self, server: Any) -> None:
+        self._server = server
+        self._links: dict[str, _Shown] = {}
+        self._ghosts: list[tuple[float, str, Any]] = []
+        self._number = 0
+        self._asset: Asset | None = None
+        self._placed: dict[str, Placed] = {}
+        self._red: tuple[str, ...] = ()
+        self.signs = Signs(server)
+        self.sent = 0
+        self.by_label = False
+        self.textures = 512
+
+    def light(self, *, rich: bool) -> None:
+        """Light the scene: with reflections and shadows, or in a way that is quick without a GPU too."""
+        scene = self._server.scene
+        scene.configure_environment_map("studio" if rich else None, environment_intensity=0.6)
+        scene.configure_default_lights(enabled=rich, cast_shadow=rich)
+        scene.add_light_hemisphere("/lights/sky", intensity=1.6, visible=not rich)
+        # from the front, above and to the left, where the first look comes from
+        scene.add_light_directional(
+            "/lights/sun", intensity=1.8, position=(-1.0, -2.0, 2.0), visible=not rich
+        )
+
+    def show(self, asset: Asset, q: Mapping[str, float]) -> None:
+        """Put an asset in the place of the one before; what looks as it did stays."""
+        first = self._asset is None
+        self._asset = asset
+        self._red = ()
+        self._placed = {link.name: placed(link) for link in asset.links}
+        self.signs.clear()
+        for name in self._links.keys() - self._placed.keys():
+            self._remove(name)
+        self._dress()
+        self.pose(q)
+        self.signs.show(asset, q)
+        if first:
+            self.frame_camera()
+
+    def frame(self, link: str) -> Any:
+        """Return the node that the pose of a link moves."""
+        return self._links[link].frame
+
+    def dress(self, red: tuple[str, ...] = ()) -> None:
+        """Dress the links anew after a change of `by_label` or `textures`.
+
+        Args:
+            red: Names of the two links that collide.
+        """
+        self._red = tuple(red)
+        if self._asset is not None:
+            self._dress()
+
+    def _dress(self) -> None:
+        assert self._asset is not None
+        colors = label_colors(self._asset) if self.by_label else {}
+        for link in self._asset.links:
+            red = _REDS[self._red.index(link.name)] if link.name in self._red else None
+            shown = self._links.get(link.name)
+            if shown is None:
+                frame = self._server.scene.add_frame(f"/asset/{link.name}", show_axes=False)
+                shown = self._links[link.name] = _Shown(frame)
+            palette = tuple(colors.get(label) for label in link.labels)
+            plain = red is not None or self.by_label
+            place = self._placed[link.name]
+            looks = (place.key, red, palette, 0 if plain else self.textures)
+            if looks == shown.looks:
+                for node in shown.nodes:
+                    _put(node, place.offset)
+                continue
+            made = self._plain(place, colors, red=red) if plain else [self._glb(place)]
+            self._bury(link.name, shown.nodes)
+            shown.looks, shown.nodes = looks, made
+            self.sent += 1
+
+    def _glb(self, place: Placed) -> Any:
+        content = link_glb(place.link, self.textures)
+        return self._server.scene.add_glb(self._name(place.link.name), content, position=place.offset)
+
+    def _plain(self, place: Placed, colors: Mapping[str, Rgb], *, red: Color | None) -> list[Any]:
+        made = []
+        for surface in place.link.surfaces:
+            opacity = surface.material.opacity
+            node = self._server.scene.add_mesh_simple(
+                self._name(place.link.name),
+                surface.mesh.vertices.astype(np.float32),
+                surface.mesh.triangles.astype(np.uint32),
+                color=red or colors[surface.label],
+                opacity=None if opacity == 1.0 else opacity,
+                position=place.offset,
+            )
+            made.append(node)
+        return made
+
+    def _name(self, link: str) -> str:
+        self._number += 1
+        return f"/asset/{link}/looks_{self._number}"
+
+    def _bury(self, link: str, nodes: list[Any]) -> None:
+        end = time.monotonic() + _GHOST
+        self._ghosts += [(end, link, node) for node in nodes]
+
+    def tidy(self, *, gone: str = "") -> None:
+        """Remove what was replaced a while ago, and all that was replaced of a link that is gone."""
+        now = time.monotonic()
+        kept = []
+        for end, link, node in self._ghosts:
+            if end <= now or link == gone:
+                node.remove()
+            else:
+                kept.append((end, link, node))
+        self._ghosts = kept
+
+    def _remove(self, link: str) -> None:
+        self.tidy(gone=link)
+        shown = self._links.pop(link)
+        for node in (*shown.nodes, shown.frame):
+            node.remove()
+
+    def pose(self, q: Mapping[str, float]) -> int:
+        """Move the links to where joint positions put them; return how many moved."""
+        if self._asset is None:
+            return 0
+        moved = 0
+        for name, matrix in self._asset.pose(q).items():
+            shown = self._links[name]
+            if np.array_equal(shown.pose, matrix):
+                continue
+            shown.pose = matrix
+            shown.frame.wxyz = quaternion(matrix)
+            shown.frame.position = matrix[:3, 3]
+            moved += 1
+        self.signs.pose(q)
+        return moved
+
+    def frame_camera(self) -> None:
+        """Let browsers begin with a look at the whole asset from the front, and lay the floor."""
+        assert self._asset is not None
+        low, high = self._asset.bounds()
+        size = float(np.linalg.norm(high - low))
+        middle = (low + high) / 2.0
+        camera = self._server.initial_camera
+        camera.look_at = tuple(middle)
+        camera.position = tuple(middle + _DISTANCE * size * np.array(_VIEW))
+        camera.fov = _FIELD
+        camera.near = size / 200.0
+        cell = next((cell for cell in _FLOOR if size < 20 * cell), _FLOOR[-1])
+        self._server.scene.add_grid(
+            "/floor",
+            width=6 * size,
+            height=6 * size,
+            cell_size=cell,
+            section_size=10 * cell,
+            cell_color=(225, 225, 225),
+            section_color=(200, 200, 200),
+            plane_opacity=1.0,
+            plane_color=(250, 250, 250),
+            shadow_opacity=0.2,
+            position=(float(middle[0]), float(middle[1]), min(0.0, float(low[2])) - 0.0005),
+        )
+
+
+def _put(node: Any, position: Array) -> None:
+    if not np.array_equal(node.position, position):
+        node.position = position

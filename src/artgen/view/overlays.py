@@ -1,0 +1,279 @@
+"""What viewers draw over an asset: colliders, joints, grasp frames, centres of mass, colours of labels.
+
+All of it is plain data in asset coordinates at rest [m]. A viewer carries what belongs to a link by
+`asset.pose(q)[link]`, and what belongs to a joint by `axis_poses(asset, q)[joint]`.
+"""
+
+import math
+import zlib
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from artgen.asset import Asset, Joint, rotation
+from artgen.colliders import Convex
+
+Array = NDArray[np.float64]
+Indices = NDArray[np.int64]
+Rgb = tuple[float, float, float]
+"""A colour in sRGB, each component from 0 to 1."""
+
+_FACETS = 0.001  # how far the facets of round colliders may stand off them [m]
+_MARGIN = 0.06  # share of a link's size by which the axis of its joint stands out at both ends
+_SHORTEST = 0.02  # length of an axis or arm, and of a slide that has no limits, at least [m]
+_STEP = math.radians(5.0)  # between the points of an arc
+_ON_AXIS = 1e-6  # what is nearer to an axis has no direction from it [m]
+
+# The colours of Okabe and Ito, which people with any colour vision tell apart, grey instead of black; then
+# the same darker, lighter and in between, for categories with many labels.
+_HUES: tuple[Rgb, ...] = (
+    (0.902, 0.624, 0.000),
+    (0.337, 0.706, 0.914),
+    (0.000, 0.620, 0.451),
+    (0.941, 0.894, 0.259),
+    (0.000, 0.447, 0.698),
+    (0.835, 0.369, 0.000),
+    (0.800, 0.475, 0.655),
+    (0.600, 0.600, 0.600),
+)
+_SHADES = ((0.0, 1.0), (0.0, 0.55), (1.0, 0.45), (0.0, 0.78))  # towards this grey, and how much stays
+PALETTE: tuple[Rgb, ...] = tuple(
+    (
+        round(keep * red + (1.0 - keep) * grey, 4),
+        round(keep * green + (1.0 - keep) * grey, 4),
+        round(keep * blue + (1.0 - keep) * grey, 4),
+    )
+    for grey, keep in _SHADES
+    for red, green, blue in _HUES
+)
+"""The colours of labels, the easiest to tell apart first."""
+
+
+@dataclass(frozen=True, eq=False)
+class ColliderFaces:
+    """A collider as triangles.
+
+    Attributes:
+        label: Semantic label of what it covers.
+        kind: `box`, `cylinder`, `sphere`, `capsule` or `hull`.
+        vertices: Shape (n, 3) [m].
+        triangles: Counter-clockwise seen from outside, shape (m, 3).
+    """
+
+    label: str
+    kind: str
+    vertices: Array
+    triangles: Indices
+
+
+@dataclass(frozen=True, eq=False)
+class HoldFrame:
+    """Where a hand acts: z along its approach, x along the closing of a gripper.
+
+    Attributes:
+        name: Name of the grasp or push.
+        kind: Which of the two it is.
+        frame: Shape (4, 4) [m].
+        width: Opening that fingers need; 0 for a push [m].
+    """
+
+    name: str
+    kind: Literal["grasp", "push"]
+    frame: Array
+    width: float
+
+
+@dataclass(frozen=True, eq=False)
+class LinkOverlay:
+    """What is drawn over a link and moves with it.
+
+    Attributes:
+        link: Its name.
+        label: Its semantic label.
+        mass: [kg].
+        center: Centre of mass, shape (3,) [m].
+        colliders: Its convex pieces.
+        holds: Its grasps and pushes.
+    """
+
+    link: str
+    label: str
+    mass: float
+    center: Array
+    colliders: tuple[ColliderFaces, ...]
+    holds: tuple[HoldFrame, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class JointOverlay:
+    """What is drawn for a joint.
+
+    `axis` and `range` stay with the joint (`axis_poses`); `hand` moves like that of a clock, by
+    `axis_poses(asset, q)[joint] @ asset.joint(joint).motion(position)`: its end then lies on `range`.
+
+    Attributes:
+        joint: Its name.
+        kind: `revolute` or `prismatic`.
+        parent: Name of the link that the axis belongs to.
+        child: Name of the link that moves.
+        axis: Ends of a segment on the axis, in its direction, shape (2, 3) [m].
+        range: Points of the way that the end of `hand` takes, from the lowest position to the highest: an
+            arc, or the two ends of a line; a full circle where a turn is unlimited, shape (k, 3) [m].
+        hand: Segment from the axis to where the way passes the position 0, shape (2, 3) [m].
+        limited: Whether the ends of `range` are limits.
+    """
+
+    joint: str
+    kind: str
+    parent: str
+    child: str
+    axis: Array
+    range: Array
+    hand: Array
+    limited: bool
+
+
+@dataclass(frozen=True, eq=False)
+class Overlays:
+    """All that can be drawn over an asset.
+
+    Attributes:
+        links: By the name of the link.
+        joints: By the name of the joint; locked joints are left out.
+        colors: The colour of each semantic label.
+        size: Diagonal of the asset's bounding box, to choose the size of signs by [m].
+    """
+
+    links: Mapping[str, LinkOverlay]
+    joints: Mapping[str, JointOverlay]
+    colors: Mapping[str, Rgb]
+    size: float
+
+
+def overlays(asset: Asset) -> Overlays:
+    """Return what viewers draw over an asset."""
+    low, high = asset.bounds()
+    return Overlays(
+        links={name: _of_link(asset, name) for name in (link.name for link in asset.links)},
+        joints={joint.name: _of_joint(asset, joint) for joint in asset.joints if not joint.locked},
+        colors=label_colors(asset),
+        size=float(np.linalg.norm(high - low)),
+    )
+
+
+def axis_poses(asset: Asset, q: Mapping[str, float] | None = None) -> dict[str, Array]:
+    """Return how the axis of each joint is displaced from rest, shape (4, 4).
+
+    Of several joints between two links, each is carried by those before it.
+
+    Raises:
+        AssetError: As of `asset.pose`.
+    """
+    positions, poses, result = asset.positions(q), asset.pose(q), {}
+    for parent, _, joints in asset.pairs():
+        transform = poses[parent]
+        for joint in joints:
+            result[joint.name] = transform
+            transform = transform @ joint.motion(positions[joint.name])
+    return result
+
+
+def label_colors(asset: Asset) -> dict[str, Rgb]:
+    """Return a colour for each label, the same in all assets of a category, and mostly in others.
+
+    The labels that a category names first have the colours that are told apart most easily.
+    """
+    labels = [*asset.labels, *sorted(_used(asset).difference(asset.labels))]
+    result: dict[str, Rgb] = {}
+    for number, label in enumerate(dict.fromkeys(labels)):
+        if number % len(_HUES) == 0:
+            free = list(range(len(_HUES)))  # of one shade, one after another is given away
+        wanted = zlib.crc32(label.encode()) % len(_HUES)
+        hue = min(free, key=lambda index: (index - wanted) % len(_HUES))
+        free.remove(hue)
+        result[label] = PALETTE[(number - number % len(_HUES) + hue) % len(PALETTE)]
+    return result
+
+
+def _used(asset: Asset) -> set[str]:
+    """Return the labels on the links of an asset, and on what they are made of."""
+    found: set[str] = set()
+    for link in asset.links:
+        found.update(link.labels, (surface.label for surface in link.surfaces))
+    return found
+
+
+def _of_link(asset: Asset, name: str) -> LinkOverlay:
+    link, properties = asset.link(name), asset.link(name).mass_properties
+    return LinkOverlay(
+        link=name,
+        label=link.label,
+        mass=properties.mass,
+        center=properties.center,
+        colliders=tuple(_collider_faces(collider.label, collider.convex) for collider in link.colliders),
+        holds=tuple(
+            HoldFrame(each.name, each.kind, each.frame, each.width)
+            for each in asset.affordances
+            if each.link == name
+        ),
+    )
+
+
+def _collider_faces(label: str, convex: Convex) -> ColliderFaces:
+    mesh = convex.manifold(_FACETS).to_mesh64()
+    return ColliderFaces(
+        label,
+        convex.kind,
+        np.asarray(mesh.vert_properties)[:, :3],
+        np.asarray(mesh.tri_verts).astype(np.int64),
+    )
+
+
+def _of_joint(asset: Asset, joint: Joint) -> JointOverlay:
+    low, high = asset.link(joint.child).bounds()
+    corners = np.array(np.meshgrid(*np.array([low, high]).T)).reshape(3, -1).T
+    middle = (low + high) / 2.0
+    if joint.kind == "revolute":
+        along = (corners - joint.pivot) @ joint.axis
+        foot = joint.pivot + joint.axis * (along.min() + along.max()) / 2.0
+    else:
+        along = (corners - middle) @ joint.axis
+        foot = middle
+    half = max((along.max() - along.min()) * (0.5 + _MARGIN), _SHORTEST / 2.0)
+    axis = np.array([foot - half * joint.axis, foot + half * joint.axis])
+    if joint.kind == "revolute":
+        hand, way = _turn(joint, foot, corners)
+    else:
+        hand, way = _slide(joint, foot, half)
+    return JointOverlay(
+        joint.name, joint.kind, joint.parent, joint.child, axis, way, hand, joint.limits is not None
+    )
+
+
+def _turn(joint: Joint, foot: Array, corners: Iterable[Array]) -> tuple[Array, Array]:
+    """Return the hand of a revolute joint, to the farthest of some corners, and the arc of its end."""
+    offsets = [corner - foot for corner in corners]
+    across = [offset - (offset @ joint.axis) * joint.axis for offset in offsets]
+    arm = max(across, key=lambda offset: round(float(np.linalg.norm(offset)), 9))
+    # what turns about its own middle has corners all around: then any of them will do
+    length = float(np.linalg.norm(arm))
+    if length < _ON_AXIS:
+        arm = np.cross(joint.axis, np.eye(3)[np.argmin(np.abs(joint.axis))])
+        length = float(np.linalg.norm(arm))
+        arm = arm / length * _SHORTEST
+    elif length < _SHORTEST:
+        arm = arm / length * _SHORTEST
+    first, last = joint.limits or (-math.pi, math.pi)
+    angles = np.linspace(first, last, max(2, math.ceil((last - first) / _STEP) + 1))
+    way = np.array([foot + rotation(joint.axis, float(angle)) @ arm for angle in angles])
+    return np.array([foot, foot + arm]), way
+
+
+def _slide(joint: Joint, foot: Array, half: float) -> tuple[Array, Array]:
+    """Return the hand of a prismatic joint, a point, and the line that it moves along."""
+    first, last = joint.limits or (-half, half)
+    way = np.array([foot + first * joint.axis, foot + last * joint.axis])
+    return np.array([foot, foot]), way

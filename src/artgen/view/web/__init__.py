@@ -1,0 +1,5 @@
+"""The web viewer: an asset, or a gallery of many, as pages that need no network."""
+
+from artgen.view.web.page import TEXTURES, Page, check_page, page_of
+
+__all__ = ["TEXTURES", "Page", "check_page", "page_of"]

@@ -1,0 +1,183 @@
+"""The gallery: a page of many assets with pictures and filters, each of which leads to its viewer."""
+
+import html
+import io
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from artgen.asset import Asset
+from artgen.asset.files import ASSET_FILE
+from artgen.errors import ArtgenError, AssetError, ExportError, RenderError
+from artgen.export.layouts.simready_thumbnail import thumbnail
+from artgen.view.rendering import close, render
+from artgen.view.sheet import shots, words
+from artgen.view.web.page import filled, page_of, read, script_data, write_file
+from artgen.view.web.record import plain_value
+
+Pixels = NDArray[np.uint8]
+
+INDEX = "index.html"
+"""The gallery's page in its folder."""
+
+_MARK = '<meta name="generator" content="artgen gallery">'  # in the page: what stands beside it is ours
+_PICTURE = 288  # pixels on a side
+_SAMPLES = 4  # how finely shadows and edges are drawn
+_QUALITY = 84  # of JPEG
+
+
+def find_assets(directory: Path) -> list[Path]:
+    """Return the directories of exported assets in a folder, in order; the folder may be one itself.
+
+    Raises:
+        ExportError: There are none.
+    """
+    found = sorted(
+        path.parent
+        for path in directory.rglob(ASSET_FILE)
+        if not any(part.startswith(".") for part in path.relative_to(directory).parts)
+    )
+    if not found:
+        raise ExportError(
+            f"{directory} holds no exported asset; "
+            f"`artgen generate CATEGORY -n 10 --out {directory}` makes some"
+        )
+    return found
+
+
+def write_gallery(
+    assets: Sequence[Path],
+    source: Path,
+    target: Path,
+    *,
+    textures: int,
+    progress: Callable[[int], None] | None = None,
+) -> tuple[Path, list[str]]:
+    """Write a gallery.
+
+    Args:
+        assets: The directories of exported assets.
+        source: The folder that they are in, which gives the gallery its title; all paths are absolute.
+        target: The folder to write to: a new or empty one, or that of an earlier gallery.
+        textures: Texels on a side of the maps of the viewers; 0 for colours alone.
+        progress: Called with how many assets are done.
+
+    Returns:
+        The gallery's page, and why assets are left out, for each.
+
+    Raises:
+        ExportError: The target holds something else, or cannot be written.
+        AssetError: No asset can be read.
+    """
+    _check_target(target)
+    drawn = _Pictures()
+    entries, failed = [], []
+    for number, directory in enumerate(assets):
+        place = f"assets/{source.name if directory == source else directory.relative_to(source).as_posix()}"
+        try:
+            asset = Asset.load(directory)
+            page, pictures, entry = page_of(asset, textures=textures), drawn.of(asset), _entry(asset)
+        except ArtgenError as error:
+            failed.append(f"{directory} is left out: {error}")
+        else:
+            page.save(_ready(target / f"{place}.html"))
+            names = {"closed": f"{place}.jpg", "open": f"{place}_open.jpg"}
+            for (state, name), picture in zip(names.items(), pictures, strict=False):
+                write_file(target / name, picture)
+                entry[state] = name
+            entries.append({**entry, "page": f"{place}.html"})
+        if progress is not None:
+            progress(number + 1)
+    if not entries:
+        raise AssetError(f"none of {len(assets)} assets can be shown; the first: {failed[0]}")
+    return write_file(target / INDEX, _index(source.name, entries).encode()), failed
+
+
+class _Pictures:
+    """Draws the pictures of assets: closed and open by MuJoCo, or closed alone where it cannot draw."""
+
+    def __init__(self) -> None:
+        self._draws = True
+
+    def of(self, asset: Asset) -> list[bytes]:
+        if self._draws:
+            try:
+                return self._drawn(asset)
+            except RenderError:
+                self._draws = False
+        return [_jpeg(thumbnail(asset))]
+
+    @staticmethod
+    def _drawn(asset: Asset) -> list[bytes]:
+        pictures = [
+            render(asset, q, camera=view, size=_PICTURE, textures=256, samples=_SAMPLES).color
+            for q, view in shots(asset)[:2]
+        ]
+        close()  # a gallery may be long, and no asset is drawn again
+        return [_jpeg(picture) for picture in pictures]
+
+
+def _jpeg(pixels: Pixels) -> bytes:
+    from PIL import Image
+
+    file = io.BytesIO()
+    Image.fromarray(pixels).save(file, "JPEG", quality=_QUALITY, optimize=True)
+    return file.getvalue()
+
+
+def _entry(asset: Asset) -> dict[str, Any]:
+    """Return what the gallery knows of an asset, to show and to filter by."""
+    certificate = asset.certificate
+    return {
+        "name": asset.name,
+        "category": asset.category,
+        "seed": asset.seed,
+        "words": words(asset),
+        "mass": round(asset.mass, 4),
+        "links": len(asset.links),
+        "joints": [joint.kind for joint in asset.joints if not joint.locked],
+        "proven": None if certificate is None else certificate.proven,
+        "parameters": {name: plain_value(value) for name, value in asset.parameters.items()},
+    }
+
+
+def _index(title: str, entries: Sequence[Mapping[str, Any]]) -> str:
+    parts = {
+        "MARK": _MARK,
+        "TITLE": html.escape(title),
+        "STYLE": read("gallery.css"),
+        "DATA": script_data(entries),
+        "GALLERY": read("elements.js") + read("gallery.js"),
+    }
+    return filled(read("gallery.html"), parts)
+
+
+def _check_target(target: Path) -> None:
+    """Refuse a folder that holds anything but an earlier gallery.
+
+    Raises:
+        ExportError: It does, or it is no folder.
+    """
+    try:
+        names = {path.name for path in target.iterdir()} if target.exists() else set()
+        known = INDEX in names and _MARK in (target / INDEX).read_text(encoding="utf-8")[:2000]
+    except OSError as error:
+        raise ExportError(f"cannot write to {target}: {error.strerror}") from error
+    if names - {"assets"} and not known:
+        raise ExportError(f"{target} holds something else than a gallery; choose another --out")
+
+
+def _ready(path: Path) -> Path:
+    """Return a path whose folder is there.
+
+    Raises:
+        ExportError: It cannot be made.
+    """
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise ExportError(f"cannot write {path}: {error.strerror}") from error
+    return path

@@ -1,0 +1,222 @@
+// Puts the viewer together, and keeps what it shows: positions of joints, what is apart, which signs are on.
+
+const LEAD = 0.75; // how long one joint moves when it is played [s]
+
+class Viewer {
+  constructor(data, nodes, stage) {
+    this.data = data;
+    this.kinematics = new Kinematics(data);
+    this.q = {}; // positions of free joints that were set [rad or m]
+    this.apart = 0;
+    this.colored = false;
+    this.veiled = false; // whether signs within the asset are shown
+    this.alone = false; // whether only what is lit is not looked through
+    this.lit = [];
+    this.playing = 0; // number of the last animation that was started
+    this.stage = stage;
+    const [low, high] = data.bounds.map(([x, y, z]) => new THREE.Vector3(x, z, -y));
+    const canvas = stage.querySelector("canvas");
+    this.studio = new Studio(canvas, low.distanceTo(high), low.clone().add(high).divideScalar(2));
+    this.model = new Model(nodes, data);
+    this.studio.scene.add(this.model.root);
+    this.signs = new Signs(data, this.model, this.studio.bare);
+    this.panel = new Panel(this, document.getElementById("panel"));
+    this.fit();
+    const corners = cornersOf(data.space);
+    this.orbit = new Orbit(this.studio, canvas, { ...data.view, corners });
+    new ResizeObserver(() => this.fit()).observe(stage);
+    canvas.addEventListener("click", (event) => this.pick(event));
+    const pressed = { closed: () => this.place({}), open: () => this.place(data.open), home: () => this.orbit.reset() };
+    for (const [name, action] of Object.entries(pressed)) document.getElementById(name).addEventListener("click", action);
+    document.getElementById("toggle").addEventListener("click", () => document.body.classList.toggle("narrow"));
+    this.update();
+  }
+
+  /** Moves a joint as far as the others allow it, and says what held it. */
+  move(name, wanted) {
+    this.playing += 1;
+    const { position, by } = this.kinematics.reach(this.q, name, wanted);
+    this.q = { ...this.q, [name]: position };
+    const positions = this.kinematics.positions(this.q);
+    const why = by.map((joint) => {
+      const waits = joint.name === name ? "" : `${joint.name} `;
+      const where = conditionNames(joint.needs.condition).map((each) => `${each} at ${this.at(each, positions[each])}`);
+      return `held: ${waits}needs ${this.spelled(joint)}; ${where.join(", ")}`;
+    });
+    this.update(why.length ? { name, why: why.join("; ") } : null);
+    return position;
+  }
+
+  /** Spells a position of a joint. */
+  at(name, position) {
+    return spelled(this.kinematics.joints.get(name).kind, position);
+  }
+
+  /** Spells what a joint needs, and from where to where it needs that. */
+  spelled({ name, needs }) {
+    const text = (condition) => {
+      const { kind, joint, value, terms } = condition;
+      if (joint) return `${joint} ${kind === "above" ? ">" : "<"} ${this.at(joint, value)}`;
+      return terms.map((term) => (term.joint ? text(term) : `(${text(term)})`)).join(kind === "all" ? " and " : " or ");
+    };
+    const beyond = needs.beyond ? ` beyond ${this.at(name, needs.beyond)}` : "";
+    const until = needs.until === null ? "" : ` until ${this.at(name, needs.until)}`;
+    return text(needs.condition) + beyond + until;
+  }
+
+  /** Puts all joints to positions; those not given stand nearest to 0. */
+  place(q) {
+    this.playing += 1;
+    this.q = { ...q };
+    this.light([], "");
+    this.update();
+  }
+
+  /** Moves the joints from one stop to the next; on a slow machine too, every stop is seen. */
+  play(stops) {
+    this.playing += 1;
+    const own = this.playing;
+    let leg = 0;
+    let began = performance.now();
+    const step = (now) => {
+      if (own !== this.playing) return;
+      const time = Math.min(Math.max(now - began, 0) / 1000 / LEAD, 1);
+      const share = 0.5 - 0.5 * Math.cos(Math.PI * time);
+      const [from, to] = [stops[leg], stops[leg + 1]];
+      const at = (name) => (time < 1 ? from[name] + share * (to[name] - from[name]) : to[name]);
+      this.q = Object.fromEntries(Object.keys(from).map((name) => [name, at(name)]));
+      this.update();
+      if (time === 1) [leg, began] = [leg + 1, now];
+      if (leg < stops.length - 1) requestAnimationFrame(step);
+    };
+    requestAnimationFrame(step);
+  }
+
+  explode(share) {
+    this.apart = share;
+    this.update();
+  }
+
+  /** Switches a kind of sign, or the colours of labels. */
+  show(kind, shown) {
+    if (kind === "labels") this.colored = shown;
+    else this.signs.show(kind, shown);
+    if (kind === "masses" || kind === "colliders") {
+      const boxes = [...document.querySelectorAll("[data-sign=masses], [data-sign=colliders]")];
+      this.veiled = boxes.some((box) => box.checked);
+    }
+    this.dress();
+    this.legend();
+    this.update();
+  }
+
+  /** Shows two links of the certificate in their worst pose. */
+  inspect(pair) {
+    this.place(pair.pose);
+    this.light(pair.links, pair.text, true);
+    this.signs.mark(pair.place);
+    this.studio.redraw();
+  }
+
+  /** Lights up links, and says something of them; alone, the others can be looked through. */
+  light(links, text, alone = false) {
+    this.lit = links;
+    this.alone = alone;
+    this.dress();
+    const tip = document.getElementById("tip");
+    tip.textContent = text;
+    tip.hidden = !text;
+  }
+
+  dress() {
+    const { colored, veiled, alone, lit } = this;
+    this.model.dress({ colors: colored ? this.data.colors : null, veiled: veiled || alone, lit });
+    this.studio.redraw();
+  }
+
+  legend() {
+    const legend = document.getElementById("legend");
+    legend.hidden = !this.colored;
+    const seen = new Set([...this.model.meshes()].map((mesh) => mesh.userData.label));
+    const rows = Object.entries(this.data.colors).filter(([label]) => seen.has(label));
+    legend.replaceChildren(
+      ...rows.map(([label, color]) => {
+        const sample = element("i");
+        sample.style.background = `rgb(${color.map((part) => Math.round(255 * part)).join(",")})`;
+        return element("div", {}, sample, label);
+      }),
+    );
+  }
+
+  /** Tells of the part that was clicked. */
+  pick(event) {
+    if (this.orbit.moved) return;
+    const box = this.studio.renderer.domElement.getBoundingClientRect();
+    const at = new THREE.Vector2(
+      (2 * (event.clientX - box.left)) / box.width - 1,
+      1 - (2 * (event.clientY - box.top)) / box.height,
+    );
+    const ray = new THREE.Raycaster();
+    ray.setFromCamera(at, this.studio.camera);
+    const [hit] = ray.intersectObjects([...this.model.meshes()], false);
+    this.signs.mark(null);
+    if (!hit) {
+      this.light([], "");
+      return;
+    }
+    const { link, label, own } = hit.object.userData;
+    const { mass } = this.data.links.find((each) => each.name === link);
+    this.light([link], `${link} · ${label} · ${own.name} · ${kilograms(mass)}`);
+    document.querySelectorAll("[data-row]").forEach((row) => {
+      if (this.kinematics.joints.get(row.dataset.row).child === link) row.scrollIntoView({ block: "nearest" });
+    });
+  }
+
+  /** Draws everything as it now stands. */
+  update(held = null) {
+    const positions = this.kinematics.positions(this.q);
+    const poses = this.kinematics.poses(this.q);
+    this.model.place(poses.links, this.apart);
+    this.signs.mark(null);
+    this.signs.follow(poses, positions);
+    this.panel.update(positions, held);
+    this.studio.redraw({ moved: true });
+  }
+
+  fit() {
+    const { clientWidth, clientHeight } = this.stage;
+    if (clientWidth && clientHeight) this.studio.resize(clientWidth, clientHeight);
+  }
+}
+
+/** Returns the joints that a condition speaks of. */
+function conditionNames(condition) {
+  return condition.joint ? [condition.joint] : [...new Set(condition.terms.flatMap(conditionNames))];
+}
+
+/** Returns the corners of a box of the asset in the scene, whose y is up. */
+function cornersOf([low, high]) {
+  return [0, 1, 2, 3, 4, 5, 6, 7].map((number) => {
+    const [x, y, z] = [0, 1, 2].map((axis) => ((number >> axis) & 1 ? high : low)[axis]);
+    return new THREE.Vector3(x, z, -y);
+  });
+}
+
+async function start() {
+  const text = async (id) => new TextDecoder().decode(await unpacked(id));
+  const [three, data, glb] = await Promise.all([text("three"), text("data"), unpacked("model")]);
+  document.head.append(element("script", { textContent: three }));
+  const nodes = await nodesOf(glb);
+  const viewer = new Viewer(JSON.parse(data), nodes, document.getElementById("stage"));
+  viewer.studio.draw();
+  document.getElementById("message").hidden = true;
+  viewer.opened = performance.now(); // since the page was asked for [ms]
+  window.artgen = viewer;
+}
+
+start().catch((fault) => {
+  const message = document.getElementById("message");
+  message.className = "fault";
+  message.textContent = `This page cannot be shown: ${fault.message}. It needs a browser with WebGL, of 2023 or newer.`;
+  console.error(fault);
+});

@@ -1,0 +1,95 @@
+// The camera: dragging turns it about the asset, the right button or Shift moves it, the wheel brings it nearer.
+
+const STEEPEST = 1.55; // how far above or below the horizon [rad]
+
+class Orbit {
+  /** Takes the studio and how one first looks at an asset: azimuth and elevation [rad], corners of a box. */
+  constructor(studio, canvas, { azimuth, elevation, corners }) {
+    Object.assign(this, { studio, canvas, home: { azimuth, elevation, corners } });
+    this.fingers = new Map();
+    this.moved = false; // whether the last press was more than a click
+    canvas.addEventListener("pointerdown", (event) => this.press(event));
+    canvas.addEventListener("pointermove", (event) => this.drag(event));
+    for (const name of ["pointerup", "pointercancel"]) {
+      canvas.addEventListener(name, (event) => this.fingers.delete(event.pointerId));
+    }
+    canvas.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
+    canvas.addEventListener("contextmenu", (event) => event.preventDefault());
+    this.reset();
+  }
+
+  /** Looks at the asset as at first, from as near as all of it is seen. */
+  reset() {
+    const { azimuth, elevation, corners } = this.home;
+    Object.assign(this, { azimuth, elevation });
+    this.target = new THREE.Box3().setFromPoints(corners).getCenter(new THREE.Vector3());
+    const { right, up, back } = this.axes();
+    const tall = Math.tan(THREE.MathUtils.degToRad(this.studio.camera.fov / 2));
+    const wide = tall * this.studio.camera.aspect;
+    const needed = corners.map((corner) => {
+      const offset = corner.clone().sub(this.target);
+      return offset.dot(back) + Math.max(Math.abs(offset.dot(right)) / wide, Math.abs(offset.dot(up)) / tall);
+    });
+    this.distance = Math.max(...needed) * 1.08;
+    this.apply();
+  }
+
+  axes() {
+    const [across, along] = [Math.cos(this.elevation), Math.sin(this.elevation)];
+    const back = new THREE.Vector3(Math.sin(this.azimuth) * across, along, Math.cos(this.azimuth) * across);
+    const right = new THREE.Vector3(Math.cos(this.azimuth), 0, -Math.sin(this.azimuth));
+    return { right, back, up: new THREE.Vector3().crossVectors(back, right) };
+  }
+
+  apply() {
+    const { camera } = this.studio;
+    camera.position.copy(this.target).addScaledVector(this.axes().back, this.distance);
+    camera.lookAt(this.target);
+    this.studio.redraw();
+  }
+
+  press(event) {
+    this.canvas.setPointerCapture(event.pointerId);
+    this.fingers.set(event.pointerId, [event.clientX, event.clientY]);
+    this.moved = false;
+  }
+
+  drag(event) {
+    const before = this.fingers.get(event.pointerId);
+    if (!before) return;
+    const [x, y] = [event.clientX - before[0], event.clientY - before[1]];
+    if (Math.hypot(x, y) < 3 && !this.moved) return;
+    this.moved = true;
+    const others = [...this.fingers].filter(([number]) => number !== event.pointerId).map(([, at]) => at);
+    this.fingers.set(event.pointerId, [event.clientX, event.clientY]);
+    if (others.length) this.pinch(before, [event.clientX, event.clientY], others[0]);
+    else if (event.shiftKey || event.buttons === 2) this.pan(x, y);
+    else this.turn(x, y);
+    this.apply();
+  }
+
+  turn(x, y) {
+    this.azimuth -= (x / this.canvas.clientHeight) * Math.PI;
+    const elevation = this.elevation + (y / this.canvas.clientHeight) * Math.PI;
+    this.elevation = Math.min(Math.max(elevation, -STEEPEST), STEEPEST);
+  }
+
+  pan(x, y) {
+    const tall = 2 * this.distance * Math.tan(THREE.MathUtils.degToRad(this.studio.camera.fov / 2));
+    const { right, up } = this.axes();
+    this.target.addScaledVector(right, (-x / this.canvas.clientHeight) * tall);
+    this.target.addScaledVector(up, (y / this.canvas.clientHeight) * tall);
+  }
+
+  pinch(before, after, other) {
+    const apart = ([x, y]) => Math.max(Math.hypot(x - other[0], y - other[1]), 1);
+    this.distance *= apart(before) / apart(after);
+    this.pan((after[0] - before[0]) / 2, (after[1] - before[1]) / 2);
+  }
+
+  wheel(event) {
+    event.preventDefault();
+    this.distance *= Math.exp(event.deltaY * (event.deltaMode ? 0.04 : 0.0012));
+    this.apply();
+  }
+}

@@ -1,0 +1,189 @@
+"""What the viewer knows of an asset: its joints, links, signs, parameters and proof, as JSON data."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from artgen.asset import Asset, Joint
+from artgen.asset.certificate import Certificate, PairResult
+from artgen.export.glb_motion import opening
+from artgen.export.regions import regions
+from artgen.view.opening import opened
+from artgen.view.overlays import Overlays, overlays
+from artgen.view.sheet import shots
+from artgen.view.web.explode import exploded
+
+Array = NDArray[np.float64]
+
+_DECIMALS = 5  # of what is only drawn: 10 micrometres
+
+
+def viewer_data(asset: Asset) -> dict[str, Any]:
+    """Return all that the viewer knows of an asset but its meshes."""
+    signs = overlays(asset)
+    low, high = asset.bounds()
+    view = shots(asset)[1][1]
+    return {
+        "name": asset.name,
+        "category": asset.category,
+        "seed": asset.seed,
+        "version": asset.version,
+        "base": asset.base,
+        "mass": asset.mass,
+        "bounds": [low.tolist(), high.tolist()],
+        "space": _space(asset, ({}, opened(asset))),
+        "view": {"azimuth": view.azimuth, "elevation": view.elevation},
+        "links": _links(asset, signs),
+        "joints": [_joint(asset, joint, signs) for joint in asset.joints],
+        "open": opened(asset),
+        "parameters": {name: plain_value(value) for name, value in asset.parameters.items()},
+        "colors": {label: list(color) for label, color in signs.colors.items()},
+        "certificate": _certificate(asset),
+    }
+
+
+def _space(asset: Asset, poses: Sequence[Mapping[str, float]]) -> Any:
+    """Return the corners of the box that an asset takes in some poses, shape (2, 3) [m]."""
+    corners = []
+    for q in poses:
+        for name, matrix in asset.pose(q).items():
+            box = np.array(np.meshgrid(*asset.link(name).bounds().T)).reshape(3, -1).T
+            corners.append(box @ matrix[:3, :3].T + matrix[:3, 3])
+    points = np.concatenate(corners)
+    return _drawn(np.array([points.min(axis=0), points.max(axis=0)]))
+
+
+def _links(asset: Asset, signs: Overlays) -> list[dict[str, Any]]:
+    shifts = exploded(asset)
+    result = []
+    for link in asset.links:
+        sign = signs.links[link.name]
+        result.append(
+            {
+                "name": link.name,
+                "label": link.label,
+                "origin": asset.origin(link.name).tolist(),
+                "shift": _drawn(shifts[link.name]),
+                "mass": sign.mass,
+                "center": _drawn(sign.center),
+                "colliders": [
+                    {
+                        "label": each.label,
+                        "vertices": _drawn(each.vertices.ravel()),
+                        "triangles": each.triangles.ravel().tolist(),
+                    }
+                    for each in sign.colliders
+                ],
+                "holds": [
+                    {
+                        "name": each.name,
+                        "kind": each.kind,
+                        "frame": each.frame.tolist(),
+                        "width": each.width,
+                    }
+                    for each in sign.holds
+                ],
+            }
+        )
+    return result
+
+
+def _joint(asset: Asset, joint: Joint, signs: Overlays) -> dict[str, Any]:
+    """Return what `asset.positions`, `asset.blocked` and `asset.pose` use of a joint, and its sign."""
+    sign = signs.joints.get(joint.name)
+    needs = None if joint.needs is None else {**joint.needs.to_data(), "text": str(joint.needs)}
+    stops = opening(asset, joint) if joint in asset.free_joints else None
+    return {
+        **joint.to_data(),
+        "closed": joint.closed,
+        "locked": joint.locked,
+        "needs": needs,
+        "stops": None if stops is None else list(stops),
+        "sign": None
+        if sign is None
+        else {"axis": _drawn(sign.axis), "range": _drawn(sign.range), "hand": _drawn(sign.hand)},
+    }
+
+
+def _certificate(asset: Asset) -> dict[str, Any] | None:
+    """Return what is proven of an asset, each pair with the pose that is worst."""
+    certificate = _measured(asset)
+    if certificate is None:
+        return None
+    order = [*certificate.failures, *sorted((pair for pair in certificate.pairs if pair.clear), key=_room)]
+    return {
+        "proven": certificate.proven,
+        "tolerance": certificate.tolerance,
+        "text": str(certificate).partition("\n")[0],
+        "contacts": [str(contact) for contact in certificate.contacts],
+        "pairs": [_pair(asset, pair) for pair in order],
+    }
+
+
+def _measured(asset: Asset) -> Certificate | None:
+    """Return the certificate of an asset with the pose at which each pair is nearest, if all is proven."""
+    certificate = asset.certificate
+    if certificate is None or not certificate.proven or any(pair.found_at for pair in certificate.pairs):
+        return certificate
+    return replace(asset).certify(certificate.tolerance, measure=True)  # a copy: the asset keeps its own
+
+
+def _room(pair: PairResult) -> tuple[float, tuple[str, str]]:
+    return float("inf") if pair.guaranteed is None else pair.guaranteed, pair.links
+
+
+def _pair(asset: Asset, pair: PairResult) -> dict[str, Any]:
+    witness, place, depth = pair.witness, None, None
+    pose: Mapping[str, float] = pair.found_at
+    if witness is not None:
+        pose, place, depth = witness.pose, list(witness.place), witness.depth
+    elif not pair.clear and pair.open_cells:
+        region = pair.open_cells[0].region
+        pose = {name: (low + high) / 2.0 for name, (low, high) in region.items()}
+    return {
+        "links": list(pair.links),
+        "clear": pair.clear,
+        "text": str(pair),
+        "guaranteed": pair.guaranteed,
+        "found": pair.found,
+        "pose": _allowed(asset, pose),
+        "place": place,
+        "depth": depth,
+    }
+
+
+def _allowed(asset: Asset, pose: Mapping[str, float]) -> dict[str, float]:
+    """Return a pose of some joints with the others where what these need allows them to stand there.
+
+    A drawer behind two doors may be nearest to the one while the other, which it needs open, is not said.
+    """
+    result = dict(pose)
+    for name in asset.blocked(pose):
+        needs = asset.joint(name).needs
+        assert needs is not None
+        for region in regions(asset, needs.condition):
+            others = {each: _middle(asset, each, region[each]) for each in region if each not in pose}
+            if name not in asset.blocked({**result, **others}):
+                result |= others
+                break
+    return result
+
+
+def _middle(asset: Asset, name: str, interval: tuple[float, float]) -> float:
+    """Return the middle of what an interval and the limits of a joint have in common."""
+    limits = asset.joint(name).limits or (-np.pi, np.pi)
+    low, high = max(interval[0], limits[0]), min(interval[1], limits[1])
+    return float(min(max((low + high) / 2.0, limits[0]), limits[1]))
+
+
+def plain_value(value: Any) -> Any:
+    """Return a parameter as JSON has it."""
+    return value.item() if isinstance(value, np.generic) else value
+
+
+def _drawn(points: Array) -> Any:
+    """Return points as lists, with as many digits as are seen."""
+    return (np.round(points, _DECIMALS) + 0.0).tolist()

@@ -1,0 +1,96 @@
+"""`artgen new`: the package that it writes works as it is, installed or not."""
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from artgen import catalog
+from artgen.testing import check_category
+
+FILES = {"README.md", "pyproject.toml", "src/stapler.py", "tests/test_stapler.py"}
+
+
+def files_below(folder: Path) -> set[str]:
+    return {path.relative_to(folder).as_posix() for path in folder.rglob("*") if path.is_file()}
+
+
+def run(*arguments: str, folder: Path, path: Path) -> str:
+    done = subprocess.run(
+        [sys.executable, "-m", *arguments],
+        capture_output=True,
+        text=True,
+        check=False,
+        cwd=folder,
+        env={**os.environ, "PYTHONPATH": str(path), "PYTHONDONTWRITEBYTECODE": "1"},
+        timeout=120,
+    )
+    assert done.returncode == 0, done.stdout + done.stderr
+    return done.stdout
+
+
+def test_the_package_works_as_it_is(artgen_command, tmp_path: Path) -> None:
+    made = artgen_command("new", "stapler")
+    assert (made.code, made.err) == (0, "")
+    package = tmp_path / "stapler"
+    assert files_below(package) == FILES
+    assert not [name for name in FILES if "my_category" in (package / name).read_text()]
+    assert "artgen view stapler/src/stapler.py" in made.out
+    # by its file, before anything is installed
+    assert catalog.load_file(package / "src/stapler.py").labels == ("box", "lid", "handle")
+    assert artgen_command("certify", "stapler/src/stapler.py", "--samples", "2", "--no-corners").code == 0
+    assert "2 passed" in run("pytest", "-q", "-p", "no:cacheprovider", folder=package, path=tmp_path)
+    # installed, in a folder of its own instead of this environment
+    site = tmp_path / "site"
+    options = ("--quiet", "--no-deps", "--no-index", "--no-build-isolation", "--target", str(site))
+    run("pip", "install", *options, str(package), folder=tmp_path, path=tmp_path)
+    shown = run("artgen", "list", folder=tmp_path, path=site)
+    line = next(line for line in shown.splitlines() if line.startswith("stapler"))
+    assert "Make a wooden box, shut, with a lid that is hinged at the back." in line
+    assert " 1 " in line  # joint
+
+
+def test_the_starter_is_sound_at_its_corners(artgen_command, tmp_path: Path) -> None:
+    artgen_command("new", "casket", "--dir", str(tmp_path / "deep" / "er"))
+    file = tmp_path / "deep" / "er" / "casket" / "src" / "casket.py"
+    proven = artgen_command("certify", str(file), "--samples", "4")
+    assert proven.out.startswith("casket: 100.0 % proven")
+    check_category(str(file), seeds=[7, 8])
+
+
+@pytest.mark.parametrize(
+    ("name", "message"),
+    [
+        ("door", "there is a category 'door'; choose another name"),
+        ("my-stapler", "'my-stapler' cannot name a category; use small letters, digits and _: stapler"),
+        ("Stapler", "'Stapler' cannot name a category"),
+        ("class", "'class' cannot name a category"),
+        ("uniform", "'uniform' is a word of artgen, which categories import"),
+        ("json", "there is a Python module 'json'; choose another name"),
+        ("../stapler", "'../stapler' cannot name a category"),
+    ],
+)
+def test_a_bad_name_is_refused(artgen_command, tmp_path: Path, name: str, message: str) -> None:
+    result = artgen_command("new", name)
+    assert result.code == 2
+    assert result.err.startswith(f"error: {message}")
+    assert not list(tmp_path.iterdir())
+
+
+def test_an_existing_folder_is_left_alone(artgen_command, tmp_path: Path) -> None:
+    (tmp_path / "stapler").mkdir()
+    (tmp_path / "stapler" / "notes").write_text("mine")
+    result = artgen_command("new", "stapler")
+    assert result.code == 2
+    assert result.err == "error: stapler exists; choose another name, or another place with --dir\n"
+    assert files_below(tmp_path) == {"stapler/notes"}
+
+
+def test_a_disk_that_refuses_leaves_nothing(artgen_command, tmp_path: Path) -> None:
+    (tmp_path / "file").write_text("")
+    result = artgen_command("new", "stapler", "--dir", "file")
+    assert (result.code, files_below(tmp_path)) == (2, {"file"})
+    assert result.err.startswith("error: cannot write file/stapler: ")
+    assert result.err.endswith("; nothing was written\n")

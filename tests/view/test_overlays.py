@@ -1,0 +1,75 @@
+"""What viewers draw over assets: it lies where the asset is, at rest and in any pose."""
+
+import numpy as np
+import pytest
+
+import artgen
+from artgen.asset import Asset
+from artgen.view.overlays import PALETTE, axis_poses, label_colors, overlays
+
+
+@pytest.fixture(scope="module", params=["plier", "drawer", "faucet"])
+def asset(request: pytest.FixtureRequest) -> Asset:
+    return artgen.generate(request.param, seed=1, certify=False)
+
+
+def carried(matrix: np.ndarray, point: np.ndarray) -> np.ndarray:
+    return matrix[:3, :3] @ point + matrix[:3, 3]
+
+
+def test_colliders_are_closed_and_as_large_as_the_pieces(asset: Asset) -> None:
+    signs = overlays(asset)
+    for link in asset.links:
+        drawn = signs.links[link.name].colliders
+        assert [each.label for each in drawn] == [collider.label for collider in link.colliders]
+        for each, collider in zip(drawn, link.colliders, strict=True):
+            corners = each.vertices[each.triangles]
+            volume = np.einsum("ij,ij->", corners[:, 0], np.cross(corners[:, 1], corners[:, 2])) / 6.0
+            assert collider.convex.volume * 0.999 <= volume <= 1.3 * collider.convex.volume
+            outer = [each.vertices.min(axis=0), each.vertices.max(axis=0)]
+            assert np.abs(np.array(outer) - collider.convex.bounds()).max() < 0.0015
+
+
+def test_hands_of_joints_go_along_their_ranges(asset: Asset) -> None:
+    signs = overlays(asset)
+    assert set(signs.joints) == {joint.name for joint in asset.joints if not joint.locked}
+    for joint in asset.free_joints:
+        for number, position in enumerate(joint.limits or ()):
+            q = {joint.name: position}
+            sign = signs.joints[joint.name]
+            pose = axis_poses(asset, q)[joint.name]
+            tip = carried(pose @ joint.motion(position), sign.hand[1])
+            assert np.abs(tip - carried(pose, sign.range[-number])).max() < 1e-9
+            middle = np.cross(sign.axis[1] - sign.axis[0], joint.axis)
+            assert np.abs(middle).max() < 1e-9
+
+
+def test_an_axis_moves_with_what_it_is_on(asset: Asset) -> None:
+    q = {joint.name: joint.limits[1] if joint.limits else 1.0 for joint in asset.free_joints}
+    poses, axes = asset.pose(q), axis_poses(asset, q)
+    positions = asset.positions(q)
+    for parent, child, joints in asset.pairs():
+        assert np.abs(axes[joints[0].name] - poses[parent]).max() < 1e-12
+        last = axes[joints[-1].name] @ joints[-1].motion(positions[joints[-1].name])
+        assert np.abs(last - poses[child]).max() < 1e-12
+
+
+def test_centres_masses_and_holds_are_those_of_the_asset(asset: Asset) -> None:
+    signs = overlays(asset)
+    holds = [hold.name for link in signs.links.values() for hold in link.holds]
+    assert holds == [each.name for each in asset.affordances]
+    total = sum(link.mass * link.center for link in signs.links.values()) / asset.mass
+    assert np.abs(total - asset.mass_properties().center).max() < 1e-9
+
+
+def test_a_label_has_the_same_colour_in_every_asset_of_a_category() -> None:
+    first, second = (label_colors(artgen.generate("plier", seed=seed, certify=False)) for seed in (0, 5))
+    assert all(first[label] == second[label] for label in first.keys() & second.keys())
+    assert len(set(first.values())) == len(first)
+    assert len(set(PALETTE)) == len(PALETTE)
+
+
+def test_the_refrigerator_with_most_labels_has_a_colour_for_each() -> None:
+    colors = label_colors(artgen.generate("refrigerator", seed=0, certify=False))
+    assert len(colors) > 25
+    assert len(set(colors.values())) == len(colors)
