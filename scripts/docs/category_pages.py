@@ -20,7 +20,7 @@ from artgen.sampling.distributions import Fixed, LogUniform, Normal, shown
 from artgen.survey.markdown import escaped
 
 FOLDER = "categories"
-SEEDS = 8
+SEEDS = 6
 """How many seeds of a category its joints are counted over."""
 
 _SOURCES = re.compile(r"\b(Sizes|Constructions) (of|are those)\b")  # begins what says where numbers are from

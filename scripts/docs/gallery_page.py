@@ -1,6 +1,7 @@
 """The gallery: a viewer for one seed of each category, and the page that leads there."""
 
 import io
+from functools import lru_cache
 
 from PIL import Image
 
@@ -36,6 +37,7 @@ def thumbnail_of(category: str) -> str:
     return f"viewers/{category}.webp"
 
 
+@lru_cache(maxsize=1)
 def _asset(category: str) -> Asset:
     return find(category).generate(SEEDS.get(category, 0))
 

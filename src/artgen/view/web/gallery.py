@@ -25,7 +25,7 @@ INDEX = "index.html"
 
 _MARK = '<meta name="generator" content="artgen gallery">'  # in the page: what stands beside it is ours
 _PICTURE = 288  # pixels on a side
-_SAMPLES = 4  # how finely shadows and edges are drawn
+_SAMPLES = 8  # how finely shadows and edges are drawn
 _QUALITY = 84  # of JPEG
 
 
