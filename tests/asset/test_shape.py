@@ -1,9 +1,14 @@
+import functools
+import operator
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from artgen import Y, cylinder_between, vector
 from artgen.asset.shape import ComposedShape, Shape
+from artgen.graph import evaluate
 from artgen.nodes import arrays, primitive, sweep, transform
 from artgen.nodes.path import _polyline
 from artgen.nodes.profile import _circle
@@ -46,6 +51,11 @@ def test_solids_that_are_apart_are_one_solid_with_all_their_parts():
     assert {len(part) for part in row.parts} == {len(pin.parts[0])}
     moved = transform._translate(row, X)
     np.testing.assert_allclose(moved.bounds(), row.bounds() + X)
+    mesh = row.mesh
+    one = Shape.from_mesh(mesh.vertices, mesh.normals, mesh.uvs, mesh.triangles, row.pieces)
+    places = sorted(part[:, 0].mean() for part in one.parts)
+    np.testing.assert_allclose(places, [0.0, 0.05, 0.1, 0.15], rtol=0, atol=1e-12)
+    assert {tuple(point) for part in one.parts for point in part} == {tuple(point) for point in one.vertices}
 
 
 @pytest.mark.parametrize(
@@ -89,3 +99,18 @@ def test_triangles_without_height_are_cut_another_way():
     areas = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
     assert areas.min() > 1e-4
     assert shape.manifold.volume() == pytest.approx(0.2 * 0.1 * 0.05)
+
+
+@pytest.mark.parametrize(("length", "turn"), [(0.1, 0.4 * np.pi), (0.15, 1.257), (0.2, 0.7)])
+def test_rods_that_meet_in_a_point_have_normals_everywhere(length, turn):
+    """manifold3d leaves some of the corners there without any."""
+    rods = [
+        cylinder_between((0, 0, 0), vector(0, 0, length).rotate(Y, turn * number), 0.01)
+        for number in range(5)
+    ]
+    star = evaluate(functools.reduce(operator.or_, rods)).value
+    mesh = star.mesh
+    for values in (mesh.vertices, mesh.normals, mesh.uvs):
+        assert np.isfinite(values).all()
+    np.testing.assert_allclose(np.linalg.norm(mesh.normals, axis=1), 1.0, rtol=0, atol=1e-9)
+    assert not mesh.paints.any()

@@ -1,10 +1,12 @@
-"""The watertight surfaces of manifold3d: made of triangles, and moved."""
+"""The watertight surfaces of manifold3d: made of triangles, mended and moved."""
 
 from functools import lru_cache
 
 import numpy as np
 from manifold3d import Manifold, Mesh64
 from numpy.typing import ArrayLike, NDArray
+
+from artgen.colliders.triangles import cross
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
@@ -62,6 +64,32 @@ def manifold_of(table: Array, triangles: ArrayLike, merged: ArrayLike, target: A
             run_flags=np.array([_HAS_NORMALS], np.uint8),
         )
     )
+
+
+def mended(table: Array, triangles: Indices) -> Array:
+    """Return the vertices of a manifold with numbers where a boolean left none.
+
+    Where many solids meet in a point, manifold3d makes corners between sides of no length: without normal,
+    texture coordinates or paint. They get those of the largest face at them.
+
+    Args:
+        table: x y z and the channels of `PROPERTIES` of each vertex, shape (n, 3 + PROPERTIES).
+        triangles: Vertex indices, shape (m, 3).
+    """
+    whole = np.isfinite(table).all(axis=1) & table[:, 3:6].any(axis=1)
+    if whole.all():
+        return table
+    table = table.copy()
+    a, b, c = table[:, :3][triangles.T]
+    across = cross(b - a, c - a)
+    area = np.linalg.norm(across, axis=1)
+    for vertex in np.flatnonzero(~whole):
+        faces = np.flatnonzero((triangles == vertex).any(axis=1))
+        face = faces[np.argmax(area[faces])]
+        others = [corner for corner in triangles[face] if whole[corner]]
+        table[vertex, 6:] = table[others[0], 6:] if others else 0.0
+        table[vertex, 3:6] = across[face] / area[face] if area[face] > 0.0 else (0.0, 0.0, 1.0)
+    return table
 
 
 def coincident(vertices: Array) -> Indices:

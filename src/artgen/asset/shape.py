@@ -15,6 +15,7 @@ from artgen.asset.manifolds import (
     connected,
     groups,
     manifold_of,
+    mended,
     moved_manifold,
 )
 from artgen.colliders import Pieces, union
@@ -147,7 +148,8 @@ class Shape:
     def mesh(self) -> Mesh:
         """The triangles of the surface, in one order for one shape however it was cached."""
         raw = self.manifold.to_mesh64()
-        return _mesh(np.asarray(raw.vert_properties), np.asarray(raw.tri_verts).astype(np.int64))
+        triangles = np.asarray(raw.tri_verts).astype(np.int64)
+        return _mesh(mended(np.asarray(raw.vert_properties), triangles), triangles)
 
     @property
     def vertices(self) -> Array:
