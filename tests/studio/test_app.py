@@ -125,7 +125,7 @@ def test_wrong_options_are_one_line(
     arguments: list[str], told: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
     with pytest.raises(SystemExit) as ended:
-        main(["studio", str(CRATE), "--no-browser", *arguments])
+        main(["studio", str(CRATE), "--no-open", *arguments])
     assert ended.value.code == 2
     error = capsys.readouterr().err
     assert told in error
@@ -139,7 +139,7 @@ def test_without_viser_it_names_the_extra(monkeypatch: pytest.MonkeyPatch) -> No
 
 
 def test_ctrl_c_ends_it_without_a_trace() -> None:
-    command = [sys.executable, "-m", "artgen", "studio", str(CRATE), "--port", "0", "--no-browser"]
+    command = [sys.executable, "-m", "artgen", "studio", str(CRATE), "--port", "0", "--no-open"]
     process = subprocess.Popen(
         command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True
     )

@@ -76,7 +76,7 @@ def mended(table: Array, triangles: Indices) -> Array:
         table: x y z and the channels of `PROPERTIES` of each vertex, shape (n, 3 + PROPERTIES).
         triangles: Vertex indices, shape (m, 3).
     """
-    whole = np.isfinite(table).all(axis=1) & table[:, 3:6].any(axis=1)
+    whole = np.logical_and(np.isfinite(table).all(axis=1), table[:, 3:6].any(axis=1))
     if whole.all():
         return table
     table = table.copy()

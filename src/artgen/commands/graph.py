@@ -6,20 +6,16 @@ from typing import Annotated
 import typer
 
 from artgen.catalog import find
+from artgen.commands.source import Category, Overrides, Seed
 from artgen.commands.view import show_file
 from artgen.overrides import parse_overrides
 
 
 def graph(
-    category: Annotated[
-        str, typer.Argument(help="Name of a category, which `artgen list` shows, or a file that defines one.")
-    ],
+    category: Category,
     *,
-    seed: Annotated[int, typer.Option(help="Decides every draw.")] = 0,
-    overrides: Annotated[
-        list[str] | None,
-        typer.Option("--set", metavar="NAME=VALUE", help="A value for a parameter. May be given often."),
-    ] = None,
+    seed: Seed = 0,
+    overrides: Overrides = None,
     change: Annotated[
         list[str] | None,
         typer.Option(

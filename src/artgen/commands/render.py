@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import typer
 
-from artgen.commands.source import asset_from
+from artgen.commands.source import Source, SourceOverrides, SourceSeed, asset_from
 from artgen.errors import ParameterError
 
 if TYPE_CHECKING:
@@ -13,18 +13,10 @@ if TYPE_CHECKING:
 
 
 def render(
-    source: Annotated[
-        str,
-        typer.Argument(
-            metavar="DIRECTORY|CATEGORY", help="An exported asset, a category, or a file with one."
-        ),
-    ],
+    source: Source,
     *,
-    seed: Annotated[int, typer.Option(help="Of a category: decides every draw.")] = 0,
-    overrides: Annotated[
-        list[str] | None,
-        typer.Option("--set", metavar="NAME=VALUE", help="Of a category: a value for a parameter."),
-    ] = None,
+    seed: SourceSeed = 0,
+    overrides: SourceOverrides = None,
     positions: Annotated[
         list[str] | None,
         typer.Option(

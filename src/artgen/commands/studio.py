@@ -6,26 +6,20 @@ from typing import Annotated
 
 import typer
 
+from artgen.commands.source import Category, Overrides, Seed
 from artgen.overrides import parse_overrides
 
 
 def studio(
-    category: Annotated[
-        str, typer.Argument(help="Name of a category, which `artgen list` shows, or a file that defines one.")
-    ],
+    category: Category,
     *,
-    seed: Annotated[int, typer.Option(help="Decides every draw.")] = 0,
-    overrides: Annotated[
-        list[str] | None,
-        typer.Option(
-            "--set", metavar="NAME=VALUE", help="A value for a parameter. May be given several times."
-        ),
-    ] = None,
+    seed: Seed = 0,
+    overrides: Overrides = None,
     host: Annotated[
         str, typer.Option(help="Where to serve; 0.0.0.0 lets other machines in, which may then export files.")
     ] = "127.0.0.1",
     port: Annotated[int, typer.Option(help="Where to serve; 0 takes any that is free.")] = 8080,
-    browser: Annotated[bool, typer.Option(help="Open it in the browser.")] = True,
+    opening: Annotated[bool, typer.Option("--open/--no-open", help="Open it in the browser.")] = True,
 ) -> None:
     """Turn the parameters and joints of a category in the browser; needs artgen[studio].
 
@@ -38,7 +32,7 @@ def studio(
     served = Studio(session, host, port)
     try:
         typer.echo(f"{session.source.generator.name} in the studio: {served.address} (Ctrl-C ends it)")
-        if browser:
+        if opening:
             webbrowser.open(served.address)
         while True:
             time.sleep(1.0)

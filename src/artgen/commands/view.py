@@ -6,25 +6,17 @@ from typing import Annotated
 
 import typer
 
-from artgen.commands.source import asset_from
+from artgen.commands.source import Source, SourceOverrides, SourceSeed, asset_from
 
 TEXELS = 512
 """Texels on a side of the maps, unless said otherwise."""
 
 
 def view(
-    source: Annotated[
-        str,
-        typer.Argument(
-            metavar="DIRECTORY|CATEGORY", help="An exported asset, a category, or a file with one."
-        ),
-    ],
+    source: Source,
     *,
-    seed: Annotated[int, typer.Option(help="Of a category: decides every draw.")] = 0,
-    overrides: Annotated[
-        list[str] | None,
-        typer.Option("--set", metavar="NAME=VALUE", help="Of a category: a value for a parameter."),
-    ] = None,
+    seed: SourceSeed = 0,
+    overrides: SourceOverrides = None,
     certify: Annotated[
         bool, typer.Option(help="Of a category: prove it, and draw again what collides.")
     ] = True,
