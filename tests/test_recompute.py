@@ -51,16 +51,16 @@ def test_nothing_runs_when_nothing_changes(door: tuple[Cache, dict[str, float], 
 def test_only_a_structural_value_builds_the_graph_again(monkeypatch: pytest.MonkeyPatch) -> None:
     crate = load_file(pathlib.Path(__file__).parent / "support" / "crate.py")
     calls = []
+    cache = Cache()
     function = crate.function
     monkeypatch.setattr(crate, "function", lambda **given: calls.append(given) or function(**given))
-    first = crate.evaluate(1, certify=False, overrides={"handle": "bar", "finish": "plain"})[0]
+    plain = {"handle": "bar", "finish": "plain"}
+    first = crate.evaluate(1, cache=cache, certify=False, overrides=plain)[0]
     for overrides in ({"width": 0.31}, {"swing": 1.1}, {"handle.length": 0.09}):
-        asset = crate.evaluate(1, certify=False, overrides={"handle": "bar", "finish": "plain", **overrides})[
-            0
-        ]
+        asset = crate.evaluate(1, cache=cache, certify=False, overrides=plain | overrides)[0]
         assert asset.parameters != first.parameters
     assert len(calls) == 1
-    raised = crate.evaluate(1, certify=False, overrides={"handle": "bar", "finish": "raised"})[0]
+    raised = crate.evaluate(1, cache=cache, certify=False, overrides=plain | {"finish": "raised"})[0]
     assert len(calls) == 2
     assert raised.link("lid").bounds()[1, 2] >= first.link("lid").bounds()[1, 2]
     assert raised.mass > first.mass

@@ -18,9 +18,9 @@ from artgen import (
     Y,
     Z,
     box,
-    category,
     choice,
     cylinder,
+    generator,
     grasp_on,
     material,
     part,
@@ -35,7 +35,7 @@ from support.browser import Browser, Tab, started
 CLOSE = 1e-9
 
 
-@category(labels=("case", "door", "drawer", "dial"))
+@generator
 def locker(
     *,
     width: Float = uniform(0.39, 0.41, "m"),
@@ -56,7 +56,7 @@ def locker(
     return body.attach(drawer, slide).attach(part(dial, "dial", material("brass")), spin)
 
 
-@category(labels=("wall", "flap"))
+@generator
 def clash() -> Body:
     """A flap that swings into a wall."""
     flap = box(0.2, 0.02, 0.2).at(0, -0.05, 0.1)
@@ -202,7 +202,7 @@ def test_an_overlay_is_shown_and_hidden_again(tab: Tab, sign: str) -> None:
     tab.page.check(f"[data-sign={sign}]")
     assert changed(before, stage(tab)) > 0.0002
     if sign == "labels":
-        assert tab.page.inner_text("#legend").split() == ["case", "door", "drawer", "dial"]
+        assert tab.page.inner_text("#legend").split() == ["case", "dial", "door", "drawer"]
     else:
         assert tab.page.evaluate(f"artgen.signs.groups.{sign}.visible")
     tab.page.uncheck(f"[data-sign={sign}]")

@@ -244,7 +244,8 @@ class Generator(Variant):
             if values in refused:  # few parameters, or few values of them, give the same sample again
                 continue
             try:
-                body = self._built.of(values)
+                # who has a cache of his own changes one value after another; else nothing is taken for granted
+                body = self.build(values) if cache is None else self._built.of(values)
                 evaluation = Graph(body).evaluate(values, _SHARED_CACHE if cache is None else cache)
                 try:
                     asset = self._asset(body, evaluation, values, name, base, seed=seed, attempt=attempt)

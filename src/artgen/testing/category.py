@@ -6,7 +6,7 @@ from typing import Any, Literal
 from artgen.asset import Asset
 from artgen.catalog import find
 from artgen.check.validate import validate
-from artgen.errors import ArtgenError, InfeasibleError, ParameterError
+from artgen.errors import ArtgenError, BuildError, InfeasibleError, ParameterError
 from artgen.generator import Generator
 from artgen.graph import Cache, Graph
 
@@ -78,6 +78,10 @@ def _faults(
         asset = generated()
     except ParameterError:
         raise
+    except BuildError as error:
+        if error.__cause__ is None or isinstance(error.__cause__, ArtgenError):
+            return _drawn(generator, seed, overrides, error), [f"generate: {error}"]
+        raise error.__cause__ from None  # a mistake of the author, whose traceback shows it best
     except ArtgenError as error:
         return _drawn(generator, seed, overrides, error), [f"generate: {error}"]
     faults = []
