@@ -146,7 +146,11 @@ def test_ctrl_c_ends_it_without_a_trace() -> None:
         f"main(['studio', {str(CRATE)!r}, '--port', '0', '--no-open'])"
     )
     process = subprocess.Popen(
-        [sys.executable, "-c", program], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True
+        [sys.executable, "-c", program],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        start_new_session=True,
     )
     try:
         assert process.stdout is not None

@@ -244,7 +244,7 @@ class Generator(Variant):
             if values in refused:  # few parameters, or few values of them, give the same sample again
                 continue
             try:
-                # who has a cache of his own changes one value after another; else nothing is taken for granted
+                # a cache of his own has who changes one value after another; else all is made anew
                 body = self.build(values) if cache is None else self._built.of(values)
                 evaluation = Graph(body).evaluate(values, _SHARED_CACHE if cache is None else cache)
                 try:
