@@ -19,6 +19,7 @@ TREE = {
     "CheckError": RuntimeError,
     "ExportError": OSError,
     "ClientError": RuntimeError,
+    "EnvError": RuntimeError,
     "RenderError": RuntimeError,
 }
 

@@ -38,6 +38,7 @@ PAGES: Mapping[str, tuple[str, tuple[str, ...]]] = {
     "materials": ("Materials", ("Material", "materials.table.material", "coloured", "MATERIALS", "COLORS")),
     "graphs": ("Graphs", ("Graph", "Cache", "Evaluation")),
     "datasets": ("Datasets", ("Dataset", "stream", "dataset.generate_many", "dataset.Plan")),
+    "images": ("Images for training", ("images.make_images", "images.ImagePlan")),
     "views": (
         "Pictures",
         (

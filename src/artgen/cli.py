@@ -12,10 +12,12 @@ from artgen.catalog import broken, categories, find
 from artgen.commands.certify import certify as certify_category
 from artgen.commands.clients import clients
 from artgen.commands.colliders import colliders
+from artgen.commands.demos import demos
 from artgen.commands.export import export
 from artgen.commands.gallery import gallery
 from artgen.commands.generate import generate
 from artgen.commands.graph import graph
+from artgen.commands.images import images
 from artgen.commands.new import new
 from artgen.commands.render import render
 from artgen.commands.sheet import sheet
@@ -116,10 +118,12 @@ app.command(name="certify")(certify_category)
 app.command()(validate)
 app.command()(clients)
 app.command()(colliders)
+app.command()(demos)
 app.command()(export)
 app.command()(gallery)
 app.command()(generate)
 app.command()(graph)
+app.command()(images)
 app.command()(new)
 app.command()(render)
 app.command()(sheet)

@@ -10,6 +10,7 @@
     ├── CheckError(RuntimeError)        a check found a fault
     ├── ExportError(OSError)            files could not be written or read
     ├── ClientError(RuntimeError)       the environment of a client could not be made
+    ├── EnvError(RuntimeError)          a task cannot be set up, or a package that it needs is not there
     └── RenderError(RuntimeError)       a renderer, or a library that it needs, is not there
 
 Each is also the natural builtin, so `except ValueError` works. A message says what is wrong, where
@@ -68,6 +69,10 @@ class ExportError(ArtgenError, OSError):
 
 class ClientError(ArtgenError, RuntimeError):
     """The environment of a client could not be made."""
+
+
+class EnvError(ArtgenError, RuntimeError):
+    """A manipulation task cannot be set up: an asset lacks the part, or a package is not there."""
 
 
 class RenderError(ArtgenError, RuntimeError):

@@ -1,6 +1,5 @@
 """`artgen generate`: one asset, or a dataset of many."""
 
-from pathlib import Path
 from typing import Annotated, Any, Literal
 
 import typer
@@ -8,20 +7,16 @@ import typer
 from artgen.asset.files import main_files
 from artgen.catalog import find
 from artgen.commands.export import check_formats
-from artgen.commands.progress import rate_bar
-from artgen.dataset import Plan, Summary, TextureMode, generate_many
+from artgen.commands.many import many
+from artgen.dataset import Plan, TextureMode, generate_many
 from artgen.dataset.engine import EngineName
-from artgen.dataset.target import GO_ON, is_url
+from artgen.dataset.target import is_url
 from artgen.export import DEFAULT_FORMATS, FORMATS, LAYOUTS, TEXTURES
 from artgen.export.collision import Collision
 from artgen.export.precision import check_precision
 from artgen.generator import OnCollision
 from artgen.materials.textures import check_size
 from artgen.overrides import parse_overrides
-
-_FAULT = 1  # exit code
-_INTERRUPTED = 130  # exit code
-_SHOWN = 20  # failed seeds that are spelt out
 
 
 def generate(
@@ -174,7 +169,12 @@ def generate(
         mesh_precision=mesh_precision,
         **options,
     )
-    _many(plan, out, {"jobs": jobs, "engine": engine, "address": address})
+    many(
+        lambda step, begin: generate_many(
+            plan, out, jobs=jobs, engine=engine, address=address, progress=step, begin=begin
+        ),
+        out,
+    )
 
 
 def _one(
@@ -203,42 +203,3 @@ def _one(
         )
     for path in main_files(directory).values():
         typer.echo(path)
-
-
-def _many(plan: Plan, out: str, run: dict[str, Any]) -> None:
-    """Generate a dataset, show how it goes on, and list what cannot be made.
-
-    Raises:
-        Exit: An asset cannot be made.
-    """
-    try:
-        with rate_bar() as bar:
-            task = bar.add_task(Path(out).name, total=None, failed="")
-            failed = 0
-
-            def step(record: dict[str, Any]) -> None:
-                nonlocal failed
-                failed += record["state"] != "done"
-                bar.update(task, advance=1, failed=f"{failed} failed" if failed else "")
-
-            summary = generate_many(
-                plan, out, progress=step, begin=lambda left: bar.update(task, total=left), **run
-            )
-    except KeyboardInterrupt:
-        typer.echo(f"interrupted; {GO_ON}", err=True)
-        raise typer.Exit(_INTERRUPTED) from None
-    _tell(summary, out)
-    if summary.failed:
-        raise typer.Exit(_FAULT)
-
-
-def _tell(summary: Summary, out: str) -> None:
-    """List what cannot be made on stderr, and say on stdout what there is."""
-    for record in summary.failed[:_SHOWN]:
-        typer.echo(f"{record['name']}: {record['error']}", err=True)
-    if len(summary.failed) > _SHOWN:
-        typer.echo(f"and {len(summary.failed) - _SHOWN} more: manifest.jsonl lists them", err=True)
-    each = f", {summary.seconds / summary.made:.2f} s each" if summary.made else ""
-    before = f", {summary.kept} were there" if summary.kept else ""
-    failed = f", {len(summary.failed)} cannot be made" if summary.failed else ""
-    typer.echo(f"made {summary.made} assets in {summary.seconds:.0f} s{each}{before}{failed}: {out}")

@@ -15,7 +15,7 @@ from typing import Any
 from artgen.asset.files import ASSET_FILE
 from artgen.asset.record import json_text
 from artgen.dataset.lines import lines_in
-from artgen.dataset.plan import Item, Plan
+from artgen.dataset.plan import Draws, Item, Plan
 from artgen.dataset.record import record_of
 from artgen.dataset.target import GO_ON, PLAN_FILE, Lines, Target
 from artgen.errors import ExportError, ParameterError
@@ -23,7 +23,6 @@ from artgen.version import __version__
 
 MANIFEST_FILE = "manifest.jsonl"
 
-_FORMAT = "artgen-dataset-1"
 _TOGETHER = 256  # files that are read at once
 
 
@@ -36,22 +35,22 @@ class Folder:
         records: The line of each asset that is done or failed, by its name.
     """
 
-    def __init__(self, target: Target, plan: Plan) -> None:
+    def __init__(self, target: Target, plan: Draws) -> None:
         self.target, self.plan = target, plan
         self.records: dict[str, dict[str, Any]] = {}
         self._lines: Lines | None = None
 
     @staticmethod
     @contextmanager
-    def opened(target: Target, plan: Plan) -> Iterator["Folder"]:
+    def opened(target: Target, plan: Draws) -> Iterator["Folder"]:
         """Open a folder for one run, made if there is none; what a killed run left is put in order.
 
         Raises:
             ExportError: It holds other things, or assets of another plan or version, maps cannot be shared
                 there, another run writes to it, or the disk refuses.
         """
-        folder = Folder(target, _placed(plan, target))
-        with _writing(target):
+        folder = Folder(target, plan.placed(target))
+        with writing(target):
             _check_content(target)
             with target.opened():
                 folder._begin()
@@ -65,13 +64,13 @@ class Folder:
         """Add the line of an asset that is done or failed."""
         assert self._lines is not None
         self.records[item.name] = record
-        with _writing(self.target):
+        with writing(self.target):
             self._lines.add(_line(record))
 
     def finish(self) -> None:
         """Bring the manifest into the order of the plan."""
         assert self._lines is not None
-        with _writing(self.target):
+        with writing(self.target):
             self._lines.close()
             ordered = (
                 _line(self.records[item.name]) for item in self.plan.items() if item.name in self.records
@@ -79,7 +78,7 @@ class Folder:
             self.target.write(MANIFEST_FILE, "".join(ordered).encode())
 
     def _begin(self) -> None:
-        before = _read_plan(self.target)
+        before = _read_plan(self.target, type(self.plan))
         if before is not None:
             _check_same(self.target, before, self.plan)
         if self.plan != before:
@@ -103,21 +102,12 @@ def _state(known: Mapping[str, dict[str, Any]], item: Item) -> str:
     return str(known[item.name]["state"]) if item.name in known else ""
 
 
-def _placed(plan: Plan, target: Target) -> Plan:
-    """Return a plan that says where maps are kept: once for all where the place knows links.
-
-    Raises:
-        ExportError: They are to be shared elsewhere.
-    """
-    if plan.textures == "shared" and not target.links:
-        raise ExportError(
-            f"maps are shared by links, and {target} knows none; choose the textures 'embedded' or 'none'"
-        )
-    return replace(plan, textures=plan.textures or ("shared" if target.links else "embedded"))
-
-
-def stored_plan(target: Target) -> dict[str, Any] | None:
+def stored_plan(target: Target, form: str = Plan.FORMAT) -> dict[str, Any] | None:
     """Return what a folder says of its dataset; None if it holds none.
+
+    Args:
+        target: The folder.
+        form: What its format has to be.
 
     Raises:
         ExportError: The file is damaged, or of another format.
@@ -130,18 +120,18 @@ def stored_plan(target: Target) -> dict[str, Any] | None:
     except ValueError as error:
         raise ExportError(f"{target}/{PLAN_FILE} is damaged: {error}; choose another folder") from error
     found = data.get("format") if isinstance(data, dict) else None
-    if found != _FORMAT:
-        raise ExportError(f"{target}/{PLAN_FILE} has format {found!r}; this version reads {_FORMAT!r}")
+    if found != form:
+        raise ExportError(f"{target}/{PLAN_FILE} has format {found!r}, not {form!r}; choose another folder")
     return dict(data)
 
 
-def _read_plan(target: Target) -> Plan | None:
+def _read_plan(target: Target, kind: type[Draws]) -> Draws | None:
     """Return the plan of a folder that a run may go on with; None if it holds no dataset.
 
     Raises:
         ExportError: It holds one that cannot be read, or of another version.
     """
-    data = stored_plan(target)
+    data = stored_plan(target, kind.FORMAT)
     if data is None:
         return None
     if data["version"] != __version__:
@@ -150,7 +140,7 @@ def _read_plan(target: Target) -> Plan | None:
             "may give others; choose another folder"
         )
     try:
-        return Plan.from_data(data["plan"])
+        return kind.from_data(data["plan"])
     except ParameterError as error:
         raise ExportError(f"{target}/{PLAN_FILE}: {error}") from error
 
@@ -196,7 +186,7 @@ def _check_content(target: Target) -> None:
         )
 
 
-def _check_same(target: Target, before: Plan, plan: Plan) -> None:
+def _check_same(target: Target, before: Draws, plan: Draws) -> None:
     """Refuse to add assets of another plan: there may only be more of them."""
     if before.count > plan.count:
         raise ExportError(
@@ -217,8 +207,8 @@ def _shown(value: Any) -> str:
     return ",".join(map(str, value)) or "none" if isinstance(value, list) else repr(value)
 
 
-def _plan_text(plan: Plan) -> str:
-    return json_text({"format": _FORMAT, "version": __version__, "plan": plan.to_data()})
+def _plan_text(plan: Draws) -> str:
+    return json_text({"format": plan.FORMAT, "version": __version__, "plan": plan.to_data()})
 
 
 def _line(record: Mapping[str, Any]) -> str:
@@ -226,7 +216,7 @@ def _line(record: Mapping[str, Any]) -> str:
 
 
 @contextmanager
-def _writing(target: Target) -> Iterator[None]:
+def writing(target: Target) -> Iterator[None]:
     """Say of errors of the disk where they were met, and that nothing is lost."""
     try:
         yield

@@ -1,10 +1,10 @@
 """One asset of a dataset: drawn, proven and written, in a process of its own."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
 from artgen.asset.files import ASSET_FILE
-from artgen.catalog import find
 from artgen.dataset.plan import Item, Plan
 from artgen.dataset.record import failure, record_of
 from artgen.dataset.target import Target
@@ -33,27 +33,33 @@ def make(item: Item, *, plan: Plan, target: Target) -> Made:
         plan: How assets are drawn and written.
         target: Where to.
     """
+    return put(item, lambda: _files(item, plan), target, share=plan.textures == "shared")
+
+
+def put(item: Item, files_of: Callable[[], dict[str, bytes]], target: Target, *, share: bool) -> Made:
+    """Make the files of an item and put them in its place.
+
+    Args:
+        item: Which.
+        files_of: Makes them, an `asset.json` among them.
+        target: Where to.
+        share: Whether its maps are links to those of others.
+    """
     try:
-        files = _files(item, plan)
+        files = files_of()
     except Exception as error:  # noqa: BLE001 - whatever a category raises, the others go on
         return Made(failure(item.name, item.category, item.seed, _told(error)))
     try:
-        target.put(files, item.path, share=plan.textures == "shared")
+        target.put(files, item.path, share=share)
     except OSError as error:
         return Made(None, error.strerror or str(error))
     return Made(record_of(files[ASSET_FILE], item.path))
 
 
 def _files(item: Item, plan: Plan) -> dict[str, bytes]:
-    asset, _ = find(item.category).evaluate(
-        item.seed,
-        base=plan.base,
-        certify=plan.certify,
-        tolerance=plan.tolerance,
-        on_collision=plan.on_collision,
-        overrides=plan.overrides_of(item.category),
+    return encode(
+        plan.draw(item), plan.formats, plan.collision, plan.texels, plan.layout, plan.mesh_precision
     )
-    return encode(asset, plan.formats, plan.collision, plan.texels, plan.layout, plan.mesh_precision)
 
 
 def _told(error: Exception) -> str:

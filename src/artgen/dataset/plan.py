@@ -1,13 +1,14 @@
 """What a dataset is to hold: categories, seeds, and how assets are drawn and written."""
 
 from collections.abc import Iterator, Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from functools import cached_property
-from typing import Any, Literal, get_args
+from typing import Any, ClassVar, Literal, Self, get_args
 
-from artgen.asset.asset import Base
+from artgen.asset.asset import Asset, Base
 from artgen.catalog import find, is_file
-from artgen.errors import ParameterError
+from artgen.dataset.target import Target
+from artgen.errors import ExportError, ParameterError
 from artgen.export.collision import Collision
 from artgen.export.files import chosen_formats, find_layout
 from artgen.export.formats import TEXTURES
@@ -46,10 +47,11 @@ class Item:
 
 
 @dataclass(frozen=True)
-class Plan:
-    """What a dataset holds and how it is made; two runs with equal plans write the same bytes.
+class Draws:
+    """Which assets a folder is made of, and how they are drawn; what is written of each, subclasses say.
 
     Attributes:
+        FORMAT: Marks the folders of such plans.
         categories: Names of the categories, each once.
         count: How many assets, shared evenly among the categories: the first one gets what is left over.
         seed: The first seed of each category; the others follow it.
@@ -58,13 +60,9 @@ class Plan:
         certify: Whether each is proven free of collisions.
         tolerance: Clearance between links that has to be proven [m].
         on_collision: What to do if that is not proven.
-        formats: What is written of each.
-        layout: How its files lie.
-        collision: Which colliders it carries.
-        textures: Where its maps are kept; by default shared in a folder and embedded at a URL.
-        texture_size: Texels on a side of them.
-        mesh_precision: How far what is seen may lie from what was made [m].
     """
+
+    FORMAT: ClassVar[str]
 
     categories: tuple[str, ...]
     count: int
@@ -74,19 +72,12 @@ class Plan:
     certify: bool = True
     tolerance: float = 0.0
     on_collision: OnCollision = "redraw"
-    formats: tuple[str, ...] = ()
-    layout: str = "flat"
-    collision: Collision = "exact"
-    textures: TextureMode | None = None
-    texture_size: int = TEXTURES
-    mesh_precision: float = 0.0
 
     def __post_init__(self) -> None:
         """Refuse what no run could do, before anything is written.
 
         Raises:
             ParameterError: A category, number or override is unknown or not allowed.
-            ExportError: A layout or format is.
         """
         if not self.categories:
             raise ParameterError("a dataset needs at least one category")
@@ -95,11 +86,6 @@ class Plan:
             raise ParameterError(f"the category {twice!r} is named twice; leave one of them out")
         if self.count < 1:
             raise ParameterError(f"a dataset holds at least one asset, not {self.count}")
-        if self.textures not in (None, *get_args(TextureMode)):
-            raise ParameterError(f"textures are shared, embedded or none, not {self.textures!r}")
-        check_size(self.texture_size)
-        check_precision(self.mesh_precision)
-        vars(self)["formats"] = chosen_formats(find_layout(self.layout), self.formats or None)
         for name in self.categories:
             if is_file(name):  # its assets are named by it, and other machines may not have it
                 raise ParameterError(
@@ -113,6 +99,18 @@ class Plan:
         several = len(self.categories)
         for number in range(self.count):
             yield Item(self.categories[number % several], self.seed + number // several)
+
+    def draw(self, item: Item) -> Asset:
+        """Make an asset as the plan says."""
+        asset, _ = find(item.category).evaluate(
+            item.seed,
+            base=self.base,
+            certify=self.certify,
+            tolerance=self.tolerance,
+            on_collision=self.on_collision,
+            overrides=self.overrides_of(item.category),
+        )
+        return asset
 
     def overrides_of(self, category: str) -> dict[str, Any]:
         """Return the overrides for a category, those for it alone before those for all.
@@ -137,10 +135,13 @@ class Plan:
             texts.setdefault(owner, []).append(after if owner else text)
         return {owner: parse_overrides(each) for owner, each in texts.items()}
 
-    @property
-    def texels(self) -> int:
-        """Texels on a side of the maps; 0 where there are none."""
-        return 0 if self.textures == "none" else self.texture_size
+    def placed(self, target: Target) -> Self:
+        """Return the plan as it is done in a place.
+
+        Raises:
+            ExportError: It cannot be done there.
+        """
+        return self
 
     def to_data(self) -> dict[str, Any]:
         """Return the plan as JSON data."""
@@ -148,8 +149,8 @@ class Plan:
             name: list(value) if isinstance(value, tuple) else value for name, value in asdict(self).items()
         }
 
-    @staticmethod
-    def from_data(data: Mapping[str, Any]) -> "Plan":
+    @classmethod
+    def from_data(cls, data: Mapping[str, Any]) -> Self:
         """Return the plan of JSON data.
 
         Raises:
@@ -159,6 +160,60 @@ class Plan:
             name: tuple(value) if isinstance(value, list) else value for name, value in data.items()
         }
         try:
-            return Plan(**given)
+            return cls(**given)
         except TypeError as error:
             raise ParameterError(f"this is no plan of a dataset: {error}") from error
+
+
+@dataclass(frozen=True)
+class Plan(Draws):
+    """What a dataset holds and how it is made; two runs with equal plans write the same bytes.
+
+    Attributes:
+        formats: What is written of each asset.
+        layout: How its files lie.
+        collision: Which colliders it carries.
+        textures: Where its maps are kept; by default shared in a folder and embedded at a URL.
+        texture_size: Texels on a side of them.
+        mesh_precision: How far what is seen may lie from what was made [m].
+    """
+
+    FORMAT: ClassVar[str] = "artgen-dataset-1"
+
+    formats: tuple[str, ...] = ()
+    layout: str = "flat"
+    collision: Collision = "exact"
+    textures: TextureMode | None = None
+    texture_size: int = TEXTURES
+    mesh_precision: float = 0.0
+
+    def __post_init__(self) -> None:
+        """Refuse what no run could do, before anything is written.
+
+        Raises:
+            ParameterError: A category, number or override is unknown or not allowed.
+            ExportError: A layout or format is.
+        """
+        if self.textures not in (None, *get_args(TextureMode)):
+            raise ParameterError(f"textures are shared, embedded or none, not {self.textures!r}")
+        check_size(self.texture_size)
+        check_precision(self.mesh_precision)
+        vars(self)["formats"] = chosen_formats(find_layout(self.layout), self.formats or None)
+        super().__post_init__()
+
+    @property
+    def texels(self) -> int:
+        """Texels on a side of the maps; 0 where there are none."""
+        return 0 if self.textures == "none" else self.texture_size
+
+    def placed(self, target: Target) -> Self:
+        """Return a plan that says where maps are kept: once for all where the place knows links.
+
+        Raises:
+            ExportError: They are to be shared elsewhere.
+        """
+        if self.textures == "shared" and not target.links:
+            raise ExportError(
+                f"maps are shared by links, and {target} knows none; choose the textures 'embedded' or 'none'"
+            )
+        return replace(self, textures=self.textures or ("shared" if target.links else "embedded"))

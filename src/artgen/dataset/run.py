@@ -2,18 +2,18 @@
 
 import functools
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Collection, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 from artgen.dataset.engine import Engine, EngineName, engine_of
-from artgen.dataset.folder import Folder
+from artgen.dataset.folder import Folder, writing
 from artgen.dataset.make import Made, make
-from artgen.dataset.plan import Item, Plan
+from artgen.dataset.plan import Draws, Item, Plan
 from artgen.dataset.record import failure
 from artgen.dataset.tables import write_tables
-from artgen.dataset.target import GO_ON, target_of
+from artgen.dataset.target import GO_ON, Target, target_of
 from artgen.dataset.workers import Ending
 from artgen.errors import ExportError, ParameterError
 
@@ -74,6 +74,51 @@ def generate_many(
         ExportError: The folder holds something else, another run writes to it, the disk refuses, or there is
             no such cluster; what is done stays.
     """
+    return fill(
+        plan,
+        directory,
+        make=make,
+        finish=write_tables,
+        jobs=jobs,
+        engine=engine,
+        address=address,
+        limit=limit,
+        progress=progress,
+        begin=begin,
+    )
+
+
+def fill(
+    plan: Draws,
+    directory: str | Path,
+    *,
+    make: Callable[..., Made],
+    finish: Callable[[Target, Collection[dict[str, Any]]], None],
+    jobs: int | None = None,
+    engine: EngineName = "local",
+    address: str | None = None,
+    limit: float = 600.0,
+    progress: Progress | None = None,
+    begin: Callable[[int], None] | None = None,
+) -> Summary:
+    """Do a plan of any kind in a folder, as `generate_many` does.
+
+    Args:
+        plan: What to make.
+        directory: Where.
+        make: A function of a module that makes one item: it takes `item`, `plan=` and `target=`.
+        finish: Called at the end with the place and the lines of the manifest in the order of the plan.
+        jobs: How many processes work.
+        engine: What runs them.
+        address: Of a Ray cluster.
+        limit: How long one item may take [s].
+        progress: Called with each line of the manifest as it is added.
+        begin: Called before, with how many items are missing.
+
+    Raises:
+        ParameterError: As `generate_many`.
+        ExportError: The same.
+    """
     if jobs is not None and jobs < 1:
         raise ParameterError(f"at least one process has to work, not {jobs}")
     start = time.monotonic()
@@ -91,12 +136,10 @@ def generate_many(
             if progress is not None:
                 progress(record)
         folder.finish()
-        write_tables(target, folder.records.values())
-        failed = tuple(
-            folder.records[item.name]
-            for item in folder.plan.items()
-            if folder.records[item.name]["state"] != "done"
-        )
+        records = [folder.records[item.name] for item in folder.plan.items()]
+        with writing(target):
+            finish(target, records)
+        failed = tuple(record for record in records if record["state"] != "done")
     return Summary(made, kept, failed, time.monotonic() - start)
 
 

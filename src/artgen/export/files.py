@@ -4,8 +4,8 @@ import hashlib
 import json
 import os
 import shutil
-from collections.abc import Iterable, Mapping, Sequence
-from contextlib import suppress
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any
 
@@ -147,6 +147,31 @@ def write_files(files: Mapping[str, bytes], directory: Path, store: Path | None 
             _share(content, directory / path, store)
         else:
             (directory / path).write_bytes(content)
+
+
+@contextmanager
+def replaced(path: Path) -> Iterator[Path]:
+    """Yield where to write a file, which takes its place once it is complete; on an error nothing is left.
+
+    Raises:
+        ExportError: The disk refuses.
+    """
+    partial = path.with_name(f".{path.name}.partial")
+    missing = [parent for parent in path.parents if not parent.exists()]
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        yield partial
+        partial.replace(path)
+    except BaseException as error:
+        with suppress(OSError):
+            partial.unlink(missing_ok=True)
+            for parent in missing:  # the innermost first
+                parent.rmdir()
+        if isinstance(error, OSError) and not isinstance(error, ExportError):
+            raise ExportError(
+                f"cannot write {path}: {error.strerror or error}; nothing was changed"
+            ) from error
+        raise
 
 
 def _share(content: bytes, path: Path, store: Path) -> None:

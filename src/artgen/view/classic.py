@@ -18,17 +18,22 @@ from artgen.view import gl
 from artgen.view.camera import Camera
 from artgen.view.environment import sphere_map, sphere_map_coordinates
 from artgen.view.lamps import key_light, sky_light, spread
-from artgen.view.scene import ASSET_GROUP, Drawn, Layer, Scene
+from artgen.view.scene import ASSET_GROUP, HIDDEN_GROUP, Drawn, Layer, Scene
 from artgen.view.studio import Backdrop
 
 Array = NDArray[np.float64]
 
-_HALF = 0.5  # pictures are drawn this dark, so that no light is cut off before they are averaged
+HALF = 0.5
+"""Pictures are drawn this dark, so that no light is cut off before they are averaged."""
+
+SKY = "studio_sky"
+"""Name of the texture that is seen where nothing else is."""
+
 _MIRROR_STEP = 0.05  # roughness in whose steps the mirrored studio is blurred
 _SHADOW_TEXELS = 2048
 _SHADOW_REACH = 1.25  # how far from the asset's middle shadows are drawn, over its radius
 _NEARNESS = 0.35  # half the size of the asset compared with the distance to what it mirrors
-_SKY = {"studio": 0.87, "room": 0.87, "none": 1.7}  # the last one is shown as white
+_SKY_LIGHT = {"studio": 0.87, "room": 0.87, "none": 1.7}  # the last one is shown as white
 
 
 def body_of_glass(material: Material) -> float:
@@ -106,9 +111,9 @@ class ClassicDress:
             spec.worldbody.add_light(
                 name=f"lamp_{number}", type=mujoco.mjtLightType.mjLIGHT_DIRECTIONAL, castshadow=number < 2
             )
-        light = _SKY[place.kind] * _HALF
+        light = _SKY_LIGHT[place.kind] * HALF
         spec.add_texture(
-            name="studio_sky",
+            name=SKY,
             type=mujoco.mjtTexture.mjTEXTURE_SKYBOX,
             builtin=mujoco.mjtBuiltin.mjBUILTIN_FLAT,
             rgb1=[light] * 3,
@@ -191,9 +196,9 @@ class ClassicRenderer:
         self._lay_mirrors(camera, poses)
         focus = self._focus_shadows(camera, size)
         near, far = self.scene.depth_range(camera, poses)
-        self._update(range(6))
+        self._update(range(HIDDEN_GROUP))
         width, height = size
-        total = np.zeros((height, width, 3), np.float32)
+        total = np.zeros((height, width, 3), np.uint32)
         buffer = np.empty((height, width, 3), np.uint8)
         rectangle = mujoco.MjrRect(0, 0, width, height)
         flags = self._view.flags
@@ -208,7 +213,8 @@ class ClassicRenderer:
             mujoco.mjr_render(rectangle, self._view, self._context)
             mujoco.mjr_readPixels(buffer, None, rectangle, self._context)
             total += buffer
-        return _toned(total[::-1] / (255.0 * _HALF * samples))
+        light = np.arange(255 * samples + 1, dtype=np.float32) / (255.0 * HALF * samples)
+        return _toned(light)[total[::-1]]
 
     def surfaces(
         self, camera: Camera, poses: list[Array], size: tuple[int, int]
@@ -234,8 +240,8 @@ class ClassicRenderer:
         for geom in self._view.geoms[: self._view.ngeom]:
             if geom.segid >= 0:
                 table[geom.segid + 1] = self.scene.surface_of_geom[geom.objid]
-        code = colors.astype(np.int64) @ np.array([1, 256, 65536])
-        found = table[code][::-1]
+        red, green, blue = (colors[::-1, :, channel].astype(np.int32) for channel in range(3))
+        found = table[red + 256 * green + 65536 * blue]
         share = depth[::-1].astype(float)
         # the depth buffer holds a / depth + b, by default from 0 near to 1 far
         distance = near * far / (far - share * (far - near))
@@ -296,8 +302,8 @@ class ClassicRenderer:
         for number, (lamp, (direction, strength)) in enumerate(zip(self._view.lights, lamps, strict=False)):
             lamp.dir = -direction
             lamp.pos = focus + 4.0 * place.radius * direction
-            lamp.diffuse = [strength * _HALF] * 3
-            lamp.ambient = [0.26 * _HALF if number == 0 else 0.0] * 3
+            lamp.diffuse = [strength * HALF] * 3
+            lamp.ambient = [0.26 * HALF if number == 0 else 0.0] * 3
             lamp.castshadow = number < 2
             lamp.specular = [0.0] * 3
 

@@ -58,7 +58,7 @@ def render(
         ParameterError: An argument has a value that is not allowed.
         RenderError: A renderer or its library is missing; the message says what to install.
     """
-    pixels = _checked_size(size)
+    pixels = checked_size(size)
     _check("studio", studio, get_args(Studio))
     _check("backend", backend, get_args(Backend))
     if textures != 0:
@@ -173,7 +173,12 @@ def _points(asset: Asset, poses: Mapping[str, Array]) -> dict[str, Array]:
     return found
 
 
-def _checked_size(size: Any) -> tuple[int, int]:
+def checked_size(size: Any) -> tuple[int, int]:
+    """Return the width and height of a picture.
+
+    Raises:
+        ParameterError: They are no numbers of pixels that can be drawn.
+    """
     both = (size, size) if isinstance(size, int) and not isinstance(size, bool) else size
     try:
         width, height = both

@@ -20,6 +20,9 @@ Studio = Literal["studio", "room", "none"]
 ASSET_GROUP, GLOSS_GROUP, STUDIO_GROUP = 0, 1, 2
 """MuJoCo's groups of what is drawn: surfaces, what shines over them, and what stands around."""
 
+HIDDEN_GROUP = 5
+"""MuJoCo's group of what is in the scene, but not in a picture."""
+
 
 @dataclass(frozen=True)
 class Layer:
@@ -82,7 +85,7 @@ class Scene:
         dress.surroundings(spec, self.place)
         for mesh, material in self.place.meshes:
             layer = dress.layers(spec, material, textures)[0]
-            _add_geom(spec, spec.worldbody, f"studio_{material.name}", mesh, material, layer, STUDIO_GROUP)
+            add_geom(spec, spec.worldbody, f"studio_{material.name}", mesh, material, layer, STUDIO_GROUP)
         names = []
         for number, link in enumerate(asset.links):
             body = spec.worldbody.add_body(name=f"link_{number}", mocap=True)
@@ -91,7 +94,7 @@ class Scene:
                 for layer_number, layer in enumerate(layers):
                     name = f"{number}_{surface_number}_{layer_number}"
                     group = GLOSS_GROUP if layer_number else ASSET_GROUP
-                    _add_geom(spec, body, name, surface.mesh, surface.material, layer, group)
+                    add_geom(spec, body, name, surface.mesh, surface.material, layer, group)
                 names.append((number, surface, layers, f"{number}_{surface_number}"))
         self.model = spec.compile()
         self.data = mujoco.MjData(self.model)
@@ -150,9 +153,10 @@ class Scene:
         return near, most + self.place.beyond
 
 
-def _add_geom(
+def add_geom(
     spec: Any, body: Any, name: str, mesh: Mesh, material: Material, layer: Layer, group: int
 ) -> None:
+    """Add a mesh to a body of a specification, drawn with one layer of its material."""
     import mujoco
 
     coordinates = texture_coordinates(mesh, material)

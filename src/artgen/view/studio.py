@@ -92,7 +92,7 @@ def _cyclorama(center: Array, radius: float, floor: float) -> Mesh:
     z = np.concatenate([[0.0], bend * (1.0 - np.cos(angles)), [60.0 * radius]])
     slope = np.concatenate([[0.0], angles, [math.pi / 2]])
     normals = np.column_stack([np.zeros_like(slope), -np.sin(slope), np.cos(slope)])
-    return _ribbon(np.column_stack([y, z + floor]), normals, center[0], 50.0 * radius)
+    return ribbon(np.column_stack([y, z + floor]), normals, center[0], 50.0 * radius)
 
 
 def _room(center: Array, radius: float, floor: float, back: float) -> list[tuple[Mesh, Material]]:
@@ -103,9 +103,9 @@ def _room(center: Array, radius: float, floor: float, back: float) -> list[tuple
     near, foot = center[1] - 12.0 * radius, wall - depth
     boards = material("oak")
     return [
-        (_ribbon(np.array([[near, floor], [foot, floor]]), np.array([up, up]), center[0], wide), boards),
+        (ribbon(np.array([[near, floor], [foot, floor]]), np.array([up, up]), center[0], wide), boards),
         (
-            _ribbon(
+            ribbon(
                 np.array([[wall, floor], [wall, floor + 8.0 * radius]]),
                 np.array([front, front]),
                 center[0],
@@ -114,7 +114,7 @@ def _room(center: Array, radius: float, floor: float, back: float) -> list[tuple
             _WALL,
         ),
         (
-            _ribbon(
+            ribbon(
                 np.array(
                     [[foot, floor], [foot, floor + height], [foot, floor + height], [wall, floor + height]]
                 ),
@@ -127,7 +127,7 @@ def _room(center: Array, radius: float, floor: float, back: float) -> list[tuple
     ]
 
 
-def _ribbon(profile: Array, normals: Array, middle: float, half: float) -> Mesh:
+def ribbon(profile: Array, normals: Array, middle: float, half: float) -> Mesh:
     """Return a sheet: a line in y and z, shape (n, 2), drawn out along x."""
     count = len(profile)
     vertices = np.empty((count, 2, 3))

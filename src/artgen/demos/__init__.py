@@ -1,0 +1,9 @@
+"""Demonstrations: what the scripted policy does in a task, in robomimic's HDF5 layout; needs `artgen[demos]`.
+
+`artgen demos OpenDrawer -n 100 --out DIR` and `make_demos` write `DIR/demo.hdf5`, which imitation code reads.
+"""
+
+from artgen.demos.episode import Demo, record
+from artgen.demos.run import DEMO_FILE, Summary, make_demos
+
+__all__ = ["DEMO_FILE", "Demo", "Summary", "make_demos", "record"]

@@ -1,0 +1,25 @@
+"""Manipulation tasks for a Panda, as environments of Gymnasium; importing this registers them.
+
+import gymnasium
+import artgen.envs
+
+env = gymnasium.make("artgen/PushToasterLever-v0", assets=range(100))
+"""
+
+from artgen.errors import EnvError
+
+try:
+    import gymnasium
+except ImportError as error:
+    raise EnvError("manipulation tasks need Gymnasium: pip install 'artgen[envs]'") from error
+
+from artgen.envs.env import ManipulationEnv
+from artgen.envs.motion import Stage, Target
+from artgen.envs.task import TASKS, Task
+
+__all__ = ["TASKS", "ManipulationEnv", "Stage", "Target", "Task"]
+
+for _name in TASKS:
+    gymnasium.register(
+        id=f"artgen/{_name}-v0", entry_point="artgen.envs.env:ManipulationEnv", kwargs={"task": _name}
+    )

@@ -1,0 +1,207 @@
+"""A scripted policy: it comes to each grasp or push, and follows the true arc or line of what it moves."""
+
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from artgen.asset import Asset
+from artgen.envs.control import POSITION, ROTATION
+from artgen.envs.motion import OPEN, Contact, Move, lifted, rotation_vector
+
+if TYPE_CHECKING:
+    import gymnasium
+
+Array = NDArray[np.float64]
+
+_NEAR, _AT = 0.015, 0.004  # how exactly the hand comes to poses on its way, and to what it touches [m]
+_TURN_MATTERS = 0.05  # metres that a radian counts for
+_SLOW = 0.4  # share of the full speed with which it touches things
+_CLOSING = 10  # actions until the fingers have closed
+_OPENING = 6
+_LEAD = (0.02, 0.10)  # how far ahead on its way the hand is sent: at first, and where that moves nothing [m]
+_MORE = 0.004  # by which that grows with each action that moves nothing [m]
+_STUCK = 60  # actions without progress after which the hand lets go and takes hold again
+_IDLE, _NEARER = 8, 0.001  # actions in which the hand has to come nearer to where it goes, by how much [m]
+_TAKEN = 3  # times that it takes hold of one thing
+
+Aim = tuple[Array, float]
+"""A pose for the tip, and an opening of the fingers [m]; nothing asks for less than closed."""
+
+
+class ScriptedPolicy:
+    """Does the task of an environment from what it knows: the joints' true positions and the frames of grasps.
+
+    It begins anew with each reset of the environment.
+
+    Args:
+        env: A `ManipulationEnv`, wrapped or not.
+    """
+
+    def __init__(self, env: "gymnasium.Env[Any, Any]") -> None:
+        self._env: Any = env.unwrapped
+        self._time = np.inf
+        self._script: Iterator[Aim] = iter(())
+        self._last: Aim | None = None
+        self.done = False
+        """Whether it has done all it can and has let go."""
+
+    def action(self, observation: object = None) -> NDArray[np.float32]:
+        """Return the next action, shape (7,); the observation is not looked at."""
+        del observation
+        now = self._env.data.time
+        if now < self._time:  # there was a reset
+            self._script, self.done = _Script(self._env).run(), False
+        self._time = now
+        try:
+            self._last = next(self._script)
+        except StopIteration:
+            self.done = True
+        pose, opening = self._last or (self._env.tip(), OPEN)
+        return action_towards(self._env.tip(), pose, opening)
+
+
+def action_towards(tip: Array, pose: Array, opening: float, speed: float = 1.0) -> NDArray[np.float32]:
+    """Return the action that brings the tip towards a pose, shape (7,).
+
+    Args:
+        tip: Where the tip is, shape (4, 4).
+        pose: Where it is to go, shape (4, 4).
+        opening: Of the fingers; negative to squeeze [m].
+        speed: Share of the full speed.
+    """
+    result = np.empty(7)
+    shift = (pose[:3, 3] - tip[:3, 3]) / POSITION
+    turn = rotation_vector(pose[:3, :3] @ tip[:3, :3].T) / ROTATION
+    result[:3] = shift * min(1.0, speed / max(float(np.linalg.norm(shift)), 1e-9))
+    result[3:6] = turn * min(1.0, speed / max(float(np.linalg.norm(turn)), 1e-9))
+    result[6] = 1.0 - 2.0 * opening / OPEN
+    return np.clip(result, -1.0, 1.0).astype(np.float32)
+
+
+class _Script:
+    """One run of the policy: yields an aim for each action, and looks at the environment in between."""
+
+    def __init__(self, env: Any) -> None:
+        self._env = env
+        self._asset: Asset = env.asset
+        self._opening = OPEN
+        self._kept: dict[str, float] = {}  # joints that the hand still holds where it brought them
+        self._ahead: dict[str, float] = {}  # by how much it has to aim past them to keep them there
+
+    def run(self) -> Iterator[Aim]:
+        """Yield aims until everything is done."""
+        contact: Contact | None = None
+        for move in self._env.target.moves:
+            for _ in range(_TAKEN if move.contact is not None else 1):
+                if move.contact is not None:
+                    if contact is not None:
+                        yield from self._leave(contact)
+                    contact = move.contact
+                    yield from self._take(contact)
+                assert contact is not None, "the first move has a contact"
+                yield from self._follow(move, contact)
+                if self._is_there(move):
+                    break
+            self._kept[move.joint] = move.until
+        if contact is not None:
+            yield from self._leave(contact)
+
+    def _is_there(self, move: Move) -> bool:
+        stage = next(each for each in self._env.target.stages if each.joint == move.joint)
+        end = move.until if move is not stage.moves[-1] else stage.goal
+        return bool((self._env.q(move.joint) - end) * np.sign(stage.goal - stage.start) >= -1e-3)
+
+    def _take(self, contact: Contact) -> Iterator[Aim]:
+        """Come to a contact and close the fingers where it is a grasp."""
+        self._kept.clear()
+        self._ahead.clear()
+        self._opening = contact.width
+        for pose in contact.through:
+            yield from self._go(pose, _NEAR)
+        place = self._place(contact.link) @ contact.frame
+        yield from self._go(lifted(place, -contact.back), _AT)
+        yield from self._go(place, _AT, _SLOW)
+        if contact.kind == "grasp":
+            self._opening = -OPEN
+            for _ in range(_CLOSING):
+                yield place, self._opening
+
+    def _leave(self, contact: Contact) -> Iterator[Aim]:
+        """Open the fingers and go back along the approach."""
+        here = self._env.tip()
+        self._opening = contact.width
+        if contact.kind == "grasp":
+            for _ in range(_OPENING):
+                yield here, self._opening
+        yield from self._go(lifted(here, -contact.back), _NEAR)
+
+    def _go(self, pose: Array, near: float, speed: float = 1.0) -> Iterator[Aim]:
+        """Go straight to a pose, until the hand is near it or gets no nearer."""
+        best, idle = np.inf, 0
+        while idle < _IDLE:
+            tip = self._env.tip()
+            shift = pose[:3, 3] - tip[:3, 3]
+            turn = rotation_vector(pose[:3, :3] @ tip[:3, :3].T)
+            missing = float(np.linalg.norm(shift) + _TURN_MATTERS * np.linalg.norm(turn))
+            if missing < near:
+                return
+            best, idle = (missing, 0) if missing < best - _NEARER else (best, idle + 1)
+            aim = pose.copy()
+            aim[:3, 3] = tip[:3, 3] + shift * min(1.0, speed * POSITION / max(np.linalg.norm(shift), 1e-9))
+            yield aim, self._opening
+
+    def _follow(self, move: Move, contact: Contact) -> Iterator[Aim]:
+        """Bring a joint to where it is let go, on the way on which its link takes the hand."""
+        joint = self._asset.joint(move.joint)
+        held = contact.frame
+        if contact.kind == "grasp":
+            held = np.linalg.inv(self._place(contact.link)) @ self._env.tip()
+        way = np.sign(move.until - self._env.q(move.joint)) or 1.0
+        lead, best, idle = _LEAD[0], self._env.q(move.joint), 0
+        while way * (move.until - self._env.q(move.joint)) > 0.0 and idle < _STUCK:
+            q = self._env.q(move.joint)
+            arm = _arm(joint, self._place(contact.link) @ held)
+            if way * (q - best) > 1e-3 / arm:
+                best, idle = q, 0
+            else:
+                idle += 1
+                lead = min(lead + _MORE, _LEAD[1])
+            yield self._place(contact.link, {move.joint: q + way * lead / arm}) @ held, self._opening
+
+    def _place(self, link: str, ahead: Mapping[str, float] | None = None) -> Array:
+        """Return how a link is displaced from rest, kept joints where they are kept, shape (4, 4).
+
+        Args:
+            link: Name of the link.
+            ahead: Where joints are thought to be.
+        """
+        result = np.eye(4)
+        above = {child: (parent, joints) for parent, child, joints in self._asset.pairs()}
+        while link in above:
+            link, joints = above[link]
+            motion = np.eye(4)
+            for joint in joints:
+                position = self._env.q(joint.name)
+                if ahead is not None:
+                    position = ahead.get(joint.name, self._keeping(joint.name, position))
+                motion = motion @ joint.motion(position)
+            result = motion @ result
+        return result
+
+    def _keeping(self, joint: str, position: float) -> float:
+        """Return where a joint has to be aimed at so that it stays where the hand brought it."""
+        if joint not in self._kept:
+            return position
+        missing = self._kept[joint] - position
+        self._ahead[joint] = float(np.clip(self._ahead.get(joint, 0.0) + 0.1 * missing, -0.6, 0.6))
+        return self._kept[joint] + self._ahead[joint]
+
+
+def _arm(joint: Any, place: Array) -> float:
+    """Return how far a pose goes as a joint moves by one [m or m/rad]."""
+    if joint.kind == "prismatic":
+        return 1.0
+    apart = place[:3, 3] - joint.pivot
+    return max(0.03, float(np.linalg.norm(apart - joint.axis * (apart @ joint.axis))))

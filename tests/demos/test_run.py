@@ -1,0 +1,115 @@
+"""Demonstrations are made of successes, in the order of their seeds, complete or not at all."""
+
+import itertools
+import json
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+from artgen.dataset.workers import Ending
+from artgen.demos import make_demos, record
+from artgen.demos.run import in_order
+from artgen.errors import ExportError, ParameterError
+
+h5py = pytest.importorskip("h5py", reason="pip install 'artgen[demos]'")
+gymnasium = pytest.importorskip("gymnasium", reason="pip install 'artgen[demos]'")
+pytest.importorskip("robosuite", reason="pip install 'artgen[envs]'")
+
+
+def test_early_endings_wait_for_their_turn():
+    late_first = [Ending(item, "done", item) for item in (2, 0, 1, 3)]
+    assert [each.item for each in in_order(late_first, range(4))] == [0, 1, 2, 3]
+    endless = (Ending(item ^ 1, "done") for item in itertools.count())
+    assert [each.item for each in itertools.islice(in_order(endless, itertools.count()), 5)] == [
+        0,
+        1,
+        2,
+        3,
+        4,
+    ]
+
+
+def test_a_demonstration_ends_in_success_and_repeats_with_its_seed():
+    first, again = record("OpenDrawer", 3), record("OpenDrawer", 3)
+    assert first.success
+    assert first.asset == "drawer_3"
+    assert first.dones.sum() == first.dones[-1] == 1
+    assert np.abs(first.actions).max() <= 1.0
+    np.testing.assert_array_equal(first.actions, first.applied)
+    assert len(first.observations["state"]) == len(first) + 1
+    assert (np.diff(first.states[:, 0]) > 0.0).all()
+    for key in ("actions", "rewards", "states"):
+        np.testing.assert_array_equal(getattr(first, key), getattr(again, key))
+
+
+def test_noise_disturbs_the_arm_and_not_what_is_wanted_and_what_was_done_can_be_played_back():
+    demo = record("OpenDrawer", 3, noise=0.1)
+    moved = (demo.applied - demo.actions)[:, :6]
+    assert 0.03 < moved.std() < 0.15
+    np.testing.assert_array_equal(demo.applied[:, 6], demo.actions[:, 6])
+    env = gymnasium.make("artgen/OpenDrawer-v0", terminate_on_success=False)
+    env.reset(seed=3, options={"asset": 3})
+    scene = env.unwrapped
+    for action, state in zip(demo.applied, demo.states, strict=True):
+        now = np.concatenate(([scene.data.time], scene.data.qpos, scene.data.qvel))
+        np.testing.assert_array_equal(now, state)
+        info = env.step(action)[-1]
+    assert info["success"]
+    env.close()
+
+
+def test_the_file_holds_what_each_seed_gives_whichever_process_made_it(tmp_path):
+    told = []
+    done = make_demos("OpenDrawer", 2, tmp_path / "demos", jobs=2, progress=told.append)
+    assert (done.demos, told.count(True), told.count(False)) == (2, 2, len(done.failed))
+    with h5py.File(done.file, "r") as file:
+        data = file["data"]
+        assert json.loads(data.attrs["env_args"])["env_name"] == "artgen/OpenDrawer-v0"
+        assert data.attrs["total"] == done.steps
+        seeds = [int(data[name].attrs["seed"]) for name in ("demo_0", "demo_1")]
+        assert seeds == [seed for seed in range(4) if seed not in done.failed][:2]
+        for name, seed in zip(("demo_0", "demo_1"), seeds, strict=True):
+            again = record("OpenDrawer", seed)
+            np.testing.assert_array_equal(data[name]["actions"][:], again.actions)
+            np.testing.assert_array_equal(data[name]["states"][:], again.states)
+
+
+@pytest.mark.parametrize(
+    ("wrong", "error", "message"),
+    [
+        (
+            {"task": "OpenDrawr"},
+            ParameterError,
+            r"there is no task 'OpenDrawr'\. Did you mean 'OpenDrawer'\?",
+        ),
+        ({"count": 0}, ParameterError, "the number of demonstrations is 0; it can be 1 to"),
+        ({"noise": -0.1}, ParameterError, r"the noise is -0\.1; it can be 0 to 1"),
+        ({"image": 5000}, ParameterError, "the size of an image is 5000; it can be 0 to 4096"),
+    ],
+)
+def test_bad_use_is_one_clear_error_and_leaves_nothing(wrong, error, message, tmp_path):
+    with pytest.raises(error, match=message):
+        make_demos(**{"task": "OpenDrawer", "count": 1, "out": tmp_path / "new", **wrong})
+    assert not (tmp_path / "new").exists()
+
+
+def test_what_is_not_artgens_stays(tmp_path):
+    (tmp_path / "demo.hdf5").write_text("mine")
+    with pytest.raises(ExportError, match="holds no demonstrations of artgen; choose another directory"):
+        make_demos("OpenDrawer", 1, tmp_path)
+    assert (tmp_path / "demo.hdf5").read_text() == "mine"
+
+
+def test_a_wrong_task_is_one_line_of_the_command(tmp_path):
+    done = subprocess.run(
+        [sys.executable, "-m", "artgen", "demos", "OpenDoors", "--out", str(tmp_path / "new")],
+        capture_output=True,
+        text=True,
+        check=False,
+        timeout=60,
+    )
+    assert (done.returncode, done.stdout) == (2, "")
+    assert done.stderr.startswith("error: there is no task 'OpenDoors'.")
+    assert done.stderr.count("\n") == 1

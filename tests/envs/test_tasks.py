@@ -1,0 +1,108 @@
+"""Tasks: what they ask of an asset, and that a Panda reaches all of it."""
+
+import numpy as np
+import pytest
+
+import artgen
+from artgen.asset.gripper import GRIPPER
+from artgen.envs.kinematics import frames
+from artgen.envs.motion import Stage, lifted
+from artgen.envs.robot import LIMITS
+from artgen.envs.task import TASKS
+from artgen.envs.targets import found, push_door
+from artgen.errors import EnvError
+
+SEED = 4
+
+
+@pytest.fixture(scope="module")
+def assets():
+    kept = {}
+
+    def asset(name):
+        if name not in kept:
+            kept[name] = TASKS[name].generate(SEED)
+        return kept[name]
+
+    return asset
+
+
+@pytest.mark.parametrize("name", TASKS)
+def test_every_task_finds_what_it_is_about_on_its_assets(name, assets):
+    task, asset = TASKS[name], assets(name)
+    stages = next(iter(task.choose(asset, np.random.default_rng(0))))
+    assert asset.category == task.category
+    assert task.doc.endswith(".")
+    free = {joint.name for joint in asset.free_joints}
+    q = dict(asset.positions())
+    for stage in stages:
+        low, high = asset.joint(stage.joint).limits
+        assert stage.joint in free
+        assert stage.start == q[stage.joint] != stage.goal
+        assert low <= stage.goal <= stage.moves[-1].until <= high
+        assert stage.affordance in asset.affordances
+        assert stage.joint in stage.affordance.joints
+        q[stage.joint] = stage.goal
+    assert not asset.blocked({name: q[name] for name in free}), "the goals of the stages fit together"
+
+
+def test_the_lever_of_a_door_is_turned_until_the_latch_is_free(assets):
+    door = assets("PushDoor")
+    lever, hinge = next(iter(push_door(door, np.random.default_rng(0))))
+    assert lever.goal >= 0.3
+    assert not door.blocked({lever.joint: lever.goal, hinge.joint: 0.02})
+    assert door.blocked({lever.joint: 0.5 * lever.goal, hinge.joint: 0.02}) == (hinge.joint,)
+    assert hinge.moves[0].contact is None, "the hand keeps the lever while it pushes"
+
+
+@pytest.mark.parametrize("name", ["OpenDrawer", "OpenTrashcan", "OpenMicrowave"])
+def test_the_robot_begins_where_its_hand_is_said_to_be_and_looks_at_what_it_takes(name, assets):
+    asset = assets(name)
+    target = TASKS[name].target(asset, np.random.default_rng(1))
+    assert (target.arm > LIMITS[:, 0]).all()
+    assert (target.arm < LIMITS[:, 1]).all()
+    assert np.allclose(target.base @ frames(target.arm[None])[0, 7], target.hand, atol=1e-9)
+    assert np.allclose(target.base[2, :3], [0, 0, 1]), "it stands upright"
+    assert (target.base[2, 3] < 0.0) == TASKS[name].raised, "and lower than a table"
+    contact = target.moves[0].contact
+    begin = lifted(contact.frame, -contact.back)
+    assert np.linalg.norm(target.hand[:3, 3] - begin[:3, 3]) < 0.15
+    assert target.hand[:3, 2] @ contact.frame[:3, 2] > 0.99
+    low, high = asset.bounds()[:, :2]
+    there = target.base[:2, 3]
+    assert ((there < low) | (there > high)).any(), "it stands beside the asset"
+
+
+def test_the_same_draw_gives_the_same_target(assets):
+    asset, task = assets("OpenDrawer"), TASKS["OpenDrawer"]
+    first, again, other = (task.target(asset, np.random.default_rng(seed)) for seed in (5, 5, 6))
+    assert np.array_equal(first.arm, again.arm)
+    assert np.array_equal(first.base, again.base)
+    assert not np.array_equal(first.arm, other.arm)
+
+
+def test_a_push_is_made_with_the_ends_of_the_fingers(assets):
+    asset = assets("PushToasterLever")
+    stage = next(iter(TASKS["PushToasterLever"].choose(asset, np.random.default_rng(0))))[0]
+    ends = lifted(stage.moves[0].contact.frame, GRIPPER.tip)
+    assert np.allclose(ends, stage.affordance.frame)
+
+
+def test_an_asset_without_the_part_is_refused_with_what_it_has(assets):
+    with pytest.raises(EnvError, match=r"'drawer_4' of category 'drawer' has no pedal that a hand can push"):
+        TASKS["OpenTrashcan"].target(assets("OpenDrawer"), np.random.default_rng(0))
+    with pytest.raises(EnvError, match=r"it has these grasps and pushes: drawer_handle_grasp_0"):
+        found(assets("OpenDrawer"), "pedal", "push", "revolute")
+
+
+def test_a_lever_without_a_door_is_nothing_to_push():
+    lever = artgen.generate("handle", 0, certify=False, opener="lever")
+    with pytest.raises(EnvError, match=r"has nothing for PushDoor: Turn the lever .* Take assets that the task"):
+        TASKS["PushDoor"].target(lever, np.random.default_rng(0))
+
+
+def test_progress_and_goal_of_a_stage_that_goes_down(assets):
+    affordance = assets("OpenDrawer").affordances[0]
+    stage = Stage("slide", 0.4, 0.1, affordance)
+    assert [stage.progress(q) for q in (0.5, 0.4, 0.25, 0.1, 0.0)] == pytest.approx([0, 0, 0.5, 1, 1])
+    assert [stage.reached(q) for q in (0.4, 0.11, 0.1, 0.0)] == [False, False, True, True]

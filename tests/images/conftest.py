@@ -1,0 +1,46 @@
+"""A small set of images that many tests look at."""
+
+from pathlib import Path
+
+import pytest
+
+from artgen.errors import RenderError
+from artgen.images import ImagePlan, make_images
+from artgen.view import gl
+
+
+@pytest.fixture(scope="session")
+def image_plan() -> ImagePlan:
+    return ImagePlan(
+        ("plier", "drawer"),
+        5,
+        certify=False,
+        images=2,
+        size=192,
+        random=("backdrop", "floor", "light"),
+        depth=True,
+        normals=True,
+        samples=1,
+        texture_size=0,
+        split=(0.4, 0.3, 0.3),
+    )
+
+
+@pytest.fixture(scope="session")
+def opengl() -> None:
+    """Skip where no pictures can be drawn."""
+    pytest.importorskip("mujoco", reason="needs MuJoCo: artgen[images]")
+    pytest.importorskip("pycocotools", reason="needs pycocotools: artgen[images]")
+    try:
+        gl.available()
+    except RenderError as error:
+        pytest.skip(f"needs OpenGL: {error}")
+
+
+@pytest.fixture(scope="session")
+def image_set(tmp_path_factory: pytest.TempPathFactory, image_plan: ImagePlan, opengl: None) -> Path:
+    """Ten pictures of three pliers and two drawers, by one process."""
+    folder = tmp_path_factory.mktemp("images") / "set"
+    summary = make_images(image_plan, folder, jobs=1)
+    assert (summary.made, summary.kept, summary.failed) == (5, 0, ())
+    return folder

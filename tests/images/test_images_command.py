@@ -1,0 +1,63 @@
+"""`artgen images`: what it prints, and what it refuses, before anything is written."""
+
+from pathlib import Path
+
+import pytest
+
+import artgen.images.run as running
+from artgen.images import ImagePlan
+
+
+@pytest.mark.parametrize(
+    ("arguments", "told"),
+    [
+        (("dor",), "there is no category 'dor'. Did you mean 'door'?"),
+        (("door", "--labels", "handel"), "door: there is no label 'handel'. Did you mean 'handle'?"),
+        (
+            ("door", "--labels", "lamp:base"),
+            "the label 'lamp:base' is of 'lamp', of which there are no images",
+        ),
+        (("door", "--labels", "handle,grip=handle"), "the label 'handle' of door is named twice; leave one"),
+        (("door", "--random", "flor"), "there is no 'flor' to draw anew. Did you mean 'floor'?"),
+        (("door", "--size", "8"), "size 8 must be one or two whole numbers in 16..4096"),
+        (("door", "--split", "0.8,0.1,0.2"), "must be the shares of train, val, test, together 1"),
+        (("door", "--elevation", "60,30"), "must lie in 0..1.5708, the lower number first"),
+        (("door", "--margin", "a,b"), "--margin 'a,b' must be 2 numbers with commas between them"),
+        (("door", "--assets", "0"), "Input should be greater than or equal to 1"),
+    ],
+)
+def test_what_is_refused(artgen_command, arguments: tuple[str, ...], told: str) -> None:
+    done = artgen_command("images", *arguments, "--out", "set")
+    assert done.code == 2
+    assert told in done.err
+    assert done.err.count("\n") == 1
+    assert not Path("set").exists()
+
+
+def test_without_opengl_nothing_is_written(artgen_command, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("MUJOCO_GL", "disable")
+    done = artgen_command("images", "plier", "--assets", "1", "--out", "set")
+    assert (done.code, done.err) == (2, "error: MUJOCO_GL=disable forbids pictures; unset it\n")
+    assert not Path("set").exists()
+
+
+def test_a_package_that_is_missing_is_named(artgen_command, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(running, "find_spec", lambda name: None if name == "pycocotools" else name)
+    done = artgen_command("images", "plier", "--assets", "1", "--out", "set")
+    expected = 'error: pycocotools, which encodes masks, is not installed: pip install "artgen[images]"\n'
+    assert (done.code, done.err) == (2, expected)
+
+
+def test_a_folder_of_other_things_stays_as_it_is(artgen_command, opengl: None) -> None:
+    Path("set").mkdir()
+    Path("set/notes.txt").write_text("mine")
+    done = artgen_command("images", "plier", "--assets", "1", "--out", "set")
+    assert done.code == 2
+    assert done.err.startswith("error: cannot write a dataset to ")
+    assert done.err.endswith("/set: it holds 'notes.txt' and is none; choose another folder\n")
+    assert [each.name for each in Path("set").iterdir() if each.name != ".lock"] == ["notes.txt"]
+
+
+def test_a_plan_reads_back_what_it_wrote() -> None:
+    plan = ImagePlan(("door",), 3, labels=("handle",), random=("light", "floor"), split=(1.0, 0.0, 0.0))
+    assert ImagePlan.from_data(plan.to_data()).to_data() == plan.to_data()

@@ -1,0 +1,54 @@
+"""The small network learns to tell parts in images that it has not seen."""
+
+import sys
+from pathlib import Path
+
+import pytest
+
+torch = pytest.importorskip("torch", reason="pip install 'artgen[train]'")
+pytest.importorskip("pycocotools", reason="pip install 'artgen[images]'")
+sys.path.insert(0, str(Path(__file__).parents[2] / "examples" / "training"))
+import segmentation  # noqa: E402
+from part_images import PartImages  # noqa: E402
+
+from support.flat_doors import drawn  # noqa: E402
+
+# pycocotools does not know NumPy 2's way to ask for no copy
+pytestmark = pytest.mark.filterwarnings("ignore:__array__ implementation:DeprecationWarning")
+
+
+@pytest.fixture(scope="module")
+def splits(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("doors")
+    drawn(folder, "train", 24, 1)
+    drawn(folder, "test", 6, 2)
+    return PartImages(folder, "train"), PartImages(folder, "test")
+
+
+def learnt(seen, steps):
+    torch.manual_seed(0)
+    torch.set_num_threads(1)
+    network = segmentation.SmallNetwork(seen, 64, width=12)
+    segmentation.train(network, seen, steps, 4, 1e-2, 0)
+    return network
+
+
+def test_it_separates_parts_that_it_has_not_seen(splits):
+    seen, unseen = splits
+    before = segmentation.evaluate(learnt(seen, 1), unseen)
+    after = segmentation.evaluate(learnt(seen, 60), unseen)
+    assert all(ap50 < 0.2 for _, ap50 in before.values())
+    assert all(ap50 > 0.6 for _, ap50 in after.values()), after
+
+
+def test_the_table_ends_with_the_mean_of_handles_and_of_all():
+    lines = segmentation.table(
+        {"door/body": (0.8, 0.9), "door/handle": (0.2, 0.5), "lamp/switch": (0.4, 0.6)}
+    )
+    assert lines[-2].split() == ["handle-like", "0.300", "0.550"]
+    assert lines[-1].split() == ["all", "0.467", "0.667"]
+
+
+def test_learning_repeats_with_its_seed(splits):
+    first, again = (learnt(splits[0], 3).model.state_dict() for _ in range(2))
+    assert all(torch.equal(first[key], again[key]) for key in first)
