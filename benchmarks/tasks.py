@@ -8,6 +8,7 @@ Each asset is drawn from a seed of its own; one on which no place for the robot 
 
 import argparse
 import time
+from collections.abc import Callable
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
 from functools import partial
@@ -70,13 +71,13 @@ def tried(name: str, seed: int, *, random: bool = True) -> Outcome:
     return Outcome(seed, scripted, drawn, seconds, setting_up, failure)
 
 
-def _joints(env):
+def _joints(env: ManipulationEnv) -> list[str]:
     return [stage.joint for stage in env.target.stages]
 
 
-def played(env, act):
+def played(env: ManipulationEnv, act: Callable[[object], object]) -> tuple[bool, float]:
     """Play an episode; returns whether it succeeded, and how long it took [s]."""
-    observation = None
+    observation: object = None
     while True:
         observation, _, terminated, truncated, info = env.step(act(observation))
         if terminated or truncated:

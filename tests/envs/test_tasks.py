@@ -8,8 +8,8 @@ from artgen.asset.gripper import GRIPPER
 from artgen.envs.kinematics import frames
 from artgen.envs.motion import Stage, lifted
 from artgen.envs.robot import LIMITS
-from artgen.envs.task import TASKS
 from artgen.envs.targets import found, push_door
+from artgen.envs.task import TASKS
 from artgen.errors import EnvError
 
 SEED = 4
@@ -96,8 +96,10 @@ def test_an_asset_without_the_part_is_refused_with_what_it_has(assets):
 
 
 def test_a_lever_without_a_door_is_nothing_to_push():
-    lever = artgen.generate("handle", 0, certify=False, opener="lever")
-    with pytest.raises(EnvError, match=r"has nothing for PushDoor: Turn the lever .* Take assets that the task"):
+    lever = artgen.generate("handle", 0, certify=False)
+    with pytest.raises(
+        EnvError, match=r"has nothing for PushDoor: Turn the lever .* Take assets that the task"
+    ):
         TASKS["PushDoor"].target(lever, np.random.default_rng(0))
 
 

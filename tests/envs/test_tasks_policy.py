@@ -59,9 +59,7 @@ def pushed(env, force, lever=0.0):
     """Push the leaf at its lock with a force for a second, with the lever held; return how far it opened."""
     model, data = env.model, env.data
     turn, hinge = (model.joint(stage.joint) for stage in env.target.stages)
-    arm = np.linalg.norm(
-        env.target.stages[0].affordance.frame[:2, 3] - env.asset.joint(hinge.name).pivot[:2]
-    )
+    arm = np.linalg.norm(env.target.stages[0].affordance.frame[:2, 3] - env.asset.joint(hinge.name).pivot[:2])
     still = np.zeros(7)
     still[6] = 1.0
     for _ in range(20):
@@ -74,7 +72,7 @@ def pushed(env, force, lever=0.0):
 def test_a_door_stays_shut_however_hard_it_is_pushed_until_its_lever_is_turned():
     env = ManipulationEnv("PushDoor", range(SEED, SEED + 1), terminate_on_success=False)
     env.reset(seed=0)
-    turn, hinge = env.target.stages
+    _, hinge = env.target.stages
     assert pushed(env, 200.0) < 0.1 * hinge.goal
     assert env.reached() == (False, False)
     env.reset(seed=0)

@@ -7,7 +7,7 @@ from artgen.envs.robot import LIMITS
 
 Array = NDArray[np.float64]
 
-# what robosuite's model of the arm has: from each joint to the next, at an angle of 0: turn about x, then shift
+# as in robosuite's model of the arm: from each joint to the next, at angle 0, a turn about x and a shift
 _TURNS = (0.0, -0.5, 0.5, 0.5, -0.5, 0.5, 0.5)  # [pi]
 _SHIFTS = np.array(
     [

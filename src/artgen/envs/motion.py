@@ -23,8 +23,8 @@ class Contact:
     Attributes:
         kind: `grasp`, closing on the link; `push`, with the closed fingers.
         link: Name of the link.
-        frame: Pose of the tip, the middle between the pads, at the link's rest pose: z out of the hand, x along
-            which the fingers close, shape (4, 4) [m].
+        frame: Pose of the tip, the middle between the pads, at the link's rest pose: z out of the hand, x
+            along which the fingers close, shape (4, 4) [m].
         width: Opening with which the hand comes [m].
         back: How far away along the approach the hand starts, and to where it goes back afterwards [m].
         through: Poses of the tip, in asset coordinates, that lead to the start of the approach.
@@ -79,7 +79,7 @@ class Stage:
 
     def reached(self, position: float) -> bool:
         """Tell whether a position is the goal or beyond it."""
-        return (position - self.goal) * np.sign(self.goal - self.start) >= 0.0
+        return position >= self.goal if self.goal > self.start else position <= self.goal
 
 
 @dataclass(frozen=True, eq=False)
@@ -140,7 +140,7 @@ def between(first: Array, second: Array, shift: float, turn: float) -> list[Arra
     vector = rotation_vector(second[:3, :3] @ first[:3, :3].T)
     angle = float(np.linalg.norm(vector))
     apart = second[:3, 3] - first[:3, 3]
-    count = int(np.ceil(max(np.linalg.norm(apart) / shift, angle / turn)))
+    count = int(np.ceil(max(float(np.linalg.norm(apart)) / shift, angle / turn)))
     result = []
     for share in np.arange(1, count) / max(count, 1):
         pose = first.copy()
@@ -152,9 +152,7 @@ def between(first: Array, second: Array, shift: float, turn: float) -> list[Arra
 
 def rotation_vector(matrix: Array) -> Array:
     """Return the axis of a rotation times its angle, shape (3,) [rad]."""
-    vector = np.array(
-        [matrix[2, 1] - matrix[1, 2], matrix[0, 2] - matrix[2, 0], matrix[1, 0] - matrix[0, 1]]
-    )
+    vector = np.array([matrix[2, 1] - matrix[1, 2], matrix[0, 2] - matrix[2, 0], matrix[1, 0] - matrix[0, 1]])
     sine = float(np.linalg.norm(vector))
     angle = float(np.arctan2(sine, np.trace(matrix) - 1.0))
     if sine > 1e-6:

@@ -24,14 +24,6 @@ HAND = np.array(
 )
 """Corners of the box behind the fingers, in the tip's frame, shape (2, 3) [m]."""
 
-FINGERS = np.array(
-    [
-        [-GRIPPER.thick, -GRIPPER.wide / 2.0, GRIPPER.tip - GRIPPER.long],
-        [GRIPPER.thick, GRIPPER.wide / 2.0, 0.0],
-    ]
-)
-"""Corners of the box of closed fingers, but for their ends, in the tip's frame, shape (2, 3) [m]."""
-
 
 class Obstacles:
     """The boxes of an asset.
@@ -58,7 +50,9 @@ class Obstacles:
                 frames.append(frame)
                 halves.append(half)
                 is_hull = each.convex.kind == "hull"
-                corners.append(each.convex.points if is_hull else (_UNIT * half) @ frame[:3, :3].T + frame[:3, 3])
+                corners.append(
+                    each.convex.points if is_hull else (_UNIT * half) @ frame[:3, :3].T + frame[:3, 3]
+                )
                 self._links.append(link.name)
         if raised:
             frame, half = np.eye(4), np.array([*(high - low)[:2], _TABLE]) / 2.0
@@ -114,7 +108,9 @@ class Obstacles:
             second, third = (first + 1) % 3, (first + 2) % 3
             for other in range(3):
                 right, left = (other + 1) % 3, (other + 2) % 3
-                between = np.abs(apart[:, third] * turn[:, second, other] - apart[:, second] * turn[:, third, other])
+                between = np.abs(
+                    apart[:, third] * turn[:, second, other] - apart[:, second] * turn[:, third, other]
+                )
                 reach = half[second] * size[:, third, other] + half[third] * size[:, second, other]
                 reach += halves[:, right] * size[:, first, left] + halves[:, left] * size[:, first, right]
                 close &= between <= reach
@@ -143,11 +139,9 @@ def _box(convex: Convex) -> tuple[Array, Array]:
         frame = np.eye(4)
         frame[:3, 3] = (low + high) / 2.0
         return frame, (high - low) / 2.0
-    size = convex.size
-    half = {
-        "box": lambda: np.array(size) / 2.0,
-        "cylinder": lambda: np.array([size[0], size[0], size[-1] / 2.0]),
-        "sphere": lambda: np.full(3, size[0]),
-        "capsule": lambda: np.array([size[0], size[0], size[-1] / 2.0 + size[0]]),
-    }[convex.kind]()
-    return convex.pose, half
+    if convex.kind == "box":
+        return convex.pose, np.array(convex.size) / 2.0
+    radius = convex.size[0]
+    long = 0.0 if convex.kind == "sphere" else convex.size[1] / 2.0
+    beyond = 0.0 if convex.kind == "cylinder" else radius
+    return convex.pose, np.array([radius, radius, long + beyond])

@@ -84,7 +84,7 @@ def place(
 def _trials(
     obstacles: Obstacles, ways: Sequence[_Way], rng: np.random.Generator
 ) -> Iterator[tuple[_Way, Array]]:
-    """Yield ways of the hand with places to try them from, some at a time, a few places for each way first."""
+    """Yield ways of the hand, few at a time, with places to try them from, few at a time."""
     for first in range(0, len(ways), _TOGETHER):
         some = [(way, _bases(obstacles, way, rng)) for way in ways[first : first + _TOGETHER]]
         for begin in range(0, _ROUNDS * _BASES, _BASES):
@@ -187,12 +187,15 @@ def _bases(obstacles: Obstacles, way: _Way, rng: np.random.Generator) -> Array:
     heading = np.arctan2(away[1], away[0])
     spans = np.concatenate([obstacles.spans(pose) for pose in way.poses])
     most = float(obstacles.asset.bounds()[0, 2]) - _STEP if obstacles.raised else np.inf
-    heights = sorted({min(max(obstacles.floor, round(middle[2] - above, 3)), most) for above in _ABOVE})
+    lowest = obstacles.floor
+    heights = sorted({round(min(max(lowest, middle[2] - above), most), 3) + 0.0 for above in _ABOVE})
     result = []
     for angle in heading + _ANGLES:
         for distance in _DISTANCES:
             for height in heights:
-                place = np.array([*(middle[:2] + distance * np.array([np.cos(angle), np.sin(angle)])), height])
+                place = np.array(
+                    [*(middle[:2] + distance * np.array([np.cos(angle), np.sin(angle)])), height]
+                )
                 low, high = place - (_FOOT, _FOOT, 10.0), place + (_FOOT, _FOOT, 0.35)
                 if ((spans[:, 0] < high) & (spans[:, 1] > low)).all(axis=1).any():
                     continue

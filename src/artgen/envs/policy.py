@@ -31,7 +31,7 @@ Aim = tuple[Array, float]
 
 
 class ScriptedPolicy:
-    """Does the task of an environment from what it knows: the joints' true positions and the frames of grasps.
+    """Does the task of an environment from what it knows: where joints truly stand, and the frames of grasps.
 
     It begins anew with each reset of the environment.
 
@@ -143,13 +143,14 @@ class _Script:
         while idle < _IDLE:
             tip = self._env.tip()
             shift = pose[:3, 3] - tip[:3, 3]
+            apart = float(np.linalg.norm(shift))
             turn = rotation_vector(pose[:3, :3] @ tip[:3, :3].T)
-            missing = float(np.linalg.norm(shift) + _TURN_MATTERS * np.linalg.norm(turn))
+            missing = apart + _TURN_MATTERS * float(np.linalg.norm(turn))
             if missing < near:
                 return
             best, idle = (missing, 0) if missing < best - _NEARER else (best, idle + 1)
             aim = pose.copy()
-            aim[:3, 3] = tip[:3, 3] + shift * min(1.0, speed * POSITION / max(np.linalg.norm(shift), 1e-9))
+            aim[:3, 3] = tip[:3, 3] + shift * min(1.0, speed * POSITION / max(apart, 1e-9))
             yield aim, self._opening
 
     def _follow(self, move: Move, contact: Contact) -> Iterator[Aim]:

@@ -1,4 +1,4 @@
-"""What tasks ask of an asset: which joints, how far, and where hands act. Several choices where it has several."""
+"""What tasks ask of an asset: which joints, how far, and where hands act, in all its choices."""
 
 from collections.abc import Callable, Iterator
 from typing import Literal
@@ -64,9 +64,9 @@ def found(asset: Asset, part: str, kind: str, joint_kind: str) -> list[Affordanc
         way = "grasp" if kind == "grasp" else "push"
         have = ", ".join(f"{each.name} ({each.link})" for each in asset.affordances) or "none"
         raise EnvError(
-            f"asset {asset.name!r} of category {asset.category!r} has no {part} that a hand can {way} to move "
-            f"a {joint_kind} joint; it has these grasps and pushes: {have}. Draw it with the part, as the "
-            "task's own generate(seed) does"
+            f"asset {asset.name!r} of category {asset.category!r} has no {part} that a hand can {way} "
+            f"to move a {joint_kind} joint; it has these grasps and pushes: {have}. Draw it with the part, "
+            "as the task's own generate(seed) does"
         )
     return result
 
@@ -91,11 +91,11 @@ def stage(
 
 
 def push_door(asset: Asset, rng: np.random.Generator) -> Iterator[Choice]:
-    """Yield the lever before the door, which frees the latch, and the leaf that is pushed with the same hold."""
+    """Yield the lever, which frees the latch, and the leaf, which is pushed with the same hold."""
     for grasp in shuffled(found(asset, "handle", "grasp", "revolute"), rng):
         lever, *others = (asset.joint(name) for name in grasp.joints)
         hinge = next((each for each in others if each.kind == "revolute" and each.needs is not None), None)
-        if hinge is None or lever.limits is None or not _pushed(grasp, hinge.motion(0.1), opposite=False):
+        if hinge is None or lever.limits is None or not _is_pushed(grasp, hinge.motion(0.1)):
             continue
         freed = _frees(asset, hinge.name, lever.name)
         goal = max(0.3, freed + 0.02 * (lever.limits[1] - freed))
@@ -108,14 +108,13 @@ def push_door(asset: Asset, rng: np.random.Generator) -> Iterator[Choice]:
         )
         push = Stage(hinge.name, 0.0, 0.3, grasp, (Move(hinge.name, 0.34, None),))
         yield (turn, push)
-    # what is drawn otherwise opens to the other side, or is not latched
 
 
-def _pushed(affordance: Affordance, motion: Array, *, opposite: bool) -> bool:
-    """Tell whether a small motion carries an affordance along its approach, or against it."""
+def _is_pushed(affordance: Affordance, motion: Array) -> bool:
+    """Tell whether a motion carries an affordance along its approach, so that the hand pushes."""
     before = affordance.frame[:3, 3]
     way = motion[:3, :3] @ before + motion[:3, 3] - before
-    return bool((way @ affordance.frame[:3, 2] > 0.0) != opposite)
+    return bool(way @ affordance.frame[:3, 2] > 0.0)
 
 
 def _frees(asset: Asset, blocked: str, lever: str) -> float:

@@ -66,8 +66,8 @@ class Task:
                 return found
         if not tried:
             raise EnvError(
-                f"asset {asset.name!r} of category {asset.category!r} has nothing for {self.name}: {self.doc} "
-                "Take assets that the task's generate(seed) draws"
+                f"asset {asset.name!r} of category {asset.category!r} has nothing for {self.name}: "
+                f"{self.doc} Take assets that the task's generate(seed) draws"
             )
         raise EnvError(
             f"{self.name}: no place was found from which a Panda reaches what it has to move on asset "
@@ -88,7 +88,7 @@ def _tasks() -> dict[str, Task]:
             15.0,
             "Turn the lever until the latch is free, by 0.3 rad or more, then push the leaf open by 0.3 rad.",
             push_door,
-            {"opener": "lever", "layout": "single", "opens": "away"},
+            {"opener": "lever", "layout": "single"},
         ),
         Task(
             "PushToasterLever",
@@ -122,7 +122,7 @@ def _tasks() -> dict[str, Task]:
         Task(
             "PressMicrowaveButton",
             "microwave",
-            8.0,
+            5.0,
             "Press a key or button of the microwave oven.",
             simple("", "push", "prismatic", 0.8),
             {"controls": choice("keypad", "mixed")},

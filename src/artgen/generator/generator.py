@@ -19,6 +19,7 @@ from artgen.errors import (
 from artgen.generator.blame import call_author
 from artgen.generator.built import Built
 from artgen.generator.draw import Draw, Overrides
+from artgen.generator.memory import SHARED
 from artgen.generator.parameter import Parameter, Variant, is_variant
 from artgen.generator.proof import OnCollision, certify_sample, check_proof
 from artgen.generator.signature import read_parameters
@@ -27,8 +28,6 @@ from artgen.graph.node import Node, topological
 from artgen.nodes.handles import Body
 from artgen.sampling import Fixed, Given
 from artgen.version import __version__
-
-_SHARED_CACHE = Cache()
 
 
 class Generator(Variant):
@@ -246,7 +245,7 @@ class Generator(Variant):
             try:
                 # a cache of his own has who changes one value after another; else all is made anew
                 body = self.build(values) if cache is None else self._built.of(values)
-                evaluation = Graph(body).evaluate(values, _SHARED_CACHE if cache is None else cache)
+                evaluation = Graph(body).evaluate(values, SHARED if cache is None else cache)
                 try:
                     asset = self._asset(body, evaluation, values, name, base, seed=seed, attempt=attempt)
                     if certify:

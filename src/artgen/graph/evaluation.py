@@ -50,6 +50,10 @@ class Cache:
         if len(self._values) > self.capacity:
             self._values.popitem(last=False)
 
+    def clear(self) -> None:
+        """Forget all values."""
+        self._values.clear()
+
 
 @dataclass
 class Evaluation:
