@@ -54,9 +54,6 @@ NO_PART = ("cord", "hose")
 HANDLE_LIKE = ("handle", "lever", "knob", "button", "switch")
 """Parts that a hand acts on."""
 
-VOID = 255
-"""Class of pixels of the asset that are of no part: nothing is learned there."""
-
 SMALLEST = 4e-4
 """Share of the pixels of an image below which a part is not asked for: 10 x 10 pixels of 512 x 512."""
 
@@ -71,6 +68,7 @@ class PartImages:
 
     Attributes:
         classes: Names such as `door/handle`; class 0 is the background, so theirs begin with 1.
+        other: The class after them: of what is on an asset and of no part, or of one that is not wanted.
         images: COCO's records of the images.
         truth: The parts as COCO's ground truth.
     """
@@ -95,6 +93,7 @@ class PartImages:
         }
         names = dict.fromkeys(part_of(*each, {each[1]}) for each in self._labels.values())
         self.classes = chosen(tuple(name for name in names if name), parts)
+        self.other = len(self.classes) + 1
         self._annotations = {each["id"]: self._merged(coco, each["id"]) for each in self.images}
         self.truth = ground_truth(self.images, self._annotations, self.classes)
 
@@ -111,7 +110,7 @@ class PartImages:
         numbers = {name: number for number, name in enumerate(self.classes, 1)}
         groups: dict[tuple[int, str], list[Any]] = defaultdict(list)
         for each in coco.imgToAnns[image]:
-            groups[numbers.get(self._parts[each["id"]], VOID), each["link"]].append(coco.annToRLE(each))
+            groups[numbers.get(self._parts[each["id"]], self.other), each["link"]].append(coco.annToRLE(each))
         return [{"class": number, "rle": rle.merge(masks)} for (number, _), masks in groups.items()]
 
     def picture(self, index: int) -> Image.Image:
@@ -121,7 +120,7 @@ class PartImages:
     def masks(self, index: int) -> list[tuple[int, Array]]:
         """Return the class and the mask of each part in an image, without what is of no part."""
         found = self._annotations[self.images[index]["id"]]
-        return [(each["class"], rle.decode(each["rle"]) > 0) for each in found if each["class"] != VOID]
+        return [(each["class"], rle.decode(each["rle"]) > 0) for each in found if each["class"] != self.other]
 
     def whole(self, index: int) -> Box:
         """Return the box of a whole image."""
@@ -162,20 +161,19 @@ class PartImages:
             if len(y) == 0:
                 continue
             classes[y, x] = each["class"]
-            if each["class"] != VOID:
+            if each["class"] != self.other:
                 offsets[:, y, x] = (np.array((y.mean(), x.mean()))[:, None] - (y, x)) / size
         return image, classes, offsets
 
     def frequencies(self) -> Array:
-        """Return which share of the pixels is of each class, shape (1 + classes,)."""
-        areas = np.zeros(1 + len(self.classes))
+        """Return which share of the pixels is of each class, shape (2 + classes,)."""
+        areas = np.zeros(2 + len(self.classes))
         for each in self.images:
             areas[0] += each["width"] * each["height"]
             for found in self._annotations[each["id"]]:
                 area = float(rle.area(found["rle"]))
                 areas[0] -= area
-                if found["class"] != VOID:
-                    areas[found["class"]] += area
+                areas[found["class"]] += area
         return areas / areas.sum()
 
 
@@ -235,7 +233,7 @@ def ground_truth(
         | {"area": float(rle.area(each["rle"])), "bbox": rle.toBbox(each["rle"]).tolist()}
         for image, several in annotations.items()
         for each in several
-        if each["class"] != VOID
+        if each["class"] <= len(classes)
     ]
     truth.dataset = {
         "images": images,
@@ -251,12 +249,12 @@ def instances(probabilities: Array, offsets: Array) -> list[Instance]:
     """Tell instances apart: pixels of a class that point to the same centre are of one.
 
     Args:
-        probabilities: Of each class in each pixel, shape (1 + classes, height, width).
+        probabilities: Of each class in each pixel, shape (2 + classes, height, width).
         offsets: From each pixel to the centre of its instance, shape (2, height, width) [heights and widths].
     """
     best = probabilities.argmax(0)
     found: list[Instance] = []
-    for number in np.unique(best[best > 0]):
+    for number in np.unique(best[(best > 0) & (best < len(probabilities) - 1)]):
         regions, count = ndimage.label(best == number)
         y, x = np.nonzero(regions)
         votes = np.stack((y, x)) + offsets[:, y, x] * np.array(best.shape)[:, None]

@@ -4,8 +4,8 @@
     python examples/training/ppo.py PushToasterLever --assets 1 10 100 --steps 1000000
 
 One policy is learnt for each number of training assets, all with the same number of steps, and tried on the
-same held-out assets: the table at the end tells what the diversity of assets is worth. `--steps` and the number
-of processes are all that a big machine changes.
+same held-out assets: the table at the end tells what the diversity of assets is worth. A big machine changes
+nothing but `--steps` and `--processes`.
 """
 
 import argparse
@@ -35,7 +35,9 @@ def made(task: str, seeds: range, **options: Any) -> Callable[[], gymnasium.Env[
 
     def make() -> gymnasium.Env[Any, Any]:
         torch.set_num_threads(1)
-        return Monitor(gymnasium.make(f"artgen/{task}-v0", assets=seeds, **options), info_keywords=("success",))
+        return Monitor(
+            gymnasium.make(f"artgen/{task}-v0", assets=seeds, **options), info_keywords=("success",)
+        )
 
     return make
 
@@ -119,9 +121,13 @@ def main() -> None:
     """Learn once for each number of assets and print the table."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
     parser.add_argument("task", choices=sorted(artgen.envs.TASKS))
-    parser.add_argument("--assets", type=int, nargs="+", default=[1, 10, 100], help="numbers of training assets")
+    parser.add_argument(
+        "--assets", type=int, nargs="+", default=[1, 10, 100], help="numbers of training assets"
+    )
     parser.add_argument("--steps", type=int, default=1_000_000, help="steps of the environments for each")
-    parser.add_argument("--minutes", type=float, default=60.0, help="the most that the learning of each may take")
+    parser.add_argument(
+        "--minutes", type=float, default=60.0, help="the most that the learning of each may take"
+    )
     parser.add_argument("--processes", type=int, default=min(2 * (os.cpu_count() or 1), 128))
     parser.add_argument("--episodes", type=int, default=100, help="held-out assets")
     parser.add_argument("--seed", type=int, default=0)

@@ -22,7 +22,6 @@ import numpy as np
 import torch
 from part_images import (
     HANDLE_LIKE,
-    VOID,
     Array,
     Box,
     PartImages,
@@ -51,7 +50,8 @@ class UNet(nn.Module):
             nn.Sequential(block(a, b, stride=2), block(b, b)) for a, b in itertools.pairwise(widths)
         )
         self.up = nn.ModuleList(block(a + b, a) for a, b in itertools.pairwise(widths))
-        self.last = nn.Conv2d(width, 1 + classes + 2, 1)
+        self.overall = nn.Linear(widths[-1], classes)
+        self.last = nn.Conv2d(width, classes + 2, 1)
 
     def forward(self, images: Tensor) -> tuple[Tensor, Tensor]:
         """Return the scores of the classes and the ways to the centres, at half the size of the images."""
@@ -59,11 +59,12 @@ class UNet(nn.Module):
         for down in self.down:
             levels.append(down(levels[-1]))
         x = levels.pop()
+        likely = self.overall(x.mean((2, 3)))  # what is in the image at all: which category it is of
         for up in reversed(self.up):
             skip = levels.pop()
             x = up(torch.cat((skip, functional.interpolate(x, skip.shape[2:])), 1))
         said = self.last(x)
-        return said[:, :-2], said[:, -2:]
+        return said[:, :-2] + likely[:, :, None, None], said[:, -2:]
 
 
 def block(inputs: int, outputs: int, stride: int = 1) -> nn.Sequential:
@@ -77,7 +78,7 @@ class SmallNetwork:
 
     def __init__(self, images: PartImages, size: int, width: int = 16) -> None:
         self.size = size
-        self.model = UNet(len(images.classes), width).to(DEVICE, memory_format=torch.channels_last)
+        self.model = UNet(2 + len(images.classes), width).to(DEVICE, memory_format=torch.channels_last)
         rare = images.frequencies().clip(1e-6) ** -0.35  # small parts count for more than their pixels
         self.weights = torch.tensor(rare / rare[0], dtype=torch.float32, device=DEVICE).clamp(max=20.0)
 
@@ -97,7 +98,7 @@ class SmallNetwork:
         images, classes, offsets = (each.to(DEVICE) for each in batch)
         scores, ways = self.model(images.float().contiguous(memory_format=torch.channels_last))
         classes, offsets = classes[:, ::2, ::2].long(), offsets[:, :, ::2, ::2]
-        wrong = functional.cross_entropy(scores, classes, self.weights, ignore_index=VOID)
+        wrong = functional.cross_entropy(scores, classes, self.weights)
         known = ~offsets.isnan()
         far = functional.l1_loss(ways[known], offsets[known])
         return wrong + far  # more of the centres, and the classes are learnt late
@@ -196,7 +197,7 @@ def train(network: Any, images: PartImages, steps: int, batch: int, rate: float,
     workers = min(8, (os.cpu_count() or 1) // 2 - 1)  # none where there are two cores
     loader = DataLoader(shuffled, batch, collate_fn=network.together, num_workers=workers)
     optimizer = torch.optim.AdamW(network.model.parameters(), rate, weight_decay=1e-4)
-    schedule = torch.optim.lr_scheduler.OneCycleLR(optimizer, rate, total_steps=steps)
+    schedule = torch.optim.lr_scheduler.OneCycleLR(optimizer, rate, total_steps=steps, pct_start=0.1)
     network.model.train()
     start, lately = time.monotonic(), 0.0
     for step, each in enumerate(loader, 1):

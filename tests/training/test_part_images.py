@@ -10,7 +10,7 @@ FOLDER = Path(__file__).parents[2] / "examples" / "training"
 pytest.importorskip("pycocotools", reason="pip install 'artgen[images]'")
 sys.path.insert(0, str(FOLDER))
 import part_images  # noqa: E402
-from part_images import VOID, PartImages  # noqa: E402
+from part_images import PartImages  # noqa: E402
 
 from support.flat_doors import SIZE, drawn  # noqa: E402
 
@@ -41,7 +41,7 @@ def test_labels_of_one_link_become_one_part(folder):
 def test_offsets_point_to_the_middle_of_each_part(folder):
     images = PartImages(folder, "test")
     _, classes, offsets = images.example(0, SIZE)
-    assert (classes == VOID).sum() == 15
+    assert (classes == images.other).sum() == 15
     number = 1 + images.classes.index("door/handle")
     y, x = np.nonzero(classes == number)
     pointed = np.stack((y, x)) + SIZE * offsets[:, y, x]
@@ -89,7 +89,8 @@ def test_truth_as_answer_has_full_precision_and_a_shifted_one_has_less(folder):
 
 
 def test_votes_part_neighbours_and_join_what_something_hides():
-    probabilities = np.zeros((2, 60, 60))
+    probabilities = np.zeros((3, 60, 60))  # background, a part, and what is of no part
+    probabilities[2, :5] = 1.0
     probabilities[0] = 0.5
     probabilities[1, 10:30, 10:30] = probabilities[1, 10:30, 30:50] = 0.9  # two that touch
     probabilities[1, 40:44, 10:50] = probabilities[1, 50:54, 10:50] = 0.9  # one with something before it
@@ -112,6 +113,9 @@ def test_a_wrong_part_or_an_empty_folder_is_one_clear_error(folder, tmp_path):
         SystemExit, match=r"error: no part 'door/handel' in these images; did you mean 'door/handle'\?"
     ):
         PartImages(folder, "train", ["door/handel"])
-    assert PartImages(folder, "train", ["handle"]).classes == ("door/handle",)
+    handles = PartImages(folder, "train", ["handle"])
+    assert handles.classes == ("door/handle",)
+    assert [number for number, _ in handles.masks(0)] == [1]
+    assert set(np.unique(handles.example(0, SIZE)[1])) == {0, 1, handles.other}
     with pytest.raises(SystemExit, match=r"error: there is no .*train\.json; make it with: artgen images"):
         PartImages(tmp_path, "train")

@@ -15,6 +15,9 @@ Array = NDArray[np.float64]
 OPEN = GRIPPER.stroke
 """Widest opening of the hand [m]."""
 
+BACK, FAR_BACK = 0.10, 0.16
+"""How far away the hand begins its approach: as a rule, and where chance would do the task too often [m]."""
+
 
 @dataclass(frozen=True, eq=False)
 class Contact:
@@ -34,7 +37,7 @@ class Contact:
     link: str
     frame: Array
     width: float = 0.0
-    back: float = 0.10
+    back: float = BACK
     through: tuple[Array, ...] = ()
 
 
@@ -165,6 +168,6 @@ def rotation_vector(matrix: Array) -> Array:
     return np.asarray(angle * axis / np.linalg.norm(axis))
 
 
-def contact_of(affordance: Affordance, back: float = 0.10) -> Contact:
+def contact_of(affordance: Affordance, back: float = BACK) -> Contact:
     """Return the contact that an affordance describes."""
     return Contact(affordance.kind, affordance.link, tip_of(affordance), affordance.width, back)

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from artgen.asset import Asset
 from artgen.asset.affordance import Affordance
-from artgen.envs.motion import Contact, Move, Stage, contact_of, lifted
+from artgen.envs.motion import BACK, FAR_BACK, Contact, Move, Stage, contact_of, lifted
 from artgen.errors import EnvError
 
 Array = NDArray[np.float64]
@@ -29,6 +29,7 @@ def simple(
     share: float = 0.0,
     *,
     at_least: float = 0.0,
+    back: float = BACK,
 ) -> Chooser:
     """Return what moves one joint of a part by a share of its range, or by a length or an angle.
 
@@ -38,11 +39,12 @@ def simple(
         joint_kind: Kind of the joint.
         share: Share of the joint's range up to the goal.
         at_least: The goal itself where `share` is 0 [rad or m].
+        back: How far away the hand begins its approach; far where chance moves the joint easily [m].
     """
 
     def choose(asset: Asset, rng: np.random.Generator) -> Iterator[Choice]:
         for affordance in shuffled(found(asset, part, kind, joint_kind), rng):
-            yield (stage(asset, affordance, share, at_least),)
+            yield (stage(asset, affordance, share, at_least, back=back),)
 
     return choose
 
@@ -77,7 +79,7 @@ def shuffled(items: list[Affordance], rng: np.random.Generator) -> list[Affordan
 
 
 def stage(
-    asset: Asset, affordance: Affordance, share: float, at_least: float = 0.0, *, holds: bool = False
+    asset: Asset, affordance: Affordance, share: float, at_least: float = 0.0, *, back: float = BACK
 ) -> Stage:
     """Return the stage that moves the nearest joint of an affordance from rest upwards."""
     joint = asset.joint(affordance.joints[0])
@@ -85,9 +87,8 @@ def stage(
     start, end = joint.closed, joint.limits[1]
     goal = start + share * (end - start) if share else start + min(at_least, 0.98 * (end - start))
     until = min(goal + _PAST * (goal - start) + 0.01 * (end - start), end)
-    return Stage(
-        joint.name, start, goal, affordance, (Move(joint.name, until, contact_of(affordance)),), holds
-    )
+    move = Move(joint.name, until, contact_of(affordance, back))
+    return Stage(joint.name, start, goal, affordance, (move,))
 
 
 def push_door(asset: Asset, rng: np.random.Generator) -> Iterator[Choice]:
@@ -104,7 +105,7 @@ def push_door(asset: Asset, rng: np.random.Generator) -> Iterator[Choice]:
             0.0,
             goal,
             grasp,
-            (Move(lever.name, 0.5 * (goal + lever.limits[1]), contact_of(grasp)),),
+            (Move(lever.name, 0.5 * (goal + lever.limits[1]), contact_of(grasp, FAR_BACK)),),
         )
         push = Stage(hinge.name, 0.0, 0.3, grasp, (Move(hinge.name, 0.34, None),))
         yield (turn, push)

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from artgen.asset import Asset
 from artgen.catalog import generate
-from artgen.envs.motion import Contact, Move, Stage, Target
+from artgen.envs.motion import FAR_BACK, Contact, Move, Stage, Target
 from artgen.envs.placing import place
 from artgen.envs.targets import Chooser, open_dishwasher, push_door, simple
 from artgen.errors import EnvError
@@ -85,7 +85,7 @@ def _tasks() -> dict[str, Task]:
         Task(
             "PushDoor",
             "door",
-            15.0,
+            10.0,
             "Turn the lever until the latch is free, by 0.3 rad or more, then push the leaf open by 0.3 rad.",
             push_door,
             {"opener": "lever", "layout": "single"},
@@ -124,16 +124,16 @@ def _tasks() -> dict[str, Task]:
             "microwave",
             5.0,
             "Press a key or button of the microwave oven.",
-            simple("", "push", "prismatic", 0.8),
+            simple("", "push", "prismatic", 0.8, back=FAR_BACK),
             {"controls": choice("keypad", "mixed")},
             raised=True,
         ),
         Task(
             "TurnFaucet",
             "faucet",
-            10.0,
-            "Open the faucet by half of what its handle turns or lifts.",
-            simple("handle", "grasp", "revolute", 0.5),
+            6.0,
+            "Open the faucet by four fifths of what its handle turns or lifts.",
+            simple("handle", "grasp", "revolute", 0.8, back=FAR_BACK),
         ),
         Task(
             "OpenTrashcan",
