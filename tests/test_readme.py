@@ -7,7 +7,10 @@ import subprocess
 import sys
 from pathlib import Path
 
+import typer
+
 import artgen
+from artgen.cli import app
 from artgen.view import RenderError, gl
 
 TEXT = (Path(__file__).parent.parent / "README.md").read_text(encoding="utf-8")
@@ -45,6 +48,11 @@ def test_python_blocks_run_one_after_the_other(tmp_path: Path) -> None:
     assert not done.stderr
 
 
+def has_own_tests(command: str) -> bool:
+    """Tell whether a command opens a browser, or works for minutes: its tests are elsewhere."""
+    return command.split()[1] in ("view", "gallery", "studio", "images", "demos")
+
+
 def draws(command: str) -> bool:
     return command.split()[1] in ("render", "sheet")
 
@@ -64,12 +72,19 @@ def can_draw() -> bool:
 
 def test_commands_run_one_after_the_other(tmp_path: Path) -> None:
     for command in COMMANDS:
-        if fetches(command) or (draws(command) and not can_draw()):
+        if has_own_tests(command) or fetches(command) or (draws(command) and not can_draw()):
             continue
         short = re.sub(r"--samples \d+", "--samples 1 --no-corners", command)
         done = run(["-m", *shlex.split(short, comments=True)], tmp_path)
         assert done.returncode == 0, (command, done.stderr)
         assert not done.stderr, command
+
+
+def test_the_other_commands_are_such_as_artgen_understands() -> None:
+    known = typer.main.get_command(app)
+    for command in filter(has_own_tests, COMMANDS):
+        _, name, *arguments = shlex.split(command, comments=True)
+        known.commands[name].make_context(name, arguments)  # reads the arguments, and runs nothing
 
 
 def test_categories_are_those_that_exist() -> None:
