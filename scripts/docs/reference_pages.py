@@ -39,6 +39,17 @@ PAGES: Mapping[str, tuple[str, tuple[str, ...]]] = {
     "graphs": ("Graphs", ("Graph", "Cache", "Evaluation")),
     "datasets": ("Datasets", ("Dataset", "stream", "dataset.generate_many", "dataset.Plan")),
     "images": ("Images for training", ("images.make_images", "images.ImagePlan")),
+    "tasks": (
+        "Manipulation tasks",
+        (
+            "envs.ManipulationEnv",
+            "envs.Task",
+            "envs.Target",
+            "envs.Stage",
+            "demos.make_demos",
+            "demos.record",
+        ),
+    ),
     "views": (
         "Pictures",
         (
@@ -69,6 +80,7 @@ PAGES: Mapping[str, tuple[str, tuple[str, ...]]] = {
             "ExportError",
             "ClientError",
             "RenderError",
+            "EnvError",
         ),
     ),
 }
