@@ -2,6 +2,8 @@
 
 import functools
 from collections.abc import Iterator, Sequence
+from io import BytesIO
+from pathlib import Path
 from typing import Any, Literal
 
 import numpy as np
@@ -27,7 +29,7 @@ def _font() -> Any:
     from font_roboto import RobotoMedium
     from fontTools.ttLib import TTFont
 
-    return TTFont(RobotoMedium, lazy=True)
+    return TTFont(BytesIO(Path(RobotoMedium).read_bytes()), lazy=True)  # leaves no file open
 
 
 def _curve(points: Array) -> tuple[Array, Array]:
