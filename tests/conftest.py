@@ -9,6 +9,7 @@ import pytest
 from hypothesis import settings
 
 from artgen.cli import main
+from artgen.generator import CATEGORIES
 
 settings.register_profile("artgen", deadline=None, derandomize=True, print_blob=True)
 settings.load_profile("artgen")
@@ -30,6 +31,15 @@ def _own_cache(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("ARTGEN_CACHE", str(shared / "artgen_cache"))
         yield
+
+
+@pytest.fixture(scope="module", autouse=True)
+def _own_categories() -> Iterator[None]:
+    """Forget the categories that the tests of a module have made; others are about those that are there."""
+    before = dict(CATEGORIES)
+    yield
+    CATEGORIES.clear()
+    CATEGORIES.update(before)
 
 
 @pytest.fixture(scope="module")

@@ -63,7 +63,7 @@ def test_the_vector_of_half_a_turn(axis):
 
 @pytest.fixture(scope="module")
 def plank():
-    @artgen.category(labels=("plank",))
+    @artgen.generator
     def plank() -> artgen.Body:
         """A thin plank that lies across."""
         return artgen.part(artgen.box(1.0, 0.01, 0.2).at(z=0.1), "plank", artgen.material("oak"))
