@@ -39,9 +39,7 @@ def _own_categories() -> Iterator[None]:
     before = set(CATEGORIES)
     yield
     for name in set(CATEGORIES) - before:
-        if not CATEGORIES[name].function.__module__.startswith(
-            "artgen.categories."
-        ):
+        if not CATEGORIES[name].function.__module__.startswith("artgen.categories."):
             del CATEGORIES[name]
 
 
