@@ -1,6 +1,9 @@
 """The arm: robosuite's law of control, and hands that go where they are told to."""
 
 import logging
+import os
+import subprocess
+import sys
 import warnings
 from types import SimpleNamespace
 
@@ -14,6 +17,9 @@ from artgen.envs import robot
 from artgen.envs.control import Control
 from artgen.envs.robot import HAND, HOME, OPENING, PREFIX, panda
 from artgen.errors import EnvError
+
+ALONE = "ARTGEN_TEST_ALONE"
+"""Tells a test that the process is its own."""
 
 
 @pytest.fixture(scope="module")
@@ -82,6 +88,19 @@ def theirs(model, data):
 
 
 def test_the_torques_are_those_of_robosuite(arm, monkeypatch):
+    if ALONE not in os.environ:  # what robosuite imports, and how, depends on what is there already
+        itself = f"{__file__}::test_the_torques_are_those_of_robosuite"
+        clean = {name: value for name, value in os.environ.items() if not name.startswith("PYTEST_")}
+        done = subprocess.run(
+            [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", itself],
+            capture_output=True,
+            text=True,
+            check=False,
+            env={**clean, ALONE: "1"},
+        )
+        assert done.returncode == 0, done.stdout
+        assert "1 passed" in done.stdout
+        return
     monkeypatch.setenv("MUJOCO_GL", "disabled")  # robosuite chooses OpenGL for everybody where nobody has
     monkeypatch.setattr(numba, "jit", lambda **_: lambda function: function)  # compiles for half a minute
     rng = np.random.default_rng(3)
