@@ -57,10 +57,12 @@ HANDLE_LIKE = ("handle", "lever", "knob", "button", "switch")
 SMALLEST = 4e-4
 """Share of the pixels of an image below which a part is not asked for: 10 x 10 pixels of 512 x 512."""
 
-_BLUR = 1.5  # of the votes for centres [cells]
-_CELLS = 160  # that the votes are counted in, on a side
+TILE = 0.3
+"""Side of the squares that a network looks at one by one, as a share of that around the asset."""
+
 _LEAST = 12  # pixels of an instance
-_MOST = 20  # instances of a class in an image
+_APART = 2.0  # how far two places are that pixels point to, by how much they disagree about each
+_NEAR = 0.3  # how near, by the side of a square as large as what points there
 
 
 class PartImages:
@@ -113,9 +115,13 @@ class PartImages:
             groups[numbers.get(self._parts[each["id"]], self.other), each["link"]].append(coco.annToRLE(each))
         return [{"class": number, "rle": rle.merge(masks)} for (number, _), masks in groups.items()]
 
-    def picture(self, index: int) -> Image.Image:
-        """Open an image."""
-        return Image.open(self.folder / self.images[index]["file_name"]).convert("RGB")
+    def picture(self, index: int, size: int | None = None, box: Box | None = None) -> Array:
+        """Return an image, or what a box of it shows in a square of pixels, shape (height, width, 3)."""
+        with Image.open(self.folder / self.images[index]["file_name"]) as image:
+            picture = image.convert("RGB")
+        if size is not None:
+            picture = picture.resize((size, size), Image.Resampling.BILINEAR, box, 2.0)
+        return np.array(picture)
 
     def masks(self, index: int) -> list[tuple[int, Array]]:
         """Return the class and the mask of each part in an image, without what is of no part."""
@@ -126,17 +132,33 @@ class PartImages:
         """Return the box of a whole image."""
         return 0.0, 0.0, float(self.images[index]["width"]), float(self.images[index]["height"])
 
-    def view(self, index: int, rng: np.random.Generator) -> Box:
-        """Draw a box: most of an image, or about as much as the asset takes."""
-        _, _, width, height = self.whole(index)
-        if rng.random() < 0.35:
+    def view(self, index: int, rng: np.random.Generator) -> tuple[Box, Box]:
+        """Draw a box to look at, and the box of what it is part of.
+
+        The first is most of an image, or a square of about half the asset, often around one of its parts;
+        the second is all that the image shows, or the square around the asset.
+        """
+        whole = self.whole(index)
+        width, height = whole[2:]
+        if rng.random() < 0.15:
             zoom = rng.uniform(0.8, 1.0)
             left, top = rng.uniform(0.0, 1.0 - zoom, 2) * (width, height)
-            return left, top, left + zoom * width, top + zoom * height
-        boxes = np.array([rle.toBbox(each["rle"]) for each in self._annotations[self.images[index]["id"]]])
+            box = left, top, left + zoom * width, top + zoom * height
+            return box, box
+        found = self._annotations[self.images[index]["id"]]
+        boxes = np.array([rle.toBbox(each["rle"]) for each in found])
         low, high = boxes[:, :2].min(0), (boxes[:, :2] + boxes[:, 2:]).max(0)
-        around = (low, high) + rng.normal(0.0, 0.04, (2, 2)) * (high - low)
-        return square((*around[0], *around[1]), (width, height), rng.uniform(0.0, 0.3))
+        around = (low, high) + rng.normal(0.0, 0.03, (2, 2)) * (high - low)
+        asset = square((*around[0], *around[1]), (width, height), rng.uniform(0.06, 0.2))
+        middle = rng.uniform(low, high)
+        kinds = np.array([each["class"] for each in found])
+        there = np.unique(kinds[kinds != self.other])
+        if len(there) and rng.random() < 0.75:  # a class of those in the image, and a part of it
+            one = boxes[rng.choice(np.flatnonzero(kinds == rng.choice(there)))]
+            middle = one[:2] + rng.uniform(0.0, 1.0, 2) * one[2:]
+        side = TILE * (asset[2] - asset[0]) * rng.uniform(0.8, 1.25)
+        middle += rng.uniform(-0.3, 0.3, 2) * side
+        return square((*(middle - 0.5 * side), *(middle + 0.5 * side)), (width, height), 0.0), asset
 
     def example(self, index: int, size: int, box: Box | None = None) -> tuple[Array, ...]:
         """Return an image and what a network is to say of it, in a square.
@@ -148,22 +170,35 @@ class PartImages:
 
         Returns:
             The image, shape (size, size, 3), uint8; the class of each pixel; and the way from each pixel to
-            the centre of its instance, shape (2, size, size) [sides of the square], NaN where there is none.
+            the centre of its instance, which may lie outside, shape (2, size, size) [sides of the square],
+            NaN where there is none.
         """
         left, top, right, bottom = box = self.whole(index) if box is None else box
-        image = np.array(self.picture(index).resize((size, size), Image.Resampling.BILINEAR, box, 2.0))
+        image = self.picture(index, size, box)
         middle = (np.arange(size) + 0.5) / size
         rows, columns = ((a + middle * (b - a)).astype(int) for a, b in ((top, bottom), (left, right)))
+        corner, sides = np.array(((top,), (left,))), np.array(((bottom - top,), (right - left,)))
         classes = np.zeros((size, size), np.uint8)
         offsets = np.full((2, size, size), np.nan, np.float32)
         for each in self._annotations[self.images[index]["id"]]:
-            y, x = np.nonzero(rle.decode(each["rle"])[np.ix_(rows, columns)])
+            mask = rle.decode(each["rle"])
+            y, x = np.nonzero(mask[np.ix_(rows, columns)])
             if len(y) == 0:
                 continue
             classes[y, x] = each["class"]
             if each["class"] != self.other:
-                offsets[:, y, x] = (np.array((y.mean(), x.mean()))[:, None] - (y, x)) / size
+                centre = np.mean(np.nonzero(mask), 1, keepdims=True) + 0.5
+                offsets[:, y, x] = (centre - corner) / sides - middle[np.stack((y, x))]
         return image, classes, offsets
+
+    def shares(self) -> Array:
+        """Return how often each image is to be learnt from: those without wanted parts a quarter as often."""
+        wanted = [
+            any(each["class"] != self.other for each in self._annotations[image["id"]])
+            for image in self.images
+        ]
+        weights = np.where(wanted, 1.0, 0.25)
+        return weights / weights.sum()
 
     def frequencies(self) -> Array:
         """Return which share of the pixels is of each class, shape (2 + classes,)."""
@@ -213,14 +248,24 @@ def square(box: Box, size: tuple[float, float], margin: float) -> Box:
     return left, top, left + side, top + side
 
 
-def changed(example: tuple[Array, ...], rng: np.random.Generator) -> tuple[Array, ...]:
-    """Return an example with another brightness, contrast and tint, and half of the time its mirror image."""
-    image, classes, offsets = example
-    gain, shift = rng.uniform(0.7, 1.3) * rng.uniform(0.92, 1.08, 3), rng.uniform(-20.0, 20.0)
-    image = np.clip(image * gain + shift, 0.0, 255.0).astype(np.uint8)
+def changed(
+    images: Sequence[Array], classes: Array, offsets: Array, rng: np.random.Generator
+) -> tuple[list[Array], Array, Array]:
+    """Return images of one asset in another light, and half of the time mirrored with what is said of them.
+
+    Args:
+        images: Each of shape (height, width, 3), uint8.
+        classes: Of each pixel of the first, shape (height, width).
+        offsets: From each of these to the centre of its instance, shape (2, height, width).
+        rng: Draws brightness, contrast, tint, and whether all is mirrored.
+    """
+    gain, shift = rng.uniform(0.7, 1.05) * rng.uniform(0.95, 1.05, 3), rng.uniform(-10.0, 10.0)
+    lit = [np.clip(image * gain + shift, 0.0, 255.0).astype(np.uint8) for image in images]
     if rng.random() < 0.5:
-        image, classes, offsets = image[:, ::-1], classes[:, ::-1], offsets[:, :, ::-1] * [[[1.0]], [[-1.0]]]
-    return np.ascontiguousarray(image), np.ascontiguousarray(classes), offsets.astype(np.float32)
+        lit = [np.ascontiguousarray(image[:, ::-1]) for image in lit]
+        classes = np.ascontiguousarray(classes[:, ::-1])
+        offsets = offsets[:, :, ::-1] * np.array([[[1.0]], [[-1.0]]], np.float32)
+    return lit, classes, offsets
 
 
 def ground_truth(
@@ -246,7 +291,10 @@ def ground_truth(
 
 
 def instances(probabilities: Array, offsets: Array) -> list[Instance]:
-    """Tell instances apart: pixels of a class that point to the same centre are of one.
+    """Tell instances apart: pixels of a class that hang together and point to the same centre are of one.
+
+    A region whose pixels point to two places is parted, and regions that point to the same place are joined:
+    the one has a neighbour of its class, the others something before it.
 
     Args:
         probabilities: Of each class in each pixel, shape (2 + classes, height, width).
@@ -255,34 +303,49 @@ def instances(probabilities: Array, offsets: Array) -> list[Instance]:
     best = probabilities.argmax(0)
     found: list[Instance] = []
     for number in np.unique(best[(best > 0) & (best < len(probabilities) - 1)]):
-        regions, count = ndimage.label(best == number)
-        y, x = np.nonzero(regions)
+        y, x = np.nonzero(best == number)
+        regions = ndimage.label(best == number)[0][y, x]
         votes = np.stack((y, x)) + offsets[:, y, x] * np.array(best.shape)[:, None]
-        areas = np.bincount(regions.ravel(), minlength=count + 1)
-        reach = 2.0 + 0.35 * np.sqrt(areas[regions[y, x]])  # large parts point less precisely
-        for members in _gathered(votes, reach, best.shape):
+        whole = [np.flatnonzero(regions == each) for each in range(1, regions.max() + 1)]
+        parted = [each for region in whole if len(region) >= _LEAST for each in _parted(votes, region)]
+        for members in _joined(votes, parted):
             mask = np.zeros(best.shape, bool)
             mask[y[members], x[members]] = True
             found.append((int(number), float(probabilities[number][mask].mean()), mask))
     return found
 
 
-def _gathered(votes: Array, reach: Array, shape: tuple[int, ...]) -> list[Array]:
-    """Group votes for centres, shape (2, n): around the place with most, then around that of the rest."""
-    cells = np.clip(votes / np.array(shape)[:, None] * _CELLS, 0, _CELLS - 1).astype(int)
-    left, groups = np.arange(votes.shape[1]), []
-    while len(left) >= _LEAST and len(groups) < _MOST:
-        heat = np.zeros((_CELLS, _CELLS), np.float32)
-        np.add.at(heat, tuple(cells[:, left]), 1.0)
-        peak = np.unravel_index(ndimage.gaussian_filter(heat, _BLUR).argmax(), heat.shape)
-        centre = (np.array(peak) + 0.5) / _CELLS * shape
-        near = np.hypot(*(votes[:, left] - centre[:, None])) < reach[left]
-        if not near.any():
-            break
-        if near.sum() >= _LEAST:
-            groups.append(left[near])
-        left = left[~near]
-    return groups
+def _parted(votes: Array, members: Array) -> list[Array]:
+    """Part pixels that point to two places, far apart for how much they disagree about each."""
+    mine = votes[:, members]
+    apart = mine - mine.mean(1, keepdims=True)
+    along = np.linalg.svd(apart @ apart.T)[0][:, 0] @ apart
+    halves = [along < 0.0, along >= 0.0]
+    for _ in range(8):  # the means of the two, and who is nearer to which
+        if min(map(np.sum, halves)) < _LEAST:
+            return [members]
+        low, high = (along[half].mean() for half in halves)
+        halves = [along < 0.5 * (low + high), along >= 0.5 * (low + high)]
+    if min(map(np.sum, halves)) < _LEAST:
+        return [members]
+    low, high = (along[half].mean() for half in halves)
+    if high - low < _APART * sum(along[half].std() for half in halves) + 2.0:
+        return [members]
+    return [each for half in halves for each in _parted(votes, members[half])]
+
+
+def _joined(votes: Array, groups: list[Array]) -> list[Array]:
+    """Join groups of pixels, the largest first, that point to the same place, for how large they are."""
+    joined: list[Array] = []
+    for group in sorted(groups, key=len, reverse=True):
+        for index, other in enumerate(joined):
+            far = np.hypot(*(votes[:, group].mean(1) - votes[:, other].mean(1)))
+            if far < _NEAR * np.sqrt(len(group) + len(other)):
+                joined[index] = np.concatenate((other, group))
+                break
+        else:
+            joined.append(group)
+    return joined
 
 
 def as_results(image: dict[str, Any], found: list[Instance], box: Box | None = None) -> list[dict[str, Any]]:

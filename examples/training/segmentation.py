@@ -22,6 +22,7 @@ import numpy as np
 import torch
 from part_images import (
     HANDLE_LIKE,
+    TILE,
     Array,
     Box,
     PartImages,
@@ -37,10 +38,15 @@ from torch.utils.data import DataLoader, Dataset
 
 DEVICE = torch.device("cuda" if torch.cuda.is_available() else "cpu")
 MEAN, SPREAD = 0.45, 0.25  # of what cameras see
+FEW = 20.0  # pixels of a class in a batch, below which it hardly matters whether they are found
 
 
 class UNet(nn.Module):
-    """Says of each pixel of which class it is and where the centre of its instance lies."""
+    """Says of each pixel of which class it is and where the centre of its instance lies.
+
+    Besides the square that it looks at, it sees all that this is part of at a glance: a small image that
+    tells of what category the asset is.
+    """
 
     def __init__(self, classes: int, width: int) -> None:
         super().__init__()
@@ -50,21 +56,29 @@ class UNet(nn.Module):
             nn.Sequential(block(a, b, stride=2), block(b, b)) for a, b in itertools.pairwise(widths)
         )
         self.up = nn.ModuleList(block(a + b, a) for a, b in itertools.pairwise(widths))
-        self.overall = nn.Linear(widths[-1], classes)
+        glance = (block(a, b, stride=2) for a, b in itertools.pairwise([3, *widths[::2]]))
+        self.glance = nn.Sequential(*glance, nn.AdaptiveAvgPool2d(1), nn.Flatten())
+        self.context = nn.Linear(widths[4], widths[-1])
+        self.overall = nn.Linear(widths[4], classes)
         self.last = nn.Conv2d(width, classes + 2, 1)
 
-    def forward(self, images: Tensor) -> tuple[Tensor, Tensor]:
+    def forward(self, images: Tensor, glances: Tensor) -> tuple[Tensor, Tensor]:
         """Return the scores of the classes and the ways to the centres, at half the size of the images."""
-        levels = [self.first((images / 255.0 - MEAN) / SPREAD)]
+        levels = [self.first(normal(images))]
         for down in self.down:
             levels.append(down(levels[-1]))
-        x = levels.pop()
-        likely = self.overall(x.mean((2, 3)))  # what is in the image at all: which category it is of
+        glance = self.glance(normal(glances))
+        x = levels.pop() + self.context(glance)[:, :, None, None]
         for up in reversed(self.up):
             skip = levels.pop()
             x = up(torch.cat((skip, functional.interpolate(x, skip.shape[2:])), 1))
         said = self.last(x)
-        return said[:, :-2] + likely[:, :, None, None], said[:, -2:]
+        return said[:, :-2] + self.overall(glance)[:, :, None, None], said[:, -2:]
+
+
+def normal(images: Tensor) -> Tensor:
+    """Return images whose numbers are about 0, and about 1 apart."""
+    return (images / 255.0 - MEAN) / SPREAD
 
 
 def block(inputs: int, outputs: int, stride: int = 1) -> nn.Sequential:
@@ -73,20 +87,35 @@ def block(inputs: int, outputs: int, stride: int = 1) -> nn.Sequential:
     return nn.Sequential(convolution, nn.BatchNorm2d(outputs), nn.ReLU(inplace=True))
 
 
+def overlap(scores: Tensor, classes: Tensor) -> Tensor:
+    """Return how far regions are from overlapping (1 - Dice), the mean over the classes of a batch.
+
+    Each class counts the same, be it of many pixels or of few.
+    """
+    likely = scores.softmax(1)
+    true = functional.one_hot(classes, scores.shape[1]).permute(0, 3, 1, 2).to(likely)
+    both, either = (likely * true).sum((0, 2, 3)), (likely + true).sum((0, 2, 3))
+    there = true.sum((0, 2, 3)) > 0
+    return (1.0 - (2.0 * both + FEW) / (either + FEW))[there].mean()
+
+
 class SmallNetwork:
     """The U-Net, and how it learns and answers."""
 
     def __init__(self, images: PartImages, size: int, width: int = 16) -> None:
         self.size = size
         self.model = UNet(2 + len(images.classes), width).to(DEVICE, memory_format=torch.channels_last)
-        rare = images.frequencies().clip(1e-6) ** -0.35  # small parts count for more than their pixels
-        self.weights = torch.tensor(rare / rare[0], dtype=torch.float32, device=DEVICE).clamp(max=20.0)
+        rare = images.frequencies().clip(1e-6) ** -0.25  # small parts count for more than their pixels
+        self.weights = torch.tensor(rare / rare[0], dtype=torch.float32, device=DEVICE).clamp(max=5.0)
 
     def item(self, images: PartImages, index: int, rng: np.random.Generator) -> Any:
         """Return an example, changed at random."""
-        example = images.example(index, self.size, images.view(index, rng))
-        image, classes, offsets = changed(example, rng)
-        return torch.from_numpy(image).permute(2, 0, 1), torch.from_numpy(classes), torch.from_numpy(offsets)
+        box, around = images.view(index, rng)
+        glance = images.picture(index, self.size // 2, around)
+        image, *said = images.example(index, self.size, box)
+        pictures, classes, offsets = changed((image, glance), *said, rng=rng)
+        tensors = (torch.from_numpy(each).permute(2, 0, 1) for each in pictures)
+        return *tensors, torch.from_numpy(classes), torch.from_numpy(offsets)
 
     @staticmethod
     def together(items: list[Any]) -> Any:
@@ -95,32 +124,60 @@ class SmallNetwork:
 
     def loss(self, batch: Any) -> Tensor:
         """Return how wrong the network is: about the class of each pixel, and the centres."""
-        images, classes, offsets = (each.to(DEVICE) for each in batch)
-        scores, ways = self.model(images.float().contiguous(memory_format=torch.channels_last))
+        images, glances, classes, offsets = (each.to(DEVICE) for each in batch)
+        scores, ways = self.model(self._seen(images), self._seen(glances))
         classes, offsets = classes[:, ::2, ::2].long(), offsets[:, :, ::2, ::2]
-        wrong = functional.cross_entropy(scores, classes, self.weights)
+        wrong = functional.cross_entropy(scores, classes, self.weights) + overlap(scores, classes)
         known = ~offsets.isnan()
-        far = functional.l1_loss(ways[known], offsets[known])
-        return wrong + far  # more of the centres, and the classes are learnt late
+        far = (ways[known] - offsets[known]).abs().sum() / known.sum().clamp(min=1)  # none may be known
+        return wrong + 0.5 * far  # more of the centres, and the classes are learnt late
 
     @torch.inference_mode()
     def results(self, images: PartImages, index: int) -> list[dict[str, Any]]:
-        """Return what is found in an image: one look at all of it tells where the asset is, another what."""
-        width, height = images.whole(index)[2:]
-        something = self._look(images, index, images.whole(index))[0][0] < 0.5
+        """Return what is found in an image: one look tells where the asset is, closer ones its parts."""
+        whole = images.whole(index)
+        width, height = whole[2:]
+        something = self._look(images, index, [whole], whole)[0][0, 0] < 0.5
         y, x = np.nonzero(something if something.any() else ~something)
         (left, right), (top, bottom) = (np.quantile(each, (0.002, 0.998)) / self.size for each in (x, y))
         box = square((left * width, top * height, right * width, bottom * height), (width, height), 0.12)
-        return as_results(images.images[index], instances(*self._look(images, index, box)), box)
+        return as_results(images.images[index], instances(*self._tiled(images, index, box)), box)
 
-    def _look(self, images: PartImages, index: int, box: Box) -> tuple[Array, Array]:
-        """Return the probabilities of the classes and the ways to the centres in a box."""
-        image = torch.from_numpy(images.example(index, self.size, box)[0]).permute(2, 0, 1)[None].to(DEVICE)
-        scores, ways = self.model(image.float().contiguous(memory_format=torch.channels_last))
-        scores, ways = (
-            functional.interpolate(each, scale_factor=2, mode="bilinear")[0] for each in (scores, ways)
+    def _tiled(self, images: PartImages, index: int, box: Box) -> tuple[Array, Array]:
+        """Return the probabilities and the ways in a box, looked at in squares that overlap by half."""
+        side = box[2] - box[0]
+        steps = np.arange(0.0, 1.0 - 0.75 * TILE, 0.5 * TILE)
+        tiles = [(box[0] + side * x, box[1] + side * y) for y in steps for x in steps]
+        looks = self._look(
+            images, index, [(x, y, x + TILE * side, y + TILE * side) for x, y in tiles], around=box
         )
-        return scores.softmax(0).cpu().numpy(), ways.cpu().numpy()
+        pixels = round(self.size / TILE)
+        hat = 1.0 - np.abs(2.0 * (np.arange(self.size) + 0.5) / self.size - 1.0)
+        weight = np.outer(hat, hat) + 1e-3  # the middle of a look knows best
+        total, weights = np.zeros((looks[0].shape[1] + 2, pixels, pixels)), np.zeros((pixels, pixels))
+        places = ((round(y * pixels), round(x * pixels)) for y in steps for x in steps)
+        for (y, x), scores, ways in zip(places, *looks, strict=True):
+            part = slice(y, y + self.size), slice(x, x + self.size)
+            total[:, *part] += weight * np.concatenate((scores, TILE * ways))
+            weights[part] += weight
+        total /= weights
+        return total[:-2], total[-2:]
+
+    def _look(self, images: PartImages, index: int, boxes: list[Box], around: Box) -> tuple[Array, Array]:
+        """Return the probabilities of the classes and the ways to the centres in some boxes."""
+        pictures = [images.picture(index, self.size, box) for box in boxes]
+        glance = images.picture(index, self.size // 2, around)
+        looks, glances = (
+            self._seen(torch.from_numpy(np.stack(each)).permute(0, 3, 1, 2).to(DEVICE))
+            for each in (pictures, [glance] * len(boxes))
+        )
+        said = self.model(looks, glances)
+        scores, ways = (functional.interpolate(each, scale_factor=2, mode="bilinear") for each in said)
+        return scores.softmax(1).cpu().numpy(), ways.cpu().numpy()
+
+    @staticmethod
+    def _seen(images: Tensor) -> Tensor:
+        return images.float().contiguous(memory_format=torch.channels_last)
 
 
 class MaskRCNN:
@@ -140,7 +197,7 @@ class MaskRCNN:
 
     def item(self, images: PartImages, index: int, rng: np.random.Generator) -> Any:
         """Return an example, mirrored at random, with a box and a mask for each part."""
-        image = np.asarray(images.picture(index))
+        image = images.picture(index)
         found = images.masks(index)
         masks = np.array([mask for _, mask in found], np.uint8).reshape(-1, *image.shape[:2])
         if rng.random() < 0.5:
@@ -169,7 +226,7 @@ class MaskRCNN:
     @torch.inference_mode()
     def results(self, images: PartImages, index: int) -> list[dict[str, Any]]:
         """Return what is found in an image."""
-        image = torch.from_numpy(np.array(images.picture(index))).permute(2, 0, 1) / 255.0
+        image = torch.from_numpy(images.picture(index)).permute(2, 0, 1) / 255.0
         said = {key: each.cpu().numpy() for key, each in self.model([image.to(DEVICE)])[0].items()}
         masks = said["masks"][:, 0] > 0.5
         found = zip(said["labels"].tolist(), said["scores"].tolist(), masks, strict=True)
@@ -177,25 +234,31 @@ class MaskRCNN:
 
 
 class Shuffled(Dataset[Any]):
-    """The images in one random order after another; what is drawn depends on the seed and the place alone."""
+    """Images drawn at random, and changed; what is drawn depends on the seed and the place alone."""
 
     def __init__(self, network: Any, images: PartImages, length: int, seed: int) -> None:
         self.network, self.images, self.length, self.seed = network, images, length, seed
+        self.order = np.random.default_rng(seed).choice(len(images), length, p=images.shares())
 
     def __len__(self) -> int:
         return self.length
 
     def __getitem__(self, place: int) -> Any:
-        round_, turn = divmod(place, len(self.images))
-        order = np.random.default_rng((self.seed, round_)).permutation(len(self.images))
-        return self.network.item(self.images, int(order[turn]), np.random.default_rng((self.seed, 1, place)))
+        rng = np.random.default_rng((self.seed, place))
+        return self.network.item(self.images, int(self.order[place]), rng)
 
 
 def train(network: Any, images: PartImages, steps: int, batch: int, rate: float, seed: int) -> None:
     """Learn from the images."""
     shuffled = Shuffled(network, images, steps * batch, seed)
-    workers = min(8, (os.cpu_count() or 1) // 2 - 1)  # none where there are two cores
-    loader = DataLoader(shuffled, batch, collate_fn=network.together, num_workers=workers)
+    workers = min(8, (os.cpu_count() or 1) // 2)
+    loader = DataLoader(
+        shuffled,
+        batch,
+        collate_fn=network.together,
+        num_workers=workers,
+        multiprocessing_context="spawn" if workers else None,
+    )
     optimizer = torch.optim.AdamW(network.model.parameters(), rate, weight_decay=1e-4)
     schedule = torch.optim.lr_scheduler.OneCycleLR(optimizer, rate, total_steps=steps, pct_start=0.1)
     network.model.train()

@@ -49,21 +49,45 @@ def test_offsets_point_to_the_middle_of_each_part(folder):
     assert np.isnan(offsets[:, classes == 0]).all()
 
 
-def test_random_views_keep_centres_true_and_repeat_with_the_seed(folder):
+def test_random_views_point_to_the_same_centres_and_repeat_with_the_seed(folder):
     images = PartImages(folder, "train")
-
-    def drawn_view(seed):
-        rng = np.random.default_rng(seed)
-        return part_images.changed(images.example(seed, 64, images.view(seed, rng)), rng)
-
-    for seed in range(8):
-        _, classes, offsets = drawn_view(seed)
-        assert all(map(np.array_equal, drawn_view(seed)[:2], drawn_view(seed)[:2]))
-        assert set(np.unique(classes)) >= {1, 2, 3}
-        for number in range(1, 4):
+    for seed in range(24):
+        box, around = images.view(seed, np.random.default_rng(seed))
+        assert images.view(seed, np.random.default_rng(seed)) == (box, around)
+        assert around[0] <= box[0] < box[2] <= around[2] or box[2] - box[0] < around[2] - around[0]
+        _, classes, offsets = images.example(seed, 64, box)
+        side = box[2] - box[0]
+        for number, mask in images.masks(seed):
             y, x = np.nonzero(classes == number)
-            np.testing.assert_allclose(y + 64 * offsets[0, y, x], y.mean(), atol=1e-2)
-            np.testing.assert_allclose(x + 64 * offsets[1, y, x], x.mean(), atol=1e-2)
+            pointed = np.stack((y, x)) + 0.5 + 64 * offsets[:, y, x]
+            found = np.array([[box[1]], [box[0]]]) + side / 64 * pointed
+            centre = np.mean(np.nonzero(mask), 1, keepdims=True) + 0.5
+            np.testing.assert_allclose(found, np.broadcast_to(centre, found.shape), atol=1e-3)
+
+
+def test_views_are_mostly_of_parts_and_some_of_the_whole(folder):
+    images = PartImages(folder, "train", ["handle"])
+    shown = []
+    for seed in range(200):
+        box, around = images.view(seed % len(images), np.random.default_rng(seed))
+        shown.append((box == around, (images.example(seed % len(images), 32, box)[1] == 1).any()))
+    whole, handle = np.mean(shown, axis=0)
+    assert 0.08 < whole < 0.25
+    assert handle > 0.75
+
+
+def test_a_mirrored_example_points_to_mirrored_centres(folder):
+    images = PartImages(folder, "train")
+    image, classes, offsets = images.example(0, 64)
+    made = [part_images.changed((image,), classes, offsets, np.random.default_rng(seed)) for seed in range(8)]
+    mirrored = [not np.array_equal(each[1], classes) for each in made]
+    assert 0 < sum(mirrored) < len(made)
+    for is_mirrored, (pictures, said, ways) in zip(mirrored, made, strict=True):
+        assert pictures[0].shape == image.shape
+        if is_mirrored:
+            np.testing.assert_array_equal(said, classes[:, ::-1])
+            np.testing.assert_array_equal(ways[1], -offsets[1, :, ::-1])
+            np.testing.assert_array_equal(ways[0], offsets[0, :, ::-1])
 
 
 def test_a_box_in_the_corner_stays_within_the_image():
