@@ -120,7 +120,8 @@ class PartImages:
         with Image.open(self.folder / self.images[index]["file_name"]) as image:
             picture = image.convert("RGB")
         if size is not None:
-            picture = picture.resize((size, size), Image.Resampling.BILINEAR, box, 2.0)
+            within = box and tuple(np.clip(box, 0.0, self.whole(index)[2:] * 2))  # rounded numbers may not be
+            picture = picture.resize((size, size), Image.Resampling.BILINEAR, within, 2.0)
         return np.array(picture)
 
     def masks(self, index: int) -> list[tuple[int, Array]]:

@@ -145,20 +145,20 @@ class SmallNetwork:
 
     def _tiled(self, images: PartImages, index: int, box: Box) -> tuple[Array, Array]:
         """Return the probabilities and the ways in a box, looked at in squares that overlap by half."""
-        side = box[2] - box[0]
-        steps = np.arange(0.0, 1.0 - 0.75 * TILE, 0.5 * TILE)
-        tiles = [(box[0] + side * x, box[1] + side * y) for y in steps for x in steps]
-        looks = self._look(
-            images, index, [(x, y, x + TILE * side, y + TILE * side) for x, y in tiles], around=box
-        )
         pixels = round(self.size / TILE)
+        steps = (
+            np.linspace(0, pixels - self.size, 1 + int(np.ceil(2.0 * (1.0 / TILE - 1.0)))).round().astype(int)
+        )
+        scale = (box[2] - box[0]) / pixels
+        corners = [(box[0] + scale * x, box[1] + scale * y) for y in steps for x in steps]
+        side = scale * self.size
+        looks = self._look(images, index, [(x, y, x + side, y + side) for x, y in corners], around=box)
         hat = 1.0 - np.abs(2.0 * (np.arange(self.size) + 0.5) / self.size - 1.0)
         weight = np.outer(hat, hat) + 1e-3  # the middle of a look knows best
         total, weights = np.zeros((looks[0].shape[1] + 2, pixels, pixels)), np.zeros((pixels, pixels))
-        places = ((round(y * pixels), round(x * pixels)) for y in steps for x in steps)
-        for (y, x), scores, ways in zip(places, *looks, strict=True):
+        for (y, x), scores, ways in zip(itertools.product(steps, steps), *looks, strict=True):
             part = slice(y, y + self.size), slice(x, x + self.size)
-            total[:, *part] += weight * np.concatenate((scores, TILE * ways))
+            total[:, *part] += weight * np.concatenate((scores, ways * self.size / pixels))
             weights[part] += weight
         total /= weights
         return total[:-2], total[-2:]

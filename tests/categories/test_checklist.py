@@ -11,7 +11,8 @@ from artgen.catalog import categories, find
 from artgen.errors import InfeasibleError
 from artgen.nodes.joints_of import PlannedJoint, joints_of
 
-SEEDS = 300
+FEWEST, MOST = 100, 300
+"""Seeds of a category that are drawn: at least, and at most until every number has occurred."""
 
 
 @dataclass(frozen=True)
@@ -171,12 +172,19 @@ CHECKLIST: dict[str, dict[str, Moving]] = {
 @cache
 def drawn(category: str) -> tuple[tuple[PlannedJoint, ...], ...]:
     """Return the joints of each of many seeds, from their graphs; what cannot be made is left out."""
-    found = []
-    for seed in range(SEEDS):
+    found: list[tuple[PlannedJoint, ...]] = []
+    missing = {label: set(moving.counts) for label, moving in CHECKLIST[category].items()}
+    extremes = set(find(category).joints)
+    for seed in range(MOST):
+        if seed >= FEWEST and not any(missing.values()) and not extremes:
+            break
         try:
             found.append(joints_of(find(category).graph(seed)))
         except InfeasibleError:
             continue
+        extremes.discard(len(found[-1]))
+        for label, moving in CHECKLIST[category].items():
+            missing[label].discard(len(matching(found[-1], moving)))
     return tuple(found)
 
 

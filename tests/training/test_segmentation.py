@@ -36,7 +36,7 @@ def learnt(seen, steps):
 def test_it_separates_parts_that_it_has_not_seen(splits):
     seen, unseen = splits
     before = segmentation.evaluate(learnt(seen, 1), unseen)
-    after = segmentation.evaluate(learnt(seen, 60), unseen)
+    after = segmentation.evaluate(learnt(seen, 120), unseen)
     assert all(ap50 < 0.2 for _, ap50 in before.values())
     assert all(ap50 > 0.6 for _, ap50 in after.values()), after
 
