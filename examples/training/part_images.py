@@ -57,7 +57,7 @@ HANDLE_LIKE = ("handle", "lever", "knob", "button", "switch")
 SMALLEST = 4e-4
 """Share of the pixels of an image below which a part is not asked for: 10 x 10 pixels of 512 x 512."""
 
-TILE = 0.2
+TILE = 0.3
 """Side of the squares that a network looks at one by one, as a share of that around the asset."""
 
 _LEAST = 12  # pixels of an instance
