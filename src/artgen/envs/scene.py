@@ -55,6 +55,8 @@ class Scene:
         model: MuJoCo's model.
         data: MuJoCo's state.
         control: What finds the torques of the arm.
+        fingers: Numbers of the two motors of the hand.
+        finger_at: Where the positions of the two fingers are in `qpos`.
         speeds: Speeds of the joints of asset and robot, a view of the state.
     """
 
@@ -69,11 +71,9 @@ class Scene:
                 found = model.joint(joint.name)
                 self._joints[joint.name] = int(found.qposadr[0]), int(found.dofadr[0]), int(found.id)
         self._bodies = {link.name: int(model.body(link.name).id) for link in asset.links}
-        self._fingers = np.array(
-            [model.actuator(f"{PREFIX}{HAND}gripper_finger_joint{n}").id for n in (1, 2)]
-        )
+        self.fingers = np.array([model.actuator(f"{PREFIX}{HAND}gripper_finger_joint{n}").id for n in (1, 2)])
         fingers = [model.joint(f"{PREFIX}{HAND}finger_joint{number}") for number in (1, 2)]
-        self._finger_at = np.array([finger.qposadr[0] for finger in fingers])
+        self.finger_at = np.array([finger.qposadr[0] for finger in fingers])
         self._tip_place = self.data.site_xpos[self.control.tip]
         self._tip_turn = self.data.site_xmat[self.control.tip].reshape(3, 3)
         self._rest = {link.name: asset.origin(link.name) for link in asset.links}
@@ -94,7 +94,7 @@ class Scene:
                 self._qpos[self._joints[name][0]] = position
         self._qpos[self.control.at] = np.clip(arm, LIMITS[:, 0], LIMITS[:, 1])
         opening = OPENING if target.stages[0].affordance.kind == "grasp" else 0.0
-        self._qpos[self._finger_at] = self.data.ctrl[self._fingers] = opening, -opening
+        self._qpos[self.finger_at] = self.data.ctrl[self.fingers] = opening, -opening
         self._look(target)
         self._mujoco.mj_forward(self.model, self.data)
         self.control.begin()
@@ -111,7 +111,7 @@ class Scene:
         control.aim(action[:6])
         opening = 0.5 * OPENING * (1.0 - action[6])
         wanted = opening if opening > _SHUT else -OPENING
-        data.ctrl[self._fingers] = wanted, -wanted
+        data.ctrl[self.fingers] = wanted, -wanted
         for _ in range(STEPS // _STEPS_OF_TORQUES):
             control.run()
             mujoco.mj_step2(model, data)
@@ -126,7 +126,7 @@ class Scene:
 
     def opening(self) -> float:
         """Return how far the fingers' pads are apart [m]."""
-        first, second = self._qpos[self._finger_at]
+        first, second = self._qpos[self.finger_at]
         return float(first - second)
 
     def q(self, joint: str) -> float:

@@ -1,0 +1,335 @@
+"""Learn a task in many worlds that MuJoCo Warp steps at once, on a graphics card or on the processor.
+
+    pip install "artgen[train]" mujoco-warp
+    python examples/training/batched.py PushToasterLever --assets 4 --worlds 64 --steps 200
+
+tells how many actions a second it does, and how many `ManipulationEnv` does. With `--learn 1000000` PPO
+learns the task in these worlds, with the settings of `ppo.py`. Each world keeps its asset. Worlds whose
+assets share structure are stepped together, the others one group after the other. Assets of different seeds
+rarely share it; variants of one asset that differ in sizes do as long as they have the same shapes, as
+drawers do. On a processor alone this is slower than `ManipulationEnv`: it is meant for graphics cards and
+many worlds, on which it has not been run yet.
+"""
+
+import argparse
+import time
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import torch
+from batched_maths import rewarded
+from batched_worlds import Worlds, structured
+from gymnasium import spaces
+from numpy.typing import NDArray
+from stable_baselines3 import PPO
+from stable_baselines3.common.callbacks import BaseCallback
+from stable_baselines3.common.vec_env import VecEnv, VecMonitor, VecNormalize
+
+from artgen.envs import TASKS, ManipulationEnv, Task
+from artgen.envs.assets import Assets, Source
+from artgen.envs.env import RATE
+from artgen.envs.kept import ready
+from artgen.envs.motion import Target
+from artgen.envs.observing import STATE
+from artgen.envs.rewards import BONUS
+from artgen.envs.scene import Scene
+from artgen.errors import EnvError, ParameterError
+
+_JITTER = 0.02  # of the arm's angles at reset, as in artgen.envs.env [rad]
+
+
+class BatchedTask(VecEnv):
+    """Many worlds of a task with one stage, with the actions, observations and rewards of `ManipulationEnv`.
+
+    Args:
+        task: Name of a task, or a task.
+        assets: As `ManipulationEnv` takes them; the first ones that fit are shared out to the worlds in turn.
+        worlds: How many there are.
+        seed: Decides where the arms begin.
+
+    Raises:
+        EnvError: No asset fits the task.
+        ParameterError: The task has several stages, or there are no worlds.
+
+    Attributes:
+        task: The task.
+        steps: How many actions an episode has.
+        groups: The worlds that are stepped together, each with the numbers that they have among all.
+        names: Name of the asset in each world.
+    """
+
+    def __init__(
+        self, task: str | Task, assets: Source = None, worlds: int = 64, *, seed: int | None = None
+    ) -> None:
+        if worlds < 1:
+            raise ParameterError(f"worlds is a whole number from 1 on, not {worlds!r}")
+        self.task = TASKS[task] if isinstance(task, str) else task
+        self.steps = round(self.task.seconds * RATE)
+        scenes, targets = _fit(self.task, assets, worlds)
+        self.groups = _groups(scenes, targets, worlds)
+        self.names = [scenes[number % len(scenes)].asset.name for number in range(worlds)]
+        self.render_mode = None  # there are no pictures
+        box = spaces.Box(-np.inf, np.inf, (STATE,), np.float32)
+        super().__init__(worlds, box, spaces.Box(-1.0, 1.0, (7,), np.float32))
+        self._actions = np.zeros((worlds, 7))
+        self._ages = np.zeros(worlds, int)
+        self._done = np.zeros(worlds, bool)
+        self._rngs = [
+            np.random.default_rng(None if seed is None else [seed, number]) for number in range(worlds)
+        ]
+
+    def reset(self) -> NDArray[np.float32]:
+        """Begin an episode in every world; returns the observations, shape (worlds, 47)."""
+        for number, seed in enumerate(self._seeds):
+            if seed is not None:
+                self._rngs[number] = np.random.default_rng(seed)
+        self._reset_seeds()
+        result = np.zeros((self.num_envs, STATE), np.float32)
+        everywhere = np.ones(self.num_envs, bool)
+        for worlds, numbers in self.groups:
+            self.begin(worlds, numbers, everywhere)
+            result[numbers] = self._note(worlds, numbers)[0]
+        return result
+
+    def begin(
+        self, worlds: Worlds, numbers: NDArray[np.int64], ended: NDArray[np.bool_], arms: Any = None
+    ) -> None:
+        """Begin episodes in those worlds of a group that ended.
+
+        Args:
+            worlds: The group.
+            numbers: Numbers of its worlds.
+            ended: Of all worlds, whether they ended.
+            arms: Angles of the joints of these worlds' arms, shape (n, 7) [rad]; None for random ones.
+        """
+        within = np.flatnonzero(ended[numbers])
+        if arms is None:
+            turns = [self._rngs[number].uniform(-1.0, 1.0, 7) for number in numbers[within]]
+            arms = worlds.goals.arm[within] + _JITTER * torch.as_tensor(np.array(turns)).to(worlds.goals.arm)
+        worlds.begin(
+            torch.as_tensor(within).to(worlds.goals.worlds), torch.as_tensor(arms).to(worlds.goals.arm)
+        )
+        self._ages[numbers[within]] = 0
+        self._done[numbers[within]] = False
+
+    def step_async(self, actions: NDArray[np.float32]) -> None:
+        """Take the actions to do, shape (worlds, 7)."""
+        if np.shape(actions) != (self.num_envs, 7) or not np.isfinite(actions).all():
+            raise ParameterError(f"actions of {self.num_envs} worlds are finite, shape ({self.num_envs}, 7)")
+        self._actions = np.clip(np.asarray(actions, float), -1.0, 1.0)
+
+    def step_wait(
+        self,
+    ) -> tuple[NDArray[np.float32], NDArray[np.float32], NDArray[np.bool_], list[dict[str, Any]]]:
+        """Do the actions; returns observations, rewards, which worlds ended and what is known of each.
+
+        A world that ended has begun anew: its last observation is its info's `terminal_observation`.
+        """
+        observations = np.zeros((self.num_envs, STATE), np.float32)
+        gained, progress = np.zeros(self.num_envs, np.float32), np.zeros(self.num_envs)
+        self._ages += 1
+        for worlds, numbers in self.groups:
+            actions = torch.as_tensor(self._actions[numbers]).to(worlds.goals.arm)
+            worlds.act(actions)
+            observations[numbers], far, apart = self._note(worlds, numbers)
+            done = torch.as_tensor(self._done[numbers]).to(far.device)
+            gained[numbers] = rewarded(far, apart, actions, self.steps, done=done).cpu()
+            progress[numbers] = far.cpu()
+        success = self._done.copy()
+        gained[success] += BONUS
+        broken = ~np.isfinite(observations).all(axis=1)  # a simulation that left the rails
+        observations[broken] = gained[broken] = 0.0
+        late = self._ages >= self.steps
+        ended = success | late | broken
+        infos: list[dict[str, Any]] = [
+            {
+                "success": bool(success[number]),
+                "progress": float(progress[number]),
+                "asset": self.names[number],
+            }
+            for number in range(self.num_envs)
+        ]
+        for number in np.flatnonzero(ended):
+            infos[number]["terminal_observation"] = observations[number].copy()
+            infos[number]["TimeLimit.truncated"] = bool(late[number] and not success[number])
+        for worlds, numbers in self.groups:
+            if ended[numbers].any():
+                self.begin(worlds, numbers, ended)
+                fresh = ended[numbers]
+                observations[numbers[fresh]] = self._note(worlds, numbers)[0][fresh]
+        return observations, gained, ended, infos
+
+    def _note(
+        self, worlds: Worlds, numbers: NDArray[np.int64]
+    ) -> tuple[NDArray[np.float32], torch.Tensor, torch.Tensor]:
+        """Note which worlds of a group are done; returns observations, progress and ways to the handles."""
+        observed, position, apart = worlds.goals.observe(worlds.seen())
+        self._done[numbers] = worlds.goals.reached(position).cpu().numpy()
+        return observed.cpu().numpy(), worlds.goals.progress(position), apart
+
+    def close(self) -> None:
+        """Free the models."""
+        self.groups = []
+
+    def get_attr(self, attr_name: str, indices: Any = None) -> list[Any]:
+        """Return an attribute for worlds: it is the same for all."""
+        return [getattr(self, attr_name)] * len(list(self._get_indices(indices)))
+
+    def set_attr(self, attr_name: str, value: Any, indices: Any = None) -> None:
+        """Refuse: worlds have no attributes of their own."""
+        raise EnvError(f"worlds that are stepped together have no {attr_name!r} of their own")
+
+    def env_method(self, method_name: str, *args: Any, indices: Any = None, **kwargs: Any) -> list[Any]:
+        """Refuse: worlds have no methods of their own."""
+        raise EnvError(f"worlds that are stepped together have no {method_name!r} of their own")
+
+    def env_is_wrapped(self, wrapper_class: Any, indices: Any = None) -> list[bool]:
+        """Tell that no world is wrapped."""
+        return [False] * len(list(self._get_indices(indices)))
+
+
+def _fit(task: Task, source: Source, most: int) -> tuple[list[Scene], list[Target]]:
+    """Return scenes of the first assets that a task can be done on, placed, and what it means there."""
+    assets = Assets(task, source)
+    scenes: list[Scene] = []
+    targets: list[Target] = []
+    reason = ""
+    for key in assets.keys[: 10 * most]:
+        found = ready(assets, key, visual=False, textures=0, most=most)
+        try:
+            target = found.target(0)
+        except EnvError as error:
+            reason = str(error)
+            continue
+        if len(target.stages) > 1:
+            raise ParameterError(
+                f"{task.name} has {len(target.stages)} stages; worlds stepped together know tasks of "
+                f"one stage, as PushToasterLever or OpenDrawer: take ppo.py for it"
+            )
+        scene = found.scene()
+        scene.place(target, target.arm)
+        scenes.append(scene)
+        targets.append(target)
+        if len(scenes) == most:
+            break
+    if not scenes:
+        raise EnvError(f"{task.name} found no fit asset; the last one: {reason}")
+    return scenes, targets
+
+
+def _groups(
+    scenes: Sequence[Scene], targets: Sequence[Target], worlds: int
+) -> list[tuple[Worlds, NDArray[np.int64]]]:
+    """Return worlds by the structure of their assets, with their numbers."""
+    kinds: dict[Any, list[tuple[int, Any]]] = {}
+    for number, scene in enumerate(scenes):
+        kind, model = structured(scene)
+        kinds.setdefault(kind, []).append((number, model))
+    result = []
+    for found in kinds.values():
+        mine = [number for number, _ in found]
+        numbers = np.array([number for number in range(worlds) if number % len(scenes) in mine])
+        of = [mine.index(int(number) % len(scenes)) for number in numbers]
+        group = Worlds(
+            [scenes[number] for number in mine],
+            [model for _, model in found],
+            [targets[number] for number in mine],
+            of,
+        )
+        result.append((group, numbers))
+    return result
+
+
+class Progress(BaseCallback):
+    """Prints the share of successes among the last episodes."""
+
+    def _on_step(self) -> bool:
+        return True
+
+    def _on_rollout_end(self) -> None:
+        episodes = self.model.ep_info_buffer or ()
+        if episodes:
+            success = np.mean([episode["success"] for episode in episodes])
+            reward = np.mean([episode["r"] for episode in episodes])
+            print(f"{self.num_timesteps:9,} steps: success {success:.2f}, return {reward:.1f}", flush=True)
+
+
+def learn(batch: BatchedTask, steps: int, seed: int, out: Path) -> None:
+    """Learn with PPO, and keep the policy and what the observations are divided by."""
+    training = VecNormalize(VecMonitor(batch, info_keywords=("success",)), gamma=0.99)
+    model = PPO(
+        "MlpPolicy",
+        training,
+        n_steps=max(4096 // batch.num_envs, 16),
+        batch_size=512,
+        n_epochs=8,
+        learning_rate=3e-4,
+        gamma=0.99,
+        ent_coef=0.0,
+        target_kl=0.05,
+        policy_kwargs={"net_arch": [256, 256], "log_std_init": -0.7},
+        seed=seed,
+        device="cpu",
+    )
+    model.learn(steps, callback=Progress())
+    out.mkdir(parents=True, exist_ok=True)
+    model.save(out / "policy")
+    training.save(str(out / "normalization.pkl"))
+
+
+def speeds(batch: BatchedTask, seeds: range, steps: int) -> tuple[float, float]:
+    """Return how many actions a second the worlds do together, and `ManipulationEnv` alone, all at random.
+
+    Args:
+        batch: The worlds.
+        seeds: Of the assets of `ManipulationEnv`.
+        steps: How many actions each world does; `ManipulationEnv` does as many.
+    """
+    rng = np.random.default_rng(0)
+    batch.reset()
+    batch.step(rng.uniform(-1.0, 1.0, (batch.num_envs, 7)))  # what is compiled is compiled now
+    start = time.perf_counter()
+    for _ in range(steps):
+        batch.step(rng.uniform(-1.0, 1.0, (batch.num_envs, 7)))
+    together = batch.num_envs * steps / (time.perf_counter() - start)
+    env = ManipulationEnv(batch.task, seeds, in_turn=True)
+    for _ in seeds:
+        env.reset()  # the models are made now
+    start = time.perf_counter()
+    for _ in range(steps):
+        _, _, terminated, truncated, _ = env.step(rng.uniform(-1.0, 1.0, 7))
+        if terminated or truncated:
+            env.reset()
+    return together, steps / (time.perf_counter() - start)
+
+
+def main() -> None:
+    """Measure, and learn if asked to."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
+    parser.add_argument("task", choices=sorted(TASKS))
+    parser.add_argument("--assets", type=int, default=4, help="number of assets, of seeds from 0 on")
+    parser.add_argument("--worlds", type=int, default=64)
+    parser.add_argument(
+        "--steps", type=int, default=200, help="actions of each world that are timed; 0 for none"
+    )
+    parser.add_argument("--learn", type=int, default=0, help="steps of all worlds together to learn for")
+    parser.add_argument("--seed", type=int, default=0)
+    parser.add_argument("--out", type=Path, default=Path("batched"))
+    options = parser.parse_args()
+    seeds = range(options.assets)
+    batch = BatchedTask(options.task, seeds, options.worlds, seed=options.seed)
+    print(
+        f"{options.worlds} worlds of {len(set(batch.names))} assets in {len(batch.groups)} groups", flush=True
+    )
+    if options.steps:
+        together, alone = speeds(batch, seeds, options.steps)
+        print(f"batched: {together:,.0f} actions/s; ManipulationEnv: {alone:,.0f} actions/s")
+        print(f"ratio: {together / alone:.2f}")
+    if options.learn:
+        learn(batch, options.learn, options.seed, options.out / options.task)
+
+
+if __name__ == "__main__":
+    main()

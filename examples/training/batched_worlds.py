@@ -1,0 +1,253 @@
+"""Many worlds of assets in one model of MuJoCo Warp.
+
+Assets whose models share their structure (the tree, joints, kinds of shapes and what may touch what) go into
+one model: where a shape, body or joint lies, how large or heavy it is and which mesh it has may differ from
+world to world.
+"""
+
+import dataclasses
+from collections.abc import Hashable, Sequence
+from typing import Any
+
+import numpy as np
+import torch
+from batched_maths import Goals, jacobians, rotations, torques
+
+from artgen.envs.control import POSITION, ROTATION
+from artgen.envs.motion import Target
+from artgen.envs.robot import LIMITS, OPENING
+from artgen.envs.scene import STEPS, Scene
+
+_STEPS_OF_TORQUES = 4  # the arm's torques are found anew after so many steps, as in artgen.envs.scene
+_SHUT = 0.001  # the hand squeezes where less than this opening is asked for, as in artgen.envs.scene [m]
+_CONTACTS, _CONSTRAINTS = 96, 384  # room in each world; MuJoCo Warp says so if it is not enough
+_SEEN = ("mat_", "nmat", "cam_", "light_", "tex_", "flex_rgba")  # what is only seen
+# of a world's state: what is set, and what is looked at
+_STATE = ("qpos", "qvel", "ctrl", "qacc_warmstart")
+_FOUND = ("xpos", "xmat", "xaxis", "xanchor", "site_xpos", "site_xmat", "qfrc_bias", "M")
+# where things are
+_PLACES = ("xpos", "xquat", "xmat", "xipos", "ximat", "geom_xpos", "geom_xmat", "site_xpos", "site_xmat")
+# addresses in the arrays of meshes, and the array whose length they grow by
+_ADDRESSES = {
+    "mesh_vertadr": "mesh_vert",
+    "mesh_normaladr": "mesh_normal",
+    "mesh_faceadr": "mesh_face",
+    "mesh_graphadr": "mesh_graph",
+    "mesh_polyadr": "mesh_polynormal",
+    "mesh_polyvertadr": "mesh_polyvert",
+    "mesh_polymapadr": "mesh_polymap",
+}
+
+
+class Worlds:
+    """Worlds that are stepped together; their assets share structure.
+
+    Args:
+        scenes: A scene of each asset, placed at the beginning of the task.
+        models: What `structured` returned for each.
+        targets: What has to be done in each.
+        of: Which of them each world has.
+
+    Attributes:
+        goals: What the task means in each world.
+    """
+
+    def __init__(
+        self, scenes: Sequence[Scene], models: Sequence[Any], targets: Sequence[Target], of: Sequence[int]
+    ) -> None:
+        import mujoco_warp
+        import warp
+
+        self._warp, first = mujoco_warp, scenes[0]
+        self._model = joined(first.model, models, of)
+        self._data = mujoco_warp.make_data(first.model, nworld=len(of), nconmax=_CONTACTS, njmax=_CONSTRAINTS)
+        self._synchronize = warp.synchronize
+        device = "cuda" if self._data.qpos.device.is_cuda else "cpu"
+        self.goals = Goals(scenes, targets, of, device)
+        hand = first.control
+        self._arm, self._dofs, self._motors, self._tip = hand.at, hand.dofs, hand.actuators, hand.tip
+        self._joints = [
+            first.model.jnt_qposadr.tolist().index(at) for at in range(hand.at.start, hand.at.stop)
+        ]
+        self._finger_at, self._fingers = first.finger_at.tolist(), first.fingers.tolist()
+        self._of_arm = _block(first.model, hand.dofs)
+        self._views = {name: warp.to_torch(getattr(self._data, name)) for name in (*_STATE, *_FOUND)}
+        # what does not move is placed once and for all
+        for name in _PLACES:
+            array = getattr(self._data, name)
+            values = np.stack([getattr(scenes[number].data, name) for number in of])
+            array.assign(values.reshape(array.numpy().shape).astype(np.float32))
+        self._begin = {
+            name: torch.as_tensor(
+                np.stack([getattr(scenes[number].data, name) for number in of]), device=device
+            ).float()
+            for name in ("qpos", "qvel", "ctrl")
+        }
+        self._limits = torch.as_tensor(LIMITS, device=device)
+        self._posture = self.goals.arm.clone()
+        self._goal = torch.zeros_like(self.goals.base)
+        self._goal_turn = torch.eye(3).to(self._goal).repeat(len(of), 1, 1)
+
+    def begin(self, worlds: torch.Tensor, arms: torch.Tensor) -> None:
+        """Set some worlds to the beginning of the task, at rest.
+
+        Args:
+            worlds: Their numbers, shape (n,).
+            arms: Angles of the joints of each arm, shape (n, 7) [rad].
+        """
+        for name, values in self._begin.items():
+            self._views[name][worlds] = values[worlds]
+        self._views["qacc_warmstart"][worlds] = 0.0
+        arms = arms.clamp(self._limits[:, 0], self._limits[:, 1])
+        self._views["qpos"][worlds, self._arm] = arms.float()
+        self._settle()
+        self._warp.step1(self._model, self._data)
+        self._posture[worlds] = arms
+        seen = self.seen()
+        self._goal[worlds], self._goal_turn[worlds] = seen["place"][worlds], seen["turn"][worlds]
+
+    def act(self, actions: torch.Tensor) -> None:
+        """Let each robot do one action, as `Scene.act` does, shape (n, 7)."""
+        warp, model, data = self._warp, self._model, self._data
+        seen = self.seen()
+        self._goal = seen["place"] + POSITION * actions[:, :3]
+        self._goal_turn = rotations(ROTATION * actions[:, 3:6]) @ seen["turn"]
+        opening = 0.5 * OPENING * (1.0 - actions[:, 6])
+        wanted = torch.where(opening > _SHUT, opening, -OPENING)
+        self._views["ctrl"][:, self._fingers] = torch.stack([wanted, -wanted], dim=1).float()
+        for number in range(STEPS // _STEPS_OF_TORQUES):
+            seen = self.seen() if number else seen
+            found = torques(seen, self._goal, self._goal_turn, self._posture)
+            self._views["ctrl"][:, self._motors] = found.float()
+            self._settle()
+            warp.step2(model, data)
+            for _ in range(_STEPS_OF_TORQUES - 1):
+                warp.step(model, data)
+            warp.step1(model, data)
+
+    def _settle(self) -> None:
+        """Wait until what PyTorch sets is set."""
+        if self._limits.is_cuda:
+            torch.cuda.synchronize()
+
+    def seen(self) -> dict[str, torch.Tensor]:
+        """Return what control and observation are made of, in double precision."""
+        self._synchronize()  # PyTorch and Warp have queues of their own on a graphics card
+        views = {name: view.double() for name, view in self._views.items()}
+        tip, turn = views["site_xpos"][:, self._tip], views["site_xmat"][:, self._tip]
+        axes, anchors = views["xaxis"][:, self._joints], views["xanchor"][:, self._joints]
+        first, second = (views["qpos"][:, at] for at in self._finger_at)
+        return views | {
+            "place": tip,
+            "turn": turn,
+            "jacobian": jacobians(axes, anchors, tip),
+            "inertia": views["M"][:, self._of_arm],
+            "angles": views["qpos"][:, self._arm],
+            "speeds": views["qvel"][:, self._dofs],
+            "bias": views["qfrc_bias"][:, self._dofs],
+            "opening": first - second,
+        }
+
+
+def structured(scene: Scene) -> tuple[Hashable, Any]:
+    """Return what models of worlds that are stepped together must have in common, and this scene's model."""
+    import mujoco_warp
+    import warp
+
+    model = mujoco_warp.put_model(scene.model)
+    common: list[Hashable] = []
+    for field in dataclasses.fields(model):
+        name, value = field.name, getattr(model, field.name)
+        if name in _batched(model) or name.startswith(("mesh_", "nmesh", "npolygonmax", *_SEEN)):
+            continue
+        if isinstance(value, warp.array):
+            common.append((name, value.shape, value.numpy().tobytes()))
+        elif isinstance(value, np.ndarray):
+            common.append((name, value.shape, value.tobytes()))
+        elif isinstance(value, int | tuple):
+            common.append((name, repr(_plain(value))))
+    shapes = tuple(getattr(model, name).shape for name in _batched(model) if not name.startswith(_SEEN))
+    # where things of the robot are, which is the same in all worlds
+    hand = scene.control
+    places = (
+        hand.at.start,
+        hand.dofs.start,
+        hand.actuators.start,
+        hand.tip,
+        *scene.finger_at,
+        *scene.fingers,
+    )
+    return (shapes, *common, *(int(place) for place in places)), model
+
+
+def joined(mujoco_model: Any, models: Sequence[Any], of: Sequence[int]) -> Any:
+    """Return one model for worlds whose models share structure.
+
+    Args:
+        mujoco_model: MuJoCo's model of the first.
+        models: MuJoCo Warp's models.
+        of: Which of them each world has.
+    """
+    import mujoco_warp
+    import warp
+
+    if len(models) == 1:
+        return models[0]
+    values: dict[str, list[Any]] = {}
+    for name in _batched(models[0]):
+        if not name.startswith(_SEEN):
+            values[name] = [getattr(model, name).numpy()[0] for model in models]
+    meshes = 0
+    for number, model in enumerate(models):
+        of_mesh = values["geom_dataid"][number]
+        values["geom_dataid"][number] = np.where(of_mesh >= 0, of_mesh + meshes, of_mesh)
+        meshes += model.nmesh
+    differ = {name for name, each in values.items() if any((one != each[0]).any() for one in each)}
+    result = mujoco_warp.put_model(mujoco_model, batch_sizes=dict.fromkeys(differ, len(of)))
+    for name in differ:
+        array = getattr(result, name)
+        array.assign(np.stack([values[name][number] for number in of]).astype(array.numpy().dtype))
+    names = [field.name for field in dataclasses.fields(result) if field.name.startswith("mesh_")]
+    for name in names:
+        parts, grown = [], 0
+        for model in models:
+            part = getattr(model, name).numpy()
+            parts.append(np.where(part >= 0, part + grown, part) if name in _ADDRESSES else part)
+            grown += len(getattr(model, _ADDRESSES[name])) if name in _ADDRESSES else 0
+        old = getattr(result, name)
+        setattr(result, name, warp.array(np.concatenate(parts), dtype=old.dtype, device=old.device))
+    for field in dataclasses.fields(result):
+        if field.name.startswith("nmesh") or field.name == "npolygonmax":
+            combine = max if field.name.endswith("max") else sum
+            setattr(result, field.name, combine(getattr(model, field.name) for model in models))
+    return result
+
+
+def _batched(model: Any) -> list[str]:
+    """Return the names of the arrays that may differ from world to world."""
+    result = []
+    for field in dataclasses.fields(model):
+        shape = getattr(field.type, "shape", ())
+        if shape and shape[0] == "*":
+            result.append(field.name)
+    return result
+
+
+def _plain(value: Any) -> Any:
+    """Return a value with arrays in it as lists."""
+    if isinstance(value, tuple):
+        return tuple(_plain(item) for item in value)
+    if dataclasses.is_dataclass(value):
+        return {name: _plain(item) for name, item in vars(value).items()}
+    return value.numpy().tolist() if hasattr(value, "numpy") else value
+
+
+def _block(model: Any, dofs: slice) -> list[list[int]]:
+    """Return where the inertia of the arm's joints is in the sparse matrix, shape (7, 7)."""
+    numbers = range(dofs.start, dofs.stop)
+    where = {}
+    for row in numbers:
+        first = int(model.M_rowadr[row])
+        for address in range(first, first + int(model.M_rownnz[row])):
+            where[row, int(model.M_colind[address])] = address
+    return [[where[max(row, column), min(row, column)] for column in numbers] for row in numbers]

@@ -1,0 +1,176 @@
+"""Worlds that are stepped together do what the environment does, one by one."""
+
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation
+
+torch = pytest.importorskip("torch", reason="pip install 'artgen[train]'")
+pytest.importorskip("stable_baselines3", reason="pip install 'artgen[train]'")
+sys.path.insert(0, str(Path(__file__).parents[2] / "examples" / "training"))
+import batched_maths  # noqa: E402
+
+import artgen  # noqa: E402
+from artgen.envs import ManipulationEnv  # noqa: E402
+from artgen.envs.policy import ScriptedPolicy  # noqa: E402
+from artgen.envs.rewards import dense, reward  # noqa: E402
+from artgen.errors import ParameterError  # noqa: E402
+
+TIP = 1e-5  # single precision after an episode [m]
+JOINT = 1e-4  # share of the way to the goal
+SEEN = 2e-4  # of any number that is observed
+REWARD = 1e-5
+
+needs_warp = pytest.mark.filterwarnings("ignore::DeprecationWarning", "ignore::UserWarning")
+
+
+@pytest.fixture(scope="module")
+def batched():
+    pytest.importorskip("mujoco_warp", reason="pip install mujoco-warp")
+    import batched
+
+    return batched
+
+
+@pytest.fixture(scope="module")
+def drawers():
+    """Two of one structure and of other sizes, and one of another structure."""
+    first = artgen.generate("drawer", 0, certify=False)
+    width = 1.1 * first.parameters["width"]
+    return [
+        first,
+        artgen.generate("drawer", 0, certify=False, width=width),
+        artgen.generate("drawer", 1, certify=False),
+    ]
+
+
+@pytest.fixture(scope="module")
+def pair(batched, drawers):
+    return batched.BatchedTask("OpenDrawer", drawers[:2], 2, seed=0)
+
+
+def state_of(control):
+    def tensor(values):
+        return torch.as_tensor(np.array(values))[None]
+
+    names = ("jacobian", "inertia", "angles", "speeds", "bias", "place", "turn")
+    return {name: tensor(getattr(control, f"_{name}")) for name in names}
+
+
+def test_torques_are_those_of_the_control():
+    env = ManipulationEnv("PushToasterLever", range(1))
+    env.reset(seed=0)
+    for action in np.random.default_rng(0).uniform(-1.0, 1.0, (4, 7)):
+        env.step(action)
+        control = env.scene.control
+        control.aim(action[:6])
+        control.run()
+        goals = (
+            torch.as_tensor(each)[None] for each in (control._goal, control._goal_turn, control._posture)
+        )
+        found = batched_maths.torques(state_of(control), *goals)
+        np.testing.assert_allclose(found[0], env.data.ctrl[control.actuators], rtol=1e-8, atol=1e-8)
+
+
+def test_the_jacobian_is_that_of_the_simulator():
+    env = ManipulationEnv("PushToasterLever", range(1))
+    env.reset(seed=0)
+    env.step(np.ones(7))
+    control, joints = env.scene.control, env.model.jnt_qposadr
+    numbers = [int(np.flatnonzero(joints == at)[0]) for at in range(control.at.start, control.at.stop)]
+    found = batched_maths.jacobians(
+        *(torch.as_tensor(each)[None] for each in (env.data.xaxis[numbers], env.data.xanchor[numbers])),
+        torch.as_tensor(env.tip()[:3, 3])[None],
+    )
+    control.velocity()  # finds the control's own
+    np.testing.assert_allclose(found[0], control._jacobian, atol=1e-9)
+
+
+def test_turns_are_by_the_length_of_their_vector():
+    vectors = np.array([[0.1, -0.3, 0.2], [0.0, 0.0, 0.0], [0.0, 0.5, 0.0]])
+    found = batched_maths.rotations(torch.as_tensor(vectors))
+    np.testing.assert_allclose(found, Rotation.from_rotvec(vectors).as_matrix(), atol=1e-12)
+
+
+@pytest.mark.parametrize("done", [False, True])
+def test_rewards_are_those_of_the_environment(done):
+    action = np.linspace(-1.0, 1.0, 7)
+    wanted = reward(dense([0.4], [done], 0.13), action, 160, success=False)
+    numbers = (torch.as_tensor(np.array([each])) for each in (0.4, 0.13, action))
+    found = batched_maths.rewarded(*numbers, 160, done=torch.tensor([done]))
+    assert found.item() == pytest.approx(wanted, abs=1e-12)
+
+
+@needs_warp
+def test_sizes_share_a_model_and_structures_do_not(batched, drawers, pair):
+    assert [len(numbers) for _, numbers in pair.groups] == [2]
+    scenes, _ = batched._fit(pair.task, drawers, 3)
+    kinds = [batched.structured(scene)[0] for scene in scenes]
+    assert kinds[0] == kinds[1] != kinds[2]
+
+
+@needs_warp
+@pytest.mark.parametrize("number", [0, 1])
+def test_an_episode_goes_as_in_the_environment(drawers, pair, number):
+    """The script opens the drawer in the environment; the same actions do the same in the world."""
+    env = ManipulationEnv("OpenDrawer", drawers[:2])
+    observation, _ = env.reset(seed=0, options={"asset": number})
+    policy = ScriptedPolicy(env)
+    (worlds, numbers), both = pair.groups[0], np.ones(2, bool)
+    pair.begin(worlds, numbers, both, np.tile(env.data.qpos[env.scene.control.at], (2, 1)))
+    np.testing.assert_allclose(worlds.goals.observe(worlds.seen())[0][number], observation, atol=SEEN)
+    for _ in range(env.steps):
+        action = policy.action()
+        observation, gained, ended, _, info = env.step(action)
+        observations, rewards, ends, infos = pair.step(np.tile(action, (2, 1)))
+        mine = infos[number]
+        seen = mine.get("terminal_observation", observations[number])
+        np.testing.assert_allclose(seen[14:17], observation[14:17], atol=TIP)
+        np.testing.assert_allclose(seen, observation, atol=SEEN)
+        assert mine["progress"] == pytest.approx(info["progress"][0], abs=JOINT)
+        assert rewards[number] == pytest.approx(gained, abs=REWARD)
+        assert (ends[number], mine["success"]) == (ended, info["success"])
+        if ended:
+            break
+    assert ended
+    assert not mine["TimeLimit.truncated"]
+    # it begins anew: the drawer is shut, the tip where it began but for the jitter
+    assert observations[number][42] == pytest.approx(0.0, abs=1e-4)
+    assert np.abs(observations[number][:7] - env.target.arm).max() < 0.0201
+
+
+@needs_warp
+def test_an_episode_ends_with_its_time(pair):
+    pair.reset()
+    pair._ages[:] = pair.steps - 1, 3
+    observations, _, ends, infos = pair.step(np.zeros((2, 7)))
+    assert ends.tolist() == [True, False]
+    assert infos[0]["TimeLimit.truncated"]
+    assert "terminal_observation" not in infos[1]
+    assert not np.array_equal(infos[0]["terminal_observation"], observations[0])
+    assert pair._ages.tolist() == [0, 4]
+
+
+@needs_warp
+def test_seeds_repeat(pair):
+    actions = np.random.default_rng(3).uniform(-1.0, 1.0, (2, 2, 7))
+
+    def seen(seed):
+        pair.seed(seed)
+        return [pair.reset(), *(pair.step(each)[0] for each in actions)]
+
+    first, again, other = seen(5), seen(5), seen(6)
+    np.testing.assert_allclose(first, again, atol=1e-6)
+    assert np.abs(first[0] - other[0]).max() > 1e-3
+
+
+@needs_warp
+def test_what_cannot_be_done_is_said(batched, pair):
+    with pytest.raises(ParameterError, match="OpenDishwasher has 2 stages"):
+        batched.BatchedTask("OpenDishwasher", range(5), 1)
+    with pytest.raises(ParameterError, match="worlds is a whole number"):
+        batched.BatchedTask("OpenDrawer", range(1), 0)
+    with pytest.raises(ParameterError, match="actions of 2 worlds"):
+        pair.step(np.zeros((3, 7)))
