@@ -23,8 +23,8 @@ from batched_maths import rewarded
 from batched_worlds import Worlds, structured
 from gymnasium import spaces
 from numpy.typing import NDArray
+from ppo import SETTINGS, Progress
 from stable_baselines3 import PPO
-from stable_baselines3.common.callbacks import BaseCallback
 from stable_baselines3.common.vec_env import VecEnv, VecMonitor, VecNormalize
 
 from artgen.envs import TASKS, ManipulationEnv, Task
@@ -242,20 +242,6 @@ def _groups(
     return result
 
 
-class Progress(BaseCallback):
-    """Prints the share of successes among the last episodes."""
-
-    def _on_step(self) -> bool:
-        return True
-
-    def _on_rollout_end(self) -> None:
-        episodes = self.model.ep_info_buffer or ()
-        if episodes:
-            success = np.mean([episode["success"] for episode in episodes])
-            reward = np.mean([episode["r"] for episode in episodes])
-            print(f"{self.num_timesteps:9,} steps: success {success:.2f}, return {reward:.1f}", flush=True)
-
-
 def learn(batch: BatchedTask, steps: int, seed: int, out: Path) -> None:
     """Learn with PPO, and keep the policy and what the observations are divided by."""
     training = VecNormalize(VecMonitor(batch, info_keywords=("success",)), gamma=0.99)
@@ -263,13 +249,7 @@ def learn(batch: BatchedTask, steps: int, seed: int, out: Path) -> None:
         "MlpPolicy",
         training,
         n_steps=max(4096 // batch.num_envs, 16),
-        batch_size=512,
-        n_epochs=8,
-        learning_rate=3e-4,
-        gamma=0.99,
-        ent_coef=0.0,
-        target_kl=0.05,
-        policy_kwargs={"net_arch": [256, 256], "log_std_init": -0.7},
+        **SETTINGS,
         seed=seed,
         device="cpu",
     )

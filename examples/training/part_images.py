@@ -249,15 +249,24 @@ def square(box: Box, size: tuple[float, float], margin: float) -> Box:
     return left, top, left + side, top + side
 
 
+def within(box: Box, around: Box) -> Array:
+    """Return where a box is in another, shape (4,) [sides of that one]."""
+    corner, sides = np.array(around[:2] * 2), np.subtract(around[2:], around[:2])
+    return ((np.array(box) - corner) / np.tile(sides, 2)).astype(np.float32)
+
+
 def changed(
-    images: Sequence[Array], classes: Array, offsets: Array, rng: np.random.Generator
-) -> tuple[list[Array], Array, Array]:
+    images: Sequence[Array], classes: Array, offsets: Array, place: Array, rng: np.random.Generator
+) -> tuple[list[Array], Array, Array, Array]:
     """Return images of one asset in another light, and half of the time mirrored with what is said of them.
+
+    Without it, a network learns the colours of the few assets that it sees by heart.
 
     Args:
         images: Each of shape (height, width, 3), uint8.
         classes: Of each pixel of the first, shape (height, width).
         offsets: From each of these to the centre of its instance, shape (2, height, width).
+        place: Where the first lies in the second, as `within` returns it.
         rng: Draws brightness, contrast, tint, and whether all is mirrored.
     """
     gain, shift = rng.uniform(0.7, 1.05) * rng.uniform(0.95, 1.05, 3), rng.uniform(-10.0, 10.0)
@@ -266,7 +275,8 @@ def changed(
         lit = [np.ascontiguousarray(image[:, ::-1]) for image in lit]
         classes = np.ascontiguousarray(classes[:, ::-1])
         offsets = offsets[:, :, ::-1] * np.array([[[1.0]], [[-1.0]]], np.float32)
-    return lit, classes, offsets
+        place = np.array([1.0 - place[2], place[1], 1.0 - place[0], place[3]], np.float32)
+    return lit, classes, offsets, place
 
 
 def ground_truth(

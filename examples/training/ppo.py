@@ -10,6 +10,7 @@ nothing but `--steps` and `--processes`.
 
 import argparse
 import json
+import math
 import os
 import time
 from collections.abc import Callable, Iterator
@@ -28,6 +29,16 @@ from stable_baselines3.common.vec_env import SubprocVecEnv, VecNormalize
 import artgen.envs  # registers the tasks
 
 HELD_OUT = 1_000_000  # seeds from here on are not trained on
+SETTINGS: dict[str, Any] = {
+    "batch_size": 512,
+    "n_epochs": 8,
+    "learning_rate": 3e-4,
+    "gamma": 0.99,
+    "ent_coef": 0.0,
+    "target_kl": 0.05,
+    "policy_kwargs": {"net_arch": [256, 256], "log_std_init": -0.7},
+}
+"""Of PPO, for tasks of some seconds."""
 
 
 def made(task: str, seeds: range, **options: Any) -> Callable[[], gymnasium.Env[Any, Any]]:
@@ -56,7 +67,7 @@ def environments(task: str, seeds: range, processes: int, **normalized: Any) -> 
 class Progress(BaseCallback):
     """Prints the share of successes among the last episodes, and ends when the time is over."""
 
-    def __init__(self, minutes: float) -> None:
+    def __init__(self, minutes: float = math.inf) -> None:
         super().__init__()
         self.end = time.monotonic() + 60.0 * minutes
 
@@ -79,13 +90,7 @@ def learn(task: str, seeds: range, options: argparse.Namespace, out: Path) -> di
             "MlpPolicy",
             training,
             n_steps=4096 // options.processes,
-            batch_size=512,
-            n_epochs=8,
-            learning_rate=3e-4,
-            gamma=0.99,
-            ent_coef=0.0,
-            target_kl=0.05,
-            policy_kwargs={"net_arch": [256, 256], "log_std_init": -0.7},
+            **SETTINGS,
             seed=options.seed,
             device="cpu",
         )

@@ -31,6 +31,7 @@ from part_images import (
     changed,
     instances,
     square,
+    within,
 )
 from torch import Tensor, nn
 from torch.nn import functional
@@ -45,7 +46,7 @@ class UNet(nn.Module):
     """Says of each pixel of which class it is and where the centre of its instance lies.
 
     Besides the square that it looks at, it sees all that this is part of at a glance: a small image that
-    tells of what category the asset is.
+    tells of what category the asset is, and where there what it looks at is.
     """
 
     def __init__(self, classes: int, width: int) -> None:
@@ -57,23 +58,42 @@ class UNet(nn.Module):
         )
         self.up = nn.ModuleList(block(a + b, a) for a, b in itertools.pairwise(widths))
         glance = (block(a, b, stride=2) for a, b in itertools.pairwise([3, *widths[::2]]))
-        self.glance = nn.Sequential(*glance, nn.AdaptiveAvgPool2d(1), nn.Flatten())
+        self.glance = nn.Sequential(*glance)
+        self.around = nn.Conv2d(widths[4], widths[3], 1)
         self.context = nn.Linear(widths[4], widths[-1])
         self.overall = nn.Linear(widths[4], classes)
         self.last = nn.Conv2d(width, classes + 2, 1)
 
-    def forward(self, images: Tensor, glances: Tensor) -> tuple[Tensor, Tensor]:
-        """Return the scores of the classes and the ways to the centres, at half the size of the images."""
+    def forward(self, images: Tensor, glances: Tensor, places: Tensor) -> tuple[Tensor, Tensor]:
+        """Return the scores of the classes and the ways to the centres, at half the size of the images.
+
+        Args:
+            images: What is looked at, shape (n, 3, size, size).
+            glances: What that is part of, shape (n, 3, size / 2, size / 2).
+            places: Left, top, right and bottom of the first in the second, shape (n, 4), 0-1.
+        """
         levels = [self.first(normal(images))]
         for down in self.down:
             levels.append(down(levels[-1]))
-        glance = self.glance(normal(glances))
+        around = self.glance(normal(glances))
+        glance = around.mean((2, 3))
         x = levels.pop() + self.context(glance)[:, :, None, None]
-        for up in reversed(self.up):
+        for number, up in reversed([*enumerate(self.up)]):
             skip = levels.pop()
             x = up(torch.cat((skip, functional.interpolate(x, skip.shape[2:])), 1))
+            if number == 3:  # fine enough to tell parts, and coarse enough for what was seen at a glance
+                x = x + self.around(part_of_glance(around, places, x.shape[2]))
         said = self.last(x)
         return said[:, :-2] + self.overall(glance)[:, :, None, None], said[:, -2:]
+
+
+def part_of_glance(around: Tensor, places: Tensor, size: int) -> Tensor:
+    """Return what was seen at a glance where an image looks closer, shape (n, channels, size, size)."""
+    share = (torch.arange(size, device=places.device) + 0.5) / size
+    low, high = places[:, :2], places[:, 2:]
+    x, y = (low + share[:, None, None] * (high - low)).permute(2, 1, 0) * 2.0 - 1.0
+    grid = torch.stack((x[:, None, :].expand(-1, size, -1), y[:, :, None].expand(-1, -1, size)), -1)
+    return functional.grid_sample(around, grid, align_corners=False, padding_mode="border")
 
 
 def normal(images: Tensor) -> Tensor:
@@ -113,9 +133,10 @@ class SmallNetwork:
         box, around = images.view(index, rng)
         glance = images.picture(index, self.size // 2, around)
         image, *said = images.example(index, self.size, box)
-        pictures, classes, offsets = changed((image, glance), *said, rng=rng)
+        place = within(box, around)
+        pictures, classes, offsets, place = changed((image, glance), *said, place, rng=rng)
         tensors = (torch.from_numpy(each).permute(2, 0, 1) for each in pictures)
-        return *tensors, torch.from_numpy(classes), torch.from_numpy(offsets)
+        return *tensors, torch.from_numpy(place), torch.from_numpy(classes), torch.from_numpy(offsets)
 
     @staticmethod
     def together(items: list[Any]) -> Any:
@@ -124,8 +145,8 @@ class SmallNetwork:
 
     def loss(self, batch: Any) -> Tensor:
         """Return how wrong the network is: about the class of each pixel, and the centres."""
-        images, glances, classes, offsets = (each.to(DEVICE) for each in batch)
-        scores, ways = self.model(self._seen(images), self._seen(glances))
+        images, glances, places, classes, offsets = (each.to(DEVICE) for each in batch)
+        scores, ways = self.model(self._seen(images), self._seen(glances), places)
         classes, offsets = classes[:, ::2, ::2].long(), offsets[:, :, ::2, ::2]
         wrong = functional.cross_entropy(scores, classes, self.weights) + overlap(scores, classes)
         known = ~offsets.isnan()
@@ -171,7 +192,8 @@ class SmallNetwork:
             self._seen(torch.from_numpy(np.stack(each)).permute(0, 3, 1, 2).to(DEVICE))
             for each in (pictures, [glance] * len(boxes))
         )
-        said = self.model(looks, glances)
+        places = torch.from_numpy(np.stack([within(box, around) for box in boxes])).to(DEVICE)
+        said = self.model(looks, glances, places)
         scores, ways = (functional.interpolate(each, scale_factor=2, mode="bilinear") for each in said)
         return scores.softmax(1).cpu().numpy(), ways.cpu().numpy()
 

@@ -79,10 +79,16 @@ def test_views_are_mostly_of_parts_and_some_of_the_whole(folder):
 def test_a_mirrored_example_points_to_mirrored_centres(folder):
     images = PartImages(folder, "train")
     image, classes, offsets = images.example(0, 64)
-    made = [part_images.changed((image,), classes, offsets, np.random.default_rng(seed)) for seed in range(8)]
+    place = part_images.within((30.0, 10.0, 50.0, 30.0), (10.0, 0.0, 90.0, 80.0))
+    np.testing.assert_allclose(place, [0.25, 0.125, 0.5, 0.375])
+    made = [
+        part_images.changed((image,), classes, offsets, place, np.random.default_rng(seed))
+        for seed in range(8)
+    ]
     mirrored = [not np.array_equal(each[1], classes) for each in made]
     assert 0 < sum(mirrored) < len(made)
-    for is_mirrored, (pictures, said, ways) in zip(mirrored, made, strict=True):
+    for is_mirrored, (pictures, said, ways, lies) in zip(mirrored, made, strict=True):
+        np.testing.assert_allclose(lies, [0.5, 0.125, 0.75, 0.375] if is_mirrored else place)
         assert pictures[0].shape == image.shape
         if is_mirrored:
             np.testing.assert_array_equal(said, classes[:, ::-1])

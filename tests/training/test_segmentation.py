@@ -36,7 +36,7 @@ def learnt(seen, steps):
 def test_it_separates_parts_that_it_has_not_seen(splits):
     seen, unseen = splits
     before = segmentation.evaluate(learnt(seen, 1), unseen)
-    after = segmentation.evaluate(learnt(seen, 120), unseen)
+    after = segmentation.evaluate(learnt(seen, 300), unseen)
     assert all(ap50 < 0.2 for _, ap50 in before.values())
     assert all(ap50 > 0.6 for _, ap50 in after.values()), after
 
@@ -52,3 +52,14 @@ def test_the_table_ends_with_the_mean_of_handles_and_of_all():
 def test_learning_repeats_with_its_seed(splits):
     first, again = (learnt(splits[0], 3).model.state_dict() for _ in range(2))
     assert all(torch.equal(first[key], again[key]) for key in first)
+
+
+def test_a_glance_is_read_where_the_closer_look_lies():
+    rows, columns = torch.meshgrid(torch.arange(8.0), torch.arange(8.0), indexing="ij")
+    around = torch.stack((rows + 0.5, columns + 0.5))[None].repeat(2, 1, 1, 1) / 8.0  # says where it is
+    places = torch.tensor([[0.25, 0.125, 0.5, 0.375], [0.5, 0.5, 0.75, 0.75]])
+    seen = segmentation.part_of_glance(around, places, 4)
+    shares = (torch.arange(4.0) + 0.5) / 4.0
+    for (left, top, right, bottom), (y, x) in zip(places.tolist(), seen, strict=True):
+        assert torch.allclose(x, (left + shares * (right - left)).expand(4, 4), atol=1e-6)
+        assert torch.allclose(y, (top + shares * (bottom - top))[:, None].expand(4, 4), atol=1e-6)
