@@ -29,15 +29,13 @@ from stable_baselines3.common.vec_env import VecEnv, VecMonitor, VecNormalize
 
 from artgen.envs import TASKS, ManipulationEnv, Task
 from artgen.envs.assets import Assets, Source
-from artgen.envs.env import RATE
+from artgen.envs.env import JITTER, RATE
 from artgen.envs.kept import ready
 from artgen.envs.motion import Target
 from artgen.envs.observing import STATE
 from artgen.envs.rewards import BONUS
 from artgen.envs.scene import Scene
 from artgen.errors import EnvError, ParameterError
-
-_JITTER = 0.02  # of the arm's angles at reset, as in artgen.envs.env [rad]
 
 
 class BatchedTask(VecEnv):
@@ -107,7 +105,7 @@ class BatchedTask(VecEnv):
         within = np.flatnonzero(ended[numbers])
         if arms is None:
             turns = [self._rngs[number].uniform(-1.0, 1.0, 7) for number in numbers[within]]
-            arms = worlds.goals.arm[within] + _JITTER * torch.as_tensor(np.array(turns)).to(worlds.goals.arm)
+            arms = worlds.goals.arm[within] + JITTER * torch.as_tensor(np.array(turns)).to(worlds.goals.arm)
         worlds.begin(
             torch.as_tensor(within).to(worlds.goals.worlds), torch.as_tensor(arms).to(worlds.goals.arm)
         )

@@ -6,13 +6,11 @@ from typing import Any
 import numpy as np
 import torch
 
-from artgen.envs import rewards
+from artgen.envs.control import DAMPING, POSTURE, POSTURE_DAMPING, STIFFNESS
 from artgen.envs.motion import Target, tip_of
+from artgen.envs.rewards import ACTION, ALONG, DENSE, NEAR, STEEPNESS
 from artgen.envs.robot import OPENING
 from artgen.envs.scene import Scene
-
-STIFFNESS, POSTURE = 300.0, 10.0  # of the tip and of the arm's posture, as in artgen.envs.control [1/s^2]
-NEAR, ALONG, STEEPNESS, ACTION = 0.3, 0.7, 5.0, 0.05  # as in artgen.envs.rewards
 
 
 def rotations(vectors: torch.Tensor) -> torch.Tensor:
@@ -43,9 +41,9 @@ def torques(
         [turn[:, 2, 1] - turn[:, 1, 2], turn[:, 0, 2] - turn[:, 2, 0], turn[:, 1, 0] - turn[:, 0, 1]], dim=1
     )
     error = torch.cat([goal - state["place"], between], dim=1)[..., None]
-    wanted = STIFFNESS * error - 2.0 * STIFFNESS**0.5 * (jacobian @ speeds)
+    wanted = STIFFNESS * error - DAMPING * (jacobian @ speeds)
     yields = jacobian @ _solve(inertia, jacobian.mT)
-    keep = POSTURE * (posture - state["angles"])[..., None] - 2.0 * POSTURE**0.5 * speeds
+    keep = POSTURE * (posture - state["angles"])[..., None] - POSTURE_DAMPING * speeds
     wrench = -_solve(yields, jacobian @ keep)
     wrench[:, :3] += _solve(yields[:, :3, :3], wanted[:, :3])
     wrench[:, 3:] += _solve(yields[:, 3:, 3:], wanted[:, 3:])
@@ -66,7 +64,7 @@ def rewarded(
     """
     near = NEAR * (1.0 - torch.tanh(STEEPNESS * distance)) + ALONG * progress
     worth = torch.where(done, torch.ones_like(near), near)
-    return rewards.DENSE / steps * (worth - ACTION * (action**2).mean(dim=1))
+    return DENSE / steps * (worth - ACTION * (action**2).mean(dim=1))
 
 
 def _solve(matrix: torch.Tensor, right: torch.Tensor) -> torch.Tensor:

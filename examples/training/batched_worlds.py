@@ -16,10 +16,8 @@ from batched_maths import Goals, jacobians, rotations, torques
 from artgen.envs.control import POSITION, ROTATION
 from artgen.envs.motion import Target
 from artgen.envs.robot import LIMITS, OPENING
-from artgen.envs.scene import STEPS, Scene
+from artgen.envs.scene import SHUT, STEPS, STEPS_OF_TORQUES, Scene
 
-_STEPS_OF_TORQUES = 4  # the arm's torques are found anew after so many steps, as in artgen.envs.scene
-_SHUT = 0.001  # the hand squeezes where less than this opening is asked for, as in artgen.envs.scene [m]
 _CONTACTS, _CONSTRAINTS = 96, 384  # room in each world; MuJoCo Warp says so if it is not enough
 _SEEN = ("mat_", "nmat", "cam_", "light_", "tex_", "flex_rgba")  # what is only seen
 # of a world's state: what is set, and what is looked at
@@ -113,15 +111,15 @@ class Worlds:
         self._goal = seen["place"] + POSITION * actions[:, :3]
         self._goal_turn = rotations(ROTATION * actions[:, 3:6]) @ seen["turn"]
         opening = 0.5 * OPENING * (1.0 - actions[:, 6])
-        wanted = torch.where(opening > _SHUT, opening, -OPENING)
+        wanted = torch.where(opening > SHUT, opening, -OPENING)
         self._views["ctrl"][:, self._fingers] = torch.stack([wanted, -wanted], dim=1).float()
-        for number in range(STEPS // _STEPS_OF_TORQUES):
+        for number in range(STEPS // STEPS_OF_TORQUES):
             seen = self.seen() if number else seen
             found = torques(seen, self._goal, self._goal_turn, self._posture)
             self._views["ctrl"][:, self._motors] = found.float()
             self._settle()
             warp.step2(model, data)
-            for _ in range(_STEPS_OF_TORQUES - 1):
+            for _ in range(STEPS_OF_TORQUES - 1):
                 warp.step(model, data)
             warp.step1(model, data)
 

@@ -115,14 +115,19 @@ class PartImages:
             groups[numbers.get(self._parts[each["id"]], self.other), each["link"]].append(coco.annToRLE(each))
         return [{"class": number, "rle": rle.merge(masks)} for (number, _), masks in groups.items()]
 
-    def picture(self, index: int, size: int | None = None, box: Box | None = None) -> Array:
-        """Return an image, or what a box of it shows in a square of pixels, shape (height, width, 3)."""
+    def picture(self, index: int) -> Array:
+        """Return an image, shape (height, width, 3)."""
+        return np.array(self._opened(index))
+
+    def looks(self, index: int, size: int, boxes: Sequence[Box]) -> Array:
+        """Return what boxes of an image show, in squares of pixels, shape (boxes, size, size, 3)."""
+        picture, most = self._opened(index), self.whole(index)[2:] * 2
+        inside = [tuple(np.clip(box, 0.0, most)) for box in boxes]  # rounded numbers may not be
+        return np.stack([picture.resize((size, size), Image.Resampling.BILINEAR, box, 2.0) for box in inside])
+
+    def _opened(self, index: int) -> Image.Image:
         with Image.open(self.folder / self.images[index]["file_name"]) as image:
-            picture = image.convert("RGB")
-        if size is not None:
-            within = box and tuple(np.clip(box, 0.0, self.whole(index)[2:] * 2))  # rounded numbers may not be
-            picture = picture.resize((size, size), Image.Resampling.BILINEAR, within, 2.0)
-        return np.array(picture)
+            return image.convert("RGB")
 
     def masks(self, index: int) -> list[tuple[int, Array]]:
         """Return the class and the mask of each part in an image, without what is of no part."""
@@ -136,8 +141,8 @@ class PartImages:
     def view(self, index: int, rng: np.random.Generator) -> tuple[Box, Box]:
         """Draw a box to look at, and the box of what it is part of.
 
-        The first is most of an image, or a square of about half the asset, often around one of its parts;
-        the second is all that the image shows, or the square around the asset.
+        The first is most of an image, or a square of about `TILE` of the asset, often around a part of it;
+        the second is the same, or the square around the asset.
         """
         whole = self.whole(index)
         width, height = whole[2:]
@@ -175,7 +180,7 @@ class PartImages:
             NaN where there is none.
         """
         left, top, right, bottom = box = self.whole(index) if box is None else box
-        image = self.picture(index, size, box)
+        (image,) = self.looks(index, size, [box])
         middle = (np.arange(size) + 0.5) / size
         rows, columns = ((a + middle * (b - a)).astype(int) for a, b in ((top, bottom), (left, right)))
         corner, sides = np.array(((top,), (left,))), np.array(((bottom - top,), (right - left,)))

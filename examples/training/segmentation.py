@@ -131,7 +131,7 @@ class SmallNetwork:
     def item(self, images: PartImages, index: int, rng: np.random.Generator) -> Any:
         """Return an example, changed at random."""
         box, around = images.view(index, rng)
-        glance = images.picture(index, self.size // 2, around)
+        (glance,) = images.looks(index, self.size // 2, [around])
         image, *said = images.example(index, self.size, box)
         place = within(box, around)
         pictures, classes, offsets, place = changed((image, glance), *said, place, rng=rng)
@@ -186,11 +186,11 @@ class SmallNetwork:
 
     def _look(self, images: PartImages, index: int, boxes: list[Box], around: Box) -> tuple[Array, Array]:
         """Return the probabilities of the classes and the ways to the centres in some boxes."""
-        pictures = [images.picture(index, self.size, box) for box in boxes]
-        glance = images.picture(index, self.size // 2, around)
+        pictures = images.looks(index, self.size, boxes)
+        glance = images.looks(index, self.size // 2, [around])
         looks, glances = (
-            self._seen(torch.from_numpy(np.stack(each)).permute(0, 3, 1, 2).to(DEVICE))
-            for each in (pictures, [glance] * len(boxes))
+            self._seen(torch.from_numpy(each).permute(0, 3, 1, 2).to(DEVICE))
+            for each in (pictures, glance.repeat(len(boxes), 0))
         )
         places = torch.from_numpy(np.stack([within(box, around) for box in boxes])).to(DEVICE)
         said = self.model(looks, glances, places)

@@ -65,6 +65,17 @@ def test_random_views_point_to_the_same_centres_and_repeat_with_the_seed(folder)
             np.testing.assert_allclose(found, np.broadcast_to(centre, found.shape), atol=1e-3)
 
 
+def test_a_view_of_most_of_an_image_shows_all_parts(folder):
+    images = PartImages(folder, "train")
+    whole = 0
+    for seed in range(60):
+        box, around = images.view(seed % len(images), np.random.default_rng(seed))
+        if box == around:
+            whole += 1
+            assert set(np.unique(images.example(seed % len(images), 64, box)[1])) >= {1, 2, 3}
+    assert whole
+
+
 def test_views_are_mostly_of_parts_and_some_of_the_whole(folder):
     images = PartImages(folder, "train", ["handle"])
     shown = []
@@ -85,6 +96,9 @@ def test_a_mirrored_example_points_to_mirrored_centres(folder):
         part_images.changed((image,), classes, offsets, place, np.random.default_rng(seed))
         for seed in range(8)
     ]
+    again = part_images.changed((image,), classes, offsets, place, np.random.default_rng(3))
+    assert np.array_equal(again[0][0], made[3][0][0])
+    assert np.array_equal(again[1], made[3][1])
     mirrored = [not np.array_equal(each[1], classes) for each in made]
     assert 0 < sum(mirrored) < len(made)
     for is_mirrored, (pictures, said, ways, lies) in zip(mirrored, made, strict=True):

@@ -20,10 +20,10 @@ Array = NDArray[np.float64]
 POSITION, ROTATION = 0.05, 0.5
 """How far the tip is asked to go by an action of 1 [m], [rad]."""
 
-_STIFFNESS = 300.0  # the most that robosuite allows; with its usual 150 seals of doors stay shut [1/s^2]
-_DAMPING = 2.0 * np.sqrt(_STIFFNESS)  # critical [1/s]
-_POSTURE = 10.0  # how stiffly the arm keeps its posture, as far as the tip leaves it free [1/s^2]
-_POSTURE_DAMPING = 2.0 * np.sqrt(_POSTURE)
+STIFFNESS = 300.0  # the most that robosuite allows; with its usual 150 seals of doors stay shut [1/s^2]
+DAMPING = 2.0 * np.sqrt(STIFFNESS)  # critical [1/s]
+POSTURE = 10.0  # how stiffly the arm keeps its posture, as far as the tip leaves it free [1/s^2]
+POSTURE_DAMPING = 2.0 * np.sqrt(POSTURE)
 
 
 class Control:
@@ -85,11 +85,11 @@ class Control:
         self._jacobian_of(self._model, self._data, *self._into, self.tip)
         self._inertia_of(self._model, self._data, self._whole_inertia)
         jacobian, inertia, speeds = self._jacobian, self._inertia, self._speeds
-        wanted = -_DAMPING * (jacobian @ speeds)
-        wanted[:3] += _STIFFNESS * (self._goal - self._place)
-        wanted[3:] += _STIFFNESS * _turn_between(self._turn, self._goal_turn)
+        wanted = -DAMPING * (jacobian @ speeds)
+        wanted[:3] += STIFFNESS * (self._goal - self._place)
+        wanted[3:] += STIFFNESS * _turn_between(self._turn, self._goal_turn)
         yields = jacobian @ self._solve(inertia, jacobian.T)  # acceleration of the tip by a force at it
-        keep = _POSTURE * (self._posture - self._angles) - _POSTURE_DAMPING * speeds
+        keep = POSTURE * (self._posture - self._angles) - POSTURE_DAMPING * speeds
         wrench = -self._solve(yields, jacobian @ keep)  # what keeping the posture would do to the tip
         # forces as if there were no torques, and torques as if there were no forces
         wrench[:3] += self._solve(yields[:3, :3], wanted[:3])

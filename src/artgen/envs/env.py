@@ -28,7 +28,7 @@ _MOST_TRIES = 50  # assets without the part that are passed over in a row
 _SIZES = (16, 4096)  # pixels on a side of a picture
 _OBSERVATIONS = ("state", "rgb")
 _NOT_BEGUN = "{} has not begun; call reset() first"
-_JITTER = 0.02  # of the arm's angles at reset, as robosuite has it [rad]
+JITTER = 0.02  # of the arm's angles at reset, as robosuite has it [rad]
 
 
 class ManipulationEnv(gymnasium.Env[Any, NDArray[np.float32]]):
@@ -120,7 +120,7 @@ class ManipulationEnv(gymnasium.Env[Any, NDArray[np.float32]]):
             self._turn = seed
         wanted = _wanted_asset(options)
         self._scene, self._target = self._begin(wanted)
-        jitter = _JITTER * self.np_random.uniform(-1.0, 1.0, 7)
+        jitter = JITTER * self.np_random.uniform(-1.0, 1.0, 7)
         self._scene.place(self._target, self._target.arm + jitter)
         self._step, self._succeeded = 0, False
         self._done = [False] * len(self._target.stages)

@@ -20,9 +20,9 @@ DENSE = 10.0
 BONUS = 20.0
 """What success gives, once."""
 
-_NEAR, _ALONG = 0.3, 0.7  # shares of being near and of progress, in that of a stage
-_STEEPNESS = 5.0  # at 0.2 m a quarter of the reward for being near is left [1/m]
-_ACTION = 0.05  # what an action of 1 in all directions costs, as a share of all stages
+NEAR, ALONG = 0.3, 0.7  # shares of being near and of progress, in that of a stage
+STEEPNESS = 5.0  # at 0.2 m a quarter of the reward for being near is left [1/m]
+ACTION = 0.05  # what an action of 1 in all directions costs, as a share of all stages
 
 
 def dense(progress: Sequence[float], done: Sequence[bool], distance: float) -> float:
@@ -36,7 +36,7 @@ def dense(progress: Sequence[float], done: Sequence[bool], distance: float) -> f
     total = 0.0
     for share, reached in zip(progress, done, strict=True):
         if not reached:
-            total += _NEAR * (1.0 - math.tanh(_STEEPNESS * distance)) + _ALONG * share
+            total += NEAR * (1.0 - math.tanh(STEEPNESS * distance)) + ALONG * share
             break
         total += 1.0
     return total / len(progress)
@@ -44,7 +44,7 @@ def dense(progress: Sequence[float], done: Sequence[bool], distance: float) -> f
 
 def penalty(action: Array) -> float:
     """Return what an action costs, 0-0.05."""
-    return _ACTION * float(action @ action) / len(action)
+    return ACTION * float(action @ action) / len(action)
 
 
 def reward(state: float, action: Array, steps: int, *, success: bool) -> float:

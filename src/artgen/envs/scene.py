@@ -29,8 +29,8 @@ STEPS = 20
 CAMERAS = ("front", "hand")
 """What looks on: a camera beside the robot, and the one on its hand."""
 
-_STEPS_OF_TORQUES = 4  # the arm's torques are found anew after so many steps
-_SHUT = 0.001  # the hand squeezes where less than this opening of each finger is asked for [m]
+STEPS_OF_TORQUES = 4  # the arm's torques are found anew after so many steps
+SHUT = 0.001  # the hand squeezes where less than this opening of each finger is asked for [m]
 _FLOOR, _TABLE, _FRONT, _LIGHT = "scene_floor", "scene_table", "scene_front", "scene_light"
 _AMBIENT, _HEADLIGHT, _LAMP = 0.28, 0.3, 0.5  # light from everywhere, from the camera and from above
 _LIGHT_GOES = (0.3, 0.5, -1.0)
@@ -110,12 +110,12 @@ class Scene:
         mujoco, model, data, control = self._mujoco, self.model, self.data, self.control
         control.aim(action[:6])
         opening = 0.5 * OPENING * (1.0 - action[6])
-        wanted = opening if opening > _SHUT else -OPENING
+        wanted = opening if opening > SHUT else -OPENING
         data.ctrl[self.fingers] = wanted, -wanted
-        for _ in range(STEPS // _STEPS_OF_TORQUES):
+        for _ in range(STEPS // STEPS_OF_TORQUES):
             control.run()
             mujoco.mj_step2(model, data)
-            mujoco.mj_step(model, data, nstep=_STEPS_OF_TORQUES - 1)
+            mujoco.mj_step(model, data, nstep=STEPS_OF_TORQUES - 1)
             mujoco.mj_step1(model, data)
 
     def tip(self) -> Array:
