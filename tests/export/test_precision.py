@@ -63,7 +63,23 @@ def test_files_are_smaller_and_say_how_precise_they_are(exports: tuple[Path, Pat
     full, coarse = (json.loads((each / "asset.json").read_text()) for each in exports)
     assert all(link["mesh_precision"] == PRECISION for link in coarse["links"])
     for link, other in zip(full["links"], coarse["links"], strict=True):
+        fewer, more = ([each.pop("triangles") for each in one["surfaces"]] for one in (other, link))
+        assert sum(fewer) < sum(more) or more == [12] * len(more)
         assert {**link, "mesh_precision": PRECISION} == other
+    written = sum(len(mesh.faces) for mesh in surfaces(exports[1]).values())
+    data = json.loads((exports[1] / "asset.json").read_text())
+    assert sum(each["triangles"] for link in data["links"] for each in link["surfaces"]) == written
+
+
+def test_numbers_have_as_few_digits_as_they_are_precise(exports: tuple[Path, Path]) -> None:
+    rows: dict[str, list[str]] = {"v": [], "vt": [], "vn": []}
+    for path in (exports[1] / "meshes").glob("*.obj"):
+        if "collider" not in path.name:
+            for head, *numbers in map(str.split, path.read_text().splitlines()):
+                rows.get(head, []).extend(numbers)
+    digits = {head: [len(each.partition(".")[2]) for each in numbers] for head, numbers in rows.items()}
+    assert (max(digits["v"]), max(digits["vn"])) == (6, 4)  # a hundredth of half a millimetre is 5e-6 m
+    assert np.quantile(digits["vt"], 0.97) == 4  # some vertices where faces touch in a point are set apart
 
 
 def test_shading_of_large_faces_stays_even() -> None:

@@ -13,7 +13,7 @@ Array = NDArray[np.float64]
 
 _CREASE = math.radians(62.0)  # the fewer facets a round thing has, the more they turn
 
-_SHARES = (1.0, 0.3, 0.1, 0.03)  # of the precision that are tried
+_SHARES = (1.0, 0.6, 0.3, 0.1, 0.03)  # of the precision that are tried
 _KEPT = 0.9  # of the area, or things have gone
 
 

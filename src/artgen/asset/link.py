@@ -238,18 +238,22 @@ class Link:
                 }
                 for collider in self.colliders
             ],
-            "surfaces": [
-                {
-                    "name": surface.name,
-                    "label": surface.label,
-                    "material": surface.material.name,
-                    "triangles": len(surface.mesh.triangles),
-                }
-                for surface in self.surfaces
-            ],
+            "surfaces": self.surface_data(),
             "details": self._details(),
             "separate": self.separate,
         }
+
+    def surface_data(self) -> list[dict[str, Any]]:
+        """Return what each surface is of, and how many triangles it has, as JSON data."""
+        return [
+            {
+                "name": surface.name,
+                "label": surface.label,
+                "material": surface.material.name,
+                "triangles": len(surface.mesh.triangles),
+            }
+            for surface in self.surfaces
+        ]
 
     def rounded_data(self) -> dict[str, Any]:
         """Return the JSON data with as many digits as files keep."""

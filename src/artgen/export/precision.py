@@ -1,14 +1,18 @@
 """Surfaces of fewer triangles, for files that are small and quick to load."""
 
+import math
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from artgen.asset import Asset, Mesh, Surface
 from artgen.asset.coarser import coarser
+from artgen.asset.files import POSITION_DECIMALS
 from artgen.asset.link import Piece
+from artgen.asset.surface import joined, metric_coordinates, texture_coordinates
 from artgen.errors import ParameterError
 from artgen.export.derived import DerivedLink, fields_of, need_solids
 
@@ -16,6 +20,8 @@ COARSEST = 0.005
 """The farthest that what is seen may lie from what was made [m]."""
 
 _PRINT = 0.1  # share of the precision that holds for print, whose letters are small
+_ROUNDING = 0.01  # share of the precision that vertices move by at most, along each axis, for fewer digits
+_DECIMALS = 4  # of normals and texture coordinates
 
 
 def with_precision(asset: Asset, precision: float) -> Asset:
@@ -39,7 +45,12 @@ def with_precision(asset: Asset, precision: float) -> Asset:
         f"its surfaces cannot be made anew within {precision:g} m",
         "mesh_precision=0, which keeps the surfaces that it has",
     )
-    links = [CoarseLink(*fields_of(link), source=link, precision=precision) for link in asset.links]
+    links = [
+        CoarseLink(
+            *fields_of(link), source=link, precision=precision, origin=tuple(asset.origin(link.name).tolist())
+        )
+        for link in asset.links
+    ]
     return replace(asset, links=tuple(links))
 
 
@@ -61,26 +72,43 @@ class CoarseLink(DerivedLink):
 
     Attributes:
         precision: How far they may lie from the source's [m].
+        origin: Of its frame, in which files have them [m].
     """
 
     precision: float = field(kw_only=True)
+    origin: tuple[float, float, float] = field(kw_only=True)
 
     @cached_property
     def surfaces(self) -> tuple[Surface, ...]:
         """The visible faces of the source, of fewer triangles; those of one colour lie on one texel."""
-        return tuple(
-            surface if surface.material.texture else replace(surface, mesh=_unlaid(surface.mesh))
-            for surface in self.source.surfaces_of(self._mesh)
-        )
+        step, origin = self.precision * _ROUNDING, np.array(self.origin)
+        return tuple(_rounded(surface, step, origin) for surface in self.source.surfaces_of(self._mesh))
 
     def _mesh(self, piece: Piece) -> Mesh:
-        return coarser(piece.shape, self.precision if piece.reading is None else _PRINT * self.precision)
+        precision = (1.0 - 2.0 * _ROUNDING) * self.precision  # rounding takes its share
+        return coarser(piece.shape, precision if piece.reading is None else _PRINT * precision)
 
     def to_data(self) -> dict[str, Any]:
         """Return everything but the triangles as JSON data, with how precise these are."""
-        return {**super().to_data(), "mesh_precision": self.precision}
+        return {
+            **super().to_data(),
+            "surfaces": self.surface_data(),
+            "mesh_precision": self.precision,
+        }
 
 
-def _unlaid(mesh: Mesh) -> Mesh:
-    """Return a mesh without texture coordinates: vertices that differ in nothing else are one."""
-    return replace(mesh, uvs=np.zeros_like(mesh.uvs))
+def _rounded(surface: Surface, step: float, origin: NDArray[np.float64]) -> Surface:
+    """Return a surface whose numbers have few digits in the frame at `origin`, positions to at most `step`.
+
+    Without maps it has no texture coordinates: vertices that differ in nothing else are one.
+    """
+    mesh, material = surface.mesh, surface.material
+    decimals = min(math.ceil(-math.log10(step)), POSITION_DECIMALS)
+    laid = np.round(texture_coordinates(mesh, material), _DECIMALS) + 0.0
+    rounded = replace(
+        mesh,
+        vertices=np.round(mesh.vertices - origin, decimals) + 0.0 + origin,
+        normals=np.round(mesh.normals, _DECIMALS) + 0.0,
+        uvs=metric_coordinates(laid, material) if material.texture else np.zeros_like(laid),
+    )
+    return replace(surface, mesh=joined([rounded]))
