@@ -26,6 +26,7 @@ BENCHMARKS = {
     "certificate": "bench_certificate",
     "cost": "bench_cost",
     "scaling": "bench_scaling",
+    "thousand": "bench_thousand",
     "stages": "bench_stages",
     "textures": "bench_textures",
 }

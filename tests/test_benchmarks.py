@@ -39,6 +39,7 @@ def benchmark(*arguments):
         ("certificate", ("ratio, p = 0.001", "verdict of the certificate", "of target")),
         ("cost", ("all / joint [ms]", "r²", "to the median of its seed")),
         ("scaling", ("assets/s", "largest worker [MiB]", "ratio to the first")),
+        ("thousand", ("core-seconds an asset", "50 %", "asset.json")),
         ("stages", ("seed to asset", "certificate", "all / fixed workload")),
         ("textures", ("bake / transform", "warm png")),
     ],

@@ -12,7 +12,7 @@ sys.path.insert(0, str(FOLDER))
 import part_images  # noqa: E402
 from part_images import PartImages  # noqa: E402
 
-from support.flat_doors import SIZE, drawn  # noqa: E402
+from support.flat_doors import drawn  # noqa: E402
 
 # pycocotools does not know NumPy 2's way to ask for no copy
 pytestmark = pytest.mark.filterwarnings("ignore:__array__ implementation:DeprecationWarning")
@@ -38,76 +38,20 @@ def test_labels_of_one_link_become_one_part(folder):
         assert found["door/body"].sum() == leaf - hidden  # the pane is filled
 
 
-def test_offsets_point_to_the_middle_of_each_part(folder):
-    images = PartImages(folder, "test")
-    _, classes, offsets = images.example(0, SIZE)
-    assert (classes == images.other).sum() == 15
-    number = 1 + images.classes.index("door/handle")
-    y, x = np.nonzero(classes == number)
-    pointed = np.stack((y, x)) + SIZE * offsets[:, y, x]
-    np.testing.assert_allclose(pointed, [[y.mean()] * len(y), [x.mean()] * len(x)], atol=1e-3)
-    assert np.isnan(offsets[:, classes == 0]).all()
+def test_a_lamp_is_switched_by_what_moves():
+    assert part_images.part_of("lamp", "rocker", {"rocker"}) == "lamp/switch"
+    assert part_images.part_of("lamp", "switch", {"base", "switch"}) == "lamp/base"  # holds the rocker
 
 
-def test_random_views_point_to_the_same_centres_and_repeat_with_the_seed(folder):
-    images = PartImages(folder, "train")
-    for seed in range(24):
-        box, around = images.view(seed, np.random.default_rng(seed))
-        assert images.view(seed, np.random.default_rng(seed)) == (box, around)
-        assert around[0] <= box[0] < box[2] <= around[2] or box[2] - box[0] < around[2] - around[0]
-        _, classes, offsets = images.example(seed, 64, box)
-        side = box[2] - box[0]
-        for number, mask in images.masks(seed):
-            y, x = np.nonzero(classes == number)
-            pointed = np.stack((y, x)) + 0.5 + 64 * offsets[:, y, x]
-            found = np.array([[box[1]], [box[0]]]) + side / 64 * pointed
-            centre = np.mean(np.nonzero(mask), 1, keepdims=True) + 0.5
-            np.testing.assert_allclose(found, np.broadcast_to(centre, found.shape), atol=1e-3)
-
-
-def test_a_view_of_most_of_an_image_shows_all_parts(folder):
-    images = PartImages(folder, "train")
-    whole = 0
-    for seed in range(60):
-        box, around = images.view(seed % len(images), np.random.default_rng(seed))
-        if box == around:
-            whole += 1
-            assert set(np.unique(images.example(seed % len(images), 64, box)[1])) >= {1, 2, 3}
-    assert whole
-
-
-def test_views_are_mostly_of_parts_and_some_of_the_whole(folder):
-    images = PartImages(folder, "train", ["handle"])
-    shown = []
-    for seed in range(200):
-        box, around = images.view(seed % len(images), np.random.default_rng(seed))
-        shown.append((box == around, (images.example(seed % len(images), 32, box)[1] == 1).any()))
-    whole, handle = np.mean(shown, axis=0)
-    assert 0.08 < whole < 0.25
-    assert handle > 0.75
-
-
-def test_a_mirrored_example_points_to_mirrored_centres(folder):
-    images = PartImages(folder, "train")
-    image, classes, offsets = images.example(0, 64)
-    place = part_images.within((30.0, 10.0, 50.0, 30.0), (10.0, 0.0, 90.0, 80.0))
-    np.testing.assert_allclose(place, [0.25, 0.125, 0.5, 0.375])
-    made = [
-        part_images.changed((image,), classes, offsets, place, np.random.default_rng(seed))
-        for seed in range(8)
-    ]
-    again = part_images.changed((image,), classes, offsets, place, np.random.default_rng(3))
-    assert np.array_equal(again[0][0], made[3][0][0])
-    assert np.array_equal(again[1], made[3][1])
-    mirrored = [not np.array_equal(each[1], classes) for each in made]
-    assert 0 < sum(mirrored) < len(made)
-    for is_mirrored, (pictures, said, ways, lies) in zip(mirrored, made, strict=True):
-        np.testing.assert_allclose(lies, [0.5, 0.125, 0.75, 0.375] if is_mirrored else place)
-        assert pictures[0].shape == image.shape
-        if is_mirrored:
-            np.testing.assert_array_equal(said, classes[:, ::-1])
-            np.testing.assert_array_equal(ways[1], -offsets[1, :, ::-1])
-            np.testing.assert_array_equal(ways[0], offsets[0, :, ::-1])
+def test_an_image_tells_its_asset_and_what_that_can_have(folder):
+    images = PartImages(folder, "test", ["handle"])
+    mask, box = images.asset(0)
+    rows, columns = np.nonzero(mask)
+    assert box == (columns.min(), rows.min(), columns.max() + 1, rows.max() + 1)
+    assert images.possible(0).tolist() == [True]
+    parts = PartImages(folder, "test").parts(0)
+    areas = [(right - left) * (bottom - top) for _, _, (left, top, right, bottom) in parts]
+    assert areas == sorted(areas, reverse=True)
 
 
 def test_a_box_in_the_corner_stays_within_the_image():
@@ -121,7 +65,8 @@ def test_truth_as_answer_has_full_precision_and_a_shifted_one_has_less(folder):
     def measured(change):
         results = []
         for index, image in enumerate(images.images):
-            found = [(number, 0.9, change(mask)) for number, mask in images.masks(index)]
+            whole = images.whole(index)
+            found = [(number, 0.9, change(mask), whole) for number, mask in images.masks(index)]
             results += part_images.as_results(image, found)
         return part_images.average_precisions(images.truth, results)
 
@@ -132,24 +77,30 @@ def test_truth_as_answer_has_full_precision_and_a_shifted_one_has_less(folder):
     assert set(part_images.average_precisions(images.truth, []).values()) == {(0.0, 0.0)}
 
 
-def test_votes_part_neighbours_and_join_what_something_hides():
-    probabilities = np.zeros((3, 60, 60))  # background, a part, and what is of no part
-    probabilities[2, :5] = 1.0
-    probabilities[0] = 0.5
-    probabilities[1, 10:30, 10:30] = probabilities[1, 10:30, 30:50] = 0.9  # two that touch
-    probabilities[1, 40:44, 10:50] = probabilities[1, 50:54, 10:50] = 0.9  # one with something before it
-    offsets = np.zeros((2, 60, 60))
-    rows, columns = np.mgrid[:60, :60]
-    for area, centre in (
-        (np.s_[10:30, 10:30], (19.5, 19.5)),
-        (np.s_[10:30, 30:50], (19.5, 39.5)),
-        (np.s_[40:54, 10:50], (46.5, 29.5)),
-    ):
-        offsets[0][area] = (centre[0] - rows[area]) / 60
-        offsets[1][area] = (centre[1] - columns[area]) / 60
-    found = part_images.instances(probabilities, offsets)
-    assert sorted(mask.sum() for _, _, mask in found) == [320, 400, 400]
-    assert all(number == 1 and score == pytest.approx(0.9) for number, score, _ in found)
+def test_what_is_likely_in_a_box_is_laid_there_as_far_as_the_image_reaches():
+    likely = np.zeros((8, 8))
+    likely[:, 4:] = 1.0  # the right half
+    mask = part_images.laid(likely, (10.0, 20.0, 26.0, 36.0), (40, 50))
+    assert mask.shape == (50, 40)
+    rows, columns = np.nonzero(mask)
+    assert (rows.min(), rows.max(), columns.min(), columns.max()) == (20, 35, 18, 25)
+    assert part_images.laid(likely, (30.0, -8.0, 46.0, 8.0), (40, 50)).sum() == 2 * 8
+    assert not part_images.laid(likely, (60.0, 0.0, 70.0, 10.0), (40, 50)).any()
+
+
+def test_of_two_masks_of_one_part_the_likelier_is_the_result():
+    image = {"id": 7, "width": 40, "height": 40}
+    full = np.ones((4, 4))
+    found = [
+        (1, 0.4, full, (10.0, 10.0, 21.0, 20.0)),
+        (1, 0.8, full, (10.0, 10.0, 20.0, 20.0)),
+        (2, 0.3, full, (10.0, 10.0, 20.0, 20.0)),  # of another class
+        (1, 0.2, full, (25.0, 25.0, 30.0, 30.0)),  # elsewhere
+        (1, 0.9, 0.4 * full, (0.0, 0.0, 5.0, 5.0)),  # nothing is likely
+    ]
+    results = part_images.as_results(image, found)
+    assert [(each["category_id"], each["score"]) for each in results] == [(1, 0.8), (2, 0.3), (1, 0.2)]
+    assert all(each["image_id"] == 7 for each in results)
 
 
 def test_a_wrong_part_or_an_empty_folder_is_one_clear_error(folder, tmp_path):
@@ -160,6 +111,5 @@ def test_a_wrong_part_or_an_empty_folder_is_one_clear_error(folder, tmp_path):
     handles = PartImages(folder, "train", ["handle"])
     assert handles.classes == ("door/handle",)
     assert [number for number, _ in handles.masks(0)] == [1]
-    assert set(np.unique(handles.example(0, SIZE)[1])) == {0, 1, handles.other}
     with pytest.raises(SystemExit, match=r"error: there is no .*train\.json; make it with: artgen images"):
         PartImages(tmp_path, "train")

@@ -28,7 +28,7 @@ def splits(tmp_path_factory):
 def learnt(seen, steps):
     torch.manual_seed(0)
     torch.set_num_threads(1)
-    network = segmentation.SmallNetwork(seen, 64, width=12)
+    network = segmentation.SmallNetwork(seen, 64)
     segmentation.train(network, seen, steps, 4, 1e-2, 0)
     return network
 
@@ -52,14 +52,3 @@ def test_the_table_ends_with_the_mean_of_handles_and_of_all():
 def test_learning_repeats_with_its_seed(splits):
     first, again = (learnt(splits[0], 3).model.state_dict() for _ in range(2))
     assert all(torch.equal(first[key], again[key]) for key in first)
-
-
-def test_a_glance_is_read_where_the_closer_look_lies():
-    rows, columns = torch.meshgrid(torch.arange(8.0), torch.arange(8.0), indexing="ij")
-    around = torch.stack((rows + 0.5, columns + 0.5))[None].repeat(2, 1, 1, 1) / 8.0  # says where it is
-    places = torch.tensor([[0.25, 0.125, 0.5, 0.375], [0.5, 0.5, 0.75, 0.75]])
-    seen = segmentation.part_of_glance(around, places, 4)
-    shares = (torch.arange(4.0) + 0.5) / 4.0
-    for (left, top, right, bottom), (y, x) in zip(places.tolist(), seen, strict=True):
-        assert torch.allclose(x, (left + shares * (right - left)).expand(4, 4), atol=1e-6)
-        assert torch.allclose(y, (top + shares * (bottom - top))[:, None].expand(4, 4), atol=1e-6)
