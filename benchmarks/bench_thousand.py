@@ -99,8 +99,9 @@ def _findings(coarse: dict[str, Any], full: dict[str, Any], count: int) -> list[
     time, memory, disk = _MOST
     size = sum(coarse["bytes"].values()) / 1e9
     largest = max(each["largest"] for each in (coarse, full)) / 1e6
+    took = round(_each(full), 3)
     return [
-        f"An asset in all formats takes {shown(_each(full))} core-seconds ({_verdict(_each(full), time)} {time}).",
+        f"An asset in all formats takes {took} core-seconds ({_verdict(took, time)} {time}).",
         f"No worker had more than {shown(largest)} MB ({_verdict(largest, memory)} {memory:.0f}).",
         f"{count} assets take {shown(size)} GB with coarser meshes"
         + (f" ({_verdict(size, disk)} {disk})." if count == 1000 else "."),
