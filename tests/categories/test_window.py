@@ -5,6 +5,7 @@ import pytest
 
 from artgen import generate
 from artgen.asset import Asset
+from artgen.errors import InfeasibleError
 
 
 def window(seed: int = 4, **overrides: object) -> Asset:
@@ -40,6 +41,23 @@ def test_hands_of_a_row_alternate_or_are_the_same() -> None:
         asset = window(style="casement", layout="row", hands=hands)
         axes = {round(asset.joint(f"pane_hinge_{number}").axis[2]) for number in range(4)}
         assert len(axes) == len(expected)
+
+
+def test_levers_of_sashes_that_open_towards_each_other_do_not_meet() -> None:
+    row = {"style": "casement", "layout": "row", "opens": "inwards", "hands": "opposite"}
+    tight = {**row, "width": 1.85, "lever_length": 0.135, "kind": "wood", "swing": 1.41}
+    handles = {"handle_1", "handle_2"}
+    asset = window(**tight)
+    half = {
+        f"{name}_{number}": at
+        for name, at in (("pane_hinge", 1.41), ("handle_turn", 1.57))
+        for number in (1, 2)
+    }
+    found = {frozenset(pair): distance for pair, distance in asset.clearance(half).items()}
+    assert 0.0 < found[frozenset(handles)] < 0.02
+    with pytest.raises(InfeasibleError, match=r"would meet: take a smaller swing, a shorter lever_length"):
+        window(**{**tight, "swing": 1.45})
+    assert window(**{**tight, "swing": 1.45, "lever_length": 0.105, "width": 2.2})
 
 
 def test_an_awning_hangs_at_its_top_and_is_light_enough_to_lift() -> None:

@@ -57,6 +57,9 @@ _KEEP = (0.009, 0.012)
 _PLAY = 0.0009  # a closed window rattles by this much [m]
 _EDGE_GAP = 0.0003
 
+LEVER_OUT = 0.046
+"""How far a lever stands out from the face that it is on [m]."""
+
 LeverStyle = Literal["straight", "tapered", "bent"]
 
 
@@ -163,8 +166,8 @@ def window_lever(
         )
         for up in (-0.022, 0.022)
     ]
-    start, out = face + side * 0.0117, face + side * 0.040
-    neck = cylinder_between((x, start, z), (x, out + side * 0.006, z), 0.0088, bevel=0.0015)
+    start, out = face + side * 0.0117, face + side * (LEVER_OUT - 0.006)
+    neck = cylinder_between((x, start, z), (x, face + side * LEVER_OUT, z), 0.0088, bevel=0.0015)
     low = z - length
     seen: list[Body] = []
     match style:

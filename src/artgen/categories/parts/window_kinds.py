@@ -7,6 +7,7 @@ mirrored.
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from itertools import pairwise
 from typing import Literal
 
 from artgen import (
@@ -21,6 +22,7 @@ from artgen import (
     Z,
     atan2,
     center_of_mass,
+    cos,
     mass,
     min_,
     sin,
@@ -33,6 +35,7 @@ from artgen.categories.parts.window_frame import (
     rebated_frame,
 )
 from artgen.categories.parts.window_hardware import (
+    LEVER_OUT,
     RELEASED,
     CamLock,
     LeverStyle,
@@ -47,6 +50,10 @@ from artgen.categories.parts.window_plan import LIP, REBATE, SEALED, STOP, Secti
 _GRAVITY = 9.81  # [m/s^2]
 _HOLDS = 1.15  # friction of a stay that holds a sash anywhere, over what its weight asks for
 _LIFTS = 52.0  # what a hand lifts an awning with at most [N]
+_LEVERS_MEET = (
+    "the levers of two sashes that open towards each other would meet: take a smaller swing, a shorter "
+    "lever_length, a larger width or hands=same"
+)
 
 
 @dataclass(frozen=True)
@@ -117,6 +124,14 @@ def casement(
         hung = hung.mirror(X) if hands[cell.column] < 0 else hung
         hung = hung.suffixed(f"_{number}") if len(places) > 1 else hung
         body = weld(body, hung.at(cell.x, 0.0, cell.z))
+    if inward:
+        for left, right in pairwise(places[: len(hands)]):
+            if hands[left.column] < hands[right.column]:  # both hang on what is between them
+                pin = Pin.beside(left.width, draft.section).x
+                reach = left.width / 2.0 - _seen(draft.section, inward=True) / 2.0 - pin - swing.length
+                out = LEVER_OUT + draft.section.lip / 2.0
+                tip = out * sin(swing.limit) - reach * cos(swing.limit)  # past the axis, once turned to it
+                body = body.require(tip <= (right.x - left.x) / 2.0 + pin - 0.001, _LEVERS_MEET)
     return body.mirror(Y) if inward else body
 
 
@@ -128,6 +143,11 @@ def awning(draft: Draft, swing: Swing) -> Body:
     # a casement laid on its side: its hinges at the left come to the top
     hung = _Hung(replace(draft, glazing=glazing), swing, draft.height, draft.width, False, falls=True)
     return weld(body, hung.body().rotate(Y, math.pi / 2.0))
+
+
+def _seen(section: Section, *, inward: bool) -> Scalar:
+    """Return how wide the lock stile is that a lever is in the middle of [m]."""
+    return REBATE + section.sash + (0.0 if inward else STOP)
 
 
 @dataclass(frozen=True)
@@ -166,8 +186,7 @@ class _Hung:
         )
         face = -SEALED - section.lip if self.inward else section.depth
         # in the middle of what the stop leaves of the lock stile
-        seen = REBATE + section.sash if self.inward else section.sash + REBATE + STOP
-        at = (self.width / 2.0 - seen / 2.0, face, 0.0)
+        at = (self.width / 2.0 - _seen(section, inward=self.inward) / 2.0, face, 0.0)
         rose, lever = window_lever(
             at, side=-1 if self.inward else 1, style=swing.lever, length=swing.length, finish=metal
         )
