@@ -12,6 +12,7 @@ from artgen import Asset, Cache
 from artgen.categories.box import box
 from artgen.categories.parts.box_board import LAYER, THICK
 from artgen.check.hand_force import hand_forces
+from artgen.errors import InfeasibleError
 
 MAJOR = {"flap_front_hinge", "flap_back_hinge"}
 MINOR = {"flap_left_hinge", "flap_right_hinge"}
@@ -182,6 +183,129 @@ def test_a_bottle_is_lifted_out_where_the_flaps_over_it_are_open(bottles: int) -
     assert over.keys() == ({"lid_hinge"} if bottles < 6 else {"flap_front_hinge", "flap_left_hinge"})
     opened = {**over, "flap_back_hinge": 2.1} if bottles >= 6 else over
     assert asset.blocked({**opened, "bottle_lift_0": 0.2}) == ()
+
+
+@pytest.mark.parametrize(
+    ("bottles", "flute", "least"), [(2, "c", 0.3109), (6, "c", 0.3198), (6, "bc", 0.3310)]
+)
+def test_bottles_have_room_below_what_closes_over_them(bottles: int, flute: str, least: float) -> None:
+    chosen = {"style": "wine", "bottles": bottles, "wine": "red", "flute": flute}
+    asset = box.generate(4, **chosen, height=least + 0.0001, on_collision="fail", cache=Cache())
+    over = solid(asset, "lid" if bottles == 2 else "flap_left")
+    assert 0.002 < solid(asset, "bottle_0").min_gap(over, 0.1) < 0.003
+    with pytest.raises(InfeasibleError, match=r"would meet the lid over them: take a larger height"):
+        made(4, **chosen, height=least - 0.0001)
+
+
+def test_dividers_of_a_low_box_end_below_its_tuck() -> None:
+    chosen = {"style": "wine", "bottles": 2, "wine": "none"}
+    for height in (0.05, 0.33):
+        asset = box.generate(4, **chosen, height=height, on_collision="fail", cache=Cache())
+        divider = next(piece for piece in asset.link("box").pieces if piece.label == "divider")
+        top = divider.shape.bounds()[1, 2]
+        assert top < asset.link("tuck_front").bounds()[0, 2] - 0.003
+    assert top == pytest.approx(0.6 * height), "a tall one is divided up to there"
+
+
+@pytest.mark.parametrize(
+    "small",
+    [
+        {"style": "half_slotted", "width": 0.08},
+        {"style": "slotted", "mouth": "top", "height": 0.08},
+        {"style": "wine", "wine": "none", "bottles": 6, "height": 0.05},
+    ],
+)
+def test_hand_holes_have_board_around_them(small: dict[str, object]) -> None:
+    holed = {} if small["style"] == "wine" else {"holes": True}
+    with pytest.raises(InfeasibleError, match=r"a centimetre of board around them: take a larger width"):
+        made(3, **small, **holed)
+    if holed:
+        assert made(3, **small, holes=False)
+
+
+def test_the_corners_of_a_long_flap_are_no_rounder_than_it_is_wide() -> None:
+    chosen = {"style": "gift", "closure": "flap", "width": 0.16, "aspect": 1.0}
+    for height in (0.1, 0.8):
+        asset = box.generate(3, **chosen, rounded=True, height=height, on_collision="fail", cache=Cache())
+        flap = next(piece for piece in asset.link("flap_front").pieces if piece.label == "lid")
+        square = made(3, **chosen, rounded=False, height=height).link("flap_front").pieces[0]
+        assert 0.8 < flap.shape.manifold.volume() / square.shape.manifold.volume() < 0.99
+
+
+def test_flaps_at_the_sides_of_open_ends_do_not_meet() -> None:
+    lying = {"style": "slotted", "mouth": "ends", "width": 0.2, "aspect": 0.6}
+    asset = box.generate(3, **lying, height=0.1199, on_collision="fail", cache=Cache())
+    between = solid(asset, "flap_front_left").min_gap(solid(asset, "flap_back_left"), 0.01)
+    assert 0.002 < between < 0.004
+    with pytest.raises(InfeasibleError, match=r"would meet: take a smaller height, or a larger width"):
+        made(3, **lying, height=0.1201)
+
+
+def test_a_lid_between_the_walls_has_no_flaps_below_and_room_for_those_at_its_sides() -> None:
+    tucked = {"style": "pizza", "sides": "tucked"}
+    with pytest.raises(InfeasibleError, match=r"take sides=over or dusted=False"):
+        made(3, **tucked, dusted=True)
+    assert made(3, **{**tucked, "sides": "over"}, dusted=True)
+    with pytest.raises(
+        InfeasibleError, match=r"no room between its crease and its tuck: take a larger width"
+    ):
+        made(3, **tucked, ears=True, width=0.1)
+    for roomy in ({"ears": False, "width": 0.1}, {"ears": True, "width": 0.13}):
+        assert box.generate(3, **tucked, **roomy, on_collision="fail", cache=Cache())
+
+
+@pytest.mark.parametrize("model", range(100, 104))
+def test_words_on_the_front_of_a_pizza_box_are_no_wider_than_it_is(model: int) -> None:
+    asset = made(3, style="pizza", sides="over", model=model, width=0.3, height=0.2)
+    printed = [piece for piece in asset.link("box").pieces if piece.label == "print"]
+    assert printed
+    assert all(np.abs(piece.shape.bounds()[:, 0]).max() < 0.15 for piece in printed)
+
+
+def test_the_cover_of_a_half_slotted_box_stands_out_of_its_tray() -> None:
+    chosen = {"style": "half_slotted", "holes": False, "flute": "c"}
+    assert box.generate(3, **chosen, height=0.12, on_collision="fail", cache=Cache())
+    with pytest.raises(InfeasibleError, match=r"hardly stand out of the tray it is in: take a larger height"):
+        made(3, **chosen, height=0.09)
+
+
+def test_what_is_bent_in_below_a_fresh_lid_does_not_spring_back() -> None:
+    asset = made(6, style="mailer", crease="fresh", ears=True)
+    assert asset.joint("lid_hinge").stiffness > 0.0
+    for name in ("tuck_front_hinge", "ear_left_hinge", "ear_right_hinge"):
+        assert asset.joint(name).stiffness == 0.0
+
+
+def test_bottles_do_not_stand_too_deep_to_be_lifted_out() -> None:
+    chosen = {"style": "wine", "bottles": 6, "wine": "red", "flute": "b"}
+    assert box.generate(4, **chosen, height=0.40, on_collision="fail", cache=Cache())
+    with pytest.raises(InfeasibleError, match=r"too deep in the box to be lifted out: take a smaller height"):
+        made(4, **chosen, height=0.42)
+
+
+def test_a_lid_that_covers_nearly_all_of_a_gift_box_leaves_a_little_ribbon_below() -> None:
+    asset = made(3, style="gift", closure="lift", height=0.05, skirt=0.95)
+    bands = [piece.shape.bounds()[:, 2] for piece in asset.link("box").pieces if piece.label == "ribbon"]
+    low = asset.link("lid").bounds()[0, 2]
+    assert bands
+    assert all(0.0 < bottom < top < low for bottom, top in bands)
+
+
+def test_short_flaps_of_a_thick_board_do_not_meet_as_they_open() -> None:
+    chosen = {"style": "slotted", "mouth": "top", "holes": False, "width": 0.09, "height": 0.2}
+    assert box.generate(3, **chosen, aspect=0.56, flute="bc", on_collision="fail", cache=Cache())
+    assert box.generate(3, **chosen, aspect=0.5, flute="c", on_collision="fail", cache=Cache())
+    with pytest.raises(InfeasibleError, match=r"meet as they open, .*larger width or aspect, or a thinner"):
+        made(3, **chosen, aspect=0.5, flute="bc")
+
+
+def test_print_stays_on_the_walls_of_a_low_box() -> None:
+    asset = made(3, style="slotted", mouth="top", holes=False, width=0.8, aspect=0.9, height=0.06)
+    prints = [piece.shape.bounds()[:, 2] for piece in asset.link("box").pieces if piece.label == "print"]
+    assert prints
+    assert all(0.0 < low < high < 0.06 for low, high in prints)
+    with pytest.raises(InfeasibleError, match=r"flaps and print need room: height at least 0.06 m"):
+        made(3, style="slotted", mouth="top", height=0.05)
 
 
 def test_a_fresh_crease_springs_back_by_30_to_60_degrees_and_a_worked_one_holds() -> None:

@@ -94,6 +94,43 @@ def test_a_door_between_the_sides_has_no_edge_pull() -> None:
         cabinet.generate(1, kind="base", grip="edge", hinge="butt")
 
 
+@pytest.mark.parametrize(("doors", "longest"), [(1, 0.597), (2, 0.297)])
+def test_an_edge_pull_is_no_longer_than_the_edge_of_its_door(doors: int, longest: float) -> None:
+    options = {"kind": "base", "grip": "edge", "doors": doors, "width": 0.6}
+    asset = cabinet.generate(1, **options, on_collision="fail", **{"handle.length": longest - 1e-6})
+    assert asset.certificate is not None
+    assert asset.certificate.proven
+    with pytest.raises(InfeasibleError, match="the pull is longer than the edge of its door"):
+        cabinet.generate(1, **options, attempts=1, **{"handle.length": longest + 0.001})
+
+
+def test_the_corners_of_a_narrow_pair_between_the_sides_would_meet() -> None:
+    options = {"kind": "base", "grip": "knob", "doors": 2, "thickness": 0.019, "door_thickness": 0.018}
+    asset = cabinet.generate(1, **options, hinge="butt", width=0.46, on_collision="fail")
+    assert asset.certificate is not None
+    assert asset.certificate.proven
+    with pytest.raises(InfeasibleError, match="free corners of two doors that open together would meet"):
+        cabinet.generate(1, **options, hinge="butt", width=0.44, attempts=1)
+    # those before the carcass turn about axes within their thickness
+    assert cabinet.generate(1, **options, hinge="concealed", width=0.44).certificate.proven  # type: ignore[union-attr]
+
+
+@pytest.mark.parametrize("style", ["shaker", "ramped", "fielded", "glazed"])
+def test_the_frame_of_a_narrow_door_leaves_room_for_its_panel(style: str) -> None:
+    options = {"kind": "base", "doors": 2, "width": 0.28, "hinge": "concealed", "grip": "knob"}
+    asset = cabinet.generate(
+        3, **options, style=style, rail=0.068, slope=0.026, moulding="ogee", on_collision="fail"
+    )
+    assert asset.certificate is not None
+    assert asset.certificate.proven
+    boxes = [
+        piece.shape.bounds()[:, 0]
+        for piece in asset.link("door_left").pieces
+        if piece.label == "door" and not piece.visual
+    ]
+    assert min(high - low for low, high in boxes) == pytest.approx(0.27 * 0.137), "that of a stile"
+
+
 @settings(max_examples=10, deadline=None)
 @given(seed=st.integers(0, 10**6))
 def test_any_seed_can_be_built_with_its_door_as_wide_as_its_carcass(seed: int) -> None:

@@ -345,6 +345,33 @@ def test_a_leaf_that_cannot_turn_in_its_gap_is_infeasible() -> None:
         door.generate(0, **PLAIN | {"thickness": 0.06, "width": 0.61, "side_gap": 0.0028}, attempts=2)
 
 
+@pytest.mark.parametrize(("floor_gap", "bevel"), [(0.008, 0.0016), (0.010, 0.0022)])
+def test_the_edges_of_a_threshold_are_eased_less_where_it_is_thin(floor_gap: float, bevel: float) -> None:
+    asset = door.generate(0, **PLAIN | {"floor_gap": floor_gap}, certify=False)
+    plate = max(
+        (piece for piece in asset.link("frame").pieces if piece.label == "threshold"),
+        key=lambda piece: piece.shape.manifold.volume(),
+    )
+    points = plate.shape.mesh.vertices
+    low, high = plate.shape.bounds()
+    assert high[2] - low[2] == pytest.approx(floor_gap - 0.004)
+    upper = points[np.isclose(points[:, 2], high[2])]
+    assert high[1] - upper[:, 1].max() == pytest.approx(bevel)
+
+
+@pytest.mark.parametrize(
+    ("bolted", "fits", "too_long"), [(False, 1.79, 1.8), (True, 0.53, 0.55)], ids=["leaf", "deadbolt"]
+)
+def test_a_pull_stays_on_its_leaf_and_below_a_deadbolt(*, bolted: bool, fits: float, too_long: float) -> None:
+    given = PLAIN | {"opener": "pull", "bolted": bolted, "handle_height": 0.95, "handle.style": "U"}
+    asset = door.generate(0, **given, on_collision="fail", **{"handle.length": fits})
+    assert asset.certificate is not None
+    assert asset.certificate.proven
+    low = given | {"height": 1.8} if not bolted else given
+    with pytest.raises(InfeasibleError, match="the pull is longer than there is room on the leaf"):
+        door.generate(0, **low, attempts=1, **{"handle.length": too_long})
+
+
 def test_sizes_that_no_door_has_are_refused() -> None:
     with pytest.raises(ParameterError, match="width"):
         door.generate(0, width=3.0)

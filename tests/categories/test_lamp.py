@@ -7,7 +7,7 @@ from typing import Any, get_args
 import numpy as np
 import pytest
 
-from artgen import sqrt
+from artgen import InfeasibleError, sqrt
 from artgen.asset import Asset
 from artgen.categories.lamp import Style, lamp
 from artgen.categories.parts.lamp_arms import GRAVITY, Load
@@ -161,6 +161,25 @@ def test_a_chain_is_pulled_down_and_its_spring_takes_it_up() -> None:
         assert 3.0 <= force[1] <= 8.0, f"it is pulled out with {force[1]:.1f} N"
         below = shade.bounds()[0, 2] - chain.bounds()[0, 2]
         assert below > 0.04, f"its knob hangs only {1e3 * below:.0f} mm below the shade"
+
+
+def test_a_chain_hangs_out_of_its_switch_under_a_shade_however_small() -> None:
+    small = {"switch": "pull_chain", "switch_on": "socket", "shade_radius": 0.06, "shade_height": 1.3}
+    for style in ("floor", "tripod", "table"):
+        asset = drawn(style, 2, chain_travel=0.03, **small)
+        for pulled in (0.0, 0.015, 0.03):
+            assert min(asset.clearance({"switch_pull": pulled}).values()) > 0.0002, f"{style} at {pulled}"
+
+
+def test_a_chain_is_not_pulled_into_what_stands_under_it() -> None:
+    deep = {"shade": "cone", "shade_radius": 0.105, "shade_height": 2.2}
+    chain = {"switch": "pull_chain", "switch_on": "socket", "chain_travel": 0.07, "base_height": 0.024} | deep
+    wide = {**chain, "body": "column", "body_radius": 0.11}
+    for style, height, more in (("mushroom", 0.379, chain), ("table", 0.69, wide)):
+        with pytest.raises(InfeasibleError, match="pulled into what stands under it: take a larger height"):
+            lamp.generate(2, style=style, height=height, attempts=1, **more)
+    asset = drawn("mushroom", 2, height=0.405, **chain)
+    assert 0.0 < asset.clearance({"switch_pull": 0.07})["base", "pull_chain"] < 0.005
 
 
 def test_a_globe_has_no_spider_and_a_dome_has_its_own_knob() -> None:

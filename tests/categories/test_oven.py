@@ -1,5 +1,6 @@
 """What is special to an oven: racks behind the door, the balanced door, a range's drawer."""
 
+import itertools
 import math
 from functools import lru_cache
 from typing import Any
@@ -9,6 +10,7 @@ import pytest
 
 from artgen.asset import Asset
 from artgen.catalog import find
+from artgen.errors import InfeasibleError
 
 GRAVITY = 9.81
 
@@ -105,6 +107,48 @@ def test_a_drawer_passes_below_the_open_door() -> None:
     assert out >= 0.28
     for angle in np.linspace(0.0, asset.joint("door_hinge").limits[1], 4):  # type: ignore[index]
         assert between(asset, {"door_hinge": angle, "drawer_slide": out}, "door", "drawer") > 0.002
+
+
+def test_a_drawer_that_would_come_to_the_handle_of_the_open_door_is_ruled_out() -> None:
+    given: dict[str, Any] = {
+        "build": "range",
+        "burner": "radiant",
+        "drawer": True,
+        "handle": "box",
+        "depth": 0.72,
+        "height": 0.86,
+        "hinge_height": 0.22,
+        "panel": 0.09,
+        "projection": 0.038,
+        "door_thickness": 0.055,
+    }
+    asset = made(3, **given, drawer_travel=0.79)
+    q = {joint: asset.joint(joint).limits[1] for joint in ("door_hinge", "drawer_slide")}  # type: ignore[index]
+    assert 0.002 < between(asset, q, "door", "drawer") < 0.02
+    with pytest.raises(InfeasibleError, match="the handle of the open door would meet the drawer"):
+        made(3, **given, drawer_travel=0.82, attempts=1)
+
+
+@pytest.mark.parametrize(
+    ("racks", "pan", "fits", "meets"),
+    [(3, True, 0.100, 0.110), (3, False, 0.130, 0.140), (2, True, 0.260, 0.280)],
+)
+def test_racks_for_which_the_cavity_is_too_low_are_ruled_out(
+    *, racks: int, pan: bool, fits: float, meets: float
+) -> None:
+    given: dict[str, Any] = {
+        "build": "built_in",
+        "racks": racks,
+        "pan": pan,
+        "height": 0.6,
+        "panel": 0.1,
+    }
+    names = [f"rack_{number}" for number in range(racks)]
+    asset = made(3, **given, hinge_height=fits)
+    for lower, upper in itertools.pairwise(names):
+        assert between(asset, {}, lower, upper) > 0.001
+    with pytest.raises(InfeasibleError, match="racks would meet each other, or the heating element"):
+        made(3, **given, hinge_height=meets, attempts=1)
 
 
 @pytest.mark.parametrize(("build", "dials"), [("built_in", 0), ("built_in", 3), ("range", 6)])

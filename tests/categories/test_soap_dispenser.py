@@ -6,10 +6,12 @@ from typing import Any, get_args
 
 import pytest
 
+from artgen import InfeasibleError
 from artgen.asset import Asset, Link
 from artgen.categories.parts.soap_bottles import Shape
 from artgen.categories.parts.soap_pump import Nozzle
 from artgen.categories.soap_dispenser import soap_dispenser
+from artgen.check.colliders import check_colliders
 from artgen.graph import Cache
 
 OPAQUE = ("round", "square", "oval", "hexagonal", "amphora", "cone", "bell", "ribbed", "beehive")
@@ -93,3 +95,16 @@ def test_what_hangs_on_a_wall_comes_with_its_tile() -> None:
     lever = drawn(4, style="box", press="lever").joint("lever_hinge")
     assert lever.limits is not None
     assert lever.stiffness * (0.0 - lever.rest) > 2.0 * lever.friction, "its spring does not bring it back"
+
+
+@pytest.mark.parametrize(("shape", "width"), [("round", 0.058), ("apothecary", 0.087), ("cone", 0.095)])
+def test_colliders_follow_the_glass_of_narrow_and_wide_bottles(shape: str, width: float) -> None:
+    asset = drawn(3, style="bottle", shape=shape, build="clear", width=width, height=0.13, fill=0.45)
+    assert check_colliders(asset).faults == ()
+
+
+def test_glass_is_not_blown_wider_than_colliders_follow_it() -> None:
+    wide = {"style": "bottle", "build": "clear", "width": 0.095}
+    with pytest.raises(InfeasibleError, match=r"take a width of 0\.087 at most, shape=cone or another build"):
+        drawn(3, shape="round", attempts=1, **wide)
+    assert drawn(3, shape="square", **wide).links

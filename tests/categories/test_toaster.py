@@ -129,6 +129,16 @@ def test_the_crumb_tray_slides_out_level_where_it_says(way: str, tray: str) -> N
     np.testing.assert_allclose(axis, expected, atol=1e-9)
 
 
+def test_buttons_need_a_front_as_wide_as_they_stand() -> None:
+    narrow = {"style": "classic", "slots": 1, "slot_width": 0.03, "levers": 1, "layout": "below"}
+    keys = {"knobs": 0, "buttons": 2, "knob_radius": 0.015}
+    with pytest.raises(InfeasibleError, match="controls have no room: raise height or shoulder"):
+        made(4, shoulder=0.044, attempts=1, **narrow, **keys)
+    pressed = {"button_slide_0": 0.003, "button_slide_1": 0.003}
+    assert min(made(4, shoulder=0.0446, **narrow, **keys).clearance(pressed).values()) > 0.0
+    assert made(4, shoulder=0.044, **narrow, **{**keys, "knobs": 1, "buttons": 0}).attempt == 0
+
+
 def test_controls_on_a_bulging_side_are_refused() -> None:
     with pytest.raises(InfeasibleError, match="the sides of this body are not flat"):
         made(0, style="retro", controls="side", levers=1)

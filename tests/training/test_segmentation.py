@@ -3,6 +3,7 @@
 import sys
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 torch = pytest.importorskip("torch", reason="pip install 'artgen[train]'")
@@ -52,3 +53,29 @@ def test_the_table_ends_with_the_mean_of_handles_and_of_all():
 def test_learning_repeats_with_its_seed(splits):
     first, again = (learnt(splits[0], 3).model.state_dict() for _ in range(2))
     assert all(torch.equal(first[key], again[key]) for key in first)
+
+
+@pytest.mark.filterwarnings("ignore::DeprecationWarning:torch", "ignore::UserWarning:torch")
+def test_mask_rcnn_learns_from_the_same_images(splits):
+    try:
+        from torchvision.ops import nms
+
+        nms(torch.zeros(1, 4), torch.zeros(1), 0.5)
+    except (ImportError, RuntimeError):
+        pytest.skip("pip install torchvision, of torch's own index")
+    seen, unseen = splits
+    torch.manual_seed(0)
+    network = segmentation.MaskRCNN(seen, 96)
+    batch = network.together([network.item(seen, index, np.random.default_rng(index)) for index in range(2)])
+
+    def loss():
+        network.model.train()
+        with torch.no_grad():
+            return network.loss(batch).item()
+
+    before = loss()
+    segmentation.train(network, seen, 8, 2, 1e-3, 0)
+    assert loss() < before
+    assert set(segmentation.evaluate(network, unseen)) == {"door/frame", "door/body", "door/handle"}
+    network.model.roi_heads.score_thresh = 0.0
+    assert network.results(unseen, 0)  # that early it is sure of nothing, but has masks of something

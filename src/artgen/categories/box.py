@@ -321,11 +321,11 @@ def box(
     model: int = count(100, 989),
 ) -> Body:
     """Make a cardboard or gift box, closed: flaps, tucks, ears, lid, drawer, bottles."""
-    if style in ("slotted", "half_slotted"):
+    if style == "half_slotted" or (style == "slotted" and mouth == "top"):
         free = width * (1.0 - aspect)  # between the minor flaps of the bottom
         width = require(width, free > 0.006, "flaps meet in a square box: lower aspect, to 0.96 at most")
-    least = _least_height(style, mouth, wine)
-    height = require(height, height >= least, f"flaps and bottles need room: height at least {least:g} m")
+    least = _least_height(style)
+    height = require(height, height >= least, f"flaps and print need room: height at least {least:g} m")
     least = _LEAST_WIDTH.get(style, 0.0)
     width = require(width, width >= least, f"a strap, tucks and ears need room: width at least {least:g} m")
     fresh = crease == "fresh"
@@ -372,10 +372,8 @@ def box(
             )
 
 
-def _least_height(style: Style, mouth: str, wine: str) -> float:
-    """Return how high a box has to be for the bottles in it, or for flaps at its ends [m]."""
-    if style == "wine" and wine != "none":
-        return 0.315
+def _least_height(style: Style) -> float:
+    """Return how high a box has to be for flaps at its ends, or for print below those at its top [m]."""
     if style == "tuck_end":
         return 0.1
-    return 0.06 if style == "slotted" and mouth == "ends" else 0.0
+    return 0.06 if style == "slotted" else 0.0

@@ -14,7 +14,7 @@ door and up to 120 cm with two; base cabinets 56-60 cm deep and 80-92 cm high wi
 """
 
 from functools import partial
-from typing import Literal
+from typing import Any, Literal
 
 from artgen import (
     Body,
@@ -51,6 +51,10 @@ from artgen.categories.parts.suited import require_suited
 
 _HANDLES = {"knob": knob_pull, "bar": bar_pull, "cup": cup_pull, "edge": edge_pull}
 _GLASS = known("glass", "frosted_glass", "tinted_glass")
+_CORNERS_MEET = (
+    "the free corners of two doors that open together would meet: take a larger width, a smaller "
+    "door_thickness, hinge=concealed or doors=1"
+)
 _FINISH = boards("wood", "lacquer", "melamine", "decor")
 _WORKTOP, _LEG, _METAL = worktops(), leg_finishes(), hardware()
 
@@ -231,6 +235,7 @@ def cabinet(
         ),
     )
 
+    rail = min_(rail, 0.27 * hanging.width)  # stiles of a narrow door leave room for its panel
     look_ = FrontLook(style, finish, rail, moulding, slope, glass, (1, panes))
     hung = partial(hanging.joint, limit=swing, friction=pull * hanging.width, damping=hinge_damping)
     if doors == 1:
@@ -244,7 +249,7 @@ def cabinet(
         leaf = hanging.leaf(look_, _handled(hanging, kind, grip, handle, metal, rail, name), name=name)
         joint = hung(f"{name.replace('door', 'door_hinge')}", side=side)
         body = body.attach(leaf if side > 0 else leaf.mirror(X), joint)
-    return body
+    return body.require(hanging.pair_turns(), _CORNERS_MEET) if hanging.inset else body
 
 
 def _shares(hinges: int, shelves: int) -> list[float]:
@@ -262,8 +267,12 @@ def _handled(
 ) -> Body:
     """Make the handle of a door in place: near its free edge, where the hand is."""
     # a bar stands 0.155 m from the end of a door; on a tall one it is near the middle
-    upright = {"level": False, "room": 0.92 if kind == "tall" else 0.31}
-    pull: Body = handle(finish=metal, name=f"{name}_handle", **(upright if grip == "bar" else {}))
+    placed: dict[str, Any] = {}
+    if grip == "bar":
+        placed = {"level": False, "room": 0.92 if kind == "tall" else 0.31}
+    elif handle == edge_pull:
+        placed = {"room": hanging.width}
+    pull: Body = handle(finish=metal, name=f"{name}_handle", **placed)
     left, right = hanging.left, hanging.left + hanging.width
     low, high, face = hanging.low, hanging.high, hanging.face
     if grip == "edge":

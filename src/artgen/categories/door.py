@@ -31,6 +31,7 @@ from artgen import (
     category,
     choice,
     details,
+    min_,
     one_of,
     require,
     shades,
@@ -258,6 +259,7 @@ def door(
     blank = Blank(width, floor_gap, floor_gap + height, thickness, arched, None, finish, fittings, reach)
     spindle = vector(width / 2.0 - backset, 0.0, handle_height)
     site = Site(spindle, backset, thickness, meeting, metal, maker)
+    above = 0.30 if opener in ("pull", "none") else 0.15  # a bolt: past the end of a pull, or of a long plate
     match opener:
         case "lever" | "knob":
             lockset = turning_handle(
@@ -271,9 +273,11 @@ def door(
         case "push_bar":
             lockset = pushed_handle(site, handle, width=width, travel=handle_range, throw=throw)
         case "pull" | "none":
-            lockset = rigid_handle(site, handle)
+            over = blank.straight - handle_height
+            over = min_(over, above - 0.03) if bolted else over
+            room = 2.0 * min_(over, handle_height - floor_gap)  # for a pull, on the leaf and below its bolt
+            lockset = rigid_handle(site, partial(handle, room=room) if handle == pull_handle else handle)
     if bolted:
-        above = 0.30 if opener in ("pull", "none") else 0.15  # past the end of a pull, or of a long plate
         lockset = lockset + dead_lock(replace(site, spindle=spindle + (0.0, 0.0, above)))
 
     hanging = Hanging(

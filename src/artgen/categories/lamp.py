@@ -20,6 +20,7 @@ from artgen import (
     Body,
     Float,
     Material,
+    Scalar,
     by,
     category,
     choice,
@@ -30,6 +31,7 @@ from artgen import (
 from artgen.categories.parts.bulbs import SOCKET
 from artgen.categories.parts.lamp_arms import ARM_LABELS, ArmStyle
 from artgen.categories.parts.lamp_bases import (
+    FITTING,
     BaseShape,
     BodyForm,
     base_edge,
@@ -40,6 +42,7 @@ from artgen.categories.parts.lamp_bases import (
     turned_lamp,
     weighted,
     weighted_base,
+    wide_up_to,
 )
 from artgen.categories.parts.lamp_cord import Cord
 from artgen.categories.parts.lamp_finish import (
@@ -58,7 +61,7 @@ from artgen.categories.parts.lamp_finish import (
 )
 from artgen.categories.parts.lamp_jointed import ArmLooks, ArmSizes, Carried
 from artgen.categories.parts.lamp_pointed import POLE, pointed
-from artgen.categories.parts.lamp_standing import Chain, crown, globed, harp_rise, shaded
+from artgen.categories.parts.lamp_standing import BESIDE, Chain, crown, globed, harp_rise, shaded
 from artgen.categories.parts.shades import ShadeKind, metal_head, spider_shade
 from artgen.categories.parts.switches import SWITCH_LABELS
 from artgen.categories.parts.switches import switch as switch_of
@@ -365,14 +368,17 @@ def lamp(
 
     mouth = height - crown(harp_rise(deep, shade))  # of the socket
     foot = mouth - SOCKET
+    under: Scalar = top  # a chain
     if style == "table":
         stand = turned_lamp(body, radius=body_radius, low=top - 0.001, high=foot, finish=stuff, metal=metal)
+        under = wide_up_to(body, BESIDE, radius=body_radius, low=top, high=foot - FITTING)
     elif style == "mushroom":
         foot = foot if shade == "dome" else height - 2.0 * shade_radius - 0.006
         sheet = weighted(metal, 900.0)
         # under a dome it hides the socket
         ends = foot + 0.002 if shade == "globe" else mouth - 0.006
         stand = turned_body("stem", radius=0.060, low=top - 0.001, high=ends, finish=sheet)
+        under = wide_up_to("stem", BESIDE, radius=0.060, low=top, high=ends)
     else:
         stand = pole(0.0115, top - 0.001, foot + 0.003, metal)
     if shade == "globe":
@@ -387,6 +393,6 @@ def lamp(
         trim=coat,
         wire=metal,
     )
-    chain = Chain(chain_travel, chain_force, metal) if switch == "pull_chain" else None
+    chain = Chain(chain_travel, chain_force, metal, under) if switch == "pull_chain" else None
     stand = weld(base, stand)
     return shaded(stand, cover, mouth=mouth, height=deep, metal=metal, friction=shade_friction, chain=chain)

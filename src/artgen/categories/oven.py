@@ -63,6 +63,13 @@ _KNOBS = (  # caps of plastic under a skin of metal
 )
 _CHROME = material("chrome").with_(name="rack_chrome", density=15000.0)  # with the wires that are only seen
 _PAN = coloured("enamel", "anthracite").with_(name="pan_enamel", density=2200.0)  # of 0.6 mm, drawn 2.2 thick
+_RACKS_MEET = (
+    "racks would meet each other, or the heating element over them: the cavity is too low for so many, raise "
+    "height, lower hinge_height or panel, or take fewer racks or pan=False"
+)
+_DRAWER_MEETS = (
+    "the handle of the open door would meet the drawer: lower drawer_travel or depth, or raise height"
+)
 _LEVELS = {1: (2,), 2: (1, 3), 3: (1, 2, 4)}  # at which racks are, by their number
 
 
@@ -273,9 +280,10 @@ def oven(
         color=figures,
         maker=maker if signed == "panel" else "",
     )
-    inside = Racks(space, _CHROME, _PAN, rack_friction)
+    inside, levels = Racks(space, _CHROME, _PAN, rack_friction), _LEVELS[racks]
 
-    body = weld(cabinet.body(), front.body(), inside.rails(_LEVELS[racks]), element(space))
+    body = weld(cabinet.body(), front.body(), inside.rails(levels), element(space))
+    body = body.require(inside.apart(levels, pan=pan), _RACKS_MEET)
     pans = Drawer(space, finish, metal, 0.24 * width, drawer_travel, drawer_friction)
     if drawer:
         body = weld(body, pans.runners())
@@ -284,7 +292,7 @@ def oven(
         body = top.joined(weld(body, top.body()))
     hinge = leaf.hinge(pull)
     body = body.attach(leaf.body(), hinge)
-    for number, level in enumerate(_LEVELS[racks]):
+    for number, level in enumerate(levels):
         deep = pan and number == 1
         name = f"rack_{number}"
         rack = inside.pan(name, level) if deep else inside.rack(name, level)
@@ -293,4 +301,5 @@ def oven(
         body = body.attach(rack, inside.slide(f"rack_slide_{number}", needs))
     if drawer:
         body = body.attach(pans.body(), pans.slide())
+        body = body.require(pans.before < leaf.handle_before - 0.001, _DRAWER_MEETS)
     return front.joined(body)

@@ -22,6 +22,10 @@ from artgen.categories.parts.box_marks import seam
 
 _ROUND = 0.0018  # radius of upright edges, where the liner is scored [m]
 _HOLE = (0.082, 0.030)  # of hand holes [m]
+_RIM = 0.010  # of board around them, at least [m]
+_NO_RIM = (
+    "hand holes need a centimetre of board around them: take a larger width, aspect or height, or holes=False"
+)
 
 
 def walls(
@@ -65,7 +69,15 @@ def bottom_flaps(board: Board, width: Scalar, depth: Scalar, *, label: str = "bo
     return weld(*sheets, line)
 
 
-def hand_holes(solid: Solid, width: Scalar, height: Scalar, board: Board) -> Solid:
+def hand_holes(
+    solid: Solid,
+    width: Scalar,
+    height: Scalar,
+    board: Board,
+    *,
+    depth: Scalar,
+    span: tuple[Scalar, Scalar],
+) -> Solid:
     """Cut a hand hole into each wall at a side, square: see `hole_corners`.
 
     Args:
@@ -73,8 +85,14 @@ def hand_holes(solid: Solid, width: Scalar, height: Scalar, board: Board) -> Sol
         width: From outside to outside of these walls [m].
         height: Of the middle of the holes [m].
         board: What the walls are cut from.
+        depth: Of these walls, from outside to outside of the others [m].
+        span: Between which heights these walls are free [m].
     """
     wide, tall = _HOLE
+    beside, (low, high) = depth / 2.0 - board.thick - _RIM, span
+    over = tall / 2.0 + _RIM
+    fits = (beside >= wide / 2.0) & (height - over >= low) & (height + over <= high)
+    solid = solid.require(fits, _NO_RIM)
     for side in (-1.0, 1.0):
         hole = box(0.05, wide, tall).paint(board.edge)
         solid = solid - hole.at(side * width / 2.0, 0.0, height)

@@ -36,6 +36,10 @@ _FULL = 1450.0  # kg/m3: 0.5 kg of glass and 0.75 l in it, 1.25 kg on the 0.86 l
 _RADIUS, _NECK = 0.0372, 0.0142  # of a Bordeaux bottle [m]
 _BODY, _SHOULDER, _TALL = 0.192, 0.226, 0.300  # where body and shoulder end, and the top [m]
 _GRAVITY = 9.81  # [m/s2]
+_SPARE = 0.0025  # over a bottle, at least [m]
+_DEEP = 0.1  # below a lid, at most: a hand reaches the neck, and the lift takes it out [m]
+_TOO_DEEP = "bottles of 0.3 m would stand too deep in the box to be lifted out: take a smaller height"
+_NO_ROOM = "bottles of 0.3 m would meet the lid over them: take a larger height or a thinner flute"
 
 
 def _glass(name: str, color: tuple[float, float, float]) -> Material:
@@ -105,6 +109,8 @@ class Bottles:
 
     def _put(self, body: Body, needs: Sequence[Condition], ceilings: Sequence[Scalar]) -> Body:
         bottle, low = self._bottle(), self.floor + 0.0006
+        body = body.require(self.ceiling - low >= _TALL + _SPARE, _NO_ROOM)
+        body = body.require(self.ceiling + self.higher - low <= _TALL + _DEEP, _TOO_DEEP)
         effort = 1.03 * _GRAVITY * mass(bottle) + 0.3  # what it is lifted with pushes no flap open
         for number, (need, ceiling) in enumerate(zip(needs, ceilings, strict=True)):
             row, column = divmod(number, self.columns)

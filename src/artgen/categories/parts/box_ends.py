@@ -9,7 +9,7 @@ import math
 from collections.abc import Callable
 from dataclasses import replace
 
-from artgen import Body, Scalar, Solid, Y, Z, box_between, min_, part, weld
+from artgen import Body, Scalar, Solid, Y, Z, box_between, min_, part, require, weld
 from artgen.categories.parts.box_board import Mouth, Thing
 from artgen.categories.parts.box_bodies import walls
 from artgen.categories.parts.box_flaps import Top
@@ -21,11 +21,16 @@ from artgen.categories.parts.box_print import shipping_print
 # the end at the left is closed first and turned over then, which swaps its left and its right
 _LEFT = Mouth("lower", "upper", "back", "front", "_left", grounded=True)
 _RIGHT = Mouth("lower", "upper", "front", "back", "_right", grounded=True)
+_SIDES_MEET = (
+    "flaps at the sides of an open end, half the height long, would meet: take a smaller height, or a larger "
+    "width or aspect"
+)
 
 
 def open_ended_box(draft: Draft, *, taped: bool) -> Body:
     """Make a slotted box whose eight flaps are at its ends."""
     board, wide, tall, long = draft.board, draft.depth, draft.height, draft.width
+    tall = require(tall, tall <= wide, _SIDES_MEET)
     left, right = (Top(board, wide, tall, long, draft.swing, taped, mouth=mouth) for mouth in (_LEFT, _RIGHT))
     body = weld(
         part(_both_ends(left.creased, _tube(draft), long), "box", board.outside),

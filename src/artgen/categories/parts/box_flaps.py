@@ -20,7 +20,7 @@ from artgen import (
     rectangle,
     weld,
 )
-from artgen.categories.parts.box_board import LAYER, SLIT, TOP, Board, Crease, Feel, Mouth
+from artgen.categories.parts.box_board import FOLD, LAYER, SLIT, TOP, Board, Crease, Feel, Mouth
 from artgen.categories.parts.box_bottles import Bottles
 from artgen.categories.parts.box_marks import TAPE, pull_tab
 
@@ -28,6 +28,10 @@ _UPRIGHT = 1.60  # from here on a flap leaves the space over the box free [rad]
 _HANGING = 3.40  # from here on a flap is below what closes over the box [rad]
 _LYING = 0.03  # from here on a flap on the floor lies, before it is all the way open [rad]
 _SHORT = 0.012  # of the pull tab of a flap that comes to lie on the floor [m]
+_MAJORS_MEET = (
+    "flaps so short would meet as they open, for their board is thick: take a larger width or aspect, or a "
+    "thinner flute"
+)
 _TAPE_WIDE = 0.048  # packing tape, half of it on either flap once it is slit [m]
 
 
@@ -127,6 +131,8 @@ class Top:
         """
         turns: list[Joint] = []
         marks = printed or {}
+        thick, free = self.board.thick + FOLD, SLIT / 2.0 - 0.0002  # the lower edge swings out by less
+        body = body.require(self.reach >= (thick**2 - free**2) / (2.0 * free), _MAJORS_MEET)
         for side, crease in self.majors().items():
             lying = self.mouth.grounded and side == "front"
             turn = crease.joint(

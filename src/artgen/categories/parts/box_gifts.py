@@ -20,6 +20,7 @@ from artgen import (
     ellipse,
     extrude,
     grasp_on,
+    max_,
     min_,
     part,
     rectangle,
@@ -77,7 +78,8 @@ class Gift:
         base_top = self.height - self.board.thick - LAYER
         base = part(walls(self.board, wide, deep, base_top), "box", self.board.outside)
         foot = self.height - skirt
-        body = weld(base, *self._bands(wide, deep, 0.0, foot - 0.004, crossed=crossed, over=False))
+        seen = max_(foot - 0.004, 0.0015)  # of the base, below the lid
+        body = weld(base, *self._bands(wide, deep, 0.0, seen, crossed=crossed, over=False))
         lid = weld(
             part(
                 cap(self.board, self.width, self.depth, top=self.height, skirt=skirt),
@@ -179,7 +181,8 @@ class Gift:
         lid = weld(part(sheet, "lid", board.outside), front.bead(self.width, "lid", board.outside), *printed)
         outline = rectangle(self.width + 0.004, reach).at(0.0, reach / 2.0)
         if rounded:
-            tongue = rectangle(self.width + 0.004, 0.8 * reach, radius=0.36 * reach)
+            radius = min_(0.36 * reach, 0.46 * self.width)  # half a circle on a narrow flap, at most
+            tongue = rectangle(self.width + 0.004, 0.8 * reach, radius=radius)
             outline = tongue.at(0.0, 0.6 * reach) | rectangle(self.width + 0.004, 0.5 * reach).at(
                 0.0, 0.25 * reach
             )

@@ -13,6 +13,7 @@ from artgen import (
     max_,
     min_,
     part,
+    require,
     weld,
 )
 from artgen.categories.parts.box_board import LAYER, Board, Feel
@@ -36,6 +37,8 @@ from artgen.categories.parts.box_print import (
 )
 from artgen.categories.parts.box_trays import PLAY, cap, lift, strap
 
+_NO_DUST = "flaps under a lid need one that lies on the walls: take sides=over or dusted=False"
+_LOW_COVER = "the cover would hardly stand out of the tray it is in: take a larger height"
 _GRID = {2: (2, 1), 3: (3, 1), 6: (3, 2), 12: (4, 3)}  # cells along x and y
 
 
@@ -77,7 +80,7 @@ def slotted_box(draft: Draft, *, taped: bool, holes: bool) -> Body:
     shell = top.creased(walls(board, width, depth, draft.height))
     corners: list[Body] = []
     if holes:
-        shell = hand_holes(shell, width, 0.66 * draft.height, board)
+        shell = hand_holes(shell, width, 0.66 * draft.height, board, depth=depth, span=(0.0, top.low))
         corners = hole_corners(width, 0.66 * draft.height, board)
     body = weld(
         part(shell, "box", board.outside),
@@ -98,9 +101,10 @@ def half_slotted_box(draft: Draft, *, taped: bool, holes: bool, rub: Scalar) -> 
     width, depth = draft.width - wider, draft.depth - wider
     top = Top(board, width, depth, draft.height, draft.swing, taped, rim)
     shell = top.creased(walls(board, width, depth, draft.height, base=foot, floor=False))
+    shell = shell.require(top.low - rim >= 0.05, _LOW_COVER)
     corners: list[Body] = []
     if holes:
-        shell = hand_holes(shell, width, 0.62 * draft.height, board)
+        shell = hand_holes(shell, width, 0.62 * draft.height, board, depth=depth, span=(rim, top.low))
         corners = hole_corners(width, 0.62 * draft.height, board, label="sleeve")
     sleeve = weld(
         part(shell, "sleeve", board.outside),
@@ -115,6 +119,7 @@ def half_slotted_box(draft: Draft, *, taped: bool, holes: bool, rub: Scalar) -> 
 def lidded_box(draft: Draft, *, pizza: bool, sides: Sides, ears: bool, dusted: bool, opening: Scalar) -> Body:
     """Make a mailer, or a pizza box with vents."""
     board, look = draft.board, draft.look
+    require(not (dusted and sides == "tucked"), _NO_DUST)
     dust = min_(0.28 * draft.depth, 0.30 * draft.width) if dusted else None
     plan = Lidded(board, draft.width, draft.depth, draft.height, sides, ears, dust, opening)
     shell = plan.creased(walls(board, draft.width, draft.depth, draft.height))
@@ -124,7 +129,7 @@ def lidded_box(draft: Draft, *, pizza: bool, sides: Sides, ears: bool, dusted: b
         for share in (-0.30, 0.30):
             shell = shell - hole.at(0.0, share * draft.depth, 0.55 * draft.height)
         on_lid = pizza_print(look, 2.0 * plan.half, plan.reach)
-        marks = [pizza_front(look, draft.depth, draft.height)]
+        marks = [pizza_front(look, draft.width, draft.depth, draft.height)]
     else:
         on_lid = mailer_print(
             look, 2.0 * plan.half, plan.reach, finish=board.outside, inner=board.inside, thick=board.thick
@@ -145,19 +150,21 @@ def wine_box(draft: Draft, *, bottles: int, wine: Wine | None, opening: Scalar, 
     width = inner[0] + 2.0 * t
     depth = inner[1] + (4.0 if rows == 1 else 2.0) * t
     marks = wine_print(draft.look, width, depth, draft.height, bottles=bottles, finish=board.outside)
+    dust = 0.66 * draft.width if wine is None else None  # a hand would not find room under them
+    plan = Lidded(board, width, depth, draft.height, "over", False, dust, opening)
     low = 2.0 * t - 0.0002 if rows > 1 else t - 0.0002
-    grid = cells(
-        board, inner[0], depth - 2.0 * t, columns=columns, rows=rows, low=low, high=0.60 * draft.height
-    )
+    high = 0.60 * draft.height
+    if rows == 1:
+        high = min_(high, draft.height - plan.tuck - 0.004)  # below the tuck
+    grid = cells(board, inner[0], depth - 2.0 * t, columns=columns, rows=rows, low=low, high=high)
     within = [grid] if grid is not None else []
     ceiling = draft.height - t if rows == 1 else draft.height - 2.0 * t - LAYER
     filling = None if wine is None else Bottles(wine, columns, rows, draft.width, low, ceiling, t + LAYER)
     if rows > 1:
         beside = 0.0 if rows % 2 == 0 else draft.width / 2.0  # between two bottles
         top = Top(board, width, depth, draft.height, draft.swing, taped, beside=beside)
-        shell = hand_holes(
-            top.creased(walls(board, width, depth, draft.height)), width, 0.78 * draft.height, board
-        )
+        shell = top.creased(walls(board, width, depth, draft.height))
+        shell = hand_holes(shell, width, 0.78 * draft.height, board, depth=depth, span=(low, top.low))
         body = weld(
             part(shell, "box", board.outside),
             *hole_corners(width, 0.78 * draft.height, board),
@@ -167,8 +174,6 @@ def wine_box(draft: Draft, *, bottles: int, wine: Wine | None, opening: Scalar, 
             *within,
         )
         return top.attached(body, draft.feel, bottles=filling)
-    dust = 0.66 * draft.width if wine is None else None  # a hand would not find room under them
-    plan = Lidded(board, width, depth, draft.height, "over", False, dust, opening)
     shell = plan.creased(walls(board, width, depth, draft.height))
     body = weld(part(shell, "box", board.outside), *plan.rims(), *marks, *within)
     return plan.attached(body, draft.feel, printed=[], swing=draft.swing, bottles=filling)

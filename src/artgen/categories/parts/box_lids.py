@@ -46,6 +46,10 @@ _BESIDE = 0.0012  # from ears and side flaps to the walls [m]
 _UPRIGHT = 1.66  # from here on a lid leaves the space over the box free [rad]
 _AWAY = 2.0  # from here on its tuck does so as well [rad]
 _HANGING = 3.40  # from here on a dust flap is below what closes over it [rad]
+_NO_WINGS = (
+    "the flaps at the sides of a lid have no room between its crease and its tuck: take a larger width or "
+    "aspect, ears=False or sides=over"
+)
 
 
 @dataclass(frozen=True)
@@ -181,7 +185,7 @@ class Lidded:
 
         Args:
             body: The box.
-            feel: How its creases resist.
+            feel: How its creases resist. A new lid springs up again; what is bent in below it stays so.
             printed: Print on the lid, in the frame of the sheet.
             swing: How far dust flaps open if nothing stops them [rad].
             bottles: What is lifted out where lid and flaps are open.
@@ -196,7 +200,8 @@ class Lidded:
             holding=weight * 0.62 * self.reach,  # a lid stays up, with its flaps out
         )
         body = weld(body, self.hinge.bead(2.0 * self.half, "box", self.board.outside))
-        body = body.attach(self.hinge.place(self._lid(feel, turn, printed)), turn)
+        resting = Feel(0.0, 0.0, feel.friction, feel.damping)
+        body = body.attach(self.hinge.place(self._lid(resting, turn, printed)), turn)
         if bottles is not None:
             body = bottles.under(turn, _AWAY, body)
         if self.dust is None:
@@ -206,14 +211,14 @@ class Lidded:
         for side, crease in self.dust_creases().items():
             hinge = crease.joint(
                 self.mouth.hinge("flap", side),
-                feel=feel,
+                feel=resting,
                 length=end - start,
                 reach=self.dust,
                 opening=opening,
                 needs=(turn > _UPRIGHT).until(_HANGING),
             )
             body = weld(body, crease.bead(end - start, "box", self.board.outside))
-            body = body.attach(crease.place(self._dust_flap(side, end - start, self.dust, feel)), hinge)
+            body = body.attach(crease.place(self._dust_flap(side, end - start, self.dust, resting)), hinge)
         return body
 
     def _dust_flap(self, side: str, wide: Scalar, reach: Scalar, feel: Feel) -> Body:
@@ -244,6 +249,9 @@ class Lidded:
         front = Crease(0.0, self.reach, folded=True, lean=_PLAY - _TIP / self.tuck + _SLACK)
         sides = self._side_creases()
         sheet = self.board.sheet(rectangle(2.0 * self.half, self.reach).at(0.0, self.reach / 2.0))
+        if sides:  # they narrow to a tip
+            long = self._wing_end - self._wing_start
+            sheet = sheet.require(long >= 0.6 * self._wing_reach + 0.006, _NO_WINGS)
         sheet = self.board.creased(sheet, front, *sides.values())
         tab, across = pull_tab(), Y
         if self._sealed:  # near the floor a hand has room beside the tab

@@ -11,6 +11,7 @@ from artgen import (
     Z,
     circle,
     details,
+    max_,
     min_,
     rectangle,
     regular_polygon,
@@ -124,7 +125,8 @@ def shipping_print(
         code = barcode(min_(0.11, 0.44 * depth), min_(0.026, 0.09 * tall), look.model)
         made.append(printer.put(code, face.at(0.09)))
         number = f"NO. {look.model}-{look.model * 7 % 97:02d}"
-        text = details.lettering((number,), min_(0.009, 0.035 * depth), fineness="coarse")
+        size = max_(min_(min_(0.009, 0.035 * depth), 0.08 * tall), 0.0025)
+        text = details.lettering((number,), size, fineness="coarse")
         made.append(printer.put(text, face.at(0.175)))
     return made
 
@@ -205,10 +207,11 @@ def pizza_print(look: Look, width: Scalar, depth: Scalar) -> list[Body]:
     ]
 
 
-def pizza_front(look: Look, depth: Scalar, height: Scalar) -> Body:
+def pizza_front(look: Look, width: Scalar, depth: Scalar, height: Scalar) -> Body:
     """Print the front wall of a pizza box."""
     words = ("FRESH AND HOT", "BUON APPETITO", "HAND MADE", "ENJOY YOUR MEAL")[look.model % 4]
-    text = details.lettering((words,), 0.34 * height, tracking=0.25)
+    size = min_(0.34 * height, 0.98 * width / details.lettering_width(words, 0.25))
+    text = details.lettering((words,), size, tracking=0.25)
     return Ink(ink("red" if look.model % 3 else "forest")).put(text, (0.0, -depth / 2.0, 0.5 * height))
 
 

@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
-from artgen import Body, Joint, Material, Revolute, Scalar, VectorLike, array, detail, dome, weld
+from artgen import Body, Bool, Joint, Material, Revolute, Scalar, VectorLike, array, detail, dome, weld
 from artgen.categories.parts.carcass import Carcass
 from artgen.categories.parts.cup_hinges import AXIS, DOOR_GAP, cup_hinges_on_door, cup_hinges_on_side
 from artgen.categories.parts.furniture_finish import CLEAR_RUBBER, ZINC
@@ -85,6 +85,11 @@ class Hanging:
         """Heights of the middles of the hinges [m]."""
         way = self.high - self.low - 2 * _END
         return [self.low + _END + share * way for share in self.shares]
+
+    def pair_turns(self) -> Bool | bool:
+        """Tell whether the far corners of a pair between the sides pass each other when both open."""
+        deep = hinge_offset(_KNUCKLE) + self.thickness
+        return deep * deep / (2 * self.width + REVEAL) < REVEAL / 2 - 0.0002
 
     def leaf(self, look: FrontLook, handle: Body, *, name: str) -> Body:
         """Make a door with its halves of the hinges.

@@ -23,6 +23,7 @@ from artgen import (
     enclosed,
     extrude,
     material,
+    min_,
     part,
     polygon,
     polyline,
@@ -191,7 +192,7 @@ def _seals(doorway: Doorway) -> Solid:
 def _threshold(doorway: Doorway, sill: Material) -> list[Body]:
     """Make the plate on the floor; one of metal has ribs that feet do not slip on."""
     thick = doorway.floor_gap - _SILL_PLAY
-    plate = box(doorway.width, doorway.depth, thick, bevel=0.0022)
+    plate = box(doorway.width, doorway.depth, thick, bevel=min_(0.0022, 0.4 * thick))
     bodies = [part(plate.at(0.0, doorway.middle, thick / 2.0), "threshold", sill)]
     if sill.base_metalness > 0.5:
         rib = box(doorway.width - 0.004, 0.0022, 0.0012, bevel=0.0005)

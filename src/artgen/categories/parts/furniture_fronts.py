@@ -78,7 +78,7 @@ def front(
         case "glazed":
             filling = panes_in(opening, thickness, *look.panes, look.glass)
         case "ramped":
-            slope = min_(look.slope, 0.3 * opening.height)
+            slope = min_(look.slope, 0.3 * min_(opening.width, opening.height))
             filling = panels_in(opening, thickness, "recessed", slope, "ramp")
         case "fielded":
             filling = panels_in(opening, thickness, "raised", 0.008, "ovolo")

@@ -269,6 +269,7 @@ def edge_pull(
     finish: Material,
     name: str = given("handle"),
     level: bool = given(True),
+    room: Scalar = given(1.3),
     length: Float = uniform(0.09, 0.22, "m", within=(0.04, 1.2)),
     reach: Float = uniform(0.022, 0.026, "m", doc="how far it stands out of the face"),
 ) -> Body:
@@ -281,9 +282,13 @@ def edge_pull(
         finish: Its metal.
         name: Begins the name of its grasp, which has to be the only one of an asset.
         level: Whether it lies along X; else it stands along Z.
+        room: Length of the edge [m].
         length: Along the edge [m].
         reach: How far it stands out of the face [m].
     """
+    length = require(
+        length, length <= room, "the pull is longer than the edge of its door: lower handle.length"
+    )
     thick = 0.0022
     plate = board((-length / 2, length / 2), (-reach, 0.014), (-0.0003, thick), bevel=0.0005)
     lip = capsule(0.0030, length, axis=(1.0, 0.0, 0.0)).at(0.0, -reach, 0.0008)

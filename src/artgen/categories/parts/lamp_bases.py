@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Sequence
+from itertools import pairwise
 from typing import Literal
 
 from artgen import (
@@ -13,6 +14,7 @@ from artgen import (
     Vector,
     box,
     circle,
+    clamp,
     cylinder,
     cylinder_between,
     detail,
@@ -30,6 +32,7 @@ from artgen import (
     sphere,
     spline,
     sweep,
+    switch,
     union,
     vector,
     weld,
@@ -43,6 +46,9 @@ BaseShape = Literal["round", "square", "hexagonal"]
 
 BodyForm = Literal["vase", "gourd", "bottle", "column", "turned", "stem"]
 """The form of a table lamp's body."""
+
+FITTING = 0.035
+"""Height of the fitting between the body of a table lamp and its socket [m]."""
 
 PAD = 0.002
 """Height of the felt or rubber under a base [m]."""
@@ -274,6 +280,25 @@ def turned_body(form: BodyForm, *, radius: Scalar, low: Scalar, high: Scalar, fi
     return weld(part(core, "base", finish), detail(skin, "base", finish), detail(lid, "base", finish))
 
 
+def wide_up_to(form: BodyForm, beside: float, *, radius: Scalar, low: Scalar, high: Scalar) -> Scalar:
+    """Return up to which height a turned body reaches farther out than to a distance from its axis [m].
+
+    Args:
+        form: Its outline.
+        beside: The distance [m].
+        radius: Where it is widest [m].
+        low: Height of its foot [m].
+        high: Height of its neck [m].
+    """
+    found = low
+    share = beside / radius
+    for (r, at), (r_above, at_above) in pairwise(_between(_BODIES[form])):
+        way = clamp((r - share) / (r - r_above), 0.0, 1.0) if r > r_above else 1.0
+        end = low + (at + way * (at_above - at)) * (high - low)
+        found = switch(max(r, r_above) > share, end, found)
+    return found
+
+
 def neck(form: BodyForm, radius: Scalar, *, low: Scalar, high: Scalar, finish: Material) -> Body:
     """Make the fitting between a body and its socket: a cap on the body, and a tube.
 
@@ -304,7 +329,7 @@ def turned_lamp(
         finish: Of the body.
         metal: Of the fitting.
     """
-    shoulder = high - 0.035
+    shoulder = high - FITTING
     return weld(
         turned_body(form, radius=radius, low=low, high=shoulder, finish=finish),
         neck(form, radius, low=shoulder, high=high + 0.003, finish=metal),

@@ -12,6 +12,7 @@ from artgen import (
     Z,
     clamp,
     cylinder,
+    max_,
     part,
     sphere,
     tube,
@@ -19,7 +20,7 @@ from artgen import (
 )
 from artgen.categories.parts.bulbs import lamp_holder
 from artgen.categories.parts.lamp_bases import harp
-from artgen.categories.parts.pull_chain import SPOUT, chain_pull, pull_chain, spout
+from artgen.categories.parts.pull_chain import KNOB, SPOUT, chain_pull, pull_chain, spout
 from artgen.categories.parts.shades import HUB, STUD, FabricShade, ShadeKind, drop_of
 
 _GAP = 0.0004  # above and below the hub of a shade [m]
@@ -27,6 +28,14 @@ _SEAT = 0.0027  # of the hub above the bar of a harp [m]
 _BOW = 0.042  # half of the width of a harp [m]
 _OUT = 0.046  # of the chain from the axis: a finger closes between it and the pole [m]
 _BELOW = 0.052  # of the middle of its knob under the shade, where a hand passes the rim [m]
+_OUTSIDE = 0.014  # of the same under the spout, at least: a knob is not drawn into it [m]
+_PULLED_INTO = (
+    "a pull chain would be pulled into what stands under it: take a larger height, or a smaller "
+    "chain_travel, shade_radius, shade_height or body_radius"
+)
+
+BESIDE = _OUT - KNOB[0]
+"""How far from the axis a lamp may reach without being under its chain [m]."""
 
 
 @dataclass(frozen=True)
@@ -37,11 +46,13 @@ class Chain:
         travel: How far it is pulled [m].
         force: Of its spring when it is pulled out [N].
         knob: What its knob is made of.
+        under: Height of what stands under it [m].
     """
 
     travel: Scalar
     force: Scalar
     knob: Material
+    under: Scalar
 
 
 def harp_rise(height: Scalar, kind: ShadeKind) -> Float:
@@ -106,11 +117,13 @@ def shaded(
 def _chained(chain: Chain, mouth: Scalar, rim: Scalar, metal: Material) -> Body:
     """Make the switch beside a socket with its chain, in front."""
     outlet = mouth - 0.048
-    hang = outlet - rim + _BELOW
+    hang = max_(outlet - rim + _BELOW, _OUTSIDE)
     long = _OUT - SPOUT + 0.001
     stem = cylinder(0.0042, long, axis=Y).at(0.0, -0.5 * long, mouth - 0.030)
     switch = weld(part(stem, "socket", metal), spout(chain.travel, metal).at(0.0, -_OUT, outlet))
     pull = pull_chain(chain.travel, hang, finish=metal, knob=chain.knob).at(0.0, -_OUT, outlet)
+    lowest = outlet - hang - KNOB[1] / 2.0 - chain.travel
+    pull = pull.require(lowest > chain.under + 0.001, _PULLED_INTO)
     return switch.attach(pull, chain_pull(chain.travel, force=chain.force))
 
 

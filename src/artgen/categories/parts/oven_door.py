@@ -45,6 +45,7 @@ BEHIND = 0.0085
 
 _GRAVITY = 9.81
 _HANDLE = 0.45  # what a handle weighs, about [kg]
+_HALF = 0.016  # half the height of a handle, at most [m]
 _DOWN = 0.045  # from the upper edge of the door to the middle of its handle [m]
 _PANE = 0.004  # thickness of a pane [m]
 _FRONT, _CORE = 700.0, 430.0  # what front and core weigh by their volume [kg/m3]
@@ -142,6 +143,12 @@ class Door:
             return None
         half, (low, high) = self._view
         return rectangle(2.0 * (half + wider), high - low + 2.0 * wider).at(0.0, (low + high) / 2.0)
+
+    @cached_property
+    def handle_before(self) -> Scalar:
+        """How far the handle of the open door is before its axis [m]."""
+        space = self.space
+        return (self._handle_height - space.hinge_height - _HALF) * sin(space.swing)
 
     def body(self) -> Body:
         """Make the door: the link `door`."""

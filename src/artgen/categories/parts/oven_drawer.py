@@ -72,6 +72,17 @@ class Drawer:
             (FOOT + LOW + 0.006, low + 0.62 * (top - low)),
         )
 
+    @cached_property
+    def _travel(self) -> Scalar:
+        """How far it comes out [m]."""
+        _, (y0, y1), _ = self._box
+        return self.share * (y1 - y0)
+
+    @cached_property
+    def before(self) -> Scalar:
+        """How far its front comes before the axis of the door [m]."""
+        return self._travel + self.space.hinge[1] - self.space.front
+
     def body(self) -> Body:
         """Make the drawer: the link `drawer`."""
         space, half = self.space, self.space.half - 0.0015
@@ -153,11 +164,10 @@ class Drawer:
 
     def slide(self) -> Joint:
         """Make the joint by which it is drawn out, to the front."""
-        _, (y0, y1), _ = self._box
         return Prismatic(
             "drawer_slide",
             axis=-Y,
-            limits=(0.0, self.share * (y1 - y0)),
+            limits=(0.0, self._travel),
             friction=self.friction,
             damping=10.0,
             effort=60.0,

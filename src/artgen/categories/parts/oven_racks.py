@@ -3,14 +3,18 @@
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import reduce
+from operator import and_
 
 from artgen import (
     Body,
+    Bool,
     Condition,
     Dependency,
     Joint,
     Material,
     Scalar,
+    Span,
     VectorLike,
     X,
     Y,
@@ -36,9 +40,10 @@ _WIRE = 0.0016  # radius of the wires of a rack, of which there are so many [m]
 _WIRES: dict[Build, int] = {"built_in": 22, "range": 27}
 _FROM_BELOW = math.pi / 8.0  # how far a hand leans that takes the highest rack: by one facet of its rod [rad]
 _CORNER = 0.014  # radius of the corners of a rack [m]
-_STOP = 0.016  # how high the stop at the back of a rack is [m]
+_STOP, _STOP_WIRE = 0.016, 0.0022  # how high the stop at the back of a rack is, radius of its wire [m]
 _PAN = 0.034  # how deep a pan hangs below its rim [m]
 _SHEET = 0.0022
+_HEATING, _TUBE = 0.014, 0.0034  # from the ceiling down to the heating element, radius of its tube [m]
 _GUIDE = 0.019  # of the rod over a rack that keeps it from tipping, above those that carry it [m]
 
 _WELDED = "rods of a rack are joined by the bent ones, which are only seen"
@@ -133,7 +138,7 @@ class Racks:
             part(array(inner, at=rows), "rack", self.chrome),
             part(high, "rack", self.chrome),
             *(detail(each, "rack", self.chrome) for each in (loop, wires, brace)),
-            detail(details.bent_wires(stop, 0.0022, at=here), "rack", self.chrome),
+            detail(details.bent_wires(stop, _STOP_WIRE, at=here), "rack", self.chrome),
         )
         return body.at(0.0, space.rack_front + deep / 2.0, space.rack(level))
 
@@ -201,6 +206,23 @@ class Racks:
         """Return the lowest height of a rack or a pan [m]."""
         return self.space.rack(level) - ROD - (_PAN + _SHEET if pan else 0.0)
 
+    def apart(self, levels: Sequence[int], *, pan: bool) -> Bool | bool:
+        """Tell whether racks at these levels keep off each other and off the heating element.
+
+        Args:
+            levels: Counted from below.
+            pan: Whether the second one is a pan.
+        """
+        spans: list[Span] = []
+        for number, level in enumerate(levels):
+            middle = self.space.rack(level)
+            if pan and number == 1:
+                spans.append((middle - ROD + _SHEET / 2.0 - _PAN, middle))
+            else:
+                spans.append((middle - ROD, middle + _STOP + _STOP_WIRE))
+        lows = [*(low for low, _ in spans[1:]), self.space.ceiling - _HEATING - _TUBE]
+        return reduce(and_, (high < low - 0.001 for (_, high), low in zip(spans, lows, strict=True)))
+
     def slide(self, name: str, needs: Condition | Dependency) -> Joint:
         """Make the joint by which a rack is drawn out; its effort leaves the closed door shut.
 
@@ -218,7 +240,7 @@ def element(space: Space) -> Body:
         space: The measures of the oven.
     """
     x, y0, y1 = 0.66 * space.inside, space.mouth + 0.06, space.back - 0.06
-    level = space.ceiling - 0.014
+    level = space.ceiling - _HEATING
     turns = 5
     points: list[VectorLike] = [(-x, space.back, level), (-x, y0, level)]
     for turn in range(1, turns):
@@ -231,6 +253,6 @@ def element(space: Space) -> Body:
     hangers = line((0.0, 0.0, 0.0), Z * 0.016)
     at = [(share * x, (y0 + y1) / 2.0, level) for share in (-1.0, -0.2, 0.6)]
     return weld(
-        detail(details.bent_wires(path, 0.0034, at=((0.0, 0.0, 0.0),)), "element", steel),
+        detail(details.bent_wires(path, _TUBE, at=((0.0, 0.0, 0.0),)), "element", steel),
         detail(details.bent_wires(hangers, 0.0014, at=at), "element", material("steel")),
     )

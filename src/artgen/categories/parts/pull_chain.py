@@ -27,6 +27,9 @@ CHAIN_BALLS = 26
 
 _BALL = 0.0016  # radius of a ball: chains of lamps have 3.2 mm balls [m]
 _CORE = 0.0015  # radius of what stands for the chain [m]
+KNOB = (0.0052, 0.016)
+"""Radius and height of its knob [m]."""
+
 SPOUT = 0.0064
 """Outer radius of the spout of a switch [m]."""
 
@@ -66,7 +69,7 @@ def pull_chain(travel: Scalar, hang: Scalar, *, finish: Material, knob: Material
     """
     above = travel + _IN_SPOUT
     rod = capsule(_CORE, hang + above).at(0.0, 0.0, (above - hang) / 2.0)
-    pull: Solid = cylinder(0.0052, 0.016, bevel=0.0022).at(0.0, 0.0, -hang)
+    pull: Solid = cylinder(*KNOB, bevel=0.0022).at(0.0, 0.0, -hang)
     neck = frustum(0.0044, 0.0020, 0.006).at(0.0, 0.0, 0.0105 - hang)
     step = (0.5 * above + hang - 0.0135) / (CHAIN_BALLS - 1)
     balls = array(sphere(_BALL), at=row((0.0, 0.0, 0.5 * above), (0.0, 0.0, -step), CHAIN_BALLS))

@@ -20,6 +20,7 @@ from artgen import (
     given,
     part,
     rectangle,
+    require,
     uniform,
     union,
     weld,
@@ -38,6 +39,7 @@ def pull_handle(
     thickness: Float,
     finish: Material,
     faces: Faces = given("both"),
+    room: Scalar = given(2.7),
     style: Literal["U", "T", "Z"] = choice("U", "T", "Z"),
     length: Float = uniform(0.22, 0.45, "m", doc="overall length of the grip", within=(0.10, 1.8)),
     projection: Float = uniform(0.045, 0.065, "m", doc="face of the leaf to the middle of the grip"),
@@ -51,12 +53,16 @@ def pull_handle(
         thickness: Thickness of the leaf [m].
         finish: Metal of the handle.
         faces: Which faces have a pull.
+        room: How long it may be on its leaf [m].
         style: `U` bends into the leaf at both ends, `T` is a straight bar on two posts, `Z` has its posts
             offset to the side, out of the way of the hand.
         length: Overall length of the grip [m].
         projection: From the face of the leaf to the middle of the grip [m].
         girth: Radius of the bar [m].
     """
+    length = require(
+        length, length < room, "the pull is longer than there is room on the leaf: lower handle.length"
+    )
     bodies: list[Body] = []
     makers = {"U": _bow, "T": _bar_on_posts, "Z": _offset_bar}
     foot, reach = thickness / 2 - _SUNK, thickness / 2 + projection

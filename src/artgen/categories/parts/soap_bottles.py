@@ -99,6 +99,11 @@ _BLOWN: dict[str, tuple[list[Drawn], float]] = {
     "bell": ([(0.84, 1.0, -0.42)], 0.0090),
 }
 
+_WIDEST = 0.087  # of a blown bottle with bends, whose colliders follow it within a millimetre [m]
+_TOO_WIDE = (
+    "colliders do not follow the bends of so wide a bottle of glass: "
+    f"take a width of {_WIDEST:g} at most, shape=cone or another build"
+)
 _GLASS = 0.0028  # wall of blown and pressed glass [m]
 _FLUTES = 22
 _PUMP = 0.0068  # radius of the pump's housing in the neck [m]
@@ -228,6 +233,8 @@ def clear(
         solid_to = min_(level, _straight(shape, sizes))
         vessel = blown(path, "body", glass, foot=foot, wall=_GLASS, level=solid_to)
         content = filled(path, wall=_GLASS, level=level - 0.0003)
+        if shape != "cone":
+            vessel = vessel.require(sizes.width <= _WIDEST, _TOO_WIDE)
     else:
         floor = 2.0 * _GLASS
         outer = outline(shape, sizes) if shape == "hexagonal" else _rounded(sizes)

@@ -216,11 +216,12 @@ class Panel:
         return [((2 * (number % 2) - 1) * aside, rows[number // 2]) for number in numbers]
 
     def fits(self) -> Bool | bool:
-        """Tell whether buttons end below the upper edge, and clear of a lever beside them."""
+        """Tell whether buttons end below the upper edge, within the sides, and clear of a lever beside."""
         site, top = self.site, self._keys[-1][1] if self._keys else self._dial
         below = top + _CAP / 2 < site.high
         if site.layout != "beside":
-            return below
+            out = -self._keys[0][0] if self._keys else 0.0  # the first one is at the left
+            return below & (out + _CAP / 2 + PLAY < site.half)
         return below & (site.lean * (self._aside - site.levers[0]) > _BESIDE)
 
     def _at(self, place: tuple[Scalar, Scalar]) -> Vector:

@@ -4,6 +4,7 @@ What is seen is a smooth skin. What weighs and collides is a core of few facets 
 deeper than a millimetre: a smooth solid would collide as hundreds of corners that nobody can tell apart.
 """
 
+import math
 from collections.abc import Sequence
 
 from artgen import (
@@ -20,6 +21,7 @@ from artgen import (
     enclosed,
     half_section,
     line,
+    min_,
     part,
     revolve,
     spline,
@@ -150,8 +152,10 @@ def blown(
     # a hair more, so that both have corners of their own
     lower = split(vessel, point=(0.0, 0.0, level + 0.0001), normal=-Z)
     pane = cylinder_between((0.0, 0.0, 0.0), (0.0, 0.0, 1.4 * wall), foot - 0.5 * wall)
+    # where it is narrow 3 facets would be one collider, and stand off more
+    off = min_(_GLASS_OFF, (1.0 - math.cos(3.0 * math.pi / _GLASS_SIDES)) * foot)
     return weld(
-        part(coarse(upper, _GLASS_OFF), label, finish, name=name),
+        part(coarse(upper, off), label, finish, name=name),
         part(enclosed(lower | pane), label, finish),
     )
 
