@@ -26,7 +26,11 @@ LIMITS = [
     ("box", {"style": "tuck_end", "height": 0.04}, "height at least 0.1 m"),
     ("box", {"style": "tray", "width": 0.08}, "need room: width at least 0.14 m"),
     ("box", {"style": "mailer", "width": 0.08}, "need room: width at least 0.15 m"),
-    ("box", {"style": "wine", "wine": "red", "height": 0.3}, "would meet the lid over them: take a larger height"),
+    (
+        "box",
+        {"style": "wine", "wine": "red", "height": 0.3},
+        "would meet the lid over them: take a larger height",
+    ),
     ("cabinet", {"stand": "feet"}, "it must be plinth, legs or brackets"),
     ("cabinet", {"kind": "tall", "height": 0.55}, "a tall cabinet is at least 1 m high: raise height"),
     ("cooktop", {"dial_radius": 0.028, "dial_pitch": 0.055}, "dials touch each other: raise dial_pitch"),
