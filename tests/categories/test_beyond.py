@@ -21,6 +21,7 @@ HANDLES = [
 ]
 
 LIMITS = [
+    ("window", {"style": "sliding", "layout": "single"}, "style=sliding has layout=pair or row only"),
     ("box", {"style": "slotted", "mouth": "top", "aspect": 1.0}, "lower aspect, to 0.96 at most"),
     ("box", {"style": "slotted", "mouth": "ends", "height": 0.04}, "height at least 0.06 m"),
     ("box", {"style": "tuck_end", "height": 0.04}, "height at least 0.1 m"),

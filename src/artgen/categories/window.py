@@ -104,7 +104,7 @@ def window(
     ),
     slides: Literal["one", "both"] = by(
         "style",
-        sliding=by("layout", pair=choice("one", "both"), row="one"),
+        sliding=by("layout", row="one", otherwise=choice("one", "both")),
         otherwise="both",
         doc="of two sashes side by side: XO or XX; of four (OXXO) the middle ones do",
     ),
