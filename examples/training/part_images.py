@@ -129,10 +129,13 @@ class PartImages:
         """Return the class and the mask of each part in an image, without what is of no part."""
         return [(number, rle.decode(mask) > 0) for number, mask, _ in self.parts(index)]
 
-    def asset(self, index: int) -> tuple[Array, Box]:
-        """Return where an image shows the asset: a mask, shape (height, width), and its box."""
-        mask = rle.merge([each["rle"] for each in self._of(index)])
-        return rle.decode(mask) > 0, corners(rle.toBbox(mask))
+    def silhouette(self, index: int) -> Array:
+        """Return where an image shows the asset, shape (height, width)."""
+        return rle.decode(self._asset(index)) > 0
+
+    def asset_box(self, index: int) -> Box:
+        """Return the box of the asset in an image."""
+        return corners(rle.toBbox(self._asset(index)))
 
     def possible(self, index: int) -> Array:
         """Return which classes are of the category of the asset in an image, shape (classes,)."""
@@ -142,6 +145,9 @@ class PartImages:
     def whole(self, index: int) -> Box:
         """Return the box of a whole image."""
         return 0.0, 0.0, float(self.images[index]["width"]), float(self.images[index]["height"])
+
+    def _asset(self, index: int) -> Any:
+        return rle.merge([each["rle"] for each in self._of(index)])
 
     def _of(self, index: int) -> list[dict[str, Any]]:
         return self._annotations[self.images[index]["id"]]

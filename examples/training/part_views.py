@@ -51,7 +51,6 @@ class Wide:
 def wide(images: PartImages, index: int, image: Image.Image, box: Box, size: int) -> Wide:
     """Return a square of an image as a network sees it, and what it is to say of it."""
     n, classes = size // CELL, len(images.classes)
-    silhouette, _ = images.asset(index)
     peaks, weights = np.zeros((2, classes, n, n), np.float32)
     sides = np.zeros((classes, 4, n, n), np.float32)
     y, x = np.mgrid[:n, :n] + 0.5
@@ -69,7 +68,7 @@ def wide(images: PartImages, index: int, image: Image.Image, box: Box, size: int
         near = peak > 0.4
         sides[kind][:, near] = np.stack((x - low[0], y - low[1], high[0] - x, high[1] - y))[:, near]
         weights[kind][near] = peak[near] / peak[near].sum()
-    shown = sampled(silhouette, box, n)
+    shown = sampled(images.silhouette(index), box, n)
     return Wide(look(image, box, size), peaks, sides, weights, shown)
 
 
@@ -78,8 +77,8 @@ def wide_box(images: PartImages, index: int, rng: np.random.Generator) -> Box:
     whole = images.whole(index)
     if rng.random() < 0.12:
         return square(whole, whole[2:], 0.0)
-    _, asset = images.asset(index)
-    left, top, right, bottom = asset = square(asset, whole[2:], rng.uniform(0.02, 0.2))
+    asset = square(images.asset_box(index), whole[2:], rng.uniform(0.02, 0.2))
+    left, top, right, bottom = asset
     if rng.random() < 0.3:
         return asset
     side = (right - left) * rng.uniform(0.4, 1.0)

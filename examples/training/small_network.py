@@ -6,6 +6,7 @@ image, and says which pixels are of it. What a class is, it need not know: it le
 """
 
 import itertools
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -110,14 +111,13 @@ class SmallNetwork:
         shown = wide(images, index, image, wide_box(images, index, rng), self.size)
         looks, masks = close_ups(images, index, image, _CLOSE_UPS, NEAR, rng)
         picture, *looks = relit([shown.image, *looks], rng)
-        seen = [shown.peaks, shown.sides, shown.weights, shown.asset]
+        shown = replace(shown, image=picture)
         if rng.random() < 0.5:
-            mirrored = shown.mirrored()
-            seen = [mirrored.peaks, mirrored.sides, mirrored.weights, mirrored.asset]
-            picture = picture[:, ::-1]
+            shown = shown.mirrored()
+        seen = (shown.peaks, shown.sides, shown.weights, shown.asset)
         close = [turned(*each, rng) for each in zip(looks, masks, strict=True)]
         return (
-            pixels([picture])[0],
+            pixels([shown.image])[0],
             *(torch.from_numpy(each.astype(np.float32)) for each in seen),
             torch.from_numpy(images.possible(index).astype(np.float32)),
             pixels([each for each, _ in close])

@@ -45,9 +45,8 @@ def test_a_lamp_is_switched_by_what_moves():
 
 def test_an_image_tells_its_asset_and_what_that_can_have(folder):
     images = PartImages(folder, "test", ["handle"])
-    mask, box = images.asset(0)
-    rows, columns = np.nonzero(mask)
-    assert box == (columns.min(), rows.min(), columns.max() + 1, rows.max() + 1)
+    rows, columns = np.nonzero(images.silhouette(0))
+    assert images.asset_box(0) == (columns.min(), rows.min(), columns.max() + 1, rows.max() + 1)
     assert images.possible(0).tolist() == [True]
     parts = PartImages(folder, "test").parts(0)
     areas = [(right - left) * (bottom - top) for _, _, (left, top, right, bottom) in parts]

@@ -270,7 +270,7 @@ class _StoredLink(Link):
 
 def _as_written(surface: Surface, origin: Array, material: Material) -> Surface:
     """Return a surface as it is read from files: rounded in the frame at `origin` [m], of that material."""
-    mesh = _rounded_mesh(surface.mesh, origin, material)
+    mesh = rounded_mesh(surface.mesh, origin, material)
     # vertices that differed by less than what is written are one now, and some of them move on the maps
     mesh = joined([mesh])
     mesh = replace(mesh, uvs=_rounded_uvs(mesh, material))
@@ -305,18 +305,26 @@ def _in_order(mesh: Mesh, origin: Array, material: Material) -> Mesh:
     )
 
 
-def _rounded_mesh(mesh: Mesh, origin: Array, material: Material) -> Mesh:
-    """Return a mesh with the decimals of mesh files of a link with that origin, shape (3,) [m]."""
+def rounded_mesh(
+    mesh: Mesh,
+    origin: Array,
+    material: Material,
+    *,
+    positions: int = POSITION_DECIMALS,
+    normals: int = NORMAL_DECIMALS,
+    uvs: int = UV_DECIMALS,
+) -> Mesh:
+    """Return a mesh with so many decimals in files of a link with that origin, shape (3,) [m]."""
     return replace(
         mesh,
-        vertices=np.round(mesh.vertices - origin, POSITION_DECIMALS) + 0.0 + origin,
-        normals=np.round(mesh.normals, NORMAL_DECIMALS) + 0.0,
-        uvs=_rounded_uvs(mesh, material),
+        vertices=np.round(mesh.vertices - origin, positions) + 0.0 + origin,
+        normals=np.round(mesh.normals, normals) + 0.0,
+        uvs=_rounded_uvs(mesh, material, uvs),
     )
 
 
-def _rounded_uvs(mesh: Mesh, material: Material) -> Array:
-    written = np.round(texture_coordinates(mesh, material), UV_DECIMALS) + 0.0
+def _rounded_uvs(mesh: Mesh, material: Material, decimals: int = UV_DECIMALS) -> Array:
+    written = np.round(texture_coordinates(mesh, material), decimals) + 0.0
     return metric_coordinates(written, material)
 
 

@@ -10,9 +10,9 @@ from numpy.typing import NDArray
 
 from artgen.asset import Asset, Mesh, Surface
 from artgen.asset.coarser import coarser
-from artgen.asset.files import POSITION_DECIMALS
+from artgen.asset.files import POSITION_DECIMALS, rounded_mesh
 from artgen.asset.link import Piece
-from artgen.asset.surface import joined, metric_coordinates, texture_coordinates
+from artgen.asset.surface import joined
 from artgen.errors import ParameterError
 from artgen.export.derived import DerivedLink, fields_of, need_solids
 
@@ -104,11 +104,7 @@ def _rounded(surface: Surface, step: float, origin: NDArray[np.float64]) -> Surf
     """
     mesh, material = surface.mesh, surface.material
     decimals = min(math.ceil(-math.log10(step)), POSITION_DECIMALS)
-    laid = np.round(texture_coordinates(mesh, material), _DECIMALS) + 0.0
-    rounded = replace(
-        mesh,
-        vertices=np.round(mesh.vertices - origin, decimals) + 0.0 + origin,
-        normals=np.round(mesh.normals, _DECIMALS) + 0.0,
-        uvs=metric_coordinates(laid, material) if material.texture else np.zeros_like(laid),
-    )
+    if not material.texture:
+        mesh = replace(mesh, uvs=np.zeros_like(mesh.uvs))
+    rounded = rounded_mesh(mesh, origin, material, positions=decimals, normals=_DECIMALS, uvs=_DECIMALS)
     return replace(surface, mesh=joined([rounded]))
