@@ -94,6 +94,7 @@ def test_a_killed_worker_is_replaced(undisturbed: Path, tmp_path: Path) -> None:
             victim = multiprocessing.active_children()[0]
             killed.append(victim.pid or 0)
             victim.kill()
+            victim.join()  # the next record may follow at once, and is to find it gone
 
     summary = generate_many(PLAN, tmp_path / "killed", jobs=2, progress=kill)
     assert len(set(killed)) == 2
