@@ -11,6 +11,8 @@ from artgen import generate
 from artgen.asset import Asset
 from artgen.asset.coarser import coarser
 from artgen.asset.manifolds import is_closed
+from artgen.check.validate import validate
+from artgen.dataset.record import record_of
 from artgen.errors import AssetError, ParameterError
 from artgen.export.files import encode
 
@@ -65,7 +67,7 @@ def test_files_are_smaller_and_say_how_precise_they_are(exports: tuple[Path, Pat
     for link, other in zip(full["links"], coarse["links"], strict=True):
         fewer, more = ([each.pop("triangles") for each in one["surfaces"]] for one in (other, link))
         assert sum(fewer) < sum(more) or more == [12] * len(more)
-        assert {**link, "mesh_precision": PRECISION} == other
+        assert {**link, "details": [], "mesh_precision": PRECISION} == other
     written = sum(len(mesh.faces) for mesh in surfaces(exports[1]).values())
     data = json.loads((exports[1] / "asset.json").read_text())
     assert sum(each["triangles"] for link in data["links"] for each in link["surfaces"]) == written
@@ -80,6 +82,52 @@ def test_numbers_have_as_few_digits_as_they_are_precise(exports: tuple[Path, Pat
     digits = {head: [len(each.partition(".")[2]) for each in numbers] for head, numbers in rows.items()}
     assert (max(digits["v"]), max(digits["vn"])) == (6, 4)  # a hundredth of half a millimetre is 5e-6 m
     assert np.quantile(digits["vt"], 0.97) == 4  # some vertices where faces touch in a point are set apart
+
+
+@pytest.mark.parametrize(("category", "seed", "label"), [("lamp", 0, "base"), ("toaster", 0, "knob")])
+def test_steps_along_a_curve_do_not_add_up(category: str, seed: int, label: str) -> None:
+    """These lay up to five times as far from what was made."""
+    precision = 0.001
+    links = generate(category, seed=seed, certify=False).links
+    count = [0, 0]
+    for piece in (piece for link in links for piece in link.pieces if piece.label == label):
+        mesh = coarser(piece.shape, precision)
+        other = trimesh.Trimesh(mesh.vertices, mesh.triangles, process=False)
+        points = np.unique(piece.shape.mesh.vertices, axis=0)
+        assert np.abs(trimesh.proximity.closest_point(other, points)[1]).max() < 1.001 * precision
+        count = [count[0] + len(mesh.triangles), count[1] + len(piece.shape.mesh.triangles)]
+    assert 0 < count[0] < 0.8 * count[1]
+
+
+def test_what_was_proven_is_kept_without_its_proof(tmp_path: Path) -> None:
+    made = generate("drawer", seed=1)
+    folder = made.export(tmp_path / "drawer", textures=0, mesh_precision=0.001)
+    assert not (folder / "certificate.json").exists()
+    assert record_of((folder / "asset.json").read_bytes(), "drawer")["proven"] is True
+    read = Asset.load(folder)
+    assert read.certificate == made.certificate
+    assert made.certificate is not None
+    assert made.certificate.leaves is not None  # the asset itself keeps it
+    report = validate(folder, behaviour=False)
+    assert report.passed
+    skipped = {each.check: each.skipped for each in report.results if each.skipped}
+    why = "its meshes, precise to 1 mm, are not those of the solids"
+    assert skipped == {"solids": why, "colliders": why, "grasps": why, "behaviour": "not asked for"}
+    (note,) = next(each for each in report.results if each.check == "certificate").findings
+    assert note.severity == "note"
+    assert str(note) == (
+        "the proof is not verified: an export with a mesh precision does not keep it; export with "
+        "mesh_precision=0 as well"
+    )
+
+
+def test_what_needs_solids_says_that_there_are_none(exports: tuple[Path, Path]) -> None:
+    with pytest.raises(
+        AssetError,
+        match=r"the meshes of link 'body' have a precision of 0\.5 mm: they show its solids, and are not "
+        r"theirs; export the asset with mesh_precision=0",
+    ):
+        Asset.load(exports[1]).certify()
 
 
 def test_shading_of_large_faces_stays_even() -> None:

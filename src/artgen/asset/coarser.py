@@ -2,8 +2,10 @@
 
 import math
 
+import fcl
 import numpy as np
 from numpy.typing import NDArray
+from scipy.spatial import cKDTree
 
 from artgen.asset.creases import corner_normals
 from artgen.asset.manifolds import coincident
@@ -13,8 +15,9 @@ Array = NDArray[np.float64]
 
 _CREASE = math.radians(62.0)  # the fewer facets a round thing has, the more they turn
 
-_SHARES = (1.0, 0.6, 0.3, 0.1, 0.03)  # of the precision that are tried
+_SHARES = (1.0, 0.8, 0.6, 0.3, 0.1, 0.03)  # of the precision that are tried
 _KEPT = 0.9  # of the area, or things have gone
+_POINT = 1e-9  # radius of a ball that stands for a point [m]
 
 
 def coarser(shape: Shape, precision: float) -> Mesh:
@@ -36,7 +39,9 @@ def coarser(shape: Shape, precision: float) -> Mesh:
     for share in _SHARES:
         solid = same.manifold.simplify(share * precision)
         fewer = Shape(solid, shape.pieces).mesh
-        if solid.surface_area() > _KEPT * area and set(fewer.paints.tolist()) == paints:
+        if solid.surface_area() <= _KEPT * area or set(fewer.paints.tolist()) != paints:
+            continue
+        if lies_within(precision, mesh.vertices, fewer):  # steps add up along a curve
             break
     else:
         return mesh
@@ -49,4 +54,20 @@ def coarser(shape: Shape, precision: float) -> Mesh:
         fewer.uvs[corners],
         fewer.paints[corners],
         np.arange(len(corners)).reshape(-1, 3),
+    )
+
+
+def lies_within(distance: float, points: Array, mesh: Mesh) -> bool:
+    """Tell whether no point, of shape (n, 3), is farther than a distance from a surface [m]."""
+    near = cKDTree(mesh.vertices).query(points, distance_upper_bound=distance)[0]
+    far = np.unique(points[near > distance], axis=0)
+    if not len(far):
+        return True
+    faces = fcl.BVHModel()
+    faces.beginModel(len(mesh.vertices), len(mesh.triangles))
+    faces.addSubModel(mesh.vertices, mesh.triangles)
+    faces.endModel()
+    surface, ball = fcl.CollisionObject(faces), fcl.Sphere(_POINT)
+    return all(
+        fcl.distance(fcl.CollisionObject(ball, fcl.Transform(point)), surface) <= distance for point in far
     )

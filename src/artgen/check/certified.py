@@ -5,6 +5,7 @@ from collections.abc import Iterator
 from artgen.asset import Asset
 from artgen.asset.certificate import Certificate, PairResult, spelled_region
 from artgen.check.report import CheckResult, Finding
+from artgen.check.stored_solids import mesh_precision
 
 _CHECK = "certificate"
 _CERTIFY = (
@@ -17,10 +18,16 @@ _MEND_AT_REST = (
 )
 _MEND_OPEN = "give the two pieces more clearance there, or shorten the limits to asset.safe_limits()"
 
-_UNVERIFIED = Finding(
+_NO_MESHES = Finding(
     _CHECK,
     "the proof is not verified: the export has no meshes to compare its pieces with",
     hint="export with urdf or mjcf as well",
+    severity="note",
+)
+_COARSE = Finding(
+    _CHECK,
+    "the proof is not verified: an export with a mesh precision does not keep it",
+    hint="export with mesh_precision=0 as well",
     severity="note",
 )
 
@@ -46,12 +53,16 @@ def check_certificate(asset: Asset, *, meshes: bool = True) -> CheckResult:
     findings = [
         *(_pair_finding(asset, pair) for pair in certificate.failures),
         *_undeclared_contacts(asset, certificate),
-        *(_rechecked(asset, certificate) if meshes else [_UNVERIFIED]),
+        *_verified(asset, certificate, meshes=meshes),
     ]
     return CheckResult(_CHECK, tuple(findings), _detail(certificate))
 
 
-def _rechecked(asset: Asset, certificate: Certificate) -> list[Finding]:
+def _verified(asset: Asset, certificate: Certificate, *, meshes: bool) -> list[Finding]:
+    if mesh_precision(*asset.links):
+        return [_COARSE]
+    if not meshes:
+        return [_NO_MESHES]
     from artgen.check.recheck import recheck
 
     return recheck(asset, certificate)

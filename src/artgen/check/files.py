@@ -56,7 +56,8 @@ def read_export(directory: str | Path) -> Exported:
     try:
         data = json.loads((directory / ASSET_FILE).read_text(encoding="utf-8"))
         formats = {name: tuple(map(str, each["files"])) for name, each in data["formats"].items()}
-        certified = data.get("certificate") is not None
+        coarse = any("mesh_precision" in each for each in data["links"])
+        certified = data.get("certificate") is not None and not coarse  # which keeps no proof
         digests = dict(data.get("digests", {}))
     except (OSError, ValueError, LookupError, TypeError, AttributeError) as error:
         return _unreadable(directory, error)

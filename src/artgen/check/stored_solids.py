@@ -44,6 +44,12 @@ class Details:
         return known is not None and bool((np.abs(known - bounds).max(axis=(1, 2)) <= _ONE_BOX).any())
 
 
+def mesh_precision(*links: Link) -> float:
+    """Return how far the visible faces of links may lie from their solids; 0 where they are theirs [m]."""
+    read = [link.to_data() for link in links if not link.pieces]
+    return max((float(data.get("mesh_precision", 0.0)) for data in read), default=0.0)
+
+
 @once_per_link
 def link_parts(link: Link) -> tuple[Part, ...]:
     """Return the solids of a link; where it was read from files, the closed parts of its meshes.
@@ -51,10 +57,16 @@ def link_parts(link: Link) -> tuple[Part, ...]:
     What has neither mass nor collider, such as the head of a screw, is told by its label and bounding box.
 
     Raises:
-        AssetError: The meshes of a label do not close.
+        AssetError: The meshes of a label do not close, or are not those of the solids.
     """
     if link.pieces:
         return tuple(solid_parts(link))
+    if precision := mesh_precision(link):
+        raise AssetError(
+            f"the meshes of link {link.name!r} have a precision of {1e3 * precision:g} mm: they show its "
+            f"solids, and are not theirs; export the asset with mesh_precision=0",
+            link=link.name,
+        )
     groups: dict[str, list[Surface]] = {}
     for surface in link.surfaces:
         groups.setdefault(surface.label, []).append(surface)

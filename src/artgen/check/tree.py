@@ -9,6 +9,7 @@ from artgen.asset import Asset, Grasp, Link
 from artgen.check.connected import floating_findings
 from artgen.check.joints import joint_findings
 from artgen.check.report import CheckResult, Finding
+from artgen.check.stored_solids import mesh_precision
 from artgen.errors import ArtgenError, nearest
 
 CHECK = "tree"
@@ -37,7 +38,7 @@ def check_tree(asset: Asset) -> CheckResult:
     for link in asset.links:
         findings += _grasp_findings(link)
         try:
-            findings += floating_findings(link)
+            findings += () if mesh_precision(link) else floating_findings(link)
             findings += _mass_findings(link)
         except ArtgenError as error:
             # the check of solids tells which files are missing

@@ -98,6 +98,8 @@ class Examination:
             return f"the export has no {check}"
         if check in _MESH_CHECKS and not self._exported.meshes:
             return "the export has no meshes to read back: those of urdf and mjcf in the layout flat have"
+        if check in _MESH_CHECKS and (precision := self._mesh_precision):
+            return f"its meshes, precise to {1e3 * precision:g} mm, are not those of the solids"
         if check == "behaviour" and not self._behaviour:
             return "not asked for"
         return "the export has no mjcf" if check == "behaviour" and "mjcf" not in formats else ""
@@ -133,6 +135,13 @@ class Examination:
         from artgen.check.behaviour import check_behaviour
 
         return check_behaviour(asset, self.directory)
+
+    @cached_property
+    def _mesh_precision(self) -> float:
+        from artgen.check.stored_solids import mesh_precision
+
+        asset = self._exported.asset
+        return mesh_precision(*asset.links) if asset is not None else 0.0
 
     @cached_property
     def _formats(self) -> "FormatChecks":

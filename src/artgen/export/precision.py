@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from artgen.asset import Asset, Mesh, Surface
+from artgen.asset.asset import remember
 from artgen.asset.coarser import coarser
 from artgen.asset.files import POSITION_DECIMALS, rounded_mesh
 from artgen.asset.link import Piece
@@ -27,7 +28,8 @@ _DECIMALS = 4  # of normals and texture coordinates
 def with_precision(asset: Asset, precision: float) -> Asset:
     """Return an asset whose surfaces have fewer triangles; colliders, masses and all else stay.
 
-    Surfaces of one colour, which need none, lose their texture coordinates.
+    Surfaces of one colour, which need none, lose their texture coordinates. What was proven stays true, and
+    is kept without its proof, which nobody could verify: that needs the solids.
 
     Args:
         asset: The asset.
@@ -51,7 +53,10 @@ def with_precision(asset: Asset, precision: float) -> Asset:
         )
         for link in asset.links
     ]
-    return replace(asset, links=tuple(links))
+    result = replace(asset, links=tuple(links))
+    if asset.certificate is not None:
+        remember(result, replace(asset.certificate, leaves=None))
+    return result
 
 
 def check_precision(precision: float) -> None:
@@ -89,10 +94,14 @@ class CoarseLink(DerivedLink):
         return coarser(piece.shape, precision if piece.reading is None else _PRINT * precision)
 
     def to_data(self) -> dict[str, Any]:
-        """Return everything but the triangles as JSON data, with how precise these are."""
+        """Return everything but the triangles as JSON data, with how precise these are.
+
+        There are no details in it: they are there to be told from the solids, which these are not.
+        """
         return {
             **super().to_data(),
             "surfaces": self.surface_data(),
+            "details": [],
             "mesh_precision": self.precision,
         }
 
