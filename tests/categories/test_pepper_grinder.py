@@ -9,6 +9,7 @@ import pytest
 from artgen.asset import Asset, Link
 from artgen.categories.parts.grinder_forms import BodyForm, Top
 from artgen.categories.pepper_grinder import pepper_grinder
+from artgen.errors import InfeasibleError
 from artgen.graph import Cache
 
 HEADS = ("bulb", "disc", "ball")
@@ -88,3 +89,11 @@ def test_the_mill_is_as_heavy_as_its_wood() -> None:
         for height in (0.19, 0.26)
     )
     assert 0.1 < light < heavy < 0.5
+
+
+@pytest.mark.parametrize("top", ["bulb", "ball", "crank"])
+def test_a_letter_is_printed_on_a_flat_head_only(top: str) -> None:
+    with pytest.raises(InfeasibleError, match=f"mark=letter has top=disc only, not {top}"):
+        drawn(6, style="tower", build="wood", top=top, mark="letter")
+    head = link(drawn(6, style="tower", build="wood", top="disc", mark="letter"), "top")
+    assert "print" in head.labels

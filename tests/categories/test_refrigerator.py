@@ -11,6 +11,8 @@ from manifold3d import Manifold, OpType
 
 from artgen import Asset, Cache
 from artgen.categories.refrigerator import refrigerator
+from artgen.check.tree import check_tree
+from artgen.errors import InfeasibleError
 
 LAYOUTS = {
     "single": ["door"],
@@ -160,3 +162,33 @@ def test_seeds_give_what_a_shop_could_sell(seed: int) -> None:
 def test_every_grip_fits_every_layout(layout: str, grip: str) -> None:
     asset = refrigerator.generate(5, certify=False, layout=layout, grip=grip)
     assert all(asset.link(name).grasps for name in LAYOUTS[layout][:1])
+
+
+def test_doors_side_by_side_have_room_for_light_and_bins() -> None:
+    narrow = {"layout": "side_by_side", "wall": 0.05, "certify": False}
+    for width, share, words in (
+        (0.86, 0.2, "narrower than the light in it"),
+        (0.62, 0.55, "too narrow for bins"),
+    ):
+        with pytest.raises(InfeasibleError, match=f"{words}.*: raise width, lower wall"):
+            refrigerator.generate(3, **narrow, width=width, freezer_share=share, bin_depth=0.12)
+    assert refrigerator.generate(3, **narrow, width=0.62, freezer_share=0.45, bin_depth=0.05)
+
+
+def test_the_name_on_a_front_that_swells_far_reaches_back_to_it() -> None:
+    wide = {}
+    for bow in (0.018, 0.03):
+        asset = refrigerator.generate(
+            3,
+            layout="single",
+            form="bowed",
+            grip="bar",
+            display="",
+            maker="Tessaround",
+            bow=bow,
+            certify=False,
+        )
+        assert not check_tree(asset).faults
+        (name,) = (piece for piece in asset.link("door").pieces if piece.label == "logo")
+        wide[bow] = float(np.ptp(name.shape.bounds()[:, 0]))
+    assert wide[0.03] < 0.8 * wide[0.018], "it is smaller where its ends would stand off"

@@ -148,3 +148,44 @@ def test_shutters_hang_in_front_of_the_window() -> None:
         assert hinge.limits[1] > 1.5
         assert frame[0, 0] - 0.001 < leaf[0, 0]
         assert leaf[1, 0] < frame[1, 0] + 0.001
+
+
+@pytest.mark.parametrize("slides", ["one", "both"])
+def test_a_pull_in_a_low_window_ends_below_the_strip_at_the_head(slides: str) -> None:
+    low = {"style": "sliding", "layout": "pair", "slides": slides, "kind": "pvc", "height": 0.45}
+    asset = window(**low, bar=0.165)
+    found = {frozenset(pair): distance for pair, distance in asset.clearance({}).items()}
+    pane = "pane" if slides == "one" else "pane_0"
+    assert found[frozenset({"frame", pane})] > 0.0
+    if slides == "one":
+        with pytest.raises(
+            InfeasibleError, match=r"between its latch and the strip at the head: take a shorter"
+        ):
+            window(**low, bar=0.18)
+
+
+def test_a_sash_has_room_for_what_holds_it_and_for_its_lever() -> None:
+    cross = {"style": "casement", "layout": "cross", "opens": "outwards", "kind": "pvc", "upper": 0.26}
+    for height in (0.45, 1.05):
+        with pytest.raises(InfeasibleError, match=r"no room for its hinges and for two keeps: raise height"):
+            window(**cross, height=height, lever_length=0.09)
+    assert window(**cross, height=1.11, lever_length=0.11)
+    with pytest.raises(InfeasibleError, match=r"would strike the frame .* take a shorter lever_length"):
+        window(**cross, height=1.11, lever_length=0.12)
+    assert window(**{**cross, "opens": "inwards"}, height=1.11, lever_length=0.12)
+    with pytest.raises(InfeasibleError, match=r"no room for its hinges .* width of an awning"):
+        window(style="awning", width=0.4, kind="pvc", lever_length=0.09)
+
+
+def test_a_narrow_sash_swings_its_lever_and_lock_past_the_frame() -> None:
+    single = {"style": "casement", "layout": "single", "lever": "straight", "lever_length": 0.1}
+    for kind, words in (
+        ("pvc", r"the lock of so narrow a sash"),
+        ("aluminium", r"the lever of so narrow a sash"),
+    ):
+        narrow = {**single, "kind": kind, "opens": "outwards"}
+        with pytest.raises(InfeasibleError, match=f"{words} .* raise width, or height of an awning"):
+            window(**narrow, width=0.4)
+        asset = generate("window", 4, **narrow, width=0.42, on_collision="fail")
+        assert asset.certificate is not None
+    assert window(**single, kind="aluminium", opens="inwards", width=0.4)

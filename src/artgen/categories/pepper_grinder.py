@@ -168,6 +168,10 @@ def pepper_grinder(
     head_height = require(
         head_height, head_height >= least, f"a ball is no lower: head_height at least {least:g}"
     )
+    require(
+        mark != "letter" or top == "disc",
+        f"a letter is printed on a flat head: mark=letter has top=disc only, not {top}",
+    )
     require(build != "clear" or style in _STRAIGHT, "a clear tube is straight: style must be cylinder")
     radius = diameter / 2.0
     crown = head_height * HEAD_HEIGHT[top] * radius

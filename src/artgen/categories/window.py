@@ -218,7 +218,7 @@ def window(
     require(style != "sliding" or layout in ("pair", "row"), "style=sliding has layout=pair or row only")
     abreast = {"single": 1, "row": 4}.get(layout, 2)
     # a row of sashes needs room for the glass of each
-    least = 0.2 * (abreast + 1) if style in ("casement", "sliding") else 0.0
+    least = (abreast + 1) / 5.0 if style in ("casement", "sliding") else 0.0
     width = require(width, width >= least, f"layout={layout} has narrow sashes: width at least {least:g} m")
     section = SECTIONS[kind]
     wide, tall = width - 2.0 * section.frame, height - SILL - 2.0 * section.frame

@@ -20,6 +20,7 @@ from artgen import (
     part,
     polygon,
     rectangle,
+    require,
     weld,
 )
 from artgen.categories.parts.appliance_finish import CLEAR, filled
@@ -45,13 +46,19 @@ Front = Literal["flat", "soft", "bowed", "framed"]
 _SKIN, _THICK_SKIN = 0.028, 0.042  # front part of a door; with a pocket in its edge [m]
 _FREE_INSET = 0.006  # by how much the lining is narrower than the skin at the other edges [m]
 _RIDGE = 0.016  # thickness of ridges [m]
+_LEAST_BIN = 0.05  # width of a bin [m]
 _SEAL = 0.014  # width of the gasket [m]
 _SEAL_FREE = 0.0004  # between gasket and cabinet: not seen, and free of contact [m]
 _FOAM = 190.0  # 8 kg/m2 of steel, foam and plastic sheet, and what is in it: 9 kg at 0.7 x 1.1 m [kg/m3]
 _EDGES = {"flat": 0.0026, "soft": 0.005, "bowed": 0.005, "framed": 0.002}  # radius of the edges [m]
 _FRAME = (0.062, 0.0045)  # width of the boards of a framed front, and how far they stand out [m]
 _BOW = ((1.0, 0.010), (0.988, 0.0035), (0.97, 0.0008))  # the round edge of a bowed front: share, back [m]
+_TRACKING = 0.3  # of the name on a door, in heights of its letters
 _BOWED = (0.9, 0.75, 0.5, 0.25, 0.0, -0.25, -0.5, -0.75, -0.9)
+_NO_ROOM = (
+    "a door is too narrow for bins between its ridges: raise width, lower wall or bin_depth, or take a "
+    "freezer_share of about 0.45 where the freezer is beside"
+)
 
 
 @dataclass(frozen=True)
@@ -289,7 +296,7 @@ def _inside(leaf: Leaf, dress: Dress) -> list[Body]:
         )
         for start, end in ((left, first), (last, right))
     ]
-    width = last - first + 0.002
+    width = require(last - first + 0.002, last - first > _LEAST_BIN, _NO_ROOM)
     deep = leaf.ridge - BIN_SHY
     pitch = (high - low) / leaf.bins
     middle = ((first + last) / 2, leaf.case.face - 0.001)
@@ -310,7 +317,11 @@ def _signs(leaf: Leaf, dress: Dress, brand: str, display: str) -> list[Body]:
     y = leaf.case.front - (dress.bow - 0.0003 if dress.front == "bowed" else 0.0)
     middle = (leaf.left + leaf.right) / 2
     if brand:
-        mark = details.logo(brand, 0.013)
+        size: Scalar = 0.013
+        if dress.front == "bowed":  # its ends have to reach back to a front that swells away from them
+            share = min_(0.28, 0.005 / dress.bow)
+            size = min_(size, share * leaf.width / details.lettering_width(brand.upper(), _TRACKING))
+        mark = details.logo(brand, size, tracking=_TRACKING)
         drop = 0.09 if dress.front == "framed" else 0.055
         shine = dress.metal if dress.metal.base_metalness > 0.5 else material("chrome")
         bodies.append(

@@ -36,6 +36,9 @@ DUCT = 0.014
 ICE_SHELF = 0.024
 """Thickness of the floor of an ice box [m]."""
 
+LIGHT = 0.15
+"""Width of the light at the ceiling of a cell [m]."""
+
 _FLAP = 0.016  # thickness of the flap of an ice box [m]
 _FLAP_INSET = 0.062  # from the side of the cell to its edge with the hinges [m]
 
@@ -119,7 +122,7 @@ def fittings(
     vent = details.relief(slots, (0.0, 0.0, 0.0), proud=0.0002)
     places = [(cell.middle, face, low + share * tall) for share in (0.22, 0.55, 0.86)]
     bodies.append(detail(array(vent, at=places), "vent", DARK))
-    housing = box(0.15, 0.085, 0.022, bevel=0.005).at(cell.middle, front + 0.055, high - 0.0105)
+    housing = box(LIGHT, 0.085, 0.022, bevel=0.005).at(cell.middle, front + 0.055, high - 0.0105)
     bodies.append(part(housing, "light", filled(liner, 220.0)))
     lamp = box(0.11, 0.045, 0.004, bevel=0.0015).at(cell.middle, front + 0.058, high - 0.0228)
     bodies.append(detail(lamp, "light", material("led_white")))

@@ -103,7 +103,7 @@ class Leaf:
         """
         axis = self.left + PIN
         room = self.limit - axis - _SWINGS_PAST
-        return self.cell.left + _RIDGE_INSET, axis + sqrt(room * room - self.reach * self.reach)
+        return self.cell.left + _RIDGE_INSET, axis + sqrt(max_(room * room - self.reach * self.reach, 0.0))
 
     def clears(self, x: Scalar) -> Float:
         """Return the angle from which on nothing of the open door reaches past `x` to the right [rad].

@@ -4,10 +4,11 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal
 
-from artgen import Body, Material, Scalar, X, require
+from artgen import Body, Material, Scalar, X, min_, require
 from artgen.categories.parts.appliance_hinges import hinge_bracket, hinge_cover
 from artgen.categories.parts.fridge_case import HUMP_HIGH, Case, Cell
 from artgen.categories.parts.fridge_drawers import Front
+from artgen.categories.parts.fridge_inside import LIGHT
 from artgen.categories.parts.fridge_leaf import PIN, Leaf
 
 Layout = Literal["single", "top_freezer", "bottom_freezer", "french", "side_by_side"]
@@ -19,6 +20,10 @@ _HALF_WALL = 0.027  # half of the thickness of walls between cells [m]
 _UNDER_COVER = 0.003  # between a door and the cover of its hinge [m]
 _INSET = 0.001  # by how much doors are narrower than the cabinet, at either side [m]
 _PASSES = 0.003  # between what is on the insides of two doors that meet [m]
+_NO_LIGHT = (
+    "freezer or refrigerator is narrower than the light in it: raise width, lower wall, or take a "
+    "freezer_share of about 0.45"
+)
 
 
 @dataclass(frozen=True)
@@ -189,6 +194,8 @@ class Divided:
         case, half = self.case, self.case.gap / 2
         whole = self._cell(low, high, lowest=True, highest=True)
         split = -0.5 * case.width + self.share * case.width
+        narrower = min_(split - whole.left, whole.right - split) - _HALF_WALL
+        split = require(split, narrower > LIGHT + 0.01, _NO_LIGHT)
         frozen = Cell(
             whole.left, split - _HALF_WALL, whole.low, whole.high, whole.rear, humped=True, top=True
         )

@@ -54,6 +54,7 @@ RELEASED = 1.30
 
 _CAM = (0.008, 0.010)  # of a cam: along y, along z [m]
 _KEEP = (0.009, 0.012)
+_KEEP_OUT, _KEEP_BEVEL = 0.0066, 0.0015  # how far keeps stand out of the frame, and their bevels [m]
 _PLAY = 0.0009  # a closed window rattles by this much [m]
 _EDGE_GAP = 0.0003
 
@@ -222,6 +223,17 @@ def bow_pull(*, length: Scalar, girth: float, finish: Material, name: str) -> Bo
     return weld(bow, detail(array(flange, at=ends), "handle", finish))
 
 
+def swings_out(arm: Scalar, back: Scalar, past: Scalar) -> Scalar:
+    """Return how far from the axis of a sash a corner comes before it has passed something beside it [m].
+
+    Args:
+        arm: From the axis to the corner across the sash [m].
+        back: From the axis to the corner in depth [m].
+        past: How far it has to come forward [m].
+    """
+    return past * (back - past / 2.0) / arm
+
+
 class CamLock(NamedTuple):
     """Cams in the edge of a sash, which a lever slides behind keeps on the frame.
 
@@ -230,12 +242,16 @@ class CamLock(NamedTuple):
         keeps: To be welded to the frame.
         slide: The joint of the rod.
         passed: Angle of the pane at which the cams are out of the keeps' way [rad].
+        nears: How far a rod swings towards the keeps until it has passed them [m].
+        room: From the rod to the keeps [m].
     """
 
     rod: Body
     keeps: Body
     slide: Joint
     passed: Float | Scalar
+    nears: Scalar
+    room: float
 
 
 def cam_lock(
@@ -261,17 +277,18 @@ def cam_lock(
         (edge + out, middle + deep / 2.0, tall / 2.0),
         bevel=0.0012,
     )
+    wide, thick = 0.006, _EDGE_GAP + 0.0022
     rail = box_between(
-        (edge + _EDGE_GAP, middle - 0.006, level - reach - 0.012),
-        (edge + _EDGE_GAP + 0.0022, middle + 0.006, level + reach + 0.012),
+        (edge + _EDGE_GAP, middle - wide, level - reach - 0.012),
+        (edge + thick, middle + wide, level + reach + 0.012),
     )
     heights = [level - reach, level + reach]
     rod = part(union(rail, *(cam.at(0.0, 0.0, z) for z in heights)), "lock", finish, name="bolt")
     front = middle - deep / 2.0 - _PLAY
     keep = box_between(
-        (width / 2.0 - 0.0066, front - _KEEP[0], -_KEEP[1] / 2.0),
+        (width / 2.0 - _KEEP_OUT, front - _KEEP[0], -_KEEP[1] / 2.0),
         (width / 2.0 + 0.001, front, _KEEP[1] / 2.0),
-        bevel=0.0015,
+        bevel=_KEEP_BEVEL,
     )
     plate = box(0.0012, 0.024, 0.046, bevel=0.0004).at(width / 2.0 - 0.0005, middle - 0.004, 0.0)
     places = [(0.0, 0.0, z) for z in heights]
@@ -281,4 +298,6 @@ def cam_lock(
     slide = Prismatic(name, axis=Z, follows=(_TRAVEL / QUARTER) * turn, damping=2.0)
     # until the back of the cam has passed the front of the keep
     passed = 1.05 * (deep + _PLAY + _KEEP[0] + 0.003) / (edge - pin.x)
-    return CamLock(rod, keeps, slide, passed)
+    past = middle + wide - (front - _KEEP[0] + _KEEP_BEVEL)
+    nears = swings_out(edge + thick - pin.x, middle + wide - pin.y, past)
+    return CamLock(rod, keeps, slide, passed, nears, REBATE - thick - _KEEP_OUT)

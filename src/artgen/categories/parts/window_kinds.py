@@ -25,6 +25,7 @@ from artgen import (
     cos,
     mass,
     min_,
+    require,
     sin,
     sqrt,
     weld,
@@ -43,6 +44,7 @@ from artgen.categories.parts.window_hardware import (
     barrel_hinges,
     cam_lock,
     lever_turn,
+    swings_out,
     window_lever,
 )
 from artgen.categories.parts.window_plan import LIP, REBATE, SEALED, STOP, Section
@@ -53,6 +55,23 @@ _LIFTS = 52.0  # what a hand lifts an awning with at most [N]
 _LEVERS_MEET = (
     "the levers of two sashes that open towards each other would meet: take a smaller swing, a shorter "
     "lever_length, a larger width or hands=same"
+)
+_HINGED = 0.288  # side of a sash on which its two hinges have room [m]
+_LOCKED = 0.228  # the same of one whose hinges only are seen: its two keeps have room [m]
+_TOO_SHORT = (
+    "a sash has no room for its hinges and for two keeps: raise height, or width of an awning, or upper of a "
+    "cross"
+)
+_LEVER_LONG = (
+    "the end of a lever would strike the frame as its sash opens outwards: take a shorter lever_length, or "
+    "raise height, or width of an awning, or upper of a cross"
+)
+_LEVER_NEAR = (
+    "the lever of so narrow a sash would strike the frame as it opens outwards: raise width, or height of an "
+    "awning"
+)
+_LOCK_MEETS = (
+    "the lock of so narrow a sash would strike its keeps as it opens: raise width, or height of an awning"
 )
 
 
@@ -174,7 +193,8 @@ class _Hung:
         """Make what belongs to the frame, with the sash on it."""
         draft, swing, section, metal = self.draft, self.swing, self.draft.section, self.draft.metal
         pin = Pin.beside(self.width, section)
-        low, high = -self.height / 2.0 + 0.11, self.height / 2.0 - 0.11
+        tall = require(self.height, self.height > (_HINGED if swing.solid else _LOCKED), _TOO_SHORT)
+        low, high = -tall / 2.0 + 0.11, tall / 2.0 - 0.11
         on_frame, on_sash = barrel_hinges(
             pin,
             [low, high],
@@ -192,17 +212,31 @@ class _Hung:
         )
         turn = lever_turn("handle_turn", pivot=at, limit=swing.turn, friction=draft.friction)
         lock = cam_lock(
-            turn, pin, self.width, 0.0, min_(0.30, self.height / 2.0 - 0.09), name="bolt_slide", finish=metal
+            turn, pin, self.width, 0.0, min_(0.30, tall / 2.0 - 0.09), name="bolt_slide", finish=metal
         )
-        sash = lipped_sash(self.width, self.height, section, draft.glazing)
+        sash = lipped_sash(self.width, tall, section, draft.glazing)
         sash = weld(sash, on_sash, rose).attach(lever, turn).attach(lock.rod, lock.slide)
         hinge = self._falling(sash, pin, turn, lock) if self.falls else self._upright(pin, turn, lock)
         thick = section.depth + SEALED + section.lip / 2.0  # behind the axis
         body = weld(on_frame, lock.keeps).attach(sash, hinge)
+        if not self.inward:
+            body = self._lever_passes(body, at[0], tall)
+        body = body.require(lock.nears < lock.room - 0.0001, _LOCK_MEETS)
         return body.require(
             thick * thick / (2.0 * self.width) < REBATE - 0.001,
             "the far edge of the sash would strike the frame",
         )
+
+    def _lever_passes(self, body: Body, x: Scalar, tall: Scalar) -> Body:
+        """Demand that the lever at `x`, behind a sash so tall, passes the opening of the frame with it."""
+        swing, section = self.swing, self.draft.section
+        pin = Pin.beside(self.width, section)
+        stop = STOP if swing.solid else 0.0
+        body = body.require(swing.length <= tall / 2.0 - stop, _LEVER_LONG)
+        wide, out = (0.0111, 0.0420) if swing.lever == "tapered" else (0.0088, 0.0445)  # of its end, or neck
+        edge, behind = x + wide, section.depth + out
+        nears = swings_out(edge - pin.x, behind - pin.y, behind - section.stop)
+        return body.require(nears < self.width / 2.0 - stop - edge - 0.0002, _LEVER_NEAR)
 
     def _upright(self, pin: Pin, turn: Joint, lock: CamLock) -> Joint:
         swing = self.swing

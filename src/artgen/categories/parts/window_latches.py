@@ -28,6 +28,9 @@ from artgen import (
     weld,
 )
 
+LATCH_TOP = 0.044
+"""From the middle of a latch on the stile of a sliding sash to its top [m]."""
+
 
 class SashLock(NamedTuple):
     """A cam on the lower meeting rail that turns under a keeper on the upper one.
@@ -178,7 +181,7 @@ def sliding_latch(
     hold = grasp_on(nub, approach=(0.0, -1.0, 0.0), closing=X, depth=0.013)
     body = part(union(slider, nub), "lock", finish, name="lock", grasp=hold)
     # the slider runs between two cheeks on a plate
-    low, high = floor + 0.0185 + 0.004, z + 0.044
+    low, high = floor + 0.0185 + 0.004, z + LATCH_TOP
     plate = box_between((x - 0.013, face - 0.0005, low), (x + 0.013, face + 0.0024, high), bevel=0.0008)
     cheeks = [
         box_between(

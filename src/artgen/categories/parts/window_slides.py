@@ -16,13 +16,15 @@ from artgen import (
     Z,
     frame,
     mass,
+    min_,
+    require,
     weld,
 )
 from artgen.categories.parts.sashes import PANE, plain_sash, slide_face
 from artgen.categories.parts.window_frame import TRACK, Tracks, tracked_frame
 from artgen.categories.parts.window_hardware import bow_pull
 from artgen.categories.parts.window_kinds import Draft
-from artgen.categories.parts.window_latches import SashLock, sash_lifts, sash_lock, sliding_latch
+from artgen.categories.parts.window_latches import LATCH_TOP, SashLock, sash_lifts, sash_lock, sliding_latch
 from artgen.categories.parts.window_plan import under
 
 _GRAVITY = 9.81  # [m/s^2]
@@ -30,6 +32,10 @@ _STRIP = 0.013  # how far the strips of tracks stand out into the opening [m]
 _BALANCE = 8.0  # stiffness of the springs of a hung sash [N/m]
 _LET_IN = 0.0005  # [m]
 _LOCK = 0.045  # how far a sash lock stands over the meeting rail [m]
+_ROOM = 0.006  # beyond the ends of a pull, for its flanges [m]
+_PULL_MEETS = (
+    "the pull has no room between its latch and the strip at the head: take a shorter bar or raise height"
+)
 _MEETING = 0.002  # from the middle of a window to the edges of two sashes that meet there [m]
 
 
@@ -59,9 +65,11 @@ def _sliding_pair(draft: Draft, long: Scalar, start: float, bar: Scalar, drag: S
     stile = start + face / 2.0 + 0.004  # in the middle of what the strip at the jamb leaves of it
     floor = _STRIP - draft.height / 2.0
     pull = bow_pull(length=bar, girth=0.0052, finish=draft.metal, name="handle_front")
-    pull = pull.rotate(Z, math.pi).at(stile, tracks.inner + section.slide / 2.0, 0.06)
+    level, lock = _level(bar, draft.height), floor + 0.048
+    level = require(level, level - bar / 2.0 - _ROOM > lock + LATCH_TOP, _PULL_MEETS)
+    pull = pull.rotate(Z, math.pi).at(stile, tracks.inner + section.slide / 2.0, level)
     latch = sliding_latch(
-        (stile, inside, floor + 0.048),
+        (stile, inside, lock),
         floor,
         1,
         name="lock_slide",
@@ -81,6 +89,11 @@ def _sliding_pair(draft: Draft, long: Scalar, start: float, bar: Scalar, drag: S
     fixed = fixed.at(long + _LET_IN - still / 2.0, tracks.outer, 0.0)
     moving = weld(sash, pull, latch.case).attach(latch.slider, latch.slide)
     return weld(latch.keep, fixed).attach(moving, slide)
+
+
+def _level(bar: Scalar, height: Scalar) -> Scalar:
+    """Return where the middle of a pull is: it ends below the strip at the head of an opening [m]."""
+    return min_(0.06, height / 2.0 - _STRIP - _ROOM - bar / 2.0)
 
 
 @dataclass(frozen=True)
@@ -193,7 +206,8 @@ def sliding_both(draft: Draft, *, bar: Scalar, drag: Scalar) -> Body:
     pair = _Passing(replace(draft, width=draft.height, height=draft.width, glazing=glazing))
     pull = bow_pull(length=bar, girth=0.0052, finish=draft.metal, name="handle_front")
     stile = pair.face / 2.0 + 0.004 - pair.tall / 2.0  # in the middle of what the strip at the jamb leaves
-    pull = pull.rotate(Z, math.pi).rotate(Y, -math.pi / 2.0).at(-0.06, pair.inside, stile)
+    level = _level(bar, draft.height)
+    pull = pull.rotate(Z, math.pi).rotate(Y, -math.pi / 2.0).at(-level, pair.inside, stile)
     body = tracked_frame(draft.height, draft.width, draft.section, draft.finish, head=_STRIP)
     sashes = (pair.inner(pull, "_0"), pair.outer("_1"))
     # the lock stays before the jamb
