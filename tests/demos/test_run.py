@@ -10,6 +10,7 @@ import pytest
 
 from artgen.dataset.workers import Ending
 from artgen.demos import make_demos, record
+from artgen.demos.kept import Kept, read
 from artgen.demos.run import in_order
 from artgen.errors import ExportError, ParameterError
 
@@ -74,6 +75,47 @@ def test_the_file_holds_what_each_seed_gives_whichever_process_made_it(tmp_path)
             again = record("OpenDrawer", seed)
             np.testing.assert_array_equal(data[name]["actions"][:], again.actions)
             np.testing.assert_array_equal(data[name]["states"][:], again.states)
+
+
+def test_an_interrupted_run_goes_on_and_writes_the_same(tmp_path):
+    whole = make_demos("OpenDrawer", 3, tmp_path / "whole", jobs=2).file
+
+    def stop(succeeded):
+        raise KeyboardInterrupt
+
+    folder = tmp_path / "stopped"
+    with pytest.raises(KeyboardInterrupt):
+        make_demos("OpenDrawer", 3, folder, jobs=2, progress=stop)
+    made = {path: path.stat().st_mtime_ns for path in (folder / ".attempts").glob("*.npz")}
+    assert made
+    assert not (folder / "demo.hdf5").exists()
+    (folder / ".attempts" / ".1.99").write_bytes(b"as if it had been writing")
+    kept = []
+
+    def look(succeeded):
+        kept.append({path: path.stat().st_mtime_ns for path in made if path.exists()})
+
+    again = make_demos("OpenDrawer", 3, folder, jobs=2, progress=look).file
+    assert kept[0] == made
+    assert again.read_bytes() == whole.read_bytes()
+    assert [path.name for path in folder.iterdir() if path.name != ".lock"] == ["demo.hdf5"]
+
+
+def test_what_another_plan_has_made_is_not_taken(tmp_path):
+    ending = Ending(3, "done", record("OpenDrawer", 3))
+    failed = [Ending(4, "failed", message="no such thing"), Ending(5, "crashed", message="code -9")]
+    first = Kept(tmp_path / "kept", {"noise": 0.0})
+    assert list(first.saved([ending, *failed])) == [ending, *failed]
+    there = Kept(tmp_path / "kept", {"noise": 0.0}).of(range(10))
+    assert list(there) == [3, 4]  # one that crashed is to be tried again
+    assert read(4, there[4]) == failed[0]
+    demo = read(3, there[3]).value
+    assert (demo.seed, demo.asset, demo.success) == (3, "drawer_3", True)
+    for key in ("actions", "applied", "rewards", "dones", "states"):
+        np.testing.assert_array_equal(getattr(demo, key), getattr(ending.value, key))
+    np.testing.assert_array_equal(demo.observations["state"], ending.value.observations["state"])
+    assert not Kept(tmp_path / "kept", {"noise": 0.1}).of(range(10))
+    assert not (tmp_path / "kept").exists()
 
 
 @pytest.mark.parametrize(

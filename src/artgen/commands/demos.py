@@ -6,6 +6,7 @@ from typing import Annotated
 import typer
 
 from artgen.commands.progress import rate_bar
+from artgen.dataset.target import GO_ON
 
 _INTERRUPTED = 130  # exit code
 _SHOWN = 20  # failed seeds that are spelt out
@@ -38,7 +39,10 @@ def demos(
         int | None, typer.Option(min=1, help="How many processes work; all cores by default.")
     ] = None,
 ) -> None:
-    """Write successful demonstrations of a task in robomimic's HDF5 layout; needs artgen[demos]."""
+    """Write successful demonstrations of a task in robomimic's HDF5 layout; needs artgen[demos].
+
+    Run again, it goes on where it was interrupted.
+    """
     from artgen.demos import make_demos
 
     try:
@@ -52,7 +56,7 @@ def demos(
 
             done = make_demos(task, count, out, seed=seed, image=image, noise=noise, jobs=jobs, progress=step)
     except KeyboardInterrupt:
-        typer.echo("interrupted; nothing was written", err=True)
+        typer.echo(f"interrupted; {GO_ON}", err=True)
         raise typer.Exit(_INTERRUPTED) from None
     for failed, reason in list(done.failed.items())[:_SHOWN]:
         typer.echo(f"seed {failed}: {reason}", err=True)

@@ -8,15 +8,19 @@ from pathlib import Path
 from typing import Any
 
 from artgen.dataset.engine import cores
+from artgen.dataset.lock import locked
 from artgen.dataset.workers import Ending, run_tasks
 from artgen.demos import layout
 from artgen.demos.episode import Demo, check_task, record
+from artgen.demos.kept import Kept, read
 from artgen.errors import CheckError, ExportError, ParameterError
 from artgen.export.files import replaced
+from artgen.version import __version__
 
 DEMO_FILE = "demo.hdf5"
 """The file with all demonstrations."""
 
+_KEPT = ".attempts"  # folder of what an unfinished run has made
 _LIMIT = 900.0  # that one demonstration may take [s]
 _SPARE = 10  # more attempts than twice as many as demonstrations
 
@@ -58,7 +62,8 @@ def make_demos(
     Args:
         task: Its name, such as `OpenDrawer`.
         count: How many demonstrations to write.
-        out: Folder for `demo.hdf5`, which is complete or absent; one of an earlier run is replaced.
+        out: Folder for `demo.hdf5`, which is complete or absent; one of an earlier run is replaced. A run
+            that was interrupted goes on from what it has made, which is in `.attempts` there till the end.
         seed: Of the first asset; those after it follow.
         image: Pixels on a side of the pictures among the observations; 0 for none.
         noise: Spread of what is added at random to the motion of the arm, so that demonstrations show how to
@@ -83,11 +88,10 @@ def make_demos(
     start, steps = time.monotonic(), 0
     failed: dict[int, str] = {}
     attempts = range(seed, seed + 2 * count + _SPARE)
-    with replaced(file) as partial_file, layout.writer(partial_file) as writer:
-        made = run_tasks(
-            partial(record, task, image=image, noise=noise), attempts, jobs=jobs or cores(), limit=_LIMIT
-        )
-        for ending in in_order(made, attempts):
+    plan = {"task": task, "image": image, "noise": noise, "version": __version__}
+    with locked(_folder(file.parent)), replaced(file) as partial_file, layout.writer(partial_file) as writer:
+        kept = Kept(file.parent / _KEPT, plan)
+        for ending in _endings(partial(record, task, image=image, noise=noise), attempts, kept, jobs):
             demo: Demo | None = ending.value
             if demo is not None and demo.success:
                 writer.add(demo)
@@ -99,12 +103,31 @@ def make_demos(
                 break
         if len(writer.names) < count:
             last = failed[max(failed)]
+            kept.remove()
             raise CheckError(
                 f"the scripted policy of {task} succeeded in {len(writer.names)} of {len(attempts)} "
                 f"attempts, too few for {count} demonstrations; nothing was written. The last failure: {last}"
             )
         writer.finish(f"artgen/{task}-v0", {"obs": "state"})
+    kept.remove()
     return Summary(file, count, steps, failed, time.monotonic() - start)
+
+
+def _folder(path: Path) -> Path:
+    try:
+        path.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise ExportError(f"cannot write to {path}: {error.strerror}; choose another directory") from error
+    return path
+
+
+def _endings(task: Callable[[int], Demo], seeds: range, kept: Kept, jobs: int | None) -> Iterator[Ending]:
+    """Yield how each attempt ended, in the order of the seeds: read, where an interrupted run has made it."""
+    there = kept.of(seeds)
+    todo = [seed for seed in seeds if seed not in there]
+    made = in_order(kept.saved(run_tasks(task, todo, jobs=jobs or cores(), limit=_LIMIT)), todo)
+    for seed in seeds:
+        yield read(seed, there[seed]) if seed in there else next(made)
 
 
 def in_order(endings: Iterable[Ending], items: Iterable[Any]) -> Iterator[Ending]:
