@@ -276,6 +276,20 @@ def test_what_is_bent_in_below_a_fresh_lid_does_not_spring_back() -> None:
         assert asset.joint(name).stiffness == 0.0
 
 
+@pytest.mark.parametrize("style", ["mailer", "pizza"])
+def test_a_fresh_lid_comes_to_rest_without_a_swing(style: str) -> None:
+    asset = made(6, style=style, crease="fresh", ears=False, stiffness=1.2, damping=0.03)
+    hinge = asset.joint("lid_hinge")
+    inertia = 0.0  # of the lid and its flaps about the hinge
+    for link in asset.links[1:]:
+        body = link.mass_properties
+        arm = np.cross(hinge.axis, body.center - hinge.pivot)
+        inertia += body.mass * float(arm @ arm) + float(hinge.axis @ body.inertia @ hinge.axis)
+    ratio = hinge.damping / (2.0 * math.sqrt(hinge.stiffness * inertia))
+    assert 0.8 < ratio < 1.5, "a lid that swings slams shut"
+    assert hinge.limits[1] > hinge.rest > 0.0
+
+
 def test_bottles_do_not_stand_too_deep_to_be_lifted_out() -> None:
     chosen = {"style": "wine", "bottles": 6, "wine": "red", "flute": "b"}
     assert box.generate(4, **chosen, height=0.40, on_collision="fail", cache=Cache())

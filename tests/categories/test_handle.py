@@ -10,6 +10,7 @@ from manifold3d import Manifold, OpType
 
 from artgen import Asset, Cache, ParameterError
 from artgen.categories.handle import handle
+from artgen.check.colliders import check_colliders
 
 
 def poses(asset: Asset, generator: np.random.Generator) -> list[dict[str, float]]:
@@ -66,6 +67,14 @@ def test_a_grip_set_has_a_thumb_piece_that_moves_with_the_handle_inside(inside: 
     # the grip is outside, at the front; lever or knob is inside, at the back
     assert asset.link("base").bounds()[0, 1] < -0.05
     assert asset.link("handle").bounds()[1, 1] > 0.05
+
+
+@pytest.mark.parametrize("lock", ["turn", "push"])
+def test_the_rim_of_a_small_flat_knob_is_rounded_less(lock: str) -> None:
+    knob = {"handle.style": "flat", "handle.radius": 0.02, "handle.projection": 0.06}
+    chosen = {"kind": "knob", "lock": lock, "rose_depth": 0.007, "thickness": 0.032}
+    asset = handle.generate(3, certify=False, **chosen, **knob)
+    assert not check_colliders(asset).faults, "its colliders stand off more of it than of a larger knob"
 
 
 @settings(max_examples=12, deadline=None)

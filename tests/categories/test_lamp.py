@@ -182,6 +182,31 @@ def test_a_chain_is_not_pulled_into_what_stands_under_it() -> None:
     assert 0.0 < asset.clearance({"switch_pull": 0.07})["base", "pull_chain"] < 0.005
 
 
+def test_a_switch_in_the_base_is_not_under_what_stands_on_it() -> None:
+    chosen = {"switch": "button", "switch_on": "base", "base_shape": "round"}
+    for style, more in (("mushroom", {}), ("table", {"body": "column", "body_radius": 0.06})):
+        with pytest.raises(InfeasibleError, match=r"cover the switch in it: take a larger base_radius"):
+            lamp.generate(2, style=style, base_radius=0.1, attempts=1, **chosen, **more)
+        asset = drawn(style, 2, base_radius=0.13, **chosen, **more)
+        assert asset.clearance({"switch_slide": 0.003})["base", "button"] > 0.0002
+
+
+def test_a_globe_does_not_reach_into_the_base_nor_a_shade_into_the_floor() -> None:
+    globe = {"style": "mushroom", "shade": "globe", "shade_radius": 0.17, "base_height": 0.018}
+    table = {"style": "table", "body": "column", "shade": "cone", "shade_radius": 0.26, "shade_height": 2.0}
+    for chosen, low, high in ((globe, 0.36, 0.40), (table, 0.42, 0.46)):
+        with pytest.raises(InfeasibleError, match=r"no room is left for the body .*: take a larger height"):
+            lamp.generate(2, height=low, attempts=1, **chosen)
+        assert drawn(seed=2, height=high, **chosen)
+
+
+def test_a_reading_lamp_does_not_strike_its_base_with_its_clamp_down() -> None:
+    chosen = {"style": "reading", "travel": 0.3, "arm_length": 0.4}
+    assert lamp.generate(2, height=0.9, on_collision="fail", cache=Cache(), **chosen)
+    with pytest.raises(InfeasibleError, match=r"strike the base where its clamp is lowest: take a larger"):
+        lamp.generate(2, height=0.6, attempts=1, **chosen)
+
+
 def test_a_globe_has_no_spider_and_a_dome_has_its_own_knob() -> None:
     globe = drawn("mushroom", 1, shade="globe")
     assert [link.name for link in globe.links if link.label == "shade"] == []

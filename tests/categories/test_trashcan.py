@@ -120,3 +120,24 @@ def test_lids_in_hoods_turn_both_ways(style: str, reach: float) -> None:
 def test_a_plan_that_a_lid_cannot_have_is_refused() -> None:
     with pytest.raises(InfeasibleError, match="a ball bin is no square one; choose plan= of round"):
         trashcan.generate(0, style="ball", plan="square", certify=False)
+
+
+@pytest.mark.parametrize("width", [0.15, 0.2, 0.3])
+def test_the_bar_of_a_ball_stands_on_it_however_round_that_is(width: float) -> None:
+    asset = trashcan.generate(4, style="ball", width=width, certify=False, cache=Cache())
+    assert len(solid(asset, "lid").decompose()) == 1, "the posts of its bar float above the ball"
+
+
+@pytest.mark.parametrize("style", ["disc", "touch"])
+def test_the_corners_of_a_narrow_bin_and_its_bucket_are_as_round_as_it_allows(style: str) -> None:
+    chosen = {"style": style, "plan": "square", "width": 0.15, "corner": 0.06}
+    assert trashcan.generate(4, aspect=0.9, on_collision="fail", cache=Cache(), **chosen)
+
+
+def test_a_half_round_bin_with_a_bucket_is_refused_where_its_sides_leave_none() -> None:
+    chosen = {"style": "touch", "plan": "half_round", "size": "small", "carry": "loop"}
+    assert trashcan.generate(4, width=0.25, certify=False, cache=Cache(), **chosen)
+    with pytest.raises(
+        InfeasibleError, match=r"no room .* in a half-round bin: take a larger width or aspect"
+    ):
+        trashcan.generate(4, width=0.15, attempts=1, certify=False, **chosen)

@@ -69,6 +69,15 @@ from artgen.categories.parts.switches import switch as switch_of
 Style = Literal["desk", "architect", "led_bar", "reading", "floor", "tripod", "arc", "table", "mushroom"]
 
 _POINTED = ("desk", "architect", "led_bar", "reading", "arc")  # those with a metal head on an arm
+_STALK = 0.060  # radius of the foot of a mushroom lamp [m]
+_COVERS = (
+    "what stands on the base would cover the switch in it: take a larger base_radius, a smaller body_radius "
+    "or switch_on=cord"
+)
+_TOO_LOW = (
+    "the arm would strike the base where its clamp is lowest: take a larger height, or a smaller travel or "
+    "arm_length"
+)
 _STEM = 0.14  # between the hub of a tripod and its socket, where a chain hangs [m]
 
 
@@ -356,13 +365,21 @@ def lamp(
         if carried is not None:
             top = steady_height(base_shape, base_radius, stone.density, least=base_height, of=carried)
         set_in = switched if switch_on == "base" else None
-        base = weighted_base(base_shape, base_radius, top, stone, set_in=set_in, front=0.62 * edge)
+        front = 0.62 * edge
+        base = weighted_base(base_shape, base_radius, top, stone, set_in=set_in, front=front)
+        if set_in is not None and style in ("table", "mushroom"):
+            base = base.require(
+                front - set_in.half > (body_radius if style == "table" else _STALK) + 0.001, _COVERS
+            )
         cord = Cord(dark, start=edge, end=edge + 0.11, height=0.5 * top + 0.001)
     base = weld(base, cord.with_case(switched) if switched and switch_on == "cord" else cord.alone())
 
     if carried is not None and style == "reading":
-        base = weld(base, pole(POLE, top - 0.001, height - 0.03, metal, capped=True))
-        return base.attach(carried.body.at(0.0, 0.0, height - 0.11 - travel), *carried.joints)
+        clamp = height - 0.11 - travel  # where it is lowest
+        base = weld(base, pole(POLE, top - 0.001, height - 0.03, metal, capped=True)).require(
+            clamp > top + carried.hangs + 0.01, _TOO_LOW
+        )
+        return base.attach(carried.body.at(0.0, 0.0, clamp), *carried.joints)
     if carried is not None:
         return base.attach(carried.body.at(0.0, 0.0, top), *carried.joints)
 
@@ -377,8 +394,8 @@ def lamp(
         sheet = weighted(metal, 900.0)
         # under a dome it hides the socket
         ends = foot + 0.002 if shade == "globe" else mouth - 0.006
-        stand = turned_body("stem", radius=0.060, low=top - 0.001, high=ends, finish=sheet)
-        under = wide_up_to("stem", BESIDE, radius=0.060, low=top, high=ends)
+        stand = turned_body("stem", radius=_STALK, low=top - 0.001, high=ends, finish=sheet)
+        under = wide_up_to("stem", BESIDE, radius=_STALK, low=top, high=ends)
     else:
         stand = pole(0.0115, top - 0.001, foot + 0.003, metal)
     if shade == "globe":

@@ -26,6 +26,7 @@ from artgen import (
     count,
     details,
     material,
+    min_,
     require,
     shades,
     uniform,
@@ -263,7 +264,7 @@ def trashcan(
         across,
         depth,
         height - crown.get(style, GAP + THICK),
-        corner=corner,
+        corner=min_(corner, 0.4 * min_(across, depth)),
         sheet=WALL,
         taper=taper if style in _TAPERED else 0.0,
     )

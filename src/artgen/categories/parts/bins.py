@@ -25,9 +25,11 @@ from artgen import (
     detail,
     extrude,
     max_,
+    min_,
     part,
     polygon,
     rectangle,
+    require,
     sqrt,
     vector,
 )
@@ -38,6 +40,7 @@ Plan = Literal["round", "square", "rectangle", "half_round"]
 _BACK_CORNER = 0.022  # radius of the two corners of a half-round bin [m]
 _OVERLAP = 0.001  # of the two halves of a half-round bin [m]
 _LEAST_CORNER = 0.003  # [m]
+_NO_SIDES = "no room is left for what stands in a half-round bin: take a larger width or aspect"
 
 SIDES = 16
 """Facets of what collides of a round wall: off a circle of 160 mm by 3 mm; simulators pay for each."""
@@ -197,11 +200,15 @@ class Can:
         narrower = 1.0 - self.scale_at(foot) / share if not _is_zero(self.taper) else 0.0
         round_ = self.plan == "round"
         deep = self.depth * share - less - 2.0 * behind
+        wide = deep if round_ else self.width * share - less - 2.0 * beside
+        if self.plan == "half_round":  # its sides are straight from the round front to the back corners
+            deep = require(deep, deep - wide / 2.0 > _BACK_CORNER + 0.001, _NO_SIDES)
+        corner = min_(self.corner * share - less / 2.0, 0.45 * min_(wide, deep))
         return replace(
             self,
-            width=deep if round_ else self.width * share - less - 2.0 * beside,
+            width=wide,
             depth=deep,
-            corner=max_(self.corner * share - less / 2.0, _LEAST_CORNER),
+            corner=max_(corner, _LEAST_CORNER),
             foot=foot,
             top=top,
             sheet=sheet,

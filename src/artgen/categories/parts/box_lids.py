@@ -5,7 +5,7 @@ in a little, and so does the inner layer of the rolled front wall, which holds i
 """
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 from artgen import (
@@ -191,9 +191,12 @@ class Lidded:
             bottles: What is lifted out where lid and flaps are open.
         """
         weight = 9.81 * 1.2 * self.board.outside.density * self.board.thick * 2.0 * self.half * self.reach
+        # a fresh crease is no free spring: it takes the swing out of a lid, which otherwise slams shut
+        mass, length = weight / 9.81, 2.0 * self.half
+        calm = 2.0 * sqrt(feel.stiffness * length * 0.45 * mass * self.reach**2) / length
         turn = self.hinge.joint(
             self.mouth.hinge("lid"),
-            feel=feel,
+            feel=replace(feel, damping=max_(feel.damping, calm)),
             length=2.0 * self.half,
             reach=self.reach,
             opening=self.opening,

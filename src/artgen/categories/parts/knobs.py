@@ -100,7 +100,8 @@ def _one_knob(style: str, start: Scalar, end: Scalar, radius: Scalar, deep: Scal
     elif style == "egg":
         solids.append(ellipsoid(1.15 * radius, deep, 0.85 * radius).at(0.0, end - deep, 0.0))
     elif style == "flat":
-        solids.append(cylinder(radius, 0.022, axis=Y, bevel=0.0028).at(0.0, end - 0.011, 0.0))
+        rim = min_(0.0028, 0.12 * radius)
+        solids.append(cylinder(radius, 0.022, axis=Y, bevel=rim).at(0.0, end - 0.011, 0.0))
     else:
         cup = frustum(0.5 * radius, radius, 0.026, axis=Y, bevel=0.003)
         solids.append(cup.at(0.0, end - 0.016, 0.0))

@@ -28,6 +28,7 @@ from artgen import (
     part,
     polyline,
     regular_polygon,
+    require,
     revolve,
     sphere,
     spline,
@@ -60,6 +61,10 @@ _AREA = {
 }  # over the radius squared
 _EDGE = {"round": 1.0, "square": 0.89, "hexagonal": math.cos(math.pi / 6.0)}  # nearest edge, over the radius
 _BELOW = 0.0020  # how far the core of a turned body lies below its skin [m]
+_SQUAT = (
+    "no room is left for the body of the lamp between its base and its shade or socket: take a larger "
+    "height, or a smaller shade_radius or shade_height"
+)
 _CORE_SIDES = 32  # of that core: its frustums have 64 corners, as many as a collider may have
 _STEADY = 1.35  # by how much the base outweighs what would tip it
 
@@ -273,6 +278,8 @@ def turned_body(form: BodyForm, *, radius: Scalar, low: Scalar, high: Scalar, fi
         high: Height of its neck [m].
         finish: Its material, of the density that it has with its hollow.
     """
+    least = 0.020 if form == "stem" else 0.068  # the core of a lower one crosses itself
+    high = require(high, high - low >= least, _SQUAT)
     points = [(r * radius, 0.0, low + share * (high - low)) for r, share in _between(_BODIES[form])]
     core = revolve(half_section(polyline(points), inset=_BELOW), sides=_CORE_SIDES)
     skin = revolve(half_section(spline(points), wall=0.0005))

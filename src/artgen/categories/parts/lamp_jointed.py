@@ -69,11 +69,13 @@ class Carried:
         body: The link that moves on the base, with all that it carries; it begins at z = 0.
         moment: Mass times the farthest reach of its parts [kg m].
         joints: How it moves on the base.
+        hangs: How far below z = 0 an arm of a reading lamp reaches with its shade [m].
     """
 
     body: Body
     moment: Float
     joints: tuple[Joint, ...]
+    hangs: Scalar = 0.0
 
 
 @dataclass(frozen=True)
@@ -347,4 +349,4 @@ def reading_arm(
     body = body.require(lean - low > 0.15, "the arm has no way up")
     moment = own * (out + length / 2.0) + mass(hung) * (out + length + heavy)
     joints = collar_joints(body, travel=travel, friction=looks.swivel_friction)
-    return Carried(body, 1.0 * moment, joints)
+    return Carried(body, 1.0 * moment, joints, reach - length * math.cos(high))

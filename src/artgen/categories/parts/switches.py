@@ -52,10 +52,12 @@ class Switch:
     Attributes:
         body: What is seen around it, with the link that moves; to be welded to what has the face.
         hole: What has to be cut out of the face; None where nothing has to.
+        half: How far it reaches from its middle to the front and to the back [m].
     """
 
     body: Body
     hole: Solid | None
+    half: float
 
 
 def switch(kind: SwitchKind, *, finish: Material, ink: Material, dial_style: DialStyle = "fluted") -> Switch:
@@ -78,12 +80,14 @@ def switch(kind: SwitchKind, *, finish: Material, ink: Material, dial_style: Dia
 
 def _button(finish: Material, ink: Material) -> Switch:
     cap = push_button(finish=finish, width=_BUTTON, proud=0.0042, deep=0.006, icon="power", ink=ink)
-    sheet = circle(_BUTTON / 2 + 0.0045) - circle(_BUTTON / 2 + 0.0004)
+    half = _BUTTON / 2 + 0.0045
+    sheet = circle(half) - circle(_BUTTON / 2 + 0.0004)
     ring = extrude(sheet, 0.0014, axis=Y, bevel=0.0004).at(0.0, -0.0002, 0.0)
     press = button_press("switch_slide", travel=0.003, preload=1.0, force=4.0)  # keys of lamps close at 4 N
     return Switch(
         detail(ring, "switch", finish).attach(cap, press).rotate(X, _UP),
         button_hole(_BUTTON, through=0.0105).rotate(X, _UP),
+        half,
     )
 
 
@@ -121,7 +125,7 @@ def _rocker(finish: Material, ink: Material) -> Switch:
     sheet = rectangle(wide + 0.007, long + 0.007, radius=0.002) - rectangle(*opening)
     bezel = extrude(sheet, 0.0016, bevel=0.0004).at(0.0, 0.0, 0.0002)
     hole = box(*opening, 0.020).at(0.0, 0.0, 0.0015)
-    return Switch(detail(bezel, "switch", finish).attach(rocker, tilt), hole)
+    return Switch(detail(bezel, "switch", finish).attach(rocker, tilt), hole, (long + 0.007) / 2.0)
 
 
 def _dial(finish: Material, ink: Material, style: DialStyle) -> Switch:
@@ -134,5 +138,6 @@ def _dial(finish: Material, ink: Material, style: DialStyle) -> Switch:
         armature=0.00002,
         effort=0.5,
     )
-    plate = cylinder(0.0165, 0.0010, axis=Y).at(0.0, 0.0003, 0.0)
-    return Switch(detail(plate, "switch", finish).attach(knob, turn).rotate(X, _UP), None)
+    half = 0.0165
+    plate = cylinder(half, 0.0010, axis=Y).at(0.0, 0.0003, 0.0)
+    return Switch(detail(plate, "switch", finish).attach(knob, turn).rotate(X, _UP), None, half)

@@ -34,6 +34,7 @@ from artgen import (
     push_on,
     rectangle,
     sin,
+    sqrt,
     weld,
 )
 from artgen.categories.parts.bins import Can
@@ -241,8 +242,12 @@ class Hood:
         radius = self._opening[0] / 2.0 - _BALL_EDGE
         half = dome(radius).at(0.0, 0.0, self.axis)
         bar = box(0.090, 0.011, 0.009, bevel=0.003).at(0.0, 0.0, self.axis + radius + 0.026)
+        falls = radius - sqrt(radius * radius - 0.040**2)  # the ball, from its top to under a post
+        longer = max_(falls - 0.0065, 0.0)
         posts = [
-            box(0.009, 0.011, 0.036, bevel=0.002).at(side * 0.040, 0.0, self.axis + radius + 0.010)
+            box(0.009, 0.011, 0.036 + longer, bevel=0.002).at(
+                side * 0.040, 0.0, self.axis + radius + 0.010 - longer / 2.0
+            )
             for side in (-1, 1)
         ]
         hold = grasp_on(bar, approach=-Z, closing=(0.0, 1.0, 0.0))
