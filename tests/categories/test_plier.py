@@ -6,6 +6,7 @@ from manifold3d import Manifold
 
 from artgen import generate
 from artgen.asset import Asset
+from artgen.errors import ArtgenError
 
 STYLES = ("combination", "needle_nose", "cutter", "slip_joint")
 
@@ -43,10 +44,13 @@ def test_each_half_has_half_of_the_thickness_in_the_lap() -> None:
 
 
 def test_a_leaf_spring_opens_jaws_and_is_pressed_by_a_hand() -> None:
-    hinge = pliers("cutter", sprung=True, preload=0.25, squeeze=0.6).joint("jaw_hinge")
-    torque = [hinge.stiffness * (hinge.rest - at) for at in hinge.limits]
-    assert torque == pytest.approx([0.6, 0.25])
-    assert torque[1] > 2.0 * hinge.friction  # it opens all the way
+    for length in (0.135, 0.175):
+        asset = pliers("cutter", sprung=True, preload=0.25, squeeze=0.6, length=length)
+        hinge = asset.joint("jaw_hinge")
+        torque = [hinge.stiffness * (hinge.rest - at) for at in hinge.limits]
+        handles = np.abs(asset.bounds()[:, 1] - hinge.pivot[1]).max()
+        assert np.array(torque) / handles == pytest.approx([0.6 / 0.15, 0.25 / 0.15], rel=0.05)
+        assert torque[1] > 2.0 * hinge.friction  # it opens all the way
 
 
 def test_pliers_without_a_spring_stay() -> None:
@@ -88,3 +92,16 @@ def test_teeth_are_counted(count: int) -> None:
         )
     )
     assert len(crests) in (count, count + 1)
+
+
+@pytest.mark.parametrize(("spread", "fits"), [(0.118, False), (0.130, True)])
+def test_thick_handles_of_slip_joint_pliers_pass_each_other_in_the_wide_place(
+    spread: float, *, fits: bool
+) -> None:
+    given = {"length": 0.165, "grips": "two_component", "handle_width": 0.0104, "spread": spread}
+    if fits:
+        certificate = pliers("slip_joint", **given).certify()
+        assert certificate.proven
+        return
+    with pytest.raises(ArtgenError, match="thick handles touch each other below the joint: lower"):
+        pliers("slip_joint", **given)

@@ -98,8 +98,8 @@ def plier(
     friction: Float = uniform(
         0.06, 0.16, "N m", doc="of the joint: it opens by its weight when new and oiled"
     ),
-    preload: Float = uniform(0.22, 0.32, "N m", doc="of a spring, jaws open"),
-    squeeze: Float = uniform(0.45, 0.75, "N m", doc="of a spring, jaws closed"),
+    preload: Float = uniform(0.22, 0.32, "N m", doc="of a spring, jaws open, handles 0.15 m long"),
+    squeeze: Float = uniform(0.45, 0.75, "N m", doc="of a spring, jaws closed, handles 0.15 m long"),
     maker: str = choice(*details.BRANDS),
 ) -> Body:
     """Make combination, needle-nose, slip-joint or cutting pliers, closed."""
@@ -117,15 +117,16 @@ def plier(
     make = Make(
         forging, teeth, steel, grips, sleeve, inlay, handle_width, thick, sprung, key if slip else None
     )
-    stiffness = (squeeze - preload) / opening
+    lever = forging.rear / 0.15  # a spring is made for the force at the hand
+    stiffness = lever * (squeeze - preload) / opening
     hinge = Revolute(
         "jaw_hinge",
         axis=Z,
         limits=(0.0, opening),
         stiffness=stiffness if sprung else 0.0,
-        rest=squeeze / stiffness if sprung else 0.0,
+        rest=lever * squeeze / stiffness if sprung else 0.0,
         friction=0.25 * friction if sprung else friction,
-        damping=0.004,
+        damping=0.010 if sprung else 0.004,  # the leaves of a spring rub
         armature=0.00002,
         effort=20.0,
     )
@@ -139,8 +140,9 @@ def plier(
         needs=(hinge > PASSES).until(0.985 * key.way),
     )
     body = make.lower().attach(make.upper(), *((slide, hinge) if slip else (hinge,)))
+    nearer = key.way / 2.0 if slip else 0.0  # with the pivot in its second hole
     body = body.require(
-        off_middle(forging, grips, handle_width) > 0.0002,
+        off_middle(forging, grips, handle_width) > nearer + 0.0002,
         "thick handles touch each other below the joint: lower handle_width, or raise length or spread",
     )
     return body.at(-make.middle(), (forging.rear - forging.jaw) / 2.0, make.rests())
