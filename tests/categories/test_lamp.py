@@ -194,10 +194,12 @@ def test_a_switch_in_the_base_is_not_under_what_stands_on_it() -> None:
 def test_a_globe_does_not_reach_into_the_base_nor_a_shade_into_the_floor() -> None:
     globe = {"style": "mushroom", "shade": "globe", "shade_radius": 0.17, "base_height": 0.018}
     table = {"style": "table", "body": "column", "shade": "cone", "shade_radius": 0.26, "shade_height": 2.0}
-    for chosen, low, high in ((globe, 0.36, 0.40), (table, 0.42, 0.46)):
+    for chosen, low, high in ((globe, 0.36, 0.40), (table, 0.42, 0.62)):
         with pytest.raises(InfeasibleError, match=r"no room is left for the body .*: take a larger height"):
             lamp.generate(2, height=low, attempts=1, **chosen)
         assert drawn(seed=2, height=high, **chosen)
+    with pytest.raises(InfeasibleError, match=r"the shade hangs down to the floor, .*: take a larger height"):
+        lamp.generate(2, height=0.46, attempts=1, switch="rocker", switch_on="cord", **table)
 
 
 def test_a_reading_lamp_does_not_strike_its_base_with_its_clamp_down() -> None:
@@ -205,6 +207,34 @@ def test_a_reading_lamp_does_not_strike_its_base_with_its_clamp_down() -> None:
     assert lamp.generate(2, height=0.9, on_collision="fail", cache=Cache(), **chosen)
     with pytest.raises(InfeasibleError, match=r"strike the base where its clamp is lowest: take a larger"):
         lamp.generate(2, height=0.6, attempts=1, **chosen)
+
+
+def test_a_wide_shade_on_a_short_arc_swings_to_its_bow_only_as_far_as_it_may() -> None:
+    chosen = {"style": "arc", "shade": "dome", "base_radius": 0.18, "shade_height": 2.2, "reach": 0.3}
+    asset = lamp.generate(2, shade_radius=0.18, on_collision="fail", cache=Cache(), **chosen)
+    low, high = asset.joint("shade_hinge").limits
+    assert low == -0.6, "away from its bow it swings freely"
+    assert 0.1 < high < 0.4
+    assert asset.clearance({"shade_hinge": high})["arm_lower", "shade"] < 0.02, "it could swing farther"
+    with pytest.raises(InfeasibleError, match=r"the shade meets the bow: take a larger reach, or a smaller"):
+        lamp.generate(2, shade_radius=0.26, attempts=1, **chosen)
+
+
+def test_an_arc_lamp_does_not_stand_on_a_base_like_a_tower() -> None:
+    chosen = {"style": "arc", "shade_radius": 0.12}
+    assert drawn(seed=2, base_radius=0.12, reach=0.62, **chosen)
+    with pytest.raises(InfeasibleError, match=r"unless its base were higher than wide: take a larger base_r"):
+        lamp.generate(2, base_radius=0.08, reach=0.62, attempts=1, **chosen)
+
+
+def test_a_shade_does_not_hang_down_to_the_switch_on_the_cord() -> None:
+    chosen = {"style": "floor", "shade": "curved", "switch": "button", "switch_on": "cord"}
+    wide = {"shade_radius": 0.26, "shade_height": 1.25}
+    assert lamp.generate(2, height=0.38, on_collision="fail", cache=Cache(), **chosen, **wide)
+    with pytest.raises(
+        InfeasibleError, match=r"hangs down to the floor, the base or the switch on the cord: take"
+    ):
+        lamp.generate(2, height=0.34, attempts=1, **chosen, **wide)
 
 
 def test_a_globe_has_no_spider_and_a_dome_has_its_own_knob() -> None:

@@ -10,6 +10,8 @@ from manifold3d import Manifold, OpType
 from artgen import Asset, Cache, InfeasibleError
 from artgen.categories.trashcan import trashcan
 from artgen.check.hand_force import hand_forces
+from artgen.check.solids import check_solids
+from artgen.check.tree import check_tree
 
 STYLES = {
     "pedal": {"pedal_hinge", "rod_slide", "lid_hinge", "bucket_slide"},
@@ -141,3 +143,42 @@ def test_a_half_round_bin_with_a_bucket_is_refused_where_its_sides_leave_none() 
         InfeasibleError, match=r"no room .* in a half-round bin: take a larger width or aspect"
     ):
         trashcan.generate(4, width=0.15, attempts=1, certify=False, **chosen)
+
+
+@pytest.mark.parametrize("style", ["ball", "disc", "open"])
+def test_a_round_collar_is_refused_where_it_would_collide_as_too_many_pieces(style: str) -> None:
+    chosen = {"style": style, "plan": "round", "carry": "none", "skin": "coated", "certify": False}
+    assert trashcan.generate(4, width=0.42, cache=Cache(), **chosen)
+    with pytest.raises(InfeasibleError, match=r"would collide as too many pieces: take a smaller width"):
+        trashcan.generate(4, width=0.45, attempts=1, **chosen)
+
+
+@pytest.mark.parametrize(
+    ("plan", "corner"), [("square", 0.008), ("square", 0.06), ("rectangle", 0.03), ("half_round", 0.03)]
+)
+def test_the_cushion_of_a_wide_lid_leans_no_farther_than_its_edges_can_round(
+    plan: str, corner: float
+) -> None:
+    chosen = {"style": "lift", "lid_style": "domed", "carry": "none", "certify": False, "corner": corner}
+    wide = trashcan.generate(4, plan=plan, width=0.45, aspect=1.3, cache=Cache(), **chosen)
+    assert check_solids(wide).faults == ()
+
+
+def test_the_bail_of_a_deep_half_round_bin_hangs_in_eyes_at_its_wall() -> None:
+    chosen = {"style": "pedal", "plan": "half_round", "carry": "bail", "certify": False}
+    for aspect in (0.9, 1.0, 1.3, 1.6):
+        asset = trashcan.generate(4, aspect=aspect, cache=Cache(), **chosen)
+        assert check_tree(asset).faults == (), f"an eye floats at aspect {aspect}"
+
+
+@pytest.mark.parametrize("aspect", [0.9, 1.36])
+def test_the_grips_of_a_narrow_butterfly_bin_stay_inside_its_frame_and_bucket(aspect: float) -> None:
+    chosen = {"style": "butterfly", "plan": "rectangle", "width": 0.15, "aspect": aspect}
+    for stepped_on in (False, True):
+        assert trashcan.generate(4, stepped_on=stepped_on, on_collision="fail", cache=Cache(), **chosen)
+
+
+@pytest.mark.parametrize("plan", ["square", "rectangle"])
+def test_a_swing_lid_turns_in_the_opening_of_a_narrow_bin_with_round_corners(plan: str) -> None:
+    chosen = {"style": "swing", "plan": plan, "width": 0.19, "corner": 0.06}
+    assert trashcan.generate(4, on_collision="fail", cache=Cache(), **chosen)

@@ -24,6 +24,7 @@ from artgen import (
     by,
     category,
     choice,
+    max_,
     shades,
     uniform,
     weld,
@@ -44,7 +45,7 @@ from artgen.categories.parts.lamp_bases import (
     weighted_base,
     wide_up_to,
 )
-from artgen.categories.parts.lamp_cord import Cord
+from artgen.categories.parts.lamp_cord import CASE, Cord
 from artgen.categories.parts.lamp_finish import (
     BODIES,
     BODY_WEIGHTS,
@@ -78,6 +79,7 @@ _TOO_LOW = (
     "the arm would strike the base where its clamp is lowest: take a larger height, or a smaller travel or "
     "arm_length"
 )
+_ON_CASE = 0.020  # of a dial above its case on the cord, and 3 mm [m]
 _STEM = 0.14  # between the hub of a tripod and its socket, where a chain hangs [m]
 
 
@@ -411,5 +413,14 @@ def lamp(
         wire=metal,
     )
     chain = Chain(chain_travel, chain_force, metal, under) if switch == "pull_chain" else None
-    stand = weld(base, stand)
-    return shaded(stand, cover, mouth=mouth, height=deep, metal=metal, friction=shade_friction, chain=chain)
+    low: Scalar = 0.002 if style == "tripod" else top + 0.002  # the shade hangs above it
+    return shaded(
+        weld(base, stand),
+        cover,
+        mouth=mouth,
+        height=deep,
+        metal=metal,
+        friction=shade_friction,
+        over=max_(low, CASE[2] + _ON_CASE) if switch_on == "cord" else low,
+        chain=chain,
+    )

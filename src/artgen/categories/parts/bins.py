@@ -247,12 +247,20 @@ class Can:
         """Where the front looks: a tapered one looks down a little."""
         return (0.0, -1.0, -0.5 * self.depth * self.taper / (self.top - self.foot))
 
+    @property
+    def diagonal(self) -> Scalar:
+        """From the middle to the farthest point of a corner, of one that is not round [m]."""
+        corner = _BACK_CORNER if self.plan == "half_round" else self.corner
+        x, y = self.width / 2.0 - corner, self.depth / 2.0 - corner
+        return sqrt(x * x + y * y) + corner
+
     def half_across(self, inset: Scalar = 0.0) -> Scalar:
         """Return half the width through the middle of the plan [m]."""
         radius = self.width / 2.0 - inset
         if self.plan != "half_round":
             return radius
-        behind = (self.width - self.depth) / 2.0  # of the middle: there is the middle of its front's circle
+        # of the middle: there is the middle of its front's circle; that of a deep one is before it
+        behind = max_((self.width - self.depth) / 2.0, 0.0)
         return sqrt(radius * radius - behind * behind)
 
 

@@ -5,15 +5,21 @@ import math
 from artgen import (
     Scalar,
     Y,
+    atan2,
     center_of_mass,
     circle,
+    clamp,
     cylinder,
     frame,
     mass,
+    min_,
     norm,
     part,
+    require,
     spline,
+    sqrt,
     sweep,
+    switch,
     vector,
     weld,
 )
@@ -31,7 +37,10 @@ from artgen.categories.parts.shades import Head
 
 _HANG = 0.024  # from the hinge of the shade to the top of its housing [m]
 _TUBE = 0.0105  # radius of the bow [m]
-_SWING = 0.6  # of the shade either way [rad]
+_SWING = 0.6  # of the shade either way, where the bow lets it [rad]
+_LEAST_SWING = 0.1  # [rad]
+_OFF = 0.004  # what a shade keeps from the bow [m]
+_MEETS_BOW = "the shade meets the bow: take a larger reach, or a smaller shade_radius or shade_height"
 _TURN = 2.595  # of the ellipse that the bow follows, from its side on [rad]
 _STEPS = 9  # points on it
 
@@ -59,6 +68,17 @@ def arc_arm(head: Head, *, height: Scalar, reach: Scalar, looks: ArmLooks) -> Ca
     course = spline([(0.0, 0.0, 0.018), (0.0, 0.0, 0.84 * rise), *bend[:-1], last])
     neck = cylinder(0.0048, 0.040, axis=end - last).at((end + last) * 0.5)
     grip = frame((0.0, 0.0, 0.5 * rise), approach=Y, closing=(1.0, 0.0, 0.0))
+    towards: Scalar = _SWING  # how far the shade swings to the bow
+    for corner, below in head.corners:
+        deep = below + _HANG
+        # where the corner is when it has swung up, and how far forward the bow is there
+        level = end.z - deep * math.cos(_SWING) + corner * math.sin(_SWING)
+        share = clamp((level - rise) / high, 0.0, 1.0)
+        room = reach - wide * (1.0 - sqrt(1.0 - share * share)) - _TUBE - _OFF
+        far = sqrt(corner * corner + deep * deep)
+        sine = clamp(room / far, 0.0, 1.0)
+        meets = atan2(sine, sqrt(1.0 - sine * sine)) - atan2(corner, deep)
+        towards = min_(towards, switch(room < far, meets, _SWING))
     bow = weld(
         part(sweep(circle(_TUBE), course), "arm_lower", hollow(finish), grasp=grip),
         part(foot, "arm_lower", finish),
@@ -70,7 +90,7 @@ def arc_arm(head: Head, *, height: Scalar, reach: Scalar, looks: ArmLooks) -> Ca
     hinge = braked_hinge(
         "shade_hinge",
         pivot=end,
-        limits=(-_SWING, _SWING),
+        limits=(-_SWING, require(towards, towards > _LEAST_SWING, _MEETS_BOW)),
         load=Load().free(GRAVITY * mass(shade), lever),
         feel=4.0,
         reach=0.12,

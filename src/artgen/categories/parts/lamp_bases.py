@@ -65,6 +65,10 @@ _SQUAT = (
     "no room is left for the body of the lamp between its base and its shade or socket: take a larger "
     "height, or a smaller shade_radius or shade_height"
 )
+_TIPS = (
+    "the lamp would tip unless its base were higher than wide: take a larger base_radius, or a smaller "
+    "reach, arm_length, shade_radius or shade_height"
+)
 _CORE_SIDES = 32  # of that core: its frustums have 64 corners, as many as a collider may have
 _STEADY = 1.35  # by how much the base outweighs what would tip it
 
@@ -86,7 +90,8 @@ def steady_height(shape: BaseShape, radius: Scalar, density: float, *, least: Sc
     """
     edge = 0.97 * base_edge(shape, radius)  # its pad is a little smaller
     tips = of.moment - mass(of.body) * edge
-    return max_(least, _STEADY * tips / (edge * density * _AREA[shape] * radius * radius))
+    high = max_(least, _STEADY * tips / (edge * density * _AREA[shape] * radius * radius))
+    return require(high, high < 2.0 * radius, _TIPS)
 
 
 def base_block(shape: BaseShape, radius: Scalar, height: Scalar, *, bevel: Scalar = 0.0025) -> Solid:

@@ -33,6 +33,10 @@ _PULLED_INTO = (
     "a pull chain would be pulled into what stands under it: take a larger height, or a smaller "
     "chain_travel, shade_radius, shade_height or body_radius"
 )
+_HANGS_LOW = (
+    "the shade hangs down to the floor, the base or the switch on the cord: take a larger height, or a "
+    "smaller shade_radius or shade_height"
+)
 
 BESIDE = _OUT - KNOB[0]
 """How far from the axis a lamp may reach without being under its chain [m]."""
@@ -81,6 +85,7 @@ def shaded(
     height: Scalar,
     metal: Material,
     friction: Scalar,
+    over: Scalar,
     chain: Chain | None = None,
 ) -> Body:
     """Put a socket with its bulb, a harp and a shade on a base.
@@ -94,6 +99,7 @@ def shaded(
         height: Of the shade [m].
         metal: Of socket and harp.
         friction: Against turning the shade [N m].
+        over: Height of what lies on the floor around the base [m].
         chain: A pull chain at the socket, where there is one.
     """
     top = mouth + harp_rise(height, shade.kind)
@@ -111,7 +117,8 @@ def shaded(
     if chain is not None:
         bodies.append(_chained(chain, mouth, level, metal))
     turn = Revolute("shade_turn", axis=Z, friction=friction, damping=0.01, armature=0.0002, effort=3.0)
-    return weld(*bodies).attach(shade.body.at(0.0, 0.0, level), turn)
+    cover = shade.body.at(0.0, 0.0, level).require(level > over, _HANGS_LOW)
+    return weld(*bodies).attach(cover, turn)
 
 
 def _chained(chain: Chain, mouth: Scalar, rim: Scalar, metal: Material) -> Body:

@@ -5,7 +5,7 @@ above the axis stays above it until the lid stands upright.
 """
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 from artgen import (
@@ -29,6 +29,8 @@ from artgen import (
     extrude,
     grasp_on,
     material,
+    max_,
+    min_,
     part,
     polygon,
     rectangle,
@@ -64,6 +66,8 @@ _CHEEK = 0.0034  # thickness of the cheeks beside it [m]
 _ROUND = 0.0082  # radius of the cheeks about the pin [m]
 _SHELL = 0.4  # what a moulding of 1.3 mm walls weighs of a solid one
 _CUSHION = 90.0  # sheet of 0.4 mm around air, 2-3 kg/m2 where it is 25-35 mm high [kg/m3]
+_LEAST_ROUND = 0.012  # corner of a cushion [m]
+_SLOPE = 2.25  # how far a cushion leans inward over its rise, at most: its lower edge stays fit to round
 _BELOW = 0.006  # the axis under the rim [m]
 _SOFT = 0.0032  # bevel of a slab [m]
 _WITHIN = 0.0003  # how far facets lie below what is seen of them [m]
@@ -213,7 +217,9 @@ def lid_panel(
         bodies += _faceted(cushion, _cap(radius, rise).at(0.0, 0.0, top - 0.001), hollow, can.plan)
     elif style == "domed":
         rise = 0.016
-        slope = extrude(level.outline(0.003 - overhang), rise, taper=0.16, bevel=0.005)
+        soft = replace(level, corner=max_(can.corner, _LEAST_ROUND))
+        taper = min_(0.16, _SLOPE * rise / soft.diagonal)
+        slope = extrude(soft.outline(0.003 - overhang), rise, taper=taper, bevel=0.005)
         bodies.append(part(slope.at(0.0, 0.0, top - 0.002 + rise / 2.0), "lid", hollow))
     elif style == "stepped":
         step = level.block(top - 0.001, top + STEP, inset=0.014, bevel=0.0025)

@@ -20,6 +20,7 @@ from artgen import (
     grasp_on,
     mass,
     material,
+    min_,
     part,
     spline,
     sweep,
@@ -64,10 +65,13 @@ def _loop(can: Can, finish: Material) -> list[Body]:
     finish = casting(finish)  # it is pressed of sheet, or moulded hollow
     wall = can.front + 0.6 * can.wall
     y, z = wall + _BEHIND, can.top - 0.006
-    bar = box(0.064, 0.009, 0.011, bevel=0.003).at(0.0, y, z)
+    # in a narrow one it is shorter: its ribs stand where the corners hardly draw the wall in yet
+    corner = can.corner if can.plan in ("square", "rectangle") else 0.0
+    beside = min_(0.064 / 2.0 - 0.004, can.width / 2.0 - 0.5 * corner - 0.003)
+    bar = box(2.0 * (beside + 0.004), 0.009, 0.011, bevel=0.003).at(0.0, y, z)
     rib = box(0.006, _BEHIND, 0.009, bevel=0.0015)
     middle = wall + _BEHIND / 2.0
-    ribs = [rib.at(side * 0.028, middle, z) for side in (-1, 1)]
+    ribs = [rib.at(side * beside, middle, z) for side in (-1, 1)]
     hold = grasp_on(bar, approach=-Z, closing=(0.0, 1.0, 0.0), depth=0.010)
     return [part(bar, "bucket", finish, grasp=hold), *(part(each, "bucket", finish) for each in ribs)]
 

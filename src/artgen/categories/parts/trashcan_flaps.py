@@ -26,6 +26,7 @@ from artgen import (
     extrude,
     grasp_on,
     material,
+    min_,
     part,
     rectangle,
     weld,
@@ -141,7 +142,8 @@ class Flaps:
         grasps: list[Frame] = []
         solids = [slab, edge]
         if linkage is None:
-            tab = box(0.007, 0.060, _TAB + 0.004, bevel=0.002)
+            wide = min_(0.060, 0.9 * self.back - 2.0 * _GAP - 0.002)  # about -0.55 back, within the frame
+            tab = box(0.007, wide, _TAB + 0.004, bevel=0.002)
             tab = tab.at(side * 0.022, -0.55 * self.back, self.top + _TAB / 2.0 - 0.002)
             grasps = [grasp_on(tab, approach=-Z, closing=(1.0, 0.0, 0.0), depth=0.011)]
             solids.append(tab)

@@ -30,6 +30,7 @@ from artgen import (
     grasp_on,
     mass,
     max_,
+    min_,
     part,
     push_on,
     rectangle,
@@ -50,6 +51,8 @@ _ON = 0.0022  # between the rim and what rests on it [m]
 _EDGE = 0.0030  # between a lid and the edge of its opening [m]
 _BALL_EDGE = 0.0052  # around a ball, whose colliders stand off by up to 2 mm [m]
 _EAR = 0.020  # how far the ears stand out, by which a hood is lifted [m]
+_WIDEST = 0.425  # round collar: a wider one collides as 64 pieces and not as 32 [m]
+_TOO_WIDE = "the collar of a round bin this wide would collide as too many pieces: take a smaller width"
 _GRAVITY = 9.81  # [m/s2]
 
 
@@ -118,7 +121,10 @@ class Hood:
         if self.kind == "ball" or (self.kind != "swing" and self.can.plan == "round"):
             return circle(across / 2.0 - gap)
         border = (1.0 - self.lean) * self.can.corner - (self.can.width - across) / 2.0
-        return rectangle(across - 2.0 * gap, along - 2.0 * gap, radius=max_(border, 0.006))
+        radius = max_(border, 0.006)
+        if self.kind == "swing":
+            radius = min_(radius, 0.008)  # its lid has no round corners
+        return rectangle(across - 2.0 * gap, along - 2.0 * gap, radius=radius)
 
     def body(self, trim: Material) -> Body:
         """Make the hood: the link `hood`."""
@@ -136,6 +142,8 @@ class Hood:
         else:
             ring = level.outline(out) - self._hole(0.0)
             collar = extrude(ring, self.top - self.low, bevel=0.0010)
+            if self.can.plan == "round":
+                collar = collar.require(self.can.width < _WIDEST, _TOO_WIDE)
             solids = [coarse(collar, 0.0007).at(0.0, 0.0, (self.low + self.top) / 2.0)]
         bearings: list[Body] = []
         if self.kind != "ring":
