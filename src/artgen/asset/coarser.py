@@ -2,10 +2,8 @@
 
 import math
 
-import fcl
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial import cKDTree
 
 from artgen.asset.creases import corner_normals
 from artgen.asset.manifolds import coincident
@@ -59,6 +57,9 @@ def coarser(shape: Shape, precision: float) -> Mesh:
 
 def lies_within(distance: float, points: Array, mesh: Mesh) -> bool:
     """Tell whether no point, of shape (n, 3), is farther than a distance from a surface [m]."""
+    import fcl
+    from scipy.spatial import cKDTree
+
     near = cKDTree(mesh.vertices).query(points, distance_upper_bound=distance)[0]
     far = np.unique(points[near > distance], axis=0)
     if not len(far):
