@@ -1,7 +1,7 @@
-"""Compare what seeds give with what they gave before: every file of three assets of each category.
+"""Compare the files of three assets of each category, in all layouts, with recorded hashes.
 
-The same seed gives the same bytes on every machine and Python; `tests/tree_hashes.json` says which. After a
-change that is meant to alter assets, `--write` records the new ones.
+The same seed gives the same bytes on every machine and Python; `tests/tree_hashes.json` holds their hashes. After
+an intended change of assets, `--write` records the new hashes.
 """
 
 import hashlib
@@ -13,6 +13,7 @@ import typer
 
 from artgen.catalog import categories, find
 from artgen.export.files import encode
+from artgen.export.layouts import LAYOUTS
 from artgen.graph import Cache
 
 RECORD = Path(__file__).parents[1] / "tests" / "tree_hashes.json"
@@ -48,13 +49,22 @@ def main(
 
 
 def hashes(category: str) -> dict[str, dict[str, str]]:
-    """Return the hashes of the files of some assets of a category, by asset and format."""
+    """Return hashes of the files of some assets of a category, by asset and by format or layout."""
     cache, result = Cache(), {}
     for seed in SEEDS:
         asset, _ = find(category).evaluate(seed, cache=cache)
-        # maps in a GLB file are as packed as a machine packs them; those of the others are hashed unpacked
+        # GLB packs maps in a way that depends on the machine; the digests of other formats are of unpacked maps
         parts = [encode(asset, ("urdf", "mjcf", "usd"), textures=256), encode(asset, ("glb",), textures=0)]
-        result[asset.name] = {name: each for files in parts for name, each in _of_formats(files).items()}
+        found = {name: each for files in parts for name, each in _of_formats(files).items()}
+        for layout in LAYOUTS:
+            if layout != "flat":
+                found[layout] = _hash(
+                    json.loads(encode(asset, textures=256, layout=layout)["asset.json"])["digests"]
+                )
+        if seed == SEEDS[-1]:
+            proven = asset.certify()
+            found["certificate"] = _hash([proven.to_data(), proven.leaves])
+        result[asset.name] = found
     return result
 
 
