@@ -90,7 +90,7 @@ clients: $(STAMP)
 	$(BIN)/artgen clients --install all
 
 test-clients: $(STAMP)
-	$(BIN)/python -m pytest tests/clients
+	$(BIN)/python -m pytest tests/validate/clients
 
 client-table: $(STAMP)
 	$(BIN)/python scripts/client_table.py

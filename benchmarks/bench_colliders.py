@@ -11,12 +11,12 @@ from pathlib import Path
 
 from manifold3d import Manifold, OpType
 from report import Section, Table, span
+from surveys.speed import STEP, speed
 from timing import empty_cache, seconds, timed
 
 import artgen
 from artgen.asset import Asset, Link
-from artgen.export.collision import solid_parts, with_colliders
-from artgen.survey.speed import STEP, speed
+from artgen.asset.collision import solid_parts, with_colliders
 
 KINDS = ("exact", "coacd")
 

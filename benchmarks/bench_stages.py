@@ -11,6 +11,7 @@ from types import CodeType
 from typing import Any
 
 from report import Section, Table, span
+from surveys.summary import MEDIAN_SECONDS
 from timing import baseline, timed
 
 import artgen
@@ -18,7 +19,6 @@ from artgen.asset import Asset
 from artgen.export.formats import FORMATS, TEXTURES
 from artgen.export.meshes import mesh_files
 from artgen.generator import Generator
-from artgen.survey.summary import MEDIAN_SECONDS
 
 STAGES = (
     "seed to asset",

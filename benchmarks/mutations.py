@@ -1,6 +1,6 @@
 """Put one fault after another into assets, and print whether the proof finds what exact booleans find.
 
-The long form of `tests/check/test_mutations.py`. Exits with 1 if a mutant that collides is proven, or if
+The long form of `tests/validate/test_mutations.py`. Exits with 1 if a mutant that collides is proven, or if
 more than 1 % are undecided.
 """
 

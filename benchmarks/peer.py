@@ -8,9 +8,9 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import IO, Any
 
-from artgen.clients.install import install
-from artgen.clients.place import VARIABLE, python_of
 from artgen.errors import ClientError
+from artgen.validate.clients.install import install
+from artgen.validate.clients.install_location import VARIABLE, python_of
 
 ENVIRONMENT = "scene_synthesizer"
 REQUIREMENTS = {ENVIRONMENT: ("scene-synthesizer>=1.15",)}

@@ -17,15 +17,15 @@ from pathlib import Path
 from typing import Annotated, Any
 
 import typer
+from surveys.markdown import escaped
 
 from artgen import __version__, generate
 from artgen.catalog import categories
-from artgen.clients.client import Client
-from artgen.clients.exported import read_exported
-from artgen.clients.registry import CLIENTS, chosen_clients
-from artgen.clients.run import ask
 from artgen.export import LAYOUTS
-from artgen.survey.markdown import escaped
+from artgen.validate.clients.client import Client
+from artgen.validate.clients.exported import read_exported
+from artgen.validate.clients.registry import CLIENTS, chosen_clients
+from artgen.validate.clients.run import ask
 
 ROOT = Path(__file__).parents[1]
 SOURCE = ROOT / "src" / "artgen"

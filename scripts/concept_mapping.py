@@ -1,8 +1,8 @@
-"""Write docs/concept_mapping.md from `artgen.export.concepts`."""
+"""Write docs/concept_mapping.md from `concepts.table`."""
 
 from pathlib import Path
 
-from artgen.export.concept_page import concept_page
+from concepts.page import concept_page
 
 if __name__ == "__main__":
     page = Path(__file__).parents[1] / "docs" / "concept_mapping.md"

@@ -4,10 +4,10 @@ from pathlib import Path
 from typing import Annotated
 
 import typer
+from surveys.coverage import coverage
+from surveys.coverage_page import coverage_page
 
 from artgen.catalog import categories, find
-from artgen.survey.coverage import coverage
-from artgen.survey.coverage_page import coverage_page
 
 PAGE = Path(__file__).parents[1] / "docs" / "coverage.md"
 

@@ -14,12 +14,12 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from path_tracing import Studio, render_mitsuba
 from PIL import Image
 from rich.console import Console
 
 import artgen
 from artgen.view.camera import Camera, View
-from artgen.view.mitsuba import Studio, render_mitsuba
 
 console = Console(highlight=False, soft_wrap=True)
 

@@ -16,15 +16,15 @@ from typing import Annotated
 import typer
 from rich.console import Console
 from rich.table import Table
+from surveys.extreme_sample import measure_extreme
+from surveys.soak import Record, anomalies, soak, soaked, tallies
+from surveys.summary import shortened
 
 from artgen.catalog import categories as all_categories
 from artgen.catalog import find
 from artgen.commands.progress import rate_bar
 from artgen.errors import ArtgenError
-from artgen.overrides import spelled
-from artgen.survey.extreme_sample import measure_extreme
-from artgen.survey.soak import Record, anomalies, soak, soaked, tallies
-from artgen.survey.summary import shortened
+from artgen.generator.overrides import spelled
 
 _WRONG_INPUT = 2  # exit code
 _INTERRUPTED = 130  # exit code

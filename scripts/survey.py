@@ -15,14 +15,14 @@ from typing import Annotated
 import typer
 from rich.console import Console
 from rich.table import Table
+from surveys.alike import SAME, likenesses, same_neighbours
+from surveys.run import survey
+from surveys.soak_page import soak_page
+from surveys.summary import Criterion, criteria, failures, figures, listed
 
 from artgen.catalog import categories as all_categories
 from artgen.catalog import find
 from artgen.commands.progress import progress_bar
-from artgen.survey.alike import SAME, likenesses, same_neighbours
-from artgen.survey.run import survey
-from artgen.survey.soak_page import soak_page
-from artgen.survey.summary import Criterion, criteria, failures, figures, listed
 
 _PAIRS = 8  # most alike ones that are shown
 _STATES = {True: "[green]yes[/]", False: "[bold red]no[/]", None: "[yellow]?[/]"}

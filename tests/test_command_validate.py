@@ -8,11 +8,11 @@ import pytest
 import typer
 from typer.testing import CliRunner
 
-from artgen.check.report import CheckResult, Finding
-from artgen.check.validate import Examination
-from artgen.clients.outcome import Outcome
 from artgen.commands.validate import validate
 from artgen.errors import ExportError, ParameterError
+from artgen.validate.clients.outcome import Outcome
+from artgen.validate.report import CheckResult, Finding
+from artgen.validate.run import Examination
 from support.exports import stand
 
 

@@ -29,8 +29,8 @@ from stable_baselines3.common.vec_env import VecEnv, VecMonitor, VecNormalize
 
 from artgen.envs import TASKS, ManipulationEnv, Task
 from artgen.envs.assets import Assets, Source
+from artgen.envs.compiled_assets import ready
 from artgen.envs.env import JITTER, RATE
-from artgen.envs.kept import ready
 from artgen.envs.motion import Target
 from artgen.envs.observing import STATE
 from artgen.envs.rewards import BONUS

@@ -9,15 +9,15 @@ from dataclasses import dataclass
 from gallery_page import SEEDS as SHOWN
 from gallery_page import shown as shown_categories
 from gallery_page import viewer_of
+from surveys.markdown import escaped
 
-from artgen import disk_cache
+from artgen import _disk_cache as disk_cache
 from artgen.asset import Joint
 from artgen.catalog import find
 from artgen.generator import Generator
 from artgen.sampling import Distribution
 from artgen.sampling.choices import By, Choice
 from artgen.sampling.distributions import Fixed, LogUniform, Normal, shown
-from artgen.survey.markdown import escaped
 
 FOLDER = "categories"
 SEEDS = 6

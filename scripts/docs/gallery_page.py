@@ -5,7 +5,7 @@ from functools import lru_cache
 
 from PIL import Image
 
-from artgen import disk_cache
+from artgen import _disk_cache as disk_cache
 from artgen.asset import Asset
 from artgen.catalog import categories, find
 from artgen.view import close, render

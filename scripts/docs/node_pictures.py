@@ -7,7 +7,8 @@ from collections.abc import Mapping
 import numpy as np
 from PIL import Image
 
-from artgen import MATERIALS, circle, cylinder_between, detail, disk_cache, extrude, part, sphere, sweep, weld
+from artgen import MATERIALS, circle, cylinder_between, detail, extrude, part, sphere, sweep, weld
+from artgen import _disk_cache as disk_cache
 from artgen.asset import Asset
 from artgen.graph.evaluation import evaluate
 from artgen.graph.handle import Handle

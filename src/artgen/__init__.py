@@ -33,10 +33,10 @@ from artgen.nodes import details
 from artgen.nodes.arrays import array
 from artgen.nodes.body import detail, part, weld
 from artgen.nodes.choose import require, switch
-from artgen.nodes.coarse import coarse
 from artgen.nodes.condition import Condition, Dependency
 from artgen.nodes.csg import enclosed, hull, intersection, shell, split, union
 from artgen.nodes.extrude import extrude
+from artgen.nodes.grasp_frames import Frame, frame, grasp_on, push_on
 from artgen.nodes.half_section import half_section
 from artgen.nodes.handles import (
     Body,
@@ -51,7 +51,6 @@ from artgen.nodes.handles import (
     Vector,
     VectorLike,
 )
-from artgen.nodes.hold import Frame, frame, grasp_on, push_on
 from artgen.nodes.joint import Coupling, Joint, Prismatic, Revolute
 from artgen.nodes.loft import loft
 from artgen.nodes.path import arc, bezier, helix, line, polyline, spline
@@ -90,6 +89,7 @@ from artgen.nodes.scalar import (
     sqrt,
     tan,
 )
+from artgen.nodes.simplified_collider import coarse
 from artgen.nodes.sweep import sweep
 from artgen.nodes.text import text, text_width
 from artgen.nodes.vector import X, Y, Z, cross, dot, norm, normalize, vector

@@ -7,9 +7,9 @@ from typing import Any, Literal
 from artgen.asset import Asset
 from artgen.asset.certificate import PairResult
 from artgen.catalog import find
-from artgen.corners import corners as corners_of
 from artgen.errors import AssetError, BuildError, EvaluationError, InfeasibleError, ParameterError
 from artgen.generator import Generator
+from artgen.generator.corners import corners as corners_of
 from artgen.generator.generator import checked_count
 from artgen.generator.proof import check_proof
 from artgen.sampling.distributions import shown
@@ -208,7 +208,7 @@ def prove_range(
     Args:
         category: Name of a category, or a category or generator itself.
         samples: How many seeds are drawn; each gives its first feasible draw.
-        corners: Whether the corners of the parameter ranges are certified too; see `artgen.corners`.
+        corners: Whether the corners of the parameter ranges are certified too; see `artgen.generator.corners`.
         seed: The first seed.
         overrides: A value or a distribution by parameter name.
         tolerance: Clearance that has to be proven [m].

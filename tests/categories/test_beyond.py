@@ -5,9 +5,9 @@ from typing import Any
 import pytest
 
 from artgen.catalog import find
-from artgen.check.colliders import check_colliders
-from artgen.check.solids import check_solids
 from artgen.errors import InfeasibleError
+from artgen.validate.colliders import check_colliders
+from artgen.validate.solids import check_solids
 
 HANDLES = [
     (

@@ -6,7 +6,7 @@ from manifold3d import Manifold
 
 from artgen import cylinder, material, weld
 from artgen.asset import Asset
-from artgen.categories.parts.bins import Can
+from artgen.categories.trashcan.bins import Can
 from support.bodies import asset_of
 
 STEEL = material("steel")

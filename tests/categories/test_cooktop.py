@@ -8,8 +8,8 @@ from manifold3d import Manifold, OpType
 
 from artgen import Asset, Cache, InfeasibleError
 from artgen.categories.cooktop import cooktop
-from artgen.categories.parts.cooktop_dials import SWEEP
-from artgen.categories.parts.cooktop_plan import COLUMNS
+from artgen.categories.cooktop.dials import SWEEP
+from artgen.categories.shared.cooktops.plan import COLUMNS
 
 KINDS = ("gas", "radiant", "coil", "induction")
 

@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 
 from artgen import Asset, Cache
 from artgen.categories.drawer import drawer
-from artgen.check.grasping import check_grasps
+from artgen.validate.hands import check_grasps
 
 KINDS = ("chest", "bedside", "file", "kitchen")
 

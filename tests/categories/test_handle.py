@@ -10,7 +10,7 @@ from manifold3d import Manifold, OpType
 
 from artgen import Asset, Cache, ParameterError
 from artgen.categories.handle import handle
-from artgen.check.colliders import check_colliders
+from artgen.validate.colliders import check_colliders
 
 
 def poses(asset: Asset, generator: np.random.Generator) -> list[dict[str, float]]:

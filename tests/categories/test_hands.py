@@ -7,7 +7,7 @@ import pytest
 
 import artgen
 from artgen.asset import Asset
-from artgen.check.grasping import check_grasps
+from artgen.validate.hands import check_grasps
 
 LEAVES = ("flush_leaf", "panel_leaf", "louver_leaf", "plank_leaf", "glazed_leaf", "half_lite_leaf")
 OPENERS = ("lever", "knob", "push_bar", "pull", "none")

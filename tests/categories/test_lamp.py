@@ -10,7 +10,7 @@ import pytest
 from artgen import InfeasibleError, sqrt
 from artgen.asset import Asset
 from artgen.categories.lamp import Style, lamp
-from artgen.categories.parts.lamp_arms import GRAVITY, Load
+from artgen.categories.lamp.arms import GRAVITY, Load
 from artgen.graph import Cache, Graph
 
 STYLES: tuple[str, ...] = get_args(Style)

@@ -8,10 +8,12 @@ from manifold3d import Manifold, OpType
 
 from artgen import Body, Revolute, Z, box, material, part, weld
 from artgen.asset import Asset
-from artgen.categories.parts.grip_set import THUMB_RANGE, grip, thumb_piece, thumb_press
-from artgen.categories.parts.hinge import hinge_frame, hinge_leaf, hinge_offset
-from artgen.categories.parts.knobs import knob_handle
-from artgen.categories.parts.latch import (
+from artgen.categories.door.pulls import pull_handle
+from artgen.categories.door.push_bar import push_bar, push_bar_case, push_slide
+from artgen.categories.handle.grip_set import THUMB_RANGE, grip, thumb_piece, thumb_press
+from artgen.categories.shared.hardware.hinge import hinge_frame, hinge_leaf, hinge_offset
+from artgen.categories.shared.hardware.knobs import knob_handle
+from artgen.categories.shared.hardware.latch import (
     LATCH,
     clear_angle,
     faceplate,
@@ -21,8 +23,8 @@ from artgen.categories.parts.latch import (
     strike_plate,
     strike_pocket,
 )
-from artgen.categories.parts.levers import lever_handle, spring_turn
-from artgen.categories.parts.locks import (
+from artgen.categories.shared.hardware.levers import lever_handle, spring_turn
+from artgen.categories.shared.hardware.locks import (
     QUARTER,
     THROW,
     deadbolt,
@@ -33,9 +35,7 @@ from artgen.categories.parts.locks import (
     thumb_turn,
     thumb_turn_joint,
 )
-from artgen.categories.parts.pulls import pull_handle
-from artgen.categories.parts.push_bar import push_bar, push_bar_case, push_slide
-from artgen.categories.parts.roses import rose, spindle_hole
+from artgen.categories.shared.hardware.roses import rose, spindle_hole
 from support.bodies import asset_of
 
 NICKEL = material("satin_nickel")

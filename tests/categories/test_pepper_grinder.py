@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from artgen.asset import Asset, Link
-from artgen.categories.parts.grinder_forms import BodyForm, Top
 from artgen.categories.pepper_grinder import pepper_grinder
+from artgen.categories.pepper_grinder.forms import BodyForm, Top
 from artgen.errors import InfeasibleError
 from artgen.graph import Cache
 

@@ -11,8 +11,8 @@ from manifold3d import Manifold, OpType
 
 from artgen import Asset, Cache
 from artgen.categories.refrigerator import refrigerator
-from artgen.check.tree import check_tree
 from artgen.errors import InfeasibleError
+from artgen.validate.tree import check_tree
 
 LAYOUTS = {
     "single": ["door"],

@@ -10,13 +10,13 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from surveys.coverage import coverage
+from surveys.products import misfits
 
 from artgen.asset import Asset
 from artgen.catalog import categories, find
 from artgen.graph import Cache, Graph
-from artgen.nodes.joints_of import joints_of
-from artgen.survey.coverage import coverage
-from artgen.survey.products import misfits
+from artgen.nodes.joint_outline import joints_of
 from support.agreement import check_formats_agree
 from support.geometry import check_collider_pieces, check_colliders_cover, check_mass, check_solids
 

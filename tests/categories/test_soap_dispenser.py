@@ -8,11 +8,11 @@ import pytest
 
 from artgen import InfeasibleError
 from artgen.asset import Asset, Link
-from artgen.categories.parts.soap_bottles import Shape
-from artgen.categories.parts.soap_pump import Nozzle
 from artgen.categories.soap_dispenser import soap_dispenser
-from artgen.check.colliders import check_colliders
+from artgen.categories.soap_dispenser.bottles import Shape
+from artgen.categories.soap_dispenser.pump import Nozzle
 from artgen.graph import Cache
+from artgen.validate.colliders import check_colliders
 
 OPAQUE = ("round", "square", "oval", "hexagonal", "amphora", "cone", "bell", "ribbed", "beehive")
 CLEAR = ("round", "square", "cube", "hexagonal", "cone", "bell", "apothecary")

@@ -10,11 +10,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from artgen import Asset, Cache, InfeasibleError
-from artgen.categories.parts.buttons import ButtonShape
-from artgen.categories.parts.dials import DialStyle
-from artgen.categories.parts.toaster_carriage import LeverStyle
-from artgen.categories.parts.toaster_plan import BodyStyle
+from artgen.categories.shared.controls.buttons import ButtonShape
+from artgen.categories.shared.controls.dials import DialStyle
 from artgen.categories.toaster import toaster
+from artgen.categories.toaster.carriage import LeverStyle
+from artgen.categories.toaster.plan import BodyStyle
 
 STYLES = get_args(BodyStyle)
 BRIEF = settings(max_examples=6, deadline=None)

@@ -9,9 +9,9 @@ from manifold3d import Manifold, OpType
 
 from artgen import Asset, Cache, InfeasibleError
 from artgen.categories.trashcan import trashcan
-from artgen.check.hand_force import hand_forces
-from artgen.check.solids import check_solids
-from artgen.check.tree import check_tree
+from artgen.validate.hands.force import hand_forces
+from artgen.validate.solids import check_solids
+from artgen.validate.tree import check_tree
 
 STYLES = {
     "pedal": {"pedal_hinge", "rod_slide", "lid_hinge", "bucket_slide"},

@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 from manifold3d import CrossSection, Manifold
 from numpy.typing import NDArray
 
-from artgen.check.distance import Faces
+from artgen.asset.distance import Faces
 from artgen.colliders import (
     Convex,
     Pieces,

@@ -10,7 +10,7 @@ import pytest
 
 from artgen.dataset.workers import Ending
 from artgen.demos import make_demos, record
-from artgen.demos.kept import Kept, read
+from artgen.demos.resume import Kept, read
 from artgen.demos.run import in_order
 from artgen.errors import ExportError, ParameterError
 

@@ -11,7 +11,7 @@ from artgen.asset.surface import texture_coordinates
 from artgen.catalog import find
 from artgen.errors import ParameterError
 from artgen.export import write_glb
-from artgen.export.glb_meshes import tangents
+from artgen.export.glb.meshes import tangents
 from artgen.materials import Material, material
 from artgen.materials.textures import encoded
 from support.blocks import block
@@ -261,7 +261,7 @@ def test_tangents_are_unit_vectors_where_texture_coordinates_say_nothing() -> No
 @pytest.mark.parametrize(("count", "component"), [(65535, 5123), (65536, 5125)])
 def test_many_vertices_take_long_indices(count: int, component: int) -> None:
     """Number 65535 of short indices is no vertex: it begins a new strip."""
-    from artgen.export.glb_buffer import Buffer
+    from artgen.export.glb.buffer import Buffer
 
     buffer = Buffer()
     corners = np.array([[0, 1, count - 1]])

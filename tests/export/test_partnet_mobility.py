@@ -15,15 +15,15 @@ import trimesh
 
 import artgen
 from artgen.asset import Asset, Coupling, JointKind
-from artgen.clients.client import Client
-from artgen.clients.exported import read_exported
-from artgen.clients.of_sapien import SAPIEN
-from artgen.clients.place import interpreters
-from artgen.clients.run import ask
 from artgen.errors import ExportError
 from artgen.export import export
 from artgen.export.files import encode
-from artgen.export.layouts.partnet_names import semantic
+from artgen.export.layouts.partnet.names import semantic
+from artgen.validate.clients.client import Client
+from artgen.validate.clients.exported import read_exported
+from artgen.validate.clients.install_location import interpreters
+from artgen.validate.clients.run import ask
+from artgen.validate.clients.sapien import SAPIEN
 from support.exports import edit_text
 from support.partnet import TO_BASE, TO_MESH, pose_errors, robot, table
 from support.textured import recipes, textured

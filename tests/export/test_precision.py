@@ -9,12 +9,12 @@ import trimesh
 
 from artgen import generate
 from artgen.asset import Asset
-from artgen.asset.coarser import coarser
+from artgen.asset.decimate import coarser
 from artgen.asset.manifolds import is_closed
-from artgen.check.validate import validate
 from artgen.dataset.record import record_of
 from artgen.errors import AssetError, ParameterError
 from artgen.export.files import encode
+from artgen.validate.run import validate
 
 PRECISION = 0.0005
 

@@ -17,7 +17,7 @@ from artgen.errors import ExportError
 from artgen.export import export
 from artgen.export.frames import seen_box
 from artgen.export.layouts.robocasa import write_robocasa
-from artgen.export.layouts.robocasa_regions import interiors
+from artgen.export.layouts.robocasa.regions import interiors
 from support.proof_fridges import evaluated, french_fridge, fridge
 from support.readers import silence
 from support.textured import recipes, textured

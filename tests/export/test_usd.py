@@ -21,8 +21,8 @@ from artgen.colliders import Convex
 from artgen.export.frames import chain
 from artgen.export.meshes import display_color
 from artgen.export.usd import write_usd
-from artgen.export.usd_joints import _turn_from_x
-from artgen.export.usd_layer import quatf
+from artgen.export.usd.joints import _turn_from_x
+from artgen.export.usd.layer import quatf
 from artgen.materials import Material
 from artgen.materials.substance import substance_of
 from support.textured import BOARD, LAMP, PANE, PLATE, TURNED, picture, recipes, textured

@@ -8,8 +8,8 @@ import pytest
 import artgen
 from artgen.images.cameras import extrinsics, intrinsics, random_camera
 from artgen.images.labels import Vocabulary
+from artgen.images.lighting import random_setting, random_surroundings
 from artgen.images.poses import random_positions
-from artgen.images.setting import random_setting, random_surroundings
 from artgen.images.split import split_of
 
 

@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from artgen import disk_cache
+from artgen import _disk_cache as disk_cache
 from artgen.errors import ExportError
 from artgen.materials import Material, material
 from artgen.materials.textures import RECIPES, Pattern, Recipe, encoded, kinds, maps

@@ -8,8 +8,8 @@ from artgen.errors import AssetError, BuildError, EvaluationError
 from artgen.graph import evaluate
 from artgen.materials import material
 from artgen.nodes.body import attach, detail, part, repeat, weld
+from artgen.nodes.grasp_frames import frame
 from artgen.nodes.handles import Float
-from artgen.nodes.hold import frame
 from artgen.nodes.joint import Prismatic, Revolute
 from artgen.nodes.points import row
 from artgen.nodes.primitive import box

@@ -8,8 +8,8 @@ from hypothesis import strategies as st
 from artgen.errors import EvaluationError
 from artgen.graph import evaluate
 from artgen.nodes import primitive
-from artgen.nodes.inputs import pose
 from artgen.nodes.primitive import board, box_between, cylinder_between
+from artgen.nodes.validators import pose
 from support.shapes import X, Y, Z, check_metric, check_shape, relative_volume, same_bytes
 
 LENGTHS = st.floats(0.002, 2.0)

@@ -13,8 +13,8 @@ from artgen.graph import OPERATIONS, Handle
 from artgen.graph.kernel import alternatives
 from artgen.materials import Material, material
 from artgen.nodes.body import Array4x4, part
+from artgen.nodes.grasp_frames import frame
 from artgen.nodes.handles import Array3, ArrayN3, Float
-from artgen.nodes.hold import frame
 from artgen.nodes.joint import Revolute
 from artgen.nodes.path import line
 from artgen.nodes.points import row

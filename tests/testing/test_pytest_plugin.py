@@ -7,8 +7,8 @@ import sys
 
 import pytest
 
-from artgen.check.report import CheckResult, Finding
-from artgen.check.validate import Examination
+from artgen.validate.report import CheckResult, Finding
+from artgen.validate.run import Examination
 from support.exports import stand
 
 pytest_plugins = ["pytester"]

@@ -22,7 +22,7 @@ from artgen.errors import AssetError, nearest
 from artgen.materials import Material
 
 if TYPE_CHECKING:
-    from artgen.check.report import Report
+    from artgen.validate.report import Report
     from artgen.view import Camera, Page, Picture, View
 
 Array = NDArray[np.float64]
@@ -258,7 +258,7 @@ class Asset:
         return certificate
 
     def certify(self, tolerance: float = 0.0, *, measure: bool = False) -> Certificate:
-        """Prove that no two links collide anywhere in the joint ranges; see `artgen.check.certify.certify`.
+        """Prove that no two links collide anywhere in the joint ranges; see `artgen.proof.certify.certify`.
 
         The certificate is kept: `export` writes it beside the asset.
 
@@ -269,7 +269,7 @@ class Asset:
         Raises:
             AssetError: The asset has no links, or a joint has no range to speak of or can never move.
         """
-        from artgen.check.certify import certify
+        from artgen.proof.certify import certify
 
         certificate = certify(self, tolerance, measure=measure)
         remember(self, certificate)
@@ -278,18 +278,18 @@ class Asset:
     def safe_limits(self) -> dict[str, tuple[float, float]]:
         """Return for each free joint the largest range around rest without a collision [rad or m].
 
-        See `artgen.check.limits.safe_limits`.
+        See `artgen.proof.limits.safe_limits`.
         """
-        from artgen.check.limits import safe_limits
+        from artgen.proof.limits import safe_limits
 
         return safe_limits(self)
 
     def clearance(self, q: Mapping[str, float] | None = None) -> dict[tuple[str, str], float]:
         """Return how far the links of each pair are apart at one pose, negative where they overlap [m].
 
-        See `artgen.check.limits.clearance`.
+        See `artgen.proof.limits.clearance`.
         """
-        from artgen.check.limits import clearance
+        from artgen.proof.limits import clearance
 
         return clearance(self, q)
 
@@ -299,7 +299,7 @@ class Asset:
         Args:
             behaviour: Whether to try it out in MuJoCo, if that is installed.
         """
-        from artgen.check.validate import validate
+        from artgen.validate.run import validate
 
         return validate(self, behaviour=behaviour)
 

@@ -190,7 +190,7 @@ class Certificate:
         tolerance: Clearance that had to be proven [m].
         pairs: The result of each pair.
         contacts: The contacts that the category allows.
-        leaves: The proof, which `artgen.check.recheck` verifies; None where it was not kept.
+        leaves: The proof, which `artgen.proof.recheck` verifies; None where it was not kept.
     """
 
     tolerance: float

@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from artgen.asset.needles import needles, without_needles
+from artgen.asset.degenerate_triangles import needles, without_needles
 from artgen.asset.shape import Mesh
 from artgen.materials import Material
 from artgen.materials.textures import shifts_of, tile_of

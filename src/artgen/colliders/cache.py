@@ -1,6 +1,6 @@
 """Pieces that took long to find, kept on disk by a digest of what they were found of.
 
-They lie where `artgen.disk_cache` says. The files hold numbers only. Where one cannot be read or written,
+They lie where `artgen._disk_cache` says. The files hold numbers only. Where one cannot be read or written,
 nothing is said: the pieces are found again.
 """
 
@@ -15,9 +15,9 @@ from zipfile import BadZipFile
 import numpy as np
 from numpy.typing import NDArray
 
-from artgen import disk_cache
+from artgen import _disk_cache as disk_cache
+from artgen._disk_cache import cache_directory
 from artgen.colliders.convex import Array
-from artgen.disk_cache import cache_directory
 
 __all__ = ["cache_directory", "digest", "read_points", "write_points"]
 

@@ -5,13 +5,13 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from artgen._cyclic import successors
 from artgen.colliders.approximate import inscribed_points
 from artgen.colliders.convex import Array, Convex
 from artgen.colliders.enclose import Facets, enclosing
 from artgen.colliders.pieces import Bounded, Cover, Exact, Pieces
 from artgen.colliders.polygon import convex_hull, decompose_polygon
 from artgen.colliders.polytope import SLIVER, Polytope
-from artgen.rings import successors
 
 _IDENTITY = np.eye(4)
 _MOST_PRISM_VERTICES = 64

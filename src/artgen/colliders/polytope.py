@@ -14,9 +14,9 @@ import numpy as np
 from manifold3d import Manifold
 from numpy.typing import NDArray
 
+from artgen._cyclic import successors
 from artgen.colliders.hull import hull_of
 from artgen.colliders.triangles import cross, triangles_of
-from artgen.rings import successors
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]

@@ -5,11 +5,11 @@ from itertools import pairwise
 
 import numpy as np
 
+from artgen._cyclic import successors
 from artgen.colliders.convex import Array, Convex
 from artgen.colliders.pieces import Bounded, Cover, Pieces
 from artgen.colliders.polygon import convex_hull, signed_area
 from artgen.colliders.polytope import SLIVER, SNAP
-from artgen.rings import successors
 
 _IDENTITY = np.eye(4)
 _EXACT = 1e-9  # [m]: tolerance of parts that must lie within the solid

@@ -8,7 +8,7 @@ import typer
 
 from artgen.commands.progress import progress_bar
 from artgen.errors import ExportError
-from artgen.overrides import parse_overrides
+from artgen.generator.overrides import parse_overrides
 from artgen.range_proof import prove_range
 
 _FAULT = 1  # exit code

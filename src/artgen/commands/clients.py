@@ -10,12 +10,17 @@ from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
-from artgen.clients.client import Client
-from artgen.clients.environments import REQUIREMENTS
-from artgen.clients.install import install as install_environment
-from artgen.clients.place import environments_directory, how_to_get, installed, interpreters
-from artgen.clients.registry import ALL, CLIENTS, chosen_clients
 from artgen.errors import ClientError
+from artgen.validate.clients.client import Client
+from artgen.validate.clients.environments import REQUIREMENTS
+from artgen.validate.clients.install import install as install_environment
+from artgen.validate.clients.install_location import (
+    environments_directory,
+    how_to_get,
+    installed,
+    interpreters,
+)
+from artgen.validate.clients.registry import ALL, CLIENTS, chosen_clients
 
 _FAULT = 1  # exit code
 _PLAIN_WIDTH = 1000  # columns where no terminal shows them: one line for each row

@@ -12,7 +12,7 @@ from rich.table import Table
 from artgen.asset import Asset
 
 if TYPE_CHECKING:
-    from artgen.check.collider_table import ColliderRow
+    from artgen.validate.collider_table import ColliderRow
 
 _PLAIN_WIDTH = 1000  # columns where no terminal shows them: one line for each row
 _COLUMNS = (
@@ -38,7 +38,7 @@ def colliders(
     ] = False,
 ) -> None:
     """Compare the colliders of an exported asset with CoACD's and with convex hulls."""
-    from artgen.check.collider_table import compare_colliders  # scipy and trimesh take half a second
+    from artgen.validate.collider_table import compare_colliders  # scipy and trimesh take half a second
 
     asset = Asset.load(directory)
     rows = compare_colliders(asset, speed=speed)

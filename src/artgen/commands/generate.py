@@ -4,6 +4,7 @@ from typing import Annotated, Any, Literal
 
 import typer
 
+from artgen.asset.collision import Collision
 from artgen.asset.files import main_files
 from artgen.catalog import find
 from artgen.commands.export import check_formats
@@ -12,11 +13,10 @@ from artgen.dataset import Plan, TextureMode, generate_many
 from artgen.dataset.engine import EngineName
 from artgen.dataset.target import is_url
 from artgen.export import DEFAULT_FORMATS, FORMATS, LAYOUTS, TEXTURES
-from artgen.export.collision import Collision
 from artgen.export.precision import check_precision
 from artgen.generator import OnCollision
+from artgen.generator.overrides import parse_overrides
 from artgen.materials.textures import check_size
-from artgen.overrides import parse_overrides
 
 
 def generate(

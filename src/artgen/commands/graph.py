@@ -8,7 +8,7 @@ import typer
 from artgen.catalog import find
 from artgen.commands.source import Category, Overrides, Seed
 from artgen.commands.view import show_file
-from artgen.overrides import parse_overrides
+from artgen.generator.overrides import parse_overrides
 
 
 def graph(

@@ -10,7 +10,7 @@ from artgen.asset import Asset
 from artgen.catalog import find
 from artgen.commands.progress import progress_bar
 from artgen.errors import ExportError, ParameterError
-from artgen.overrides import parse_overrides
+from artgen.generator.overrides import parse_overrides
 
 
 def sheet(

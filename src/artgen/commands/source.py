@@ -8,7 +8,7 @@ import typer
 from artgen.asset import Asset
 from artgen.asset.files import ASSET_FILE
 from artgen.errors import ParameterError
-from artgen.overrides import parse_overrides
+from artgen.generator.overrides import parse_overrides
 
 Source = Annotated[
     str,

@@ -7,7 +7,7 @@ from typing import Annotated
 import typer
 
 from artgen.commands.source import Category, Overrides, Seed
-from artgen.overrides import parse_overrides
+from artgen.generator.overrides import parse_overrides
 
 
 def studio(

@@ -13,13 +13,13 @@ from rich.table import Table
 from rich.text import Text
 
 from artgen.asset.files import ASSET_FILE
-from artgen.check.report import CheckResult, Finding, Report
-from artgen.check.report_file import write_report
-from artgen.check.validate import validate as run_checks
-from artgen.clients.ask import ask_clients
-from artgen.clients.outcome import ClientReport, Outcome
-from artgen.clients.registry import ALL, chosen_clients
 from artgen.errors import ExportError
+from artgen.validate.clients.ask import ask_clients
+from artgen.validate.clients.outcome import ClientReport, Outcome
+from artgen.validate.clients.registry import ALL, chosen_clients
+from artgen.validate.report import CheckResult, Finding, Report
+from artgen.validate.report_file import write_report
+from artgen.validate.run import validate as run_checks
 
 _FAULT = 1  # exit code
 _PLAIN_WIDTH = 1000  # columns where no terminal shows them: one line for each row

@@ -6,16 +6,16 @@ from functools import cached_property
 from typing import Any, ClassVar, Literal, Self, get_args
 
 from artgen.asset.asset import Asset, Base
+from artgen.asset.collision import Collision
 from artgen.catalog import find, is_file
 from artgen.dataset.target import Target
 from artgen.errors import ExportError, ParameterError
-from artgen.export.collision import Collision
 from artgen.export.files import chosen_formats, find_layout
 from artgen.export.formats import TEXTURES
 from artgen.export.precision import check_precision
 from artgen.generator import OnCollision
+from artgen.generator.overrides import parse_overrides
 from artgen.materials.textures import check_size
-from artgen.overrides import parse_overrides
 
 TextureMode = Literal["shared", "embedded", "none"]
 """Where maps are kept: once for the whole dataset, with each asset, or nowhere."""

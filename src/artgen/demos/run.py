@@ -12,7 +12,7 @@ from artgen.dataset.lock import locked
 from artgen.dataset.workers import Ending, run_tasks
 from artgen.demos import layout
 from artgen.demos.episode import Demo, check_task, record
-from artgen.demos.kept import Kept, read
+from artgen.demos.resume import Kept, read
 from artgen.errors import CheckError, ExportError, ParameterError
 from artgen.export.files import replaced
 from artgen.version import __version__

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from artgen.asset import Asset
 from artgen.envs.assets import Assets, Source
-from artgen.envs.kept import ready
+from artgen.envs.compiled_assets import ready
 from artgen.envs.motion import Stage, Target
 from artgen.envs.observing import PROPRIOCEPTION, STATE, handle, proprioception, state
 from artgen.envs.pictures import Pictures

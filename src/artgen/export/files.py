@@ -11,10 +11,10 @@ from typing import Any
 
 from artgen.asset import Asset
 from artgen.asset.asset import FORMAT
+from artgen.asset.collision import Collision, collision_of, with_colliders
 from artgen.asset.files import ASSET_FILE, CERTIFICATE_FILE, as_stored, previous_directory
 from artgen.asset.record import json_text
 from artgen.errors import ExportError, nearest
-from artgen.export.collision import Collision, collision_of, with_colliders
 from artgen.export.digests import digests
 from artgen.export.formats import FORMATS, TEXTURES
 from artgen.export.layouts import LAYOUTS, Layout
@@ -50,7 +50,7 @@ def export(
         formats: What to write, of `urdf`, `mjcf`, `usd` and `glb`; by default what is usual in the layout,
             which is all but `glb` in `flat`.
         collision: Which colliders it carries: `exact` are those that it has; `coacd` and `hull` are made of
-            its solids, see `artgen.export.collision.with_colliders`, and the certificate is not of them, so
+            its solids, see `artgen.asset.collision.with_colliders`, and the certificate is not of them, so
             none is written. `asset.json` records it.
         textures: Texels on a side of the materials' maps: 256, 512, 1024 or 2048; 0 for colours alone.
         layout: How the files lie, see `artgen.export.layouts`: `flat`, `simready`, `partnet-mobility` or

@@ -18,8 +18,8 @@ from artgen.asset.files import (
 )
 from artgen.asset.surface import texture_coordinates
 from artgen.export.hulls import HULL_DECIMALS, Hull, hulls
-from artgen.export.lines import face_lines, lines, rounded, text
 from artgen.export.maps import TEXTURE_DIRECTORY, MapFiles, map_files
+from artgen.export.number_text import face_lines, lines, rounded, text
 from artgen.export.phong import phong_exponent, specular_color
 from artgen.materials import Material
 from artgen.materials.textures import Kind, displayed

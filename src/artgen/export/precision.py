@@ -10,12 +10,12 @@ from numpy.typing import NDArray
 
 from artgen.asset import Asset, Mesh, Surface
 from artgen.asset.asset import remember
-from artgen.asset.coarser import coarser
+from artgen.asset.decimate import coarser
 from artgen.asset.files import POSITION_DECIMALS, rounded_mesh
+from artgen.asset.geometry_override import DerivedLink, fields_of, need_solids
 from artgen.asset.link import Piece
 from artgen.asset.surface import joined
 from artgen.errors import ParameterError
-from artgen.export.derived import DerivedLink, fields_of, need_solids
 
 COARSEST = 0.005
 """The farthest that what is seen may lie from what was made [m]."""

@@ -17,11 +17,11 @@ from artgen.errors import (
     nearest,
 )
 from artgen.generator.blame import call_author
-from artgen.generator.built import Built
+from artgen.generator.body_cache import Built
 from artgen.generator.draw import Draw, Overrides
-from artgen.generator.memory import SHARED
 from artgen.generator.parameter import Parameter, Variant, is_variant
 from artgen.generator.proof import OnCollision, certify_sample, check_proof
+from artgen.generator.shared_cache import SHARED
 from artgen.generator.signature import read_parameters
 from artgen.graph import Cache, Evaluation, Graph, Handle
 from artgen.graph.node import Node, topological

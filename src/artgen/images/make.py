@@ -16,10 +16,10 @@ from artgen.dataset.target import Target
 from artgen.images.annotations import annotations, joints_of_links
 from artgen.images.cameras import extrinsics, intrinsics, random_camera
 from artgen.images.encoding import encoded_color, encoded_depth, encoded_normals
+from artgen.images.lighting import Setting, Surroundings, random_setting, random_surroundings
 from artgen.images.plan import ImagePlan
 from artgen.images.poses import random_positions
 from artgen.images.renderer import ImageRenderer
-from artgen.images.setting import Setting, Surroundings, random_setting, random_surroundings
 from artgen.sampling.streams import stream
 from artgen.view.camera import Camera
 from artgen.view.rays import cast

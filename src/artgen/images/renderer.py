@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from artgen.asset import Asset
-from artgen.images.setting import Setting, Surroundings
+from artgen.images.lighting import Setting, Surroundings
 from artgen.materials import material
 from artgen.view.camera import Camera
 from artgen.view.classic import HALF, SKY, ClassicDress, ClassicRenderer

@@ -7,12 +7,10 @@ from artgen.nodes import (
     arrays,
     body,
     choose,
-    coarse,
     contact,
     csg,
     details,
     extrude,
-    hold,
     joint,
     loft,
     measure,
@@ -27,6 +25,8 @@ from artgen.nodes import (
     transform,
     vector,
 )
+from artgen.nodes import grasp_frames as hold
+from artgen.nodes import simplified_collider as coarse
 
 MODULES = (
     scalar,

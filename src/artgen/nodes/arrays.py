@@ -5,7 +5,7 @@ from numpy.typing import NDArray
 
 from artgen.asset.shape import ComposedShape, Shape
 from artgen.graph import kernel
-from artgen.nodes import inputs
+from artgen.nodes import validators as inputs
 from artgen.nodes.csg import united
 from artgen.nodes.handles import ArrayN3, PointsLike, Solid
 

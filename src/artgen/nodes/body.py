@@ -10,8 +10,8 @@ from artgen.asset import Branch, Grasp, Link, Piece, Push, Reading, Shape, Tree,
 from artgen.asset.gripper import GRIPPER, held
 from artgen.graph import kernel
 from artgen.materials import Material
+from artgen.nodes.grasp_frames import Array4x4, Frame
 from artgen.nodes.handles import Array3, ArrayN3, Body, PointsLike, Scalar, Solid, VectorLike
-from artgen.nodes.hold import Array4x4, Frame
 from artgen.nodes.joint import Joint
 from artgen.nodes.vector import unit
 

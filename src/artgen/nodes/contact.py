@@ -9,7 +9,7 @@ from artgen.errors import nearest
 from artgen.graph import kernel
 from artgen.nodes.condition import Condition
 from artgen.nodes.handles import Body, Scalar
-from artgen.nodes.inputs import finite
+from artgen.nodes.validators import finite
 
 Place = tuple[str, str]
 """A link and a label of solid pieces on it."""

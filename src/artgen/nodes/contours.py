@@ -7,9 +7,9 @@ import numpy as np
 from manifold3d import CrossSection, FillRule
 from numpy.typing import NDArray
 
+from artgen._cyclic import predecessors, successors
 from artgen.asset.outline import Contour, Outline
 from artgen.nodes.surfaces import arc_steps, sides_of
-from artgen.rings import predecessors, successors
 
 Array = NDArray[np.float64]
 

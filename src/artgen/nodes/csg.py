@@ -18,11 +18,11 @@ from artgen.colliders.hull import hull_of
 from artgen.colliders.triangles import cross, triangles_of
 from artgen.graph import kernel
 from artgen.materials import Material
-from artgen.nodes import inputs
-from artgen.nodes.covers import around_hull
-from artgen.nodes.cuboid import rounded_box
+from artgen.nodes import validators as inputs
 from artgen.nodes.handles import Array3, Scalar, Solid, VectorLike
+from artgen.nodes.primitive_colliders import around_hull
 from artgen.nodes.resurface import faceted_shape, with_properties
+from artgen.nodes.rounded_box import rounded_box
 
 Array = NDArray[np.float64]
 

@@ -6,15 +6,15 @@ from collections.abc import Callable, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from artgen._cyclic import successors
 from artgen.asset.outline import Contour, Outline
 from artgen.asset.shape import Shape
 from artgen.graph import kernel
-from artgen.nodes import inputs
+from artgen.nodes import validators as inputs
 from artgen.nodes.contours import is_disjoint, moved_outline, refined
-from artgen.nodes.covers import around_extrusion, moved
 from artgen.nodes.handles import Array3, Profile, Scalar, Solid, VectorLike
+from artgen.nodes.primitive_colliders import around_extrusion, moved
 from artgen.nodes.surfaces import extrusion, mitres
-from artgen.rings import successors
 
 Array = NDArray[np.float64]
 

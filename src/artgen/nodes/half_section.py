@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from artgen.asset.outline import Contour, Curve, Outline
 from artgen.graph import kernel
-from artgen.nodes import inputs
+from artgen.nodes import validators as inputs
 from artgen.nodes.contours import estimated, faceted, is_disjoint, side_normals, without_repeats
 from artgen.nodes.handles import Path, Profile, Scalar
 

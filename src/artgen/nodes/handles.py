@@ -10,7 +10,7 @@ from artgen.errors import BuildError
 from artgen.graph import LITERAL_TYPES, Handle, LiteralType
 from artgen.graph.node import authors_line
 from artgen.materials import Material
-from artgen.nodes.numbers import (
+from artgen.nodes.scalar_handles import (
     Array3,
     ArrayN3,
     Bool,

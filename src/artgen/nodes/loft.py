@@ -6,17 +6,17 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from artgen._cyclic import predecessors, successors
 from artgen.asset.outline import Contour, Outline
 from artgen.asset.shape import Shape
 from artgen.graph import kernel
-from artgen.nodes import inputs
+from artgen.nodes import validators as inputs
+from artgen.nodes.contour_columns import Rail
 from artgen.nodes.contours import CREASE, moved_outline
-from artgen.nodes.covers import around_chain
 from artgen.nodes.handles import Array3, Profile, Scalar, Solid, VectorLike
-from artgen.nodes.rail import Rail
+from artgen.nodes.primitive_colliders import around_chain
 from artgen.nodes.surfaces import Sheets, Skin, triangulated
 from artgen.nodes.unwrap import cap_uvs, lies_flat, runs_across, tapered_around, wall_uvs
-from artgen.rings import predecessors, successors
 
 Array = NDArray[np.float64]
 

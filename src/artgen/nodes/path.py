@@ -6,12 +6,12 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from artgen._cyclic import predecessors, successors
 from artgen.asset.outline import Curve
 from artgen.graph import kernel
-from artgen.nodes import inputs
+from artgen.nodes import validators as inputs
 from artgen.nodes.handles import Array3, Path, Scalar, VectorLike
 from artgen.nodes.surfaces import CHORD, arc_steps
-from artgen.rings import predecessors, successors
 
 Array = NDArray[np.float64]
 

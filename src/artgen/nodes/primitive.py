@@ -9,9 +9,10 @@ from artgen.asset.outline import Contour
 from artgen.asset.shape import Shape
 from artgen.colliders import Convex, Exact
 from artgen.graph import kernel
-from artgen.nodes import inputs
+from artgen.nodes import validators as inputs
 from artgen.nodes.contours import arc_points, circle_contour, faceted, rounded_polygon
-from artgen.nodes.covers import (
+from artgen.nodes.handles import Array3, Scalar, Solid, Span, VectorLike
+from artgen.nodes.primitive_colliders import (
     around_cylinder,
     around_hull,
     around_lathe,
@@ -19,9 +20,8 @@ from artgen.nodes.covers import (
     around_rounded_box,
     moved,
 )
-from artgen.nodes.cuboid import rounded_box
-from artgen.nodes.handles import Array3, Scalar, Solid, Span, VectorLike
 from artgen.nodes.round_contours import axial, half_ellipse, onto_axis
+from artgen.nodes.rounded_box import rounded_box
 from artgen.nodes.surfaces import bevel_steps, extrusion, lathe, sides_of
 
 Array = NDArray[np.float64]

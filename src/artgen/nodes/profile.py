@@ -10,9 +10,10 @@ from typing import Literal
 import numpy as np
 from manifold3d import CrossSection, JoinType
 
+from artgen._cyclic import successors
 from artgen.asset.outline import Contour, Outline
 from artgen.graph import kernel
-from artgen.nodes import inputs
+from artgen.nodes import validators as inputs
 from artgen.nodes.contours import (
     arc_points,
     circle_contour,
@@ -29,7 +30,6 @@ from artgen.nodes.contours import (
 )
 from artgen.nodes.handles import Profile, Scalar
 from artgen.nodes.surfaces import arc_steps, sides_of
-from artgen.rings import successors
 
 
 def _convex(contour: Contour) -> Outline:

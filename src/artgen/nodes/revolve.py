@@ -5,9 +5,9 @@ import math
 from artgen.asset.outline import Contour, Outline
 from artgen.asset.shape import Shape
 from artgen.graph import kernel
-from artgen.nodes import inputs
-from artgen.nodes.covers import around_lathe, moved
+from artgen.nodes import validators as inputs
 from artgen.nodes.handles import Array3, Profile, Scalar, Solid, VectorLike
+from artgen.nodes.primitive_colliders import around_lathe, moved
 from artgen.nodes.surfaces import lathe
 
 _ON_AXIS = 1e-7  # [m]: points nearer to the axis lie on it

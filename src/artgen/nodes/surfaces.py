@@ -13,11 +13,12 @@ import numpy as np
 from manifold3d import triangulate
 from numpy.typing import NDArray
 
+from artgen._cyclic import predecessors, successors
 from artgen.asset.outline import Contour
 from artgen.asset.shape import GRAIN, Shape
 from artgen.colliders import Pieces
-from artgen.nodes import inputs
-from artgen.nodes.rail import Rail
+from artgen.nodes import validators as inputs
+from artgen.nodes.contour_columns import Rail
 from artgen.nodes.unwrap import (
     cap_uvs,
     lies_flat,
@@ -27,7 +28,6 @@ from artgen.nodes.unwrap import (
     turned_uvs,
     wall_uvs,
 )
-from artgen.rings import predecessors, successors
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]

@@ -6,17 +6,17 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from artgen._cyclic import successors
 from artgen.asset.outline import Contour, Curve, Outline
 from artgen.asset.shape import Shape
 from artgen.colliders.triangles import cross
 from artgen.graph import kernel
+from artgen.nodes.contour_columns import Rail
 from artgen.nodes.contours import CREASE
-from artgen.nodes.covers import around_sweep
 from artgen.nodes.handles import Path, Profile, Solid
-from artgen.nodes.rail import Rail
+from artgen.nodes.primitive_colliders import around_sweep
 from artgen.nodes.surfaces import Sheets, Skin, triangulated
 from artgen.nodes.unwrap import cap_uvs, runs_across, wall_uvs
-from artgen.rings import successors
 
 Array = NDArray[np.float64]
 Row = tuple[float, float, float]

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from artgen.asset.outline import Contour, Outline
 from artgen.graph import kernel
-from artgen.nodes import inputs
+from artgen.nodes import validators as inputs
 from artgen.nodes.contours import is_disjoint, moved_outline, outline_of, section
 from artgen.nodes.handles import Profile, Scalar
 

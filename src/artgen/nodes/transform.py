@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from artgen.asset.shape import Shape
 from artgen.graph import kernel
-from artgen.nodes import inputs
+from artgen.nodes import validators as inputs
 from artgen.nodes.handles import Array3, Scalar, Solid, VectorLike
 
 Array = NDArray[np.float64]

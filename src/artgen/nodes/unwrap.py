@@ -8,9 +8,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from artgen._cyclic import successors
 from artgen.asset.outline import Contour
-from artgen.nodes.rail import Rail
-from artgen.rings import successors
+from artgen.nodes.contour_columns import Rail
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]

@@ -3,9 +3,9 @@
 import numpy as np
 
 from artgen.asset import Link
-from artgen.export.glb_buffer import Buffer
-from artgen.export.glb_materials import Looks
-from artgen.export.glb_meshes import primitive
+from artgen.export.glb.buffer import Buffer
+from artgen.export.glb.materials import Looks
+from artgen.export.glb.meshes import primitive
 from artgen.materials.textures import Kind
 
 

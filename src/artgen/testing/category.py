@@ -5,10 +5,10 @@ from typing import Any, Literal
 
 from artgen.asset import Asset
 from artgen.catalog import find
-from artgen.check.validate import validate
 from artgen.errors import ArtgenError, BuildError, InfeasibleError, ParameterError
 from artgen.generator import Generator
 from artgen.graph import Cache, Graph
+from artgen.validate.run import validate
 
 
 def check_category(

@@ -18,8 +18,8 @@ import pytest
 if TYPE_CHECKING:  # pytest loads plugins always: nothing else of artgen before `--artgen` is given
     from collections.abc import Iterator
 
-    from artgen.check.report import CheckResult
-    from artgen.check.validate import Examination
+    from artgen.validate.report import CheckResult
+    from artgen.validate.run import Examination
 
 _ASSET_FILE = "asset.json"
 _DIRECTORIES = pytest.StashKey[list[Path]]()
@@ -76,7 +76,7 @@ class AssetDirectory(pytest.Collector):
 
     def collect(self) -> Iterator[pytest.Item]:
         """Make a test of each check that the export has something for."""
-        from artgen.check.validate import Examination
+        from artgen.validate.run import Examination
 
         examination = Examination(self.path)
         for check in examination.checks:

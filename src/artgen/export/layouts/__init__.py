@@ -4,7 +4,7 @@ from collections.abc import Mapping
 
 from artgen.export.layouts.flat import FLAT
 from artgen.export.layouts.layout import Layout
-from artgen.export.layouts.partnet_mobility import PARTNET_MOBILITY
+from artgen.export.layouts.partnet import PARTNET_MOBILITY
 from artgen.export.layouts.robocasa import ROBOCASA
 from artgen.export.layouts.simready import SIMREADY
 

@@ -11,7 +11,7 @@ from typing import Any, TypeVar
 
 import numpy as np
 
-from artgen import disk_cache
+from artgen import _disk_cache as disk_cache
 from artgen.errors import ExportError
 
 _KIND = "textures"

@@ -10,7 +10,8 @@ from numpy.typing import NDArray
 
 from artgen.asset.outline import Contour, Outline
 from artgen.graph import kernel
-from artgen.nodes import inputs, text
+from artgen.nodes import text
+from artgen.nodes import validators as inputs
 from artgen.nodes.contours import faceted, moved_outline
 from artgen.nodes.details.icons import Weight, checked_icon, icon_outline
 from artgen.nodes.details.pen import SQUARE

@@ -9,7 +9,7 @@ from artgen.asset.outline import Outline
 from artgen.errors import BuildError, nearest
 from artgen.graph import kernel
 from artgen.graph.node import authors_line
-from artgen.nodes import inputs
+from artgen.nodes import validators as inputs
 from artgen.nodes.contours import moved_outline
 from artgen.nodes.details.icon_kitchen import KITCHEN
 from artgen.nodes.details.icon_signs import SIGNS

@@ -8,10 +8,10 @@ import numpy as np
 from manifold3d import CrossSection, FillRule
 from numpy.typing import NDArray
 
+from artgen._cyclic import predecessors
 from artgen.asset.outline import Outline
 from artgen.nodes.contours import arc_points, outline_of, side_normals, signed_area
 from artgen.nodes.details.pen import Mark, steps_of
-from artgen.rings import predecessors
 
 Array = NDArray[np.float64]
 

@@ -8,7 +8,8 @@ import numpy as np
 
 from artgen.asset.outline import Contour, Outline
 from artgen.graph import kernel
-from artgen.nodes import inputs, text
+from artgen.nodes import text
+from artgen.nodes import validators as inputs
 from artgen.nodes.contours import is_disjoint, moved_outline, outline_of, section
 from artgen.nodes.details.ink import drawing
 from artgen.nodes.details.pen import SQUARE, Mark, arc, circle, cut, disc, fill, stroke, turned

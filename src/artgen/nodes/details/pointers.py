@@ -7,7 +7,7 @@ import numpy as np
 
 from artgen.asset.outline import Outline
 from artgen.graph import kernel
-from artgen.nodes import inputs
+from artgen.nodes import validators as inputs
 from artgen.nodes.contours import arc_points, faceted
 from artgen.nodes.details.dials import SWEEP
 from artgen.nodes.handles import Profile, Scalar

@@ -15,11 +15,11 @@ from artgen.asset.outline import Contour, Curve, Outline
 from artgen.asset.shape import ComposedShape, Shape
 from artgen.colliders.pieces import Pieces
 from artgen.graph import kernel
-from artgen.nodes import inputs
-from artgen.nodes.covers import lazily
+from artgen.nodes import validators as inputs
 from artgen.nodes.handles import ArrayN3, Path, PointsLike, Scalar, Solid
 from artgen.nodes.path import _polyline
 from artgen.nodes.primitive import _capsule
+from artgen.nodes.primitive_colliders import lazily
 from artgen.nodes.profile import _circle
 from artgen.nodes.sweep import _sweep, swept_skin
 from artgen.nodes.transform import rotation_about

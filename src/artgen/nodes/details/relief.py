@@ -5,19 +5,19 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from artgen._cyclic import successors
 from artgen.asset.outline import Contour, Outline
 from artgen.asset.shape import Shape
 from artgen.colliders.triangles import cross
 from artgen.graph import kernel
 from artgen.materials import Material
-from artgen.nodes import inputs
+from artgen.nodes import validators as inputs
 from artgen.nodes.body import detail
 from artgen.nodes.contours import is_disjoint
-from artgen.nodes.covers import around_extrusion, lazily
 from artgen.nodes.details.prisms import prisms
 from artgen.nodes.handles import Array3, Body, Profile, Scalar, Solid, Vector, VectorLike
+from artgen.nodes.primitive_colliders import around_extrusion, lazily
 from artgen.nodes.surfaces import extrusion, mitres
-from artgen.rings import successors
 
 Array = NDArray[np.float64]
 

@@ -11,15 +11,15 @@ from artgen.asset.outline import Contour, Outline
 from artgen.asset.shape import Shape
 from artgen.graph import kernel
 from artgen.materials import Material
-from artgen.nodes import inputs
+from artgen.nodes import validators as inputs
 from artgen.nodes.body import detail, weld
+from artgen.nodes.contour_columns import Rail
 from artgen.nodes.contours import circle_contour, faceted, moved_outline, reversed_contour
-from artgen.nodes.covers import around_hull
 from artgen.nodes.details.relief import FRONT, facing_frame, in_shade, relief
 from artgen.nodes.handles import Array3, Body, Profile, Scalar, Solid, VectorLike
 from artgen.nodes.primitive import dome
+from artgen.nodes.primitive_colliders import around_hull
 from artgen.nodes.profile import polygon
-from artgen.nodes.rail import Rail
 from artgen.nodes.revolve import revolve
 from artgen.nodes.surfaces import Sheets, triangulated
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from artgen.asset.outline import Outline
 from artgen.graph import kernel
-from artgen.nodes import inputs
+from artgen.nodes import validators as inputs
 from artgen.nodes.contours import moved_outline
 from artgen.nodes.details.ink import drawing
 from artgen.nodes.details.pen import SQUARE, Mark, disc, fill, stroke

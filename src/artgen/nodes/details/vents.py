@@ -7,14 +7,14 @@ import numpy as np
 from manifold3d import JoinType
 from numpy.typing import NDArray
 
+from artgen._cyclic import successors
 from artgen.asset.outline import Contour, Outline
 from artgen.graph import kernel
-from artgen.nodes import inputs
+from artgen.nodes import validators as inputs
 from artgen.nodes.contours import circle_contour, moved_outline, reversed_contour, section
 from artgen.nodes.extrude import extrude
 from artgen.nodes.handles import Profile, Scalar, Solid
 from artgen.nodes.profile import _slot
-from artgen.rings import successors
 
 Array = NDArray[np.float64]
 

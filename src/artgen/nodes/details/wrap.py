@@ -10,12 +10,12 @@ from artgen.asset.shape import Shape
 from artgen.colliders import Bounded
 from artgen.graph import kernel
 from artgen.materials import Material
-from artgen.nodes import inputs
+from artgen.nodes import validators as inputs
 from artgen.nodes.body import detail
 from artgen.nodes.contours import refined
-from artgen.nodes.covers import around_hull
 from artgen.nodes.details.prisms import prisms
 from artgen.nodes.handles import Body, Path, Profile, Scalar, Solid
+from artgen.nodes.primitive_colliders import around_hull
 from artgen.nodes.surfaces import Skin
 
 Array = NDArray[np.float64]

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from artgen.asset import Asset
 from artgen.asset.files import ASSET_FILE
 from artgen.errors import ArtgenError, AssetError, ExportError, RenderError
-from artgen.export.layouts.simready_thumbnail import thumbnail
+from artgen.export.layouts.simready.thumbnail import thumbnail
 from artgen.view.rendering import close, render
 from artgen.view.sheet import shots, words
 from artgen.view.web.page import filled, page_of, read, script_data, write_file

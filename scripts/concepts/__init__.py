@@ -1,0 +1,1 @@
+"""The table of concepts, and the page that documents it."""

@@ -1,0 +1,194 @@
+"""Colliders of another making, to compare with those known from how the solids were made."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from typing import Any, Literal, get_args
+
+import numpy as np
+from manifold3d import Manifold, OpType
+from numpy.typing import NDArray
+
+from artgen.asset import Asset, Collider, Link
+from artgen.asset.geometry_override import DerivedLink, fields_of, need_solids
+from artgen.asset.link import MOST_COLLIDERS, boxes_overlap
+from artgen.colliders import Convex
+from artgen.colliders.coacd import coacd_pieces
+from artgen.colliders.connected import closed_mesh, connected_parts
+from artgen.colliders.single import fewest, single_hull
+from artgen.errors import ExportError, nearest
+from artgen.materials import Material
+
+Array = NDArray[np.float64]
+
+Collision = Literal["exact", "coacd", "hull"]
+COLLISIONS: tuple[str, ...] = get_args(Collision)
+"""How colliders can be made; `exact` leaves an asset those that it has."""
+
+_MOST_VERTICES = 64
+_TOUCHING = 2e-6  # [m]: solids of which less is common only touch; files have seven decimals
+_CONVEX = 1e-4  # share of its hull that a convex part does not fill
+_RECORD = "collision"  # in the data of a link whose colliders were replaced
+
+
+@dataclass(frozen=True, eq=False)
+class Part:
+    """A solid of a link as colliders are made of it.
+
+    Attributes:
+        label: Semantic label.
+        material: Material of the solid.
+        solid: The solid, in asset coordinates at rest; it may be of several parts that do not touch.
+    """
+
+    label: str
+    material: Material
+    solid: Manifold
+
+
+def with_colliders(asset: Asset, kind: Collision | str) -> Asset:
+    """Return an asset whose links carry colliders of another kind; all else, masses too, stays.
+
+    `hull` is one convex hull around each connected part of each solid, of at most 64 vertices; where these
+    are more than 64 on a link, neighbours are joined. It contains the solids and closes every hollow.
+    `coacd` is CoACD's decomposition of the union of a link's solids, as few and as small; solids that only
+    touch are decomposed apart. It neither contains the solids nor keeps all hollows open.
+    `exact` is the asset itself.
+
+    A certificate is of the colliders that it was made of: the asset that is returned has none.
+
+    Args:
+        asset: The asset.
+        kind: Of `COLLISIONS`.
+
+    Raises:
+        ExportError: There is no such kind, or CoACD is not installed or fails.
+        AssetError: The asset was read from files, which have no solids.
+    """
+    if kind not in COLLISIONS:
+        raise ExportError(f"there is no collision {kind!r}.{nearest(kind, COLLISIONS)}")
+    if kind == "exact":
+        return asset
+    need_solids(
+        asset,
+        f"its colliders cannot be made anew as {kind!r}",
+        "collision='exact', which keeps the colliders that it has",
+    )
+    found = {link.name: made_colliders(solid_parts(link), kind) for link in asset.links}
+    return replace_colliders(asset, found, kind)
+
+
+def replace_colliders(asset: Asset, colliders: dict[str, tuple[Collider, ...]], kind: str) -> Asset:
+    """Return an asset with other colliders on its links, by the links' names."""
+    links = [
+        RecollidedLink(*fields_of(link), source=link, replacing=colliders[link.name], collision=kind)
+        for link in asset.links
+    ]
+    return replace(asset, links=tuple(links))
+
+
+def collision_of(links: Sequence[dict[str, Any]]) -> str:
+    """Tell of which kind the colliders are in the data of an asset's links."""
+    kinds = dict.fromkeys(link.get(_RECORD, "exact") for link in links)
+    return next((kind for kind in kinds if kind != "exact"), "exact")
+
+
+def solid_parts(link: Link) -> list[Part]:
+    """Return the solids of a link that was generated, without what is only seen."""
+    return [
+        Part(piece.label, piece.material, piece.shape.manifold) for piece in link.pieces if not piece.visual
+    ]
+
+
+def made_colliders(parts: Sequence[Part], kind: str) -> tuple[Collider, ...]:
+    """Return the colliders of a link's solids, `hull` or `coacd`.
+
+    Raises:
+        ExportError: CoACD is not installed or fails.
+    """
+    if kind == "hull":
+        return _hulls(parts)
+    try:
+        convexes = [convex for solid in _unions(parts) for convex in _decomposed(solid)]
+    except (ImportError, ValueError) as error:
+        raise ExportError(f"cannot make colliders of kind 'coacd': {error}") from error
+    return tuple(_named(convex, parts) for convex, _ in fewest(convexes, MOST_COLLIDERS, _MOST_VERTICES))
+
+
+def _unions(parts: Sequence[Part]) -> list[Manifold]:
+    """Return the unions of solids that overlap by more than files round away."""
+    groups: list[list[Manifold]] = []
+    for solid in (connected for part in parts for connected in connected_parts(part.solid)):
+        met = [group for group in groups if any(_overlapping(solid, other) for other in group)]
+        groups = [group for group in groups if not any(group is other for other in met)]
+        groups.append([*(other for group in met for other in group), solid])
+    return [Manifold.batch_boolean(group, OpType.Add) for group in groups]
+
+
+def _overlapping(first: Manifold, second: Manifold) -> bool:
+    if not boxes_overlap(_bounds(first), _bounds(second)):
+        return False
+    common = first ^ second
+    return bool(2.0 * common.volume() > _TOUCHING * common.surface_area())  # of a film: its thickness
+
+
+def _decomposed(solid: Manifold) -> tuple[Convex, ...]:
+    """Return CoACD's pieces of a connected solid, or its hull where it is convex."""
+    vertices, triangles = closed_mesh(solid)
+    hull = single_hull(vertices, _MOST_VERTICES)
+    if hull.volume - solid.volume() <= _CONVEX * hull.volume:
+        return (hull,)
+    return coacd_pieces(vertices, triangles, most_pieces=MOST_COLLIDERS, most_vertices=_MOST_VERTICES)
+
+
+def _hulls(parts: Sequence[Part]) -> tuple[Collider, ...]:
+    """Return one hull around each connected part of the solids."""
+    convexes, owners, volumes = [], [], []
+    for part in parts:
+        for connected in connected_parts(part.solid):
+            convexes.append(single_hull(closed_mesh(connected)[0], _MOST_VERTICES))
+            owners.append(part)
+            volumes.append(connected.volume())
+    result = []
+    for convex, group in fewest(convexes, MOST_COLLIDERS, _MOST_VERTICES):
+        owner = owners[max(group, key=lambda number: (volumes[number], -number))]
+        result.append(Collider(convex, owner.label, owner.material))
+    return tuple(result)
+
+
+def _named(convex: Convex, parts: Sequence[Part]) -> Collider:
+    """Give a piece the label and the material of the solid that fills most of it."""
+    manifold, bounds = convex.manifold(), convex.bounds()
+    filled = [
+        (manifold ^ part.solid).volume() if boxes_overlap(bounds, _bounds(part.solid)) else 0.0
+        for part in parts
+    ]
+    part = parts[int(np.argmax(filled))]
+    return Collider(convex, part.label, part.material)
+
+
+def _bounds(solid: Manifold) -> Array:
+    return np.array(solid.bounding_box(), np.float64).reshape(2, 3)
+
+
+@dataclass(frozen=True, eq=False)
+class RecollidedLink(DerivedLink):
+    """A link with colliders of another making; the rest is the source's.
+
+    Attributes:
+        replacing: Its colliders now.
+        collision: How they were made.
+    """
+
+    replacing: tuple[Collider, ...] = field(kw_only=True)
+    collision: str = field(kw_only=True)
+
+    @cached_property
+    def colliders(self) -> tuple[Collider, ...]:
+        """The colliders that replace the source's."""
+        return self.replacing
+
+    def to_data(self) -> dict[str, Any]:
+        """Return everything but the triangles as JSON data, with how the colliders were made."""
+        colliders = Link.to_data(self)["colliders"]
+        return {**super().to_data(), "colliders": colliders, _RECORD: self.collision}

@@ -1,0 +1,328 @@
+"""The surfaces of a link taken apart into closed shells, of solids in memory or of mesh files read back."""
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+
+import numpy as np
+from manifold3d import Manifold, Mesh64
+from numpy.typing import NDArray
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components
+from scipy.spatial import cKDTree
+
+from artgen.asset import Link, Mesh
+from artgen.asset.once import once_per_link
+from artgen.asset.unique_rows import distinct_rows
+
+Array = NDArray[np.float64]
+Indices = NDArray[np.int64]
+
+_WELD_MEMORY = 1e-9  # [m] within which corners of solids are one point
+_WELD_FILES = 4e-7  # [m]: mesh files have 7 decimals
+
+
+@dataclass(frozen=True, eq=False)
+class Shell:
+    """A connected part of a surface; solids that share an edge are one.
+
+    Attributes:
+        label: Label of the piece or surface that it belongs to.
+        piece: Number of the piece on its link; 0 for all shells that were read from files.
+        points: Its corners, each once, shape (n, 3) [m].
+        triangles: Indices of them, shape (m, 3).
+        hollows: The walls of the hollows inside it.
+    """
+
+    label: str
+    piece: int
+    points: Array
+    triangles: Indices
+    hollows: tuple["Shell", ...] = ()
+
+    @cached_property
+    def corners(self) -> Array:
+        """The corners of each triangle, shape (m, 3, 3) [m]."""
+        return self.points[self.triangles]
+
+    @cached_property
+    def area(self) -> float:
+        """Its area [m^2]."""
+        a, b, c = self.corners[:, 0], self.corners[:, 1], self.corners[:, 2]
+        return float(0.5 * np.linalg.norm(np.cross(b - a, c - a), axis=1).sum())
+
+    @cached_property
+    def _moments(self) -> tuple[float, Array]:
+        reference = self.points.mean(axis=0)
+        a, b, c = (self.corners[:, number] - reference for number in range(3))
+        volumes = np.einsum("ij,ij->i", a, np.cross(b, c)) / 6.0
+        volume = float(volumes.sum())
+        first = (volumes[:, None] * (a + b + c)).sum(axis=0) / 4.0
+        return volume, reference + (first / volume if volume else 0.0)
+
+    @property
+    def volume(self) -> float:
+        """Enclosed volume, negative where the surface is turned inside out or bounds a hollow [m^3]."""
+        return self._moments[0]
+
+    @property
+    def center(self) -> Array:
+        """Centre of the enclosed volume, shape (3,) [m]."""
+        return self._moments[1]
+
+    @property
+    def thickness(self) -> float:
+        """Mean thickness: of a plate its own, of a wire half its diameter [m]."""
+        return 2.0 * abs(self.volume) / self.area if self.area else 0.0
+
+    @cached_property
+    def bounds(self) -> Array:
+        """Corners of the bounding box, shape (2, 3) [m]."""
+        return np.array([self.points.min(axis=0), self.points.max(axis=0)])
+
+    @cached_property
+    def manifold(self) -> Manifold:
+        """The enclosed solid without its hollows, as a manifold whose status is not checked."""
+        wall = Manifold(Mesh64(self.points, self.triangles.astype(np.uint64)))
+        for hollow in self.hollows:
+            turned = hollow.triangles[:, ::-1].astype(np.uint64)
+            wall -= Manifold(Mesh64(hollow.points, turned))
+        return wall
+
+    def winds_around(self, point: Array) -> float:
+        """Return how many times the shell encloses a point, shape (3,): 1 inside, 0 outside."""
+        a, b, c = (self.corners[:, number] - point for number in range(3))
+        lengths = [np.linalg.norm(each, axis=1) for each in (a, b, c)]
+        above = np.einsum("ij,ij->i", a, np.cross(b, c))
+        below = (
+            lengths[0] * lengths[1] * lengths[2]
+            + np.einsum("ij,ij->i", a, b) * lengths[2]
+            + np.einsum("ij,ij->i", b, c) * lengths[0]
+            + np.einsum("ij,ij->i", c, a) * lengths[1]
+        )
+        return float(np.arctan2(above, below).sum() / (2.0 * np.pi))
+
+
+@dataclass(frozen=True, eq=False)
+class Skin:
+    """The surface of a piece, or of all of a link that was read from files.
+
+    Attributes:
+        label: Label of the piece; empty for a whole link.
+        shells: Its connected parts.
+        detail: Whether the piece is only seen; None where the files do not tell.
+        finite: Whether all coordinates are finite; nothing else is known if they are not.
+        open_edges: Edges with a face on one side only.
+        turned_edges: Edges whose faces are wound against each other.
+        doubled: Triangles that lie on another one of the same winding.
+        flat: Triangles lower than `_FLAT`.
+        against: Triangles that lean away from a normal at their corners by more than 60 degrees.
+        place: A point of the first fault, shape (3,) [m].
+        triangles: How many triangles there are.
+    """
+
+    label: str
+    shells: tuple[Shell, ...] = ()
+    detail: bool | None = None
+    finite: bool = True
+    open_edges: int = 0
+    turned_edges: int = 0
+    doubled: int = 0
+    flat: int = 0
+    against: int = 0
+    place: Array = field(default_factory=lambda: np.zeros(3))
+    triangles: int = 0
+
+    @cached_property
+    def solids(self) -> tuple[Shell, ...]:
+        """The shells around solids, each with its hollows; none if the surface is not closed."""
+        if not self.closed:
+            return ()
+        outer = [shell for shell in self.shells if shell.volume > 0.0]
+        owners = [_owner(shell, outer) for shell in self.shells if shell.volume < 0.0]
+        hollows = [shell for shell in self.shells if shell.volume < 0.0]
+        return tuple(
+            replace(
+                shell,
+                hollows=tuple(
+                    hollow for hollow, owner in zip(hollows, owners, strict=True) if owner == number
+                ),
+            )
+            for number, shell in enumerate(outer)
+        )
+
+    @property
+    def closed(self) -> bool:
+        """Whether every edge has a face on either side, wound alike."""
+        return self.finite and not self.open_edges and not self.turned_edges
+
+
+def _owner(hollow: Shell, outer: Sequence[Shell]) -> int:
+    """Return the number of the smallest shell whose box holds that of a hollow; -1 if none does."""
+    low, high = hollow.bounds
+    around = [
+        (shell.volume, number)
+        for number, shell in enumerate(outer)
+        if (shell.bounds[0] <= low).all()
+        and (high <= shell.bounds[1]).all()
+        and shell.volume > -hollow.volume
+    ]
+    return min(around, default=(0.0, -1))[1]
+
+
+_FLAT = 1e-8  # [m]
+_JUDGED = 2e-5  # [m]: lower triangles have no normal to speak of in mesh files
+_AGAINST = 0.5  # cosine between a face and the normal at a corner, below which it leans away: 60 degrees
+
+
+@once_per_link
+def skins(link: Link) -> tuple[Skin, ...]:
+    """Return the surface of each piece of a link, or of the whole link if it was read from files.
+
+    Raises:
+        AssetError: The mesh files of the link are missing or damaged.
+    """
+    if link.pieces:
+        return tuple(
+            _skin(piece.shape.mesh, None, [piece.label], _WELD_MEMORY, number, detail=piece.visual)
+            for number, piece in enumerate(link.pieces)
+        )
+    if not link.surfaces:
+        return ()
+    meshes = [surface.mesh for surface in link.surfaces]
+    labels = np.repeat(np.arange(len(meshes)), [len(mesh.triangles) for mesh in meshes])
+    return (_skin(_together(meshes), labels, [surface.label for surface in link.surfaces], _WELD_FILES),)
+
+
+def _together(meshes: list[Mesh]) -> Mesh:
+    starts = np.cumsum([0, *(len(mesh.vertices) for mesh in meshes)])
+    return Mesh(
+        vertices=np.concatenate([mesh.vertices for mesh in meshes]),
+        normals=np.concatenate([mesh.normals for mesh in meshes]),
+        uvs=np.concatenate([mesh.uvs for mesh in meshes]),
+        paints=np.concatenate([mesh.paints for mesh in meshes]),
+        triangles=np.concatenate(
+            [mesh.triangles + start for mesh, start in zip(meshes, starts, strict=False)]
+        ),
+    )
+
+
+def _skin(
+    mesh: Mesh,
+    labels: Indices | None,
+    names: list[str],
+    reach: float,
+    piece: int = 0,
+    *,
+    detail: bool | None = None,
+) -> Skin:
+    """Weld corners at one place, count the faults and take the surface apart."""
+    label = names[0] if detail is not None else ""
+    if not np.isfinite(mesh.vertices).all():
+        return Skin(label, detail=detail, finite=False, triangles=len(mesh.triangles))
+    if labels is None:
+        labels = np.zeros(len(mesh.triangles), np.int64)
+    points, number = _welded(mesh.vertices, reach)
+    faces = number[mesh.triangles]
+    proper = (faces[:, 0] != faces[:, 1]) & (faces[:, 1] != faces[:, 2]) & (faces[:, 2] != faces[:, 0])
+    against = _against(mesh)
+    faces, labels, corners = faces[proper], labels[proper], mesh.vertices[mesh.triangles]
+    turned = np.argmin(faces, axis=1)[:, None] + np.arange(3)
+    _, first, _ = distinct_rows(np.take_along_axis(faces, turned % 3, axis=1))
+    doubled = len(faces) - len(first)
+    first.sort()
+    faces, labels = faces[first], labels[first]
+    edges = _Edges.of(faces)
+    faulty = np.concatenate([edges.open, edges.turned])
+    places = [*points[faulty[:1, 0]], *corners[against[:1], 0]]
+    return Skin(
+        label,
+        tuple(_shells(points, faces, edges, labels, names, piece)),
+        detail,
+        open_edges=len(edges.open),
+        turned_edges=len(edges.turned),
+        doubled=doubled,
+        flat=int((_heights(corners) < _FLAT).sum()),
+        against=len(against),
+        place=np.asarray(places[0]) if places else np.zeros(3),
+        triangles=len(mesh.triangles),
+    )
+
+
+def point_text(point: Iterable[float]) -> str:
+    """Spell a point in millimetres."""
+    return "(" + ", ".join(f"{round(1e3 * value, 1) + 0.0:.1f}" for value in point) + ") mm"
+
+
+def _welded(vertices: Array, reach: float) -> tuple[Array, Indices]:
+    """Return points and the point of each vertex; vertices within reach of each other are one."""
+    distinct, _, number = distinct_rows(vertices)
+    pairs = cKDTree(distinct).query_pairs(reach, output_type="ndarray")
+    if not len(pairs):
+        return distinct, number
+    graph = coo_array((np.ones(len(pairs)), pairs.T), shape=(len(distinct), len(distinct)))
+    _, group = connected_components(graph, directed=False)
+    _, first = np.unique(group, return_index=True)
+    return distinct[first], group.astype(np.int64)[number]
+
+
+def _heights(corners: Array) -> Array:
+    """Return the least height of each triangle, shape (m,) [m]."""
+    across = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
+    longest = np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2).max(axis=1)
+    return np.asarray(across / np.maximum(longest, 1e-300))
+
+
+def _against(mesh: Mesh) -> Indices:
+    """Return the triangles that lean away from a normal at their corners."""
+    corners = mesh.vertices[mesh.triangles]
+    across = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    size = np.linalg.norm(across, axis=1)
+    normals = mesh.normals[mesh.triangles]
+    cosine = np.einsum("ij,ikj->ik", across, normals).min(axis=1) / np.maximum(size, 1e-300)
+    return np.flatnonzero((cosine < _AGAINST) & (_heights(corners) > _JUDGED))
+
+
+@dataclass(frozen=True, eq=False)
+class _Edges:
+    """The edges of triangles.
+
+    Attributes:
+        open: Ends of the edges with one face, shape (k, 2).
+        turned: Ends of the edges whose faces are wound against each other, shape (k, 2).
+        neighbours: Pairs of faces that share an edge, shape (k, 2).
+    """
+
+    open: Indices
+    turned: Indices
+    neighbours: Indices
+
+    @staticmethod
+    def of(faces: Indices) -> "_Edges":
+        directed = np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]])
+        forward = np.where(directed[:, 0] < directed[:, 1], 1, -1)
+        ends, _, edge = distinct_rows(np.sort(directed, axis=1))
+        count = np.bincount(edge, minlength=len(ends))
+        balance = np.bincount(edge, forward, minlength=len(ends))
+        order = np.argsort(edge, kind="stable")
+        face = np.tile(np.arange(len(faces)), 3)[order]
+        same = np.flatnonzero(edge[order][1:] == edge[order][:-1])
+        unbalanced = balance != 0.0
+        single = unbalanced & (count % 2 == 1)
+        neighbours = np.column_stack([face[same], face[same + 1]])
+        return _Edges(ends[single], ends[unbalanced & ~single], neighbours)
+
+
+def _shells(
+    points: Array, faces: Indices, edges: _Edges, labels: Indices, names: list[str], piece: int
+) -> Iterator[Shell]:
+    if not len(faces):
+        return
+    near = edges.neighbours
+    graph = coo_array((np.ones(len(near)), near.T), shape=(len(faces), len(faces)))
+    count, group = connected_components(graph, directed=False)
+    order = np.argsort(group, kind="stable")
+    ends = np.cumsum(np.bincount(group, minlength=count))
+    for of_shell in np.split(order, ends[:-1]):
+        used, triangles = np.unique(faces[of_shell], return_inverse=True)
+        yield Shell(names[labels[of_shell[0]]], piece, points[used], triangles.reshape(-1, 3))

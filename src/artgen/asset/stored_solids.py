@@ -1,0 +1,107 @@
+"""The solids of a link that was read from files, made of the meshes that are seen."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from manifold3d import Error, Manifold, Mesh64
+from numpy.typing import NDArray
+
+from artgen.asset import Link, Surface
+from artgen.asset.collision import Part, solid_parts
+from artgen.asset.once import once_per_link
+from artgen.colliders.connected import connected_parts
+from artgen.errors import AssetError
+
+Array = NDArray[np.float64]
+
+_ONE_POINT = 3e-7  # [m]: vertices of a file nearer than this are one; it has seven decimals
+_ONE_BOX = 1e-6  # [m] that a bounding box may be off in a file
+
+
+@dataclass(frozen=True, eq=False)
+class Details:
+    """What the data of a link that was read from files records as only seen.
+
+    Attributes:
+        boxes: Bounding boxes by label, shape (n, 2, 3) [m].
+    """
+
+    boxes: Mapping[str, Array] = field(default_factory=dict)
+
+    @staticmethod
+    def of(data: Sequence[Mapping[str, Any]]) -> "Details":
+        """Read the record."""
+        boxes: dict[str, list[Any]] = {}
+        for each in data:
+            boxes.setdefault(each["label"], []).append(each["bounds"])
+        return Details({label: np.array(of_label, float) for label, of_label in boxes.items()})
+
+    def have(self, label: str, bounds: Array) -> bool:
+        """Tell whether a closed part of the meshes is one of them, by its label and its box, shape (2, 3)."""
+        known = self.boxes.get(label)
+        return known is not None and bool((np.abs(known - bounds).max(axis=(1, 2)) <= _ONE_BOX).any())
+
+
+def mesh_precision(*links: Link) -> float:
+    """Return how far the visible faces of links may lie from their solids; 0 where they are theirs [m]."""
+    read = [link.to_data() for link in links if not link.pieces]
+    return max((float(data.get("mesh_precision", 0.0)) for data in read), default=0.0)
+
+
+@once_per_link
+def link_parts(link: Link) -> tuple[Part, ...]:
+    """Return the solids of a link; where it was read from files, the closed parts of its meshes.
+
+    What has neither mass nor collider, such as the head of a screw, is told by its label and bounding box.
+
+    Raises:
+        AssetError: The meshes of a label do not close, or are not those of the solids.
+    """
+    if link.pieces:
+        return tuple(solid_parts(link))
+    if precision := mesh_precision(link):
+        raise AssetError(
+            f"the meshes of link {link.name!r} have a precision of {1e3 * precision:g} mm: they show its "
+            f"solids, and are not theirs; export the asset with mesh_precision=0",
+            link=link.name,
+        )
+    groups: dict[str, list[Surface]] = {}
+    for surface in link.surfaces:
+        groups.setdefault(surface.label, []).append(surface)
+    known = {collider.label: collider.material for collider in link.colliders}
+    closed = {label: _closed(link, label, surfaces) for label, surfaces in groups.items()}
+    details = Details.of(link.to_data().get("details", ()))
+    return tuple(
+        Part(label, known.get(label, groups[label][0].material), part)
+        for label, parts in closed.items()
+        for part in parts
+        if not details.have(label, np.reshape(part.bounding_box(), (2, 3)))
+    )
+
+
+def _closed(link: Link, label: str, surfaces: list[Surface]) -> list[Manifold]:
+    """Return the closed parts of the faces that share a label, with their hollows."""
+    offsets = np.cumsum([0, *(len(surface.mesh.vertices) for surface in surfaces[:-1])])
+    mesh = Mesh64(
+        np.concatenate([surface.mesh.vertices for surface in surfaces]),
+        np.concatenate(
+            [surface.mesh.triangles + offset for surface, offset in zip(surfaces, offsets, strict=True)]
+        ).astype(np.uint64),
+        tolerance=_ONE_POINT,
+    )
+    mesh.merge()
+    whole = Manifold(mesh)
+    if whole.status() != Error.NoError:
+        raise AssetError(
+            f"the meshes of link {link.name!r} with label {label!r} do not close to a solid "
+            f"({whole.status().name}); export the asset again",
+            link=link.name,
+        )
+    if whole.is_empty():
+        raise AssetError(
+            f"the meshes of link {link.name!r} with label {label!r} are empty; export the asset again",
+            link=link.name,
+        )
+    return connected_parts(whole)

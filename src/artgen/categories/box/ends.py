@@ -1,0 +1,110 @@
+"""Boxes that lie on a side and open at both ends: with slotted flaps, or with lids that are tucked in.
+
+Each end is made as the top of a box that stands on its other end. It is closed there, turned over, closed
+again, and laid down: the front of either top is on the floor then, its back is at the top, its left and its
+right are the front and the back of the box.
+"""
+
+import math
+from collections.abc import Callable
+from dataclasses import replace
+
+from artgen import Body, Scalar, Solid, Y, Z, box_between, min_, part, require, weld
+from artgen.categories.box.board import Mouth, Thing
+from artgen.categories.box.bodies import walls
+from artgen.categories.box.flaps import Top
+from artgen.categories.box.kinds import Draft
+from artgen.categories.box.lids import Lidded
+from artgen.categories.box.marks import Ink, address_label
+from artgen.categories.box.prints import shipping_print
+
+# the end at the left is closed first and turned over then, which swaps its left and its right
+_LEFT = Mouth("lower", "upper", "back", "front", "_left", grounded=True)
+_RIGHT = Mouth("lower", "upper", "front", "back", "_right", grounded=True)
+_SIDES_MEET = (
+    "flaps at the sides of an open end, half the height long, would meet: take a smaller height, or a larger "
+    "width or aspect"
+)
+
+
+def open_ended_box(draft: Draft, *, taped: bool) -> Body:
+    """Make a slotted box whose eight flaps are at its ends."""
+    board, wide, tall, long = draft.board, draft.depth, draft.height, draft.width
+    tall = require(tall, tall <= wide, _SIDES_MEET)
+    left, right = (Top(board, wide, tall, long, draft.swing, taped, mouth=mouth) for mouth in (_LEFT, _RIGHT))
+    body = weld(
+        part(_both_ends(left.creased, _tube(draft), long), "box", board.outside),
+        *(_turned(each, long) for each in left.tape_ends()),
+        *right.tape_ends(),
+    )
+    body = right.attached(_turned(left.attached(body, draft.feel), long), draft.feel)
+    marks = shipping_print(draft.look, long, wide, low=0.0, high=tall, finish=board.outside, sides=False)
+    return weld(_laid(body, long, tall), *marks, _on_top(draft), *_label(draft))
+
+
+def tuck_end_box(draft: Draft, *, ears: bool, lips: bool, opening: Scalar) -> Body:
+    """Make a carton with a lid at either end, which hangs at the top, and flaps under it at its sides."""
+    board, wide, tall, long = draft.board, draft.depth, draft.height, draft.width
+    left = Lidded(
+        board,
+        wide,
+        tall,
+        long,
+        sides="over",
+        ears=ears,
+        dust=min_(0.42 * tall, 0.30 * wide),
+        opening=opening,
+        lips=lips,
+        lined=0.7 * long,
+        grip=0.05,
+        mouth=_LEFT,
+    )
+    right = replace(left, mouth=_RIGHT)
+    body = weld(
+        part(_both_ends(left.creased, _tube(draft), long), "box", board.outside),
+        *(_turned(each, long) for each in left.rims()),
+        *right.rims(),
+    )
+    for each in (left, right):
+        body = each.attached(_turned(body, long), draft.feel, printed=[], swing=draft.swing)
+    ink = Ink(draft.look.ink(board.outside))
+    name = draft.look.mark(0.62 * long, 0.17 * tall)
+    marks = [ink.put(name, (0.0, -wide / 2.0, 0.52 * tall))]
+    return weld(_laid(body, long, tall), *marks, _on_top(draft), *_label(draft))
+
+
+def _tube(draft: Draft) -> Solid:
+    """Make the four walls of a box without ends, upright."""
+    wide, tall = draft.depth, draft.height
+    tube = walls(draft.board, wide, tall, draft.width, base=-0.004, floor=False)
+    return tube - box_between((-wide, -tall, -0.01), (wide, tall, 0.0)).paint(draft.board.edge)
+
+
+def _both_ends(cut: Callable[[Solid], Solid], tube: Solid, long: Scalar) -> Solid:
+    """Cut both ends of a tube as its top is cut."""
+    return cut(_turned(cut(tube), long))
+
+
+def _turned(thing: Thing, long: Scalar) -> Thing:
+    """Turn over what stands: its top is at the bottom, its front stays in front."""
+    return thing.rotate(Y, math.pi, about=(0.0, 0.0, long / 2.0))
+
+
+def _laid(body: Body, long: Scalar, tall: Scalar) -> Body:
+    """Lay down what stands: its top comes to the right, its front to the floor."""
+    return body.rotate(Z, math.pi / 2.0).rotate(Y, math.pi / 2.0).at(-long / 2.0, 0.0, tall / 2.0)
+
+
+def _on_top(draft: Draft) -> Body:
+    """Print the name on the upper wall."""
+    name = draft.look.mark(0.55 * draft.width, 0.16 * draft.depth)
+    return Ink(draft.look.ink(draft.board.outside), Z).put(name, (0.0, 0.0, draft.height))
+
+
+def _label(draft: Draft) -> list[Body]:
+    """Return the address on the upper wall, in front of the name, if there is one."""
+    if not draft.look.label:
+        return []
+    at = (-0.27 * draft.width, -0.30 * draft.depth, draft.height)
+    size = min_(0.105, 0.45 * draft.depth)
+    return address_label(at, facing=Z, size=size, number=draft.look.model)

@@ -1,0 +1,205 @@
+"""Slotted tops: four flaps at the walls, the minor ones below the major ones, which meet in the middle."""
+
+import math
+from dataclasses import dataclass
+
+from artgen import (
+    Body,
+    Float,
+    Joint,
+    Scalar,
+    Solid,
+    Z,
+    box_between,
+    detail,
+    grasp_on,
+    min_,
+    part,
+    polygon,
+    push_on,
+    rectangle,
+    weld,
+)
+from artgen.categories.box.board import FOLD, LAYER, SLIT, TOP, Board, Crease, Feel, Mouth
+from artgen.categories.box.bottles import Bottles
+from artgen.categories.box.marks import TAPE, pull_tab
+
+_UPRIGHT = 1.60  # from here on a flap leaves the space over the box free [rad]
+_HANGING = 3.40  # from here on a flap is below what closes over the box [rad]
+_LYING = 0.03  # from here on a flap on the floor lies, before it is all the way open [rad]
+_SHORT = 0.012  # of the pull tab of a flap that comes to lie on the floor [m]
+_MAJORS_MEET = (
+    "flaps so short would meet as they open, for their board is thick: take a larger width or aspect, or a "
+    "thinner flute"
+)
+_TAPE_WIDE = 0.048  # packing tape, half of it on either flap once it is slit [m]
+
+
+@dataclass(frozen=True)
+class Top:
+    """Four flaps of one length at the top of a box, its majors at the front and at the back.
+
+    Attributes:
+        board: What it is cut from.
+        width: Of the box along x, outside [m].
+        depth: Of the box along y, outside [m].
+        height: Of the closed box [m].
+        swing: How far flaps open if nothing stops them [rad].
+        taped: Whether tape was slit along the seam.
+        ground: Height above which flaps have room to hang down [m].
+        beside: Where minor flaps are pushed up, from their middle [m].
+        mouth: What its sides are called, and whether the one in front lies on the floor.
+    """
+
+    board: Board
+    width: Scalar
+    depth: Scalar
+    height: Scalar
+    swing: Scalar
+    taped: bool
+    ground: Scalar = 0.0
+    beside: Scalar = 0.0
+    mouth: Mouth = TOP
+
+    @property
+    def reach(self) -> Scalar:
+        """From a crease to the free edge of its flap [m]."""
+        return self.depth / 2.0 - SLIT / 2.0
+
+    @property
+    def low(self) -> Scalar:
+        """Height of the walls with minor flaps, which lie one layer lower [m]."""
+        return self.height - self.board.thick - LAYER
+
+    @property
+    def opening(self) -> Float:
+        """How far flaps open: neither down to the floor nor until their tabs meet the walls [rad]."""
+        down = math.pi + 0.9 * (self.low - self.ground) / self.reach
+        return min_(min_(self.swing, down), 1.5 * math.pi - 0.028 / self.reach)
+
+    @property
+    def _shy(self) -> Scalar:
+        """How far a flap that comes to lie on the floor stays off it, for its tab is below it [rad]."""
+        return (_SHORT + 0.0015) / self.reach
+
+    @property
+    def _taper(self) -> Scalar:
+        """By how much minor flaps are narrower at either side of their tips: they clear such a flap [m]."""
+        return 1.15 * (self._shy + _LYING) * self.reach if self.mouth.grounded else 0.0
+
+    def majors(self) -> dict[str, Crease]:
+        """Return the creases of the front and the back wall."""
+        return {
+            "front": Crease(0.0, -self.depth / 2.0, self.height),
+            "back": Crease(0.0, self.depth / 2.0, self.height, turn=math.pi),
+        }
+
+    def minors(self) -> dict[str, Crease]:
+        """Return the creases of the walls at the sides."""
+        return {
+            "left": Crease(-self.width / 2.0, 0.0, self.low, turn=-math.pi / 2.0),
+            "right": Crease(self.width / 2.0, 0.0, self.low, turn=math.pi / 2.0),
+        }
+
+    def creased(self, walls: Solid) -> Solid:
+        """Cut the tops of walls that end at the height of the box for their creases."""
+        t = self.board.thick
+        lowered = walls
+        for side in (-1.0, 1.0):
+            low = (side * self.width / 2.0 - 1.6 * t, -self.depth / 2.0 - 0.01, self.low)
+            high = (side * self.width / 2.0 + 1.6 * t, self.depth / 2.0 + 0.01, self.height + 0.01)
+            lowered = lowered - box_between(low, high).paint(self.board.edge)
+        return self.board.creased(lowered, *self.majors().values(), *self.minors().values())
+
+    def attached(
+        self,
+        body: Body,
+        feel: Feel,
+        *,
+        printed: dict[str, list[Body]] | None = None,
+        label: str = "box",
+        bottles: Bottles | None = None,
+    ) -> Body:
+        """Join the four flaps to a box.
+
+        Args:
+            body: The box.
+            feel: How its creases resist. New major flaps spring up again; minor ones stay in below them.
+            printed: Print on the major flaps by side, in the frame of the sheet.
+            label: Of the box.
+            bottles: What is lifted out where all flaps are open.
+        """
+        turns: list[Joint] = []
+        marks = printed or {}
+        thick, free = self.board.thick + FOLD, SLIT / 2.0 - 0.0002  # the lower edge swings out by less
+        body = body.require(self.reach >= (thick**2 - free**2) / (2.0 * free), _MAJORS_MEET)
+        for side, crease in self.majors().items():
+            lying = self.mouth.grounded and side == "front"
+            turn = crease.joint(
+                self.mouth.hinge("flap", side),
+                feel=feel,
+                length=self.width,
+                reach=self.reach,
+                opening=math.pi / 2.0 - self._shy if lying else self.opening,
+            )
+            if not lying:
+                body = weld(body, crease.bead(self.width - 0.003, label, self.board.outside))
+            body = body.attach(crease.place(self._major(side, marks.get(side, []))), turn)
+            turns.append(turn)
+        resting = Feel(0.0, 0.0, feel.friction, feel.damping)
+        down = math.pi / 2.0 - self._shy - _LYING if self.mouth.grounded else _UPRIGHT
+        wide = (turns[0] > down) & (turns[1] > _UPRIGHT)
+        for side, crease in self.minors().items():
+            turn = crease.joint(
+                self.mouth.hinge("flap", side),
+                feel=resting,
+                length=self.depth,
+                reach=self.reach,
+                opening=self.opening,
+                needs=wide.until(_HANGING),
+            )
+            turns.append(turn)
+            body = weld(body, crease.bead(self.depth - 0.003, label, self.board.outside))
+            body = body.attach(crease.place(self._minor(side)), turn)
+        if bottles is None:
+            return body
+        return bottles.below(turns, _UPRIGHT, body)
+
+    def _major(self, side: str, marks: list[Body]) -> Body:
+        wide = self.width - 0.003
+        sheet = self.board.sheet(rectangle(wide, self.reach).at(0.0, self.reach / 2.0))
+        aside = 0.2 * self.width  # each to its own right: a hand has room beside the other one
+        tall = _SHORT if self.mouth.grounded and side == "front" else 0.021
+        tab = pull_tab(tall).at(aside, self.reach - 0.0035, 0.0)
+        hold = grasp_on(tab, approach=-Z, closing=(0.0, 1.0, 0.0), depth=0.76 * tall)
+        bodies = [
+            part(sheet, "flap_major", self.board.outside, name=self.mouth.link("flap", side)),
+            part(tab, "tape", TAPE, name=self.mouth.link("tab", side), grasp=hold),
+        ]
+        if self.taped:
+            low = (-wide / 2.0 + 0.001, self.reach - _TAPE_WIDE / 2.0, -0.0001)
+            strip = box_between(low, (wide / 2.0 - 0.001, self.reach - 0.0002, 0.00012))
+            bodies.append(detail(strip, "tape", TAPE))
+        return weld(*bodies, *marks)
+
+    def _minor(self, side: str) -> Body:
+        wide = self.depth - 2.0 * self.board.thick - 2.0 * SLIT
+        outline = rectangle(wide, self.reach).at(0.0, self.reach / 2.0)
+        if self.mouth.grounded:
+            near, far = wide / 2.0, wide / 2.0 - self._taper
+            outline = polygon([(-near, 0.0), (near, 0.0), (far, self.reach), (-far, self.reach)])
+        sheet = self.board.sheet(outline)
+        below = push_on(sheet, direction=Z, at=(self.beside, 0.52 * self.reach, 0.0))
+        name = self.mouth.link("flap", side)
+        return part(sheet, "flap_minor", self.board.outside, name=name, push=below)
+
+    def tape_ends(self) -> list[Body]:
+        """Make the ends of the tape, which go down the walls at the sides, if there is tape."""
+        if not self.taped:
+            return []
+        ends = []
+        for side in (-1.0, 1.0):
+            face, half = side * self.width / 2.0, _TAPE_WIDE / 2.0
+            low = (face - 0.00012, -half, self.low - 0.065)
+            ends.append(detail(box_between(low, (face + 0.00012, half, self.low - 0.001)), "tape", TAPE))
+        return ends

@@ -1,0 +1,238 @@
+"""Gift boxes of greyboard: a lid that lifts off, a lid with a flap, or a drawer; and their ribbons."""
+
+import math
+from dataclasses import dataclass
+from typing import Literal
+
+from artgen import (
+    Body,
+    Material,
+    Prismatic,
+    Scalar,
+    X,
+    Y,
+    Z,
+    box,
+    box_between,
+    coarse,
+    cylinder,
+    detail,
+    ellipse,
+    extrude,
+    grasp_on,
+    max_,
+    min_,
+    part,
+    rectangle,
+    weld,
+)
+from artgen.categories.box.board import LAYER, Board, Crease, Feel
+from artgen.categories.box.bodies import walls
+from artgen.categories.box.marks import pull_tab
+from artgen.categories.box.trays import PLAY, cap, drawer_case, lift
+
+Closure = Literal["lift", "flap", "drawer"]
+"""How a gift box closes: a lid over it, a lid on its back with a flap over the front, or a sleeve."""
+
+Hollow = Literal["none", "square", "round"]
+"""The form of the hollow in the foam inside, if there is foam."""
+
+_RIBBON = 0.0005  # thickness of satin ribbon on a face [m]
+
+
+@dataclass(frozen=True)
+class Gift:
+    """A gift box.
+
+    Attributes:
+        board: Greyboard, wrapped.
+        width: Along x, outside [m].
+        depth: Along y, outside [m].
+        height: Closed [m].
+        satin: The ribbon.
+        wide: Its width [m].
+        hollow: Of the foam inside a box with a flap or a drawer.
+        foam: That foam.
+    """
+
+    board: Board
+    width: Scalar
+    depth: Scalar
+    height: Scalar
+    satin: Material
+    wide: Scalar
+    hollow: Hollow
+    foam: Material
+
+    def lifted(self, skirt: Scalar, rub: Scalar, *, crossed: bool, printed: list[Body]) -> Body:
+        """Make a base with a lid over it, which a ribbon with a bow goes around.
+
+        Args:
+            skirt: How far down the lid reaches [m].
+            rub: Friction of lid and base, as a share of the lid's weight.
+            crossed: Whether ribbon goes around both ways.
+            printed: Print on the lid.
+        """
+        inset = 2.0 * (self.board.thick + PLAY)
+        wide, deep = self.width - inset, self.depth - inset
+        base_top = self.height - self.board.thick - LAYER
+        base = part(walls(self.board, wide, deep, base_top), "box", self.board.outside)
+        foot = self.height - skirt
+        seen = max_(foot - 0.004, 0.0015)  # of the base, below the lid
+        body = weld(base, *self._bands(wide, deep, 0.0, seen, crossed=crossed, over=False))
+        lid = weld(
+            part(
+                cap(self.board, self.width, self.depth, top=self.height, skirt=skirt),
+                "lid",
+                self.board.outside,
+            ),
+            *self._bands(self.width, self.depth, foot, self.height, crossed=crossed, over=True),
+            self._bow(),
+            *printed,
+        )
+        return body.attach(lid, lift("lid_lift", lid, travel=skirt + 0.06, rub=rub))
+
+    def _bands(
+        self, width: Scalar, depth: Scalar, low: Scalar, high: Scalar, *, crossed: bool, over: bool
+    ) -> list[Body]:
+        """Make ribbon on the walls of one piece, and over its top."""
+        half, out = self.wide / 2.0, _RIBBON
+        made = []
+        ways = ("y", "x") if crossed else ("y",)
+        for way in ways:
+            long = depth if way == "y" else width
+            spans = [((-long / 2.0 - out, -long / 2.0 + 0.0002), (low + 0.0003, high))]
+            spans += [((long / 2.0 - 0.0002, long / 2.0 + out), (low + 0.0003, high))]
+            if over:
+                spans.append(((-long / 2.0 - out, long / 2.0 + out), (high - 0.0002, high + out)))
+            for (near, far), (bottom, top) in spans:
+                corners = ((-half, near, bottom), (half, far, top))
+                if way == "x":
+                    corners = ((near, -half, bottom), (far, half, top))
+                made.append(detail(box_between(*corners), "ribbon", self.satin))
+        return made
+
+    def _bow(self) -> Body:
+        """Tie the bow on the lid: a knot to take hold of, two loops and two ends."""
+        top = self.height + _RIBBON
+        tall = 0.024
+        knot = box_between((-0.011, -0.0095, top - 0.001), (0.011, 0.0095, top + tall), bevel=0.006)
+        hold = grasp_on(knot, approach=-Z, closing=Y, depth=0.014)
+        bodies = [part(knot, "ribbon", self.satin, name="bow", grasp=hold)]
+        loop = extrude(ellipse(0.034, 0.0135) - ellipse(0.0325, 0.012), 0.8 * self.wide, axis=Y)
+        inner = extrude(ellipse(0.024, 0.0095) - ellipse(0.0225, 0.008), 0.66 * self.wide, axis=Y)
+        tail = box_between((0.0, -0.36 * self.wide, -0.0004), (0.062, 0.36 * self.wide, 0.0004))
+        for side in (-1.0, 1.0):
+            turned = 0.0 if side > 0.0 else math.pi
+            for each, at, rise, raised in ((loop, 0.042, 0.015, 0.22), (inner, 0.031, 0.022, 0.5)):
+                bow = each.rotate(Y, -raised).at(at, 0.0, rise).rotate(Z, turned)
+                bodies.append(detail(bow.at(0.0, 0.0, top), "ribbon", self.satin))
+            end = tail.at(0.006, 0.0, 0.001).rotate(Z, turned + side * 0.9 - 1.2)
+            bodies.append(detail(end.at(0.0, 0.0, top + 0.0006), "ribbon", self.satin))
+        return weld(*bodies)
+
+    def _insert(
+        self, width: Scalar, depth: Scalar, at: tuple[Scalar, Scalar, Scalar], height: Scalar
+    ) -> list[Body]:
+        """Make the foam that holds what is given, with a hollow for it; none in a box for anything.
+
+        Args:
+            width: Of the room, inside [m].
+            depth: The same [m].
+            at: Middle of its floor [m].
+            height: Of the foam [m].
+        """
+        if self.hollow == "none":
+            return []
+        block = box_between(
+            (-width / 2.0, -depth / 2.0, 0.0), (width / 2.0, depth / 2.0, height), bevel=0.001
+        )
+        block = block.scale((width - 0.0012) / width, (depth - 0.0012) / depth, 1.0)
+        if self.hollow == "round":
+            pit = cylinder(0.32 * min_(width, depth), height, bevel=0.0)
+            pit = coarse(pit)
+        else:
+            pit = box(0.74 * width, 0.62 * depth, height)
+        solid = (block - pit.at(0.0, 0.0, 0.75 * height)).at(at[0], at[1], at[2] - 0.0002)
+        return [part(solid, "insert", self.foam)]
+
+    def flapped(
+        self, feel: Feel, *, opening: Scalar, reach: Scalar, rounded: bool, printed: list[Body]
+    ) -> Body:
+        """Make a base whose lid hangs at the back and ends in a flap over the front.
+
+        Args:
+            feel: How the hinges of wrapping paper resist.
+            opening: How far the lid opens [rad].
+            reach: Of the flap down the front [m].
+            rounded: Whether its corners are round.
+            printed: Print on the lid, in the frame of its sheet.
+        """
+        board, t = self.board, self.board.thick
+        long = self.depth + t + 0.0008
+        hinge = Crease(0.0, self.depth / 2.0, self.height, turn=math.pi)
+        front = Crease(0.0, long, folded=True)
+        low = self.height - t - LAYER
+        over = box_between(
+            (-self.width, -self.depth, low), (self.width, self.depth / 2.0 - 1.6 * t, self.height + 0.01)
+        ).paint(board.outside)
+        shell = board.creased(walls(board, self.width, self.depth, self.height) - over, hinge)
+        sheet = board.creased(board.sheet(rectangle(self.width + 0.004, long).at(0.0, long / 2.0)), front)
+        lid = weld(part(sheet, "lid", board.outside), front.bead(self.width, "lid", board.outside), *printed)
+        outline = rectangle(self.width + 0.004, reach).at(0.0, reach / 2.0)
+        if rounded:
+            radius = min_(0.36 * reach, 0.46 * self.width)  # half a circle on a narrow flap, at most
+            tongue = rectangle(self.width + 0.004, 0.8 * reach, radius=radius)
+            outline = tongue.at(0.0, 0.6 * reach) | rectangle(self.width + 0.004, 0.5 * reach).at(
+                0.0, 0.25 * reach
+            )
+        flap = board.sheet(outline)
+        tab = pull_tab().at(0.0, reach - 0.012, 0.0)
+        hold = grasp_on(tab, approach=-Z, closing=Y, depth=0.016)
+        cover = weld(
+            part(flap, "lid", board.outside, name="flap_front"),
+            part(tab, "ribbon", self.satin, name="tab", grasp=hold),
+        )
+        turn = front.joint("flap_front_hinge", feel=feel, length=self.width, reach=reach, opening=2.4)
+        weight = 9.81 * board.outside.density * t * self.width * long * 0.62 * long
+        swing = hinge.joint(
+            "lid_hinge", feel=feel, length=self.width, reach=long, opening=opening, holding=0.4 * weight
+        )
+        body = weld(
+            part(shell, "box", board.outside),
+            hinge.bead(self.width, "box", board.outside),
+            *self._insert(self.width - 2.0 * t, self.depth - 2.0 * t, (0.0, 0.0, t), 0.55 * low),
+        )
+        return body.attach(hinge.place(lid.attach(front.place(cover), turn)), swing)
+
+    def drawn(self, friction: Scalar, *, printed: list[Body]) -> Body:
+        """Make a sleeve with a drawer, which a ribbon pulls out.
+
+        Args:
+            friction: Of the drawer [N].
+            printed: Print on the sleeve.
+        """
+        board, t = self.board, self.board.thick
+        case = part(drawer_case(board, self.width, self.depth, self.height), "box", board.outside)
+        wide, tall = self.width - 2.0 * (t + PLAY), self.height - 2.0 * (t + PLAY)
+        long = self.depth - t - PLAY
+        inside = walls(board, wide, long, tall).at(0.0, (-self.depth + long) / 2.0, t + PLAY)
+        face = -self.depth / 2.0
+        tab = pull_tab().rotate(X, math.pi / 2.0).rotate(Y, math.pi / 2.0).at(0.0, face, self.height / 2.0)
+        hold = grasp_on(tab, approach=Y, closing=X, depth=0.016)
+        middle = ((0.0, (-self.depth + long) / 2.0, 2.0 * t + PLAY), 0.6 * tall)
+        drawer = weld(
+            part(inside, "drawer", board.outside),
+            *self._insert(wide - 2.0 * t, long - 2.0 * t, *middle),
+            part(tab, "ribbon", self.satin, name="tab", grasp=hold),
+        )
+        slide = Prismatic(
+            "drawer_slide",
+            axis=-Y,
+            limits=(0.0, 0.86 * long),
+            friction=friction,
+            damping=3.0,
+            effort=20.0,
+            velocity=1.0,
+        )
+        return weld(case, *printed).attach(drawer, slide)

@@ -1,0 +1,408 @@
+"""Lids on a crease at the back: tucked in at the front with a flap, locked by ears or by flaps at the sides.
+
+A tuck swings out as the lid rises, by its reach squared over twice the depth of the lid. It therefore leans
+in a little, and so does the inner layer of the rolled front wall, which holds its tip.
+"""
+
+import math
+from dataclasses import dataclass, replace
+from typing import Literal
+
+from artgen import (
+    Body,
+    Float,
+    Joint,
+    Scalar,
+    Solid,
+    X,
+    Y,
+    Z,
+    atan2,
+    board,
+    box_between,
+    detail,
+    extrude,
+    grasp_on,
+    max_,
+    min_,
+    part,
+    polygon,
+    push_on,
+    rectangle,
+    sqrt,
+    weld,
+)
+from artgen.categories.box.board import LAYER, TOP, Board, Crease, Feel, Mouth, tongue
+from artgen.categories.box.bottles import Bottles
+from artgen.categories.box.marks import TAPE, pull_tab
+
+Sides = Literal["over", "tucked"]
+"""Whether a lid lies on the walls at its sides, or goes between them with a flap at either side."""
+
+_SLACK = 0.020  # by which a tuck can be turned with its lid closed [rad]
+_PLAY = 0.043  # by how much more until it touches the wall [rad]
+_TIP = 0.0004  # from its tip to the wall if it stands upright [m]
+_BESIDE = 0.0012  # from ears and side flaps to the walls [m]
+_UPRIGHT = 1.66  # from here on a lid leaves the space over the box free [rad]
+_AWAY = 2.0  # from here on its tuck does so as well [rad]
+_HANGING = 3.40  # from here on a dust flap is below what closes over it [rad]
+_NO_WINGS = (
+    "the flaps at the sides of a lid have no room between its crease and its tuck: take a larger width or "
+    "aspect, ears=False or sides=over"
+)
+
+
+@dataclass(frozen=True)
+class Lidded:
+    """A box whose lid hangs on its back wall.
+
+    Attributes:
+        board: What it is cut from.
+        width: Along x, outside [m].
+        depth: Along y, outside [m].
+        height: Closed [m].
+        sides: How the lid meets the walls at the sides.
+        ears: Whether the tuck has ears, which go in beside the walls.
+        dust: Reach of flaps at the walls under the lid [m]; None where there are none.
+        opening: How far the lid opens [rad].
+        lips: Whether flaps under the lid end in lips, which are folded down.
+        lined: Where the second layer of the walls begins, into which ears go [m]; None at the floor.
+        grip: From the tuck to the tab that opens the lid [m].
+        mouth: What the sides are called.
+    """
+
+    board: Board
+    width: Scalar
+    depth: Scalar
+    height: Scalar
+    sides: Sides
+    ears: bool
+    dust: Scalar | None
+    opening: Scalar
+    lips: bool = False
+    lined: Scalar | None = None
+    grip: float = 0.006
+    mouth: Mouth = TOP
+
+    @property
+    def tuck(self) -> Float:
+        """Reach of the tuck [m]."""
+        return min_(0.15 * self.depth + 0.005, 0.72 * self.height)
+
+    @property
+    def gap(self) -> Float:
+        """From the front edge of the lid to the wall: the tip of the tuck swings out by that much [m]."""
+        swing = self.tuck / (2.0 * (self.depth - 2.0 * self.board.thick - 0.003))
+        return max_(0.0015, 2.0 * _TIP + self.tuck * (swing - _PLAY))
+
+    @property
+    def reach(self) -> Scalar:
+        """From the crease of the lid to that of its tuck [m]."""
+        return self.depth - 2.0 * self.board.thick - self.gap
+
+    @property
+    def low(self) -> Scalar:
+        """Height of the walls at the sides [m]."""
+        return self.height if self.sides == "tucked" else self.height - self.board.thick - LAYER
+
+    @property
+    def inner(self) -> Scalar:
+        """Half of the width between the walls at the sides [m]."""
+        return self.width / 2.0 - (2.0 if self.ears else 1.0) * self.board.thick
+
+    @property
+    def half(self) -> Scalar:
+        """Half of the lid's width [m]."""
+        return self.inner - _BESIDE if self.sides == "tucked" else self.width / 2.0 - 0.0012
+
+    @property
+    def hinge(self) -> Crease:
+        """The crease at the back."""
+        return Crease(0.0, self.depth / 2.0, self.height, turn=math.pi)
+
+    def dust_creases(self) -> dict[str, Crease]:
+        """Return the creases of the dust flaps, if there are some."""
+        if self.dust is None:
+            return {}
+        return {
+            "left": Crease(-self.width / 2.0, self._dust_middle, self.low, turn=-math.pi / 2.0),
+            "right": Crease(self.width / 2.0, self._dust_middle, self.low, turn=math.pi / 2.0),
+        }
+
+    @property
+    def _dust_ends(self) -> tuple[Scalar, Scalar]:
+        """Where dust flaps begin and end along y: behind the tuck and its ears, before the back wall [m]."""
+        front = 3.0 * self.board.thick + self.gap + 0.003 + 0.07 * self.tuck
+        if self.ears:
+            front = front + self.ear + 0.004
+        return front - self.depth / 2.0, self.depth / 2.0 - 3.0 * self.board.thick
+
+    @property
+    def _dust_middle(self) -> Scalar:
+        start, end = self._dust_ends
+        return (start + end) / 2.0
+
+    def creased(self, walls: Solid) -> Solid:
+        """Cut the tops of walls that end at the height of the box to where the lid wants them."""
+        t, lowered = self.board.thick, walls
+        if self.sides == "over":
+            for side in (-1.0, 1.0):
+                low = (side * self.width / 2.0 - 1.6 * t, -self.depth / 2.0 - 0.01, self.low)
+                high = (side * self.width / 2.0 + 1.6 * t, self.depth / 2.0 + 0.01, self.height + 0.01)
+                lowered = lowered - box_between(low, high).paint(self.board.edge)
+        return self.board.creased(lowered, self.hinge, *self.dust_creases().values())
+
+    def rims(self, label: str = "box") -> list[Body]:
+        """Make the lip of the front wall, and the second layer of the walls where ears go in."""
+        t, front, half = self.board.thick, -self.depth / 2.0, self.inner - 0.0003
+        layer, tip = front + 2.0 * t, self.height - self.tuck
+        wedge = polygon(
+            [
+                (layer - 0.6 * t, self.height - 0.5 * self.tuck),
+                (layer, self.height - 0.5 * self.tuck),
+                (layer + self.gap - _TIP, tip),
+                (layer + self.gap - _TIP, 0.85 * tip),
+                (layer - 0.6 * t, 0.85 * tip),
+            ]
+        )
+        bar = board(
+            (-half, half), (front + t - 0.0003, layer), (0.8 * tip, self.height - 0.0002), bevel=0.0008
+        )
+        made = [bar | extrude(wedge, 2.0 * half - 0.001, axis=X)]
+        if self.ears:
+            top = self.low - 0.0002 if self.dust is None else self.low - t - LAYER
+            start = t - 0.0002 if self.lined is None else self.lined
+            for side in (-1.0, 1.0):
+                x = _span(side, self.inner, self.inner + t + 0.0003)
+                y = (front + t + 0.0006, self.depth / 2.0 - t - 0.0006)
+                made.append(board(x, y, (start, top), bevel=0.0008))
+        return [part(each, label, self.board.outside) for each in made]
+
+    def attached(
+        self, body: Body, feel: Feel, *, printed: list[Body], swing: Scalar, bottles: Bottles | None = None
+    ) -> Body:
+        """Join the lid and all that hangs on it.
+
+        Args:
+            body: The box.
+            feel: How its creases resist. A new lid springs up again; what is bent in below it stays so.
+            printed: Print on the lid, in the frame of the sheet.
+            swing: How far dust flaps open if nothing stops them [rad].
+            bottles: What is lifted out where lid and flaps are open.
+        """
+        weight = 9.81 * 1.2 * self.board.outside.density * self.board.thick * 2.0 * self.half * self.reach
+        # a fresh crease is no free spring: it takes the swing out of a lid, which otherwise slams shut
+        mass, length = weight / 9.81, 2.0 * self.half
+        calm = 2.0 * sqrt(feel.stiffness * length * 0.45 * mass * self.reach**2) / length
+        turn = self.hinge.joint(
+            self.mouth.hinge("lid"),
+            feel=replace(feel, damping=max_(feel.damping, calm)),
+            length=2.0 * self.half,
+            reach=self.reach,
+            opening=self.opening,
+            holding=weight * 0.62 * self.reach,  # a lid stays up, with its flaps out
+        )
+        body = weld(body, self.hinge.bead(2.0 * self.half, "box", self.board.outside))
+        resting = Feel(0.0, 0.0, feel.friction, feel.damping)
+        body = body.attach(self.hinge.place(self._lid(resting, turn, printed)), turn)
+        if bottles is not None:
+            body = bottles.under(turn, _AWAY, body)
+        if self.dust is None:
+            return body
+        opening = min_(swing, math.pi + 0.9 * self.low / self.dust)
+        start, end = self._dust_ends
+        for side, crease in self.dust_creases().items():
+            hinge = crease.joint(
+                self.mouth.hinge("flap", side),
+                feel=resting,
+                length=end - start,
+                reach=self.dust,
+                opening=opening,
+                needs=(turn > _UPRIGHT).until(_HANGING),
+            )
+            body = weld(body, crease.bead(end - start, "box", self.board.outside))
+            body = body.attach(crease.place(self._dust_flap(side, end - start, self.dust, resting)), hinge)
+        return body
+
+    def _dust_flap(self, side: str, wide: Scalar, reach: Scalar, feel: Feel) -> Body:
+        """Make a flap under the lid, with its lip if it has one, in its own frame."""
+        far = wide / 2.0 - 0.006
+        sheet = self.board.sheet(
+            polygon([(-wide / 2.0, 0.0), (wide / 2.0, 0.0), (far, reach), (-far, reach)])
+        )
+        below = push_on(sheet, direction=Z, at=(0.33 * wide, 0.48 * reach, 0.0))  # beside what is below
+        name = self.mouth.link("flap", side)
+        if not self.lips:
+            return part(sheet, "flap_minor", self.board.outside, name=name, push=below)
+        crease, deep = Crease(0.0, reach, folded=True), 0.3 * reach
+        flap = part(
+            self.board.creased(sheet, crease), "flap_minor", self.board.outside, name=name, push=below
+        )
+        lip = self.board.sheet(tongue(far - 0.001, deep, shoulder=0.4 * deep, tip=far - 0.4 * deep))
+        hold = grasp_on(lip, approach=(0.0, -1.0, 0.0), closing=Z, depth=min_(0.014, 0.55 * deep))
+        joint = crease.joint(
+            self.mouth.hinge("lip", side), feel=feel, length=2.0 * far, reach=deep, opening=1.5
+        )
+        body = part(lip, "tuck", self.board.outside, name=self.mouth.link("lip", side), grasp=hold)
+        flap = weld(flap, crease.bead(2.0 * far - 0.004, "flap_minor", self.board.outside))
+        return flap.attach(crease.place(body), joint)
+
+    def _lid(self, feel: Feel, turn: Joint, printed: list[Body]) -> Body:
+        """Make the lid with its flaps, in its own frame."""
+        front = Crease(0.0, self.reach, folded=True, lean=_PLAY - _TIP / self.tuck + _SLACK)
+        sides = self._side_creases()
+        sheet = self.board.sheet(rectangle(2.0 * self.half, self.reach).at(0.0, self.reach / 2.0))
+        if sides:  # they narrow to a tip
+            long = self._wing_end - self._wing_start
+            sheet = sheet.require(long >= 0.6 * self._wing_reach + 0.006, _NO_WINGS)
+        sheet = self.board.creased(sheet, front, *sides.values())
+        tab, across = pull_tab(), Y
+        if self._sealed:  # near the floor a hand has room beside the tab
+            tab, across = tab.rotate(Z, math.pi / 2.0), X
+        tab = tab.at(0.0, self.reach - self.grip, 0.0)
+        hold = grasp_on(tab, approach=-Z, closing=across, depth=0.016)
+        lid = weld(
+            part(sheet, "lid", self.board.outside, name=self.mouth.link("lid")),
+            part(tab, "tape", TAPE, name=self.mouth.link("tab"), grasp=hold),
+            *self._seal(),
+            front.bead(2.0 * self.half - 0.004, "lid", self.board.outside),
+            *(
+                each.bead(self._wing_end - self._wing_start, "lid", self.board.outside)
+                for each in sides.values()
+            ),
+            *printed,
+        )
+        free = (turn > self._clear).beyond(_SLACK)
+        width = 2.0 * (self.inner - _BESIDE)
+        lid = lid.attach(
+            front.place(self._tuck(feel, turn, width)),
+            front.joint(
+                self.mouth.hinge("tuck", "front"),
+                feel=feel,
+                length=width,
+                reach=self.tuck,
+                opening=3.05,
+                needs=free,
+            ),
+        )
+        for side, crease in sides.items():
+            lid = lid.attach(crease.place(self._wing(side)), self._wing_joint(side, crease, feel, turn))
+        return lid
+
+    @property
+    def _sealed(self) -> bool:
+        """Whether tape goes over the edge of the lid, so that its tab is not at that edge."""
+        return self.grip > 0.01
+
+    def _seal(self) -> list[Body]:
+        """Make the tape that was slit at the edge of the lid, if there is some."""
+        if not self._sealed:
+            return []
+        low, high = (-0.024, self.reach - self.grip - 0.012, -0.0001), (0.024, self.reach - 0.0005, 0.00012)
+        return [detail(box_between(low, high), "tape", TAPE)]
+
+    @property
+    def ear(self) -> Float:
+        """Reach of an ear from the tuck backward [m]."""
+        return min_(0.056, max_(0.24 * self.reach, 0.034))
+
+    @property
+    def _clear(self) -> Scalar:
+        """Angle of the lid from which on the tuck clears the box however it is turned [rad]."""
+        far = sqrt(self.tuck**2 + self.ear**2) if self.ears else self.tuck
+        return 1.13 * (far + 0.008) / self.reach
+
+    def _tuck(self, feel: Feel, turn: Joint, width: Scalar) -> Body:
+        """Make the tuck with its ears, in its own frame."""
+        half, cut = width / 2.0, 0.30 * self.tuck
+        outline = tongue(half, self.tuck, shoulder=self.tuck - cut, tip=half - cut)
+        creases: dict[str, Crease] = {}
+        start, long = self.board.thick + 0.004, self.tuck - cut - self.board.thick - 0.008
+        if self.ears:
+            outline = rectangle(width, self.tuck).at(0.0, self.tuck / 2.0)
+            long = self.tuck - start - 0.003
+            middle = start + long / 2.0
+            creases = {
+                "left": Crease(-half, middle, turn=math.pi / 2.0, folded=True),
+                "right": Crease(half, middle, turn=-math.pi / 2.0, folded=True),
+            }
+        sheet = self.board.creased(self.board.sheet(outline, relief=0.0005), *creases.values())
+        edge = grasp_on(
+            sheet,
+            approach=(0.0, -1.0, 0.0),
+            closing=Z,
+            at=(0.0, self.tuck / 2.0, 0.0),
+            depth=min_(0.016, 0.55 * self.tuck),
+        )
+        tuck = part(sheet, "tuck", self.board.outside, name=self.mouth.link("tuck", "front"), grasp=edge)
+        for side, crease in creases.items():
+            bend = tongue(long / 2.0, self.ear, shoulder=0.6 * self.ear, tip=long / 4.0)
+            ear = self.board.sheet(bend)
+            grip = grasp_on(ear, approach=(0.0, -1.0, 0.0), closing=Z, depth=0.014)
+            joint = crease.joint(
+                self.mouth.hinge("ear", side),
+                feel=feel,
+                length=long,
+                reach=self.ear,
+                opening=1.5,
+                needs=(turn > self._ears_clear).beyond(0.35 * _BESIDE / self.ear),
+            )
+            body = part(ear, "tuck", self.board.outside, name=self.mouth.link("ear", side), grasp=grip)
+            tuck = weld(tuck, crease.bead(long - 0.002, "tuck", self.board.outside))
+            tuck = tuck.attach(crease.place(body), joint)
+        return tuck
+
+    @property
+    def _ears_clear(self) -> Scalar:
+        """Angle of the lid from which on the ears are above the walls [rad]."""
+        return max_(atan2(self.tuck + 0.012, self.reach - self.ear), self._clear)
+
+    def _side_creases(self) -> dict[str, Crease]:
+        """Return the creases of the flaps at the sides of the lid, if it has some."""
+        if self.sides == "over":
+            return {}
+        middle = (self._wing_start + self._wing_end) / 2.0
+        return {
+            "left": Crease(-self.half, middle, turn=math.pi / 2.0, folded=True),
+            "right": Crease(self.half, middle, turn=-math.pi / 2.0, folded=True),
+        }
+
+    @property
+    def _wing_start(self) -> Scalar:
+        """Where flaps at the sides begin, from the crease of the lid [m]."""
+        return 0.30 * self.reach
+
+    @property
+    def _wing_end(self) -> Scalar:
+        """Where they end, behind the tuck and its ears [m]."""
+        ears = self.ear + 0.004 if self.ears else 0.0
+        return self.reach - ears - 0.014 - 0.05 * self.tuck - self.board.thick
+
+    @property
+    def _wing_reach(self) -> Scalar:
+        """How far down they go [m]."""
+        return 0.8 * self.tuck
+
+    def _wing(self, side: str) -> Body:
+        """Make a flap at a side of the lid, in its own frame."""
+        half, deep = (self._wing_end - self._wing_start) / 2.0, self._wing_reach
+        outline = tongue(half, deep, shoulder=0.5 * deep, tip=half - 0.3 * deep)
+        sheet = self.board.sheet(outline)
+        grip = grasp_on(sheet, approach=(0.0, -1.0, 0.0), closing=Z, depth=min_(0.016, 0.55 * deep))
+        return part(sheet, "tuck", self.board.outside, name=self.mouth.link("tuck", side), grasp=grip)
+
+    def _wing_joint(self, side: str, crease: Crease, feel: Feel, turn: Joint) -> Joint:
+        clear = atan2(self._wing_reach + 0.010, self._wing_start)
+        return crease.joint(
+            self.mouth.hinge("tuck", side),
+            feel=feel,
+            length=self._wing_end - self._wing_start,
+            reach=self._wing_reach,
+            opening=2.6,
+            needs=(turn > clear).beyond(0.4 * _BESIDE / self._wing_reach),
+        )
+
+
+def _span(side: float, near: Scalar, far: Scalar) -> tuple[Scalar, Scalar]:
+    """Return a span at one side of the middle, least first."""
+    return (near, far) if side > 0.0 else (-far, -near)

@@ -1,0 +1,99 @@
+"""Pieces of boxes that slide on each other: lids over trays, their straps, and sleeves of drawers."""
+
+import math
+
+from artgen import (
+    Body,
+    Joint,
+    Material,
+    Prismatic,
+    Scalar,
+    Solid,
+    X,
+    Y,
+    Z,
+    box_between,
+    detail,
+    details,
+    extrude,
+    grasp_on,
+    mass,
+    material,
+    part,
+    polygon,
+    weld,
+)
+from artgen.categories.box.board import Board
+from artgen.categories.box.bodies import walls
+
+PLAY = 0.0012
+"""Between what slides on each other, at either side [m]."""
+
+_GRAVITY = 9.81  # [m/s2]
+
+
+def lift(name: str, moved: Body, *, travel: Scalar, rub: Scalar) -> Joint:
+    """Make the way of what is lifted off.
+
+    Args:
+        name: Name of the joint.
+        moved: What is lifted.
+        travel: How far [m].
+        rub: Friction of board on board, as a share of its weight: below 1 it slides down again.
+    """
+    weight = _GRAVITY * mass(moved)
+    return Prismatic(
+        name,
+        axis=Z,
+        limits=(0.0, travel),
+        friction=rub * weight,
+        damping=4.0,  # air that is drawn in through the slit
+        effort=4.0 * weight + 4.0,
+        velocity=1.0,
+    )
+
+
+def cap(board: Board, width: Scalar, depth: Scalar, *, top: Scalar, skirt: Scalar) -> Solid:
+    """Make a tray upside down, as a lid.
+
+    Args:
+        board: What it is cut from.
+        width: Along x, outside [m].
+        depth: Along y, outside [m].
+        top: Height of its upper face [m].
+        skirt: How far down it reaches [m].
+    """
+    return walls(board, width, depth, skirt).rotate(X, math.pi).at(0.0, 0.0, top)
+
+
+def strap(at: Scalar, finish: Material) -> Body:
+    """Rivet a strap of webbing onto a lid, to lift it by: a flat arch along x.
+
+    Args:
+        at: Height of the lid's upper face [m].
+        finish: The webbing.
+    """
+    outline = polygon(
+        [(-0.064, 0.0), (-0.049, 0.0), (-0.037, 0.020), (0.037, 0.020), (0.049, 0.0), (0.064, 0.0),
+         (0.064, 0.0026), (0.0505, 0.0026), (0.0385, 0.0226),
+         (-0.0385, 0.0226), (-0.0505, 0.0026), (-0.064, 0.0026)]
+    )  # fmt: skip
+    band = extrude(outline, 0.022, axis=Y).at(0.0, 0.0, at - 0.0002)
+    hold = grasp_on(band, approach=-Z, closing=Y, at=(0.0, 0.0, at + 0.021), depth=0.010)
+    steel = material("satin_nickel")
+    rivets = [
+        detail(details.rivet(0.0045, (x, 0.0, at + 0.0022), facing=Z), "handle", steel)
+        for x in (-0.0572, 0.0572)
+    ]
+    return weld(part(band, "handle", finish, name="strap", grasp=hold), *rivets)
+
+
+def drawer_case(board: Board, width: Scalar, depth: Scalar, height: Scalar) -> Solid:
+    """Make a sleeve that is open at the front."""
+    t = board.thick
+    shell = box_between(
+        (-width / 2.0, -depth / 2.0 - 0.01, 0.0), (width / 2.0, depth / 2.0, height), bevel=0.0012
+    ).paint(board.outside)
+    ahead = box_between((-width, -depth, -0.01), (width, -depth / 2.0, height + 0.01)).paint(board.outside)
+    inside = box_between((-width / 2.0 + t, -depth, t), (width / 2.0 - t, depth / 2.0 - t, height - t))
+    return shell - ahead - inside.paint(board.outside)

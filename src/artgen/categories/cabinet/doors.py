@@ -1,0 +1,163 @@
+"""How doors of cabinets hang: before the carcass on concealed hinges, or between its sides on butt hinges.
+
+Every door is made with its hinges at the left; a door at the right is its mirror image in x = 0.
+"""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+from artgen import Body, Bool, Joint, Material, Revolute, Scalar, VectorLike, array, detail, dome, weld
+from artgen.categories.cabinet.cup_hinges import AXIS, DOOR_GAP, cup_hinges_on_door, cup_hinges_on_side
+from artgen.categories.shared.furniture.carcass import Carcass
+from artgen.categories.shared.furniture.finish import CLEAR_RUBBER, ZINC
+from artgen.categories.shared.furniture.fronts import FrontLook, front
+from artgen.categories.shared.hardware.hinge import hinge_frame, hinge_leaf, hinge_offset
+
+HingeStyle = Literal["concealed", "butt"]
+"""Cups in the back of a door that lies on the carcass; knuckles before one that stands between its sides."""
+
+REVEAL = 0.003
+"""Between the doors of a pair, and around a door that stands between the sides [m]."""
+
+_MARGIN = 0.0015  # from the edges of an overlaid door to the outlines of the carcass [m]
+_END = 0.085  # from the ends of a door to the middles of its outer hinges [m]
+_KNUCKLE, _TALL = 0.004, 0.056  # radius of the knuckles of butt hinges, and their height [m]
+_HAND = 60.0  # the most that a hand pulls with [N]
+
+
+@dataclass(frozen=True)
+class Hanging:
+    """The doors of a cabinet.
+
+    Attributes:
+        case: The carcass.
+        hinge: What they hang on.
+        doors: 1 or 2.
+        thickness: Of a door [m].
+        shares: Where hinges are between the outermost ones, as shares of the way; 0 and 1 are these.
+        above: Room over the doors beside what they need [m].
+        below: The same under them [m].
+        metal: Of butt hinges.
+    """
+
+    case: Carcass
+    hinge: HingeStyle
+    doors: int
+    thickness: Scalar
+    shares: Sequence[float]
+    above: Scalar
+    below: Scalar
+    metal: Material
+
+    @property
+    def inset(self) -> bool:
+        """Whether doors stand between the sides."""
+        return self.hinge == "butt"
+
+    @property
+    def left(self) -> Scalar:
+        """The edge at the hinges of the door at the left, or of the only one, along x [m]."""
+        return REVEAL - self.case.right if self.inset else _MARGIN - self.case.width / 2
+
+    @property
+    def width(self) -> Scalar:
+        """Of a door [m]."""
+        return (-2 * self.left - (self.doors - 1) * REVEAL) / self.doors
+
+    @property
+    def low(self) -> Scalar:
+        """The lower edge of a door [m]."""
+        return self.below + (self.case.floor + REVEAL if self.inset else self.case.low + _MARGIN)
+
+    @property
+    def high(self) -> Scalar:
+        """The upper edge of a door [m]."""
+        return (self.case.ceiling - REVEAL if self.inset else self.case.high - _MARGIN) - self.above
+
+    @property
+    def face(self) -> Scalar:
+        """The face of a shut door along y [m]."""
+        return self.case.front if self.inset else self.case.front - DOOR_GAP - self.thickness
+
+    @property
+    def levels(self) -> list[Scalar]:
+        """Heights of the middles of the hinges [m]."""
+        way = self.high - self.low - 2 * _END
+        return [self.low + _END + share * way for share in self.shares]
+
+    def pair_turns(self) -> Bool | bool:
+        """Tell whether the far corners of a pair between the sides pass each other when both open."""
+        deep = hinge_offset(_KNUCKLE) + self.thickness
+        return deep * deep / (2 * self.width + REVEAL) < REVEAL / 2 - 0.0002
+
+    def leaf(self, look: FrontLook, handle: Body, *, name: str) -> Body:
+        """Make a door with its halves of the hinges.
+
+        Args:
+            look: How it looks.
+            handle: Its handle, in place.
+            name: Name of the link.
+        """
+        t, back = self.thickness, self.face + self.thickness
+        middle = (self.left + self.width / 2, self.face + t / 2, (self.low + self.high) / 2)
+        boards = front(look, self.width, self.high - self.low, t, label="door", name=name)
+        if self.inset:
+            halves = [self._butt(hinge_leaf)]
+        else:
+            cups = cup_hinges_on_door(self.levels, finish=ZINC)
+            halves = [*(each.at(self.left, back, 0.0) for each in cups), self._bumpers(back)]
+        return weld(*(each.at(*middle) for each in boards), handle, *halves)
+
+    def on_side(self) -> list[Body]:
+        """Make the halves of the hinges at the left side of the carcass."""
+        if self.inset:
+            return [self._butt(hinge_frame)]
+        inside = -self.case.right - self.left
+        arms = cup_hinges_on_side(self.levels, inside=inside, finish=ZINC)
+        return [each.at(self.left, self.case.front - DOOR_GAP, 0.0) for each in arms]
+
+    def _butt(self, make: Callable[..., Body]) -> Body:
+        half = make(
+            height=_TALL,
+            radius=_KNUCKLE,
+            depth=self.thickness - 0.005,
+            finish=self.metal,
+            knuckles=3,
+            levels=self.levels,
+            sheets=False,
+        )
+        return half.at(self.left - REVEAL / 2, self.face - hinge_offset(_KNUCKLE), 0.0)
+
+    def _bumpers(self, back: Scalar) -> Body:
+        """Make the drops of rubber behind the free corners, which keep a door off the carcass."""
+        drop = dome(0.0042, height=0.0014, axis=(0.0, 1.0, 0.0))
+        x = self.left + self.width - 0.010
+        at: list[VectorLike] = [(x, back - 0.0001, z) for z in (self.low + 0.010, self.high - 0.010)]
+        return detail(array(drop, at=at), "bumper", CLEAR_RUBBER)
+
+    def joint(self, name: str, *, limit: Scalar, friction: Scalar, damping: Scalar, side: int = 1) -> Joint:
+        """Make the hinge of a door; positive opens it towards -y.
+
+        Args:
+            name: Name of the joint.
+            limit: How far it opens [rad].
+            friction: Of all its hinges together [N m].
+            damping: Of all its hinges together [N m s/rad].
+            side: 1 for hinges at the left, -1 at the right.
+        """
+        x, y = (
+            (self.left - REVEAL / 2, self.face - hinge_offset(_KNUCKLE))
+            if self.inset
+            else (self.left + AXIS[0], self.face + self.thickness + AXIS[1])
+        )
+        return Revolute(
+            name,
+            axis=(0.0, 0.0, -side),
+            pivot=(side * x, y, (self.low + self.high) / 2),
+            limits=(0.0, limit),
+            friction=friction,
+            damping=damping,
+            effort=_HAND * self.width,
+            velocity=6.0,
+        )

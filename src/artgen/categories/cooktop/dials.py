@@ -1,0 +1,273 @@
+"""The dials of a cooktop: on rotary switches, or on gas taps that have to be pushed in before they turn.
+
+The stem of a gas tap has a disc under the plate, with a notch in which a pin of the plate stands while the
+gas is off. Pushed in, the disc passes under the pin and turns; the pin then keeps it down, so that the dial
+stays in as long as the gas is on, and comes out again at the notch.
+"""
+
+from dataclasses import dataclass
+from typing import Literal
+
+from artgen import (
+    Body,
+    Joint,
+    Material,
+    Prismatic,
+    Revolute,
+    Scalar,
+    Solid,
+    VectorLike,
+    X,
+    Z,
+    array,
+    box,
+    box_between,
+    circle,
+    cylinder,
+    detail,
+    details,
+    part,
+    ring,
+    union,
+    vector,
+    weld,
+)
+from artgen.categories.shared.controls.dials import DialStyle, dial, dial_print
+from artgen.categories.shared.cooktops.plan import SIGN, Plan
+
+SWEEP = 4.7
+"""How far a dial turns from off [rad]."""
+
+HOLE = 0.011
+"""Width of the square hole in the plate for the stem of a tap [m]."""
+
+ROOM = 0.012
+"""How far a tap reaches down from the plate's underside [m]."""
+
+_STEM = 0.0042  # radius of the stem [m]
+_DISC = 0.0100  # half the width of the disc under the plate [m]
+_DISC_THICK = 0.003
+_UNDER = 0.0005  # from the plate's underside down to the disc [m]
+_CLEAR = 0.0002  # between pin and disc when a dial is pushed in [m]
+_PIN = (0.0015, 0.0060, 0.0088)  # half its width, and where it begins and ends behind the axis [m]
+_NOTCH = 0.0020  # half the width of the notch [m]
+_FACE = -1.5707963267948966  # turns what looks to the front up [rad]
+
+Scale = Literal["numbers", "ticks", "band"]
+"""What is printed around the dial of an electric burner."""
+
+
+@dataclass(frozen=True)
+class DialLooks:
+    """How dials look.
+
+    Attributes:
+        style: Their form.
+        finish: What they are made of.
+        mark: The colour of their marks.
+        cap: The metal of caps and bezels.
+        ink: What is printed on the plate.
+        scale: What is printed around them.
+    """
+
+    style: DialStyle
+    finish: Material
+    mark: Material
+    cap: Material
+    ink: Material
+    scale: Scale
+
+
+@dataclass(frozen=True)
+class Push:
+    """How a gas dial is pushed in.
+
+    Attributes:
+        travel: How far [m].
+        force: Of its spring when it is pushed in [N].
+    """
+
+    travel: Scalar
+    force: Scalar
+
+
+def dial_on(plan: Plan, looks: DialLooks, *, top: Scalar, lift: Scalar = 0.0, name: str, label: str) -> Body:
+    """Make a dial about the z axis that looks up, its mark to the back.
+
+    Args:
+        plan: The plan of the cooktop.
+        looks: How it looks.
+        top: Height of the plate's upper face [m].
+        lift: How far it stands off more than its gap, to be pushed in [m].
+        name: Name of the link.
+        label: Its label.
+    """
+    one = dial(
+        finish=looks.finish,
+        style=looks.style,
+        radius=plan.radius,
+        depth=0.021,
+        mark=looks.mark,
+        cap=looks.cap,
+        name=name,
+        label=label,
+    )
+    return one.rotate(X, _FACE).at(0.0, 0.0, top + lift)
+
+
+def electric_turn(name: str, *, friction: Scalar, pivot: VectorLike = (0.0, 0.0, 0.0)) -> Joint:
+    """Make the joint of a dial on a rotary switch; positive turns it clockwise from off."""
+    return Revolute(
+        name,
+        axis=-Z,
+        pivot=pivot,
+        limits=(0.0, SWEEP),
+        friction=friction,
+        damping=0.003,
+        armature=0.00002,  # the shaft and the contacts
+        effort=0.6,  # two fingers at a radius of 15-20 mm, 20 N each
+    )
+
+
+def tap_dial(plan: Plan, looks: DialLooks, push: Push, *, top: Scalar, thick: Scalar) -> Body:
+    """Make the dial of a gas tap with its stem and disc, about the z axis: the link `burner_dial`.
+
+    Args:
+        plan: The plan of the cooktop.
+        looks: How it looks.
+        push: How it is pushed in.
+        top: Height of the plate's upper face [m].
+        thick: Thickness of the plate [m].
+    """
+    knob = dial_on(plan, looks, top=top, lift=push.travel, name="burner_dial", label="burner_dial")
+    high = top - thick - _UNDER
+    low = high - _DISC_THICK
+    stem = cylinder(_STEM, top + push.travel + 0.002 - low).align((0.0, 0.0, low), z=-1)
+    inner, back = _PIN[1] - 0.0008, _DISC
+    disc = union(
+        box_between((-_DISC, -_DISC, low), (_DISC, inner, high)),
+        box_between((-_DISC, inner, low), (-_NOTCH, back, high)),
+        box_between((_NOTCH, inner, low), (_DISC, back, high)),
+    )
+    steel = looks.cap if looks.cap.base_metalness > 0.5 else looks.finish
+    return weld(knob, part(union(stem, disc), "burner_dial", steel))
+
+
+def tap_joints(push: Push, *, friction: Scalar) -> tuple[Joint, Joint]:
+    """Make the joints of a gas dial: the push, then the turn, anti-clockwise from off, which needs it.
+
+    The spring is as strong as taps have it, 2.5 N at rest and 8-14 N pushed in [EN 1106: a tap opens at
+    no more than 0.4 N m and 20 N].
+    """
+    preload = 2.5
+    stiffness = (push.force - preload) / push.travel
+    down = Prismatic(
+        "burner_dial_push",
+        axis=-Z,
+        limits=(0.0, push.travel),
+        stiffness=stiffness,
+        rest=-preload / stiffness,
+        damping=20.0,  # of grease: with less the disc strikes the plate on its way out, and turns
+        friction=0.4,
+        armature=0.05,  # spindle and spring; without it solvers let so light a part through its limit
+        effort=30.0,
+    )
+    turn = Revolute(
+        "burner_dial_turn",
+        axis=Z,
+        limits=(0.0, SWEEP),
+        friction=friction,  # of the greased cone
+        damping=0.004,
+        armature=0.00002,
+        effort=0.4,
+        needs=down > push.travel - _CLEAR / 2.0,
+    )
+    return down, turn
+
+
+def tap_pin(push: Push, *, top: Scalar, thick: Scalar) -> Solid:
+    """Make the pin of a tap that hangs from the plate into the notch of the disc, about the z axis."""
+    half, near, far = _PIN
+    high = top - thick + 0.0005
+    low = top - thick - _UNDER - push.travel + _CLEAR
+    return box_between((-half, near, low), (half, far, high))
+
+
+def tap_hole(top: Scalar) -> Solid:
+    """Make the tool that cuts the hole of a stem into the plate, about the z axis."""
+    return box(HOLE, HOLE, 0.05).at(0.0, 0.0, top)
+
+
+def bezels(plan: Plan, looks: DialLooks, *, top: Scalar) -> Body:
+    """Make the flat rings around the dials of gas taps; only seen."""
+    flat = details.relief(
+        ring(plan.radius + 0.0022, 0.0078), (0.0, 0.0, top), facing=Z, proud=0.0004, bevel=0.0002
+    )
+    at = [(x, y, 0.0) for x, y in plan.dial_places[: plan.burners]]
+    return detail(array(flat, at=at), "bezel", looks.cap)
+
+
+def signs(plan: Plan, looks: DialLooks, *, top: Scalar, extras: tuple[str, ...]) -> Body:
+    """Print the sign beside each dial: the burners as small rings with its own one filled, or an icon."""
+    left, right, front, back = plan.field
+    middle = (0.5 * (left + right), 0.5 * (front + back))
+    flat = plan.rows == 1
+    scale = SIGN / (right - left)
+    rise = 0.0 if flat else 0.6 * SIGN / (back - front)
+    at = [((p.x - middle[0]) * scale, (p.y - middle[1]) * rise) for p in plan.places]
+    size, step = 0.0017, plan.sign_step
+    signs_at = [(x + step[0], y + step[1]) for x, y in plan.dial_places]
+    rings = details.relief(ring(size, size - 0.0005), (0.0, 0.0, top), facing=Z, proud=0.0002)
+    dot = details.relief(circle(size), (0.0, 0.0, top), facing=Z, proud=0.0003)
+    own = [(x + i, y + j, 0.0) for (x, y), (i, j) in zip(signs_at, at, strict=False)]
+    others = [
+        (x + i, y + j, 0.0)
+        for dial, (x, y) in enumerate(signs_at[: plan.burners])
+        for burner, (i, j) in enumerate(at)
+        if burner != dial
+    ]
+    icons = [
+        details.printed(details.icon(name, 0.009), (x, y, top), material=looks.ink, facing=Z)
+        for name, (x, y) in zip(extras, signs_at[plan.burners :], strict=False)
+    ]
+    return weld(
+        *([detail(array(rings, at=others), "print", looks.ink)] if others else []),
+        detail(array(dot, at=own), "print", looks.ink),
+        *icons,
+    )
+
+
+def scales(plan: Plan, looks: DialLooks, *, top: Scalar, gas: bool) -> Body:
+    """Print the scales around all dials."""
+    radius = plan.radius
+    bodies = []
+    for number, (x, y) in enumerate(plan.dial_places):
+        at = vector(x, y, top)
+        if gas and number < plan.burners:
+            bodies.append(_flames(radius, looks.ink).at(at))
+            continue
+        style: Scale = looks.scale if number < plan.burners else "ticks"
+        # nine steps; off, where the mark stands at rest, is free
+        one = dial_print(
+            radius,
+            ink=looks.ink,
+            style=style,
+            count=9 if style == "numbers" else 6,
+            sweep=SWEEP * 8.0 / 9.0,
+            start=SWEEP / 9.0,
+            height=0.0027,
+        )
+        zero = details.printed(
+            ring(0.0012, 0.0007).at(0.0, radius + 0.0042), (0.0, 0.0, 0.0), material=looks.ink
+        )
+        bodies.append(weld(one, zero).rotate(X, _FACE).at(at))
+    return weld(*bodies)
+
+
+def _flames(radius: Scalar, ink: Material) -> Body:
+    """Print the scale of a tap: off at the back, a large flame at the left, a small one at the right."""
+    off = ring(0.0015, 0.0010).at(0.0, radius + 0.0048)
+    large = details.icon("flame", 0.0062, weight="bold").at(-radius - 0.0052, 0.0)
+    small = details.icon("flame", 0.0038).at(radius + 0.0050, 0.0)
+    band = details.dial_band(radius + 0.0026, 0.0004, 0.0016, sweep=2.3, start=1.99)
+    return details.printed(off | large | small | band, (0.0, 0.0, 0.0), material=ink, facing=Z)

@@ -1,0 +1,303 @@
+"""A dishwasher, slim or full width, for a kitchen front or on its own, with its racks and spray arms.
+
+The door hangs at its lower edge and is held by springs; racks roll out over it. Links: `body`; `door`, with
+`button_0`, ... and `knob` on its console and the `detergent_flap` inside; `rack_0` (lower), `rack_1` (upper)
+and `rack_2` (a tray for cutlery), as many as there are; `spray_arm_0` on the tub's floor and `spray_arm_1`
+under the upper rack. Joints: `door_hinge`, `button_slide_0`, ..., `knob_turn`, `detergent_flap_slide`,
+`rack_slide_0`, ... and `spray_arm_spin_0`, ....
+
+Racks roll out once the door is open so far that it has left their way, which is computed from their heights
+and from how far they come; behind the closed door they have the play up to it. The tab of the detergent
+flap stands above the rim of the lower rack: it slides only while the door is open.
+
+Sizes are those of EN 50242 machines: 60 cm niches take 595-600 mm, 45 cm ones 445-450 mm, both 815-875 mm
+high with levelling feet; ASSE and makers' data sheets give 35-55 kg, 30-45 kg for slim ones.
+"""
+
+from typing import Literal
+
+from artgen import (
+    Body,
+    Float,
+    Material,
+    by,
+    category,
+    choice,
+    coloured,
+    count,
+    details,
+    material,
+    require,
+    shades,
+    uniform,
+)
+from artgen.categories.dishwasher.console import Console
+from artgen.categories.dishwasher.dispenser import Dispenser
+from artgen.categories.dishwasher.door import (
+    CONSOLE_BEFORE_POCKET,
+    RECESS_HALF,
+    Front,
+    HandleKind,
+)
+from artgen.categories.dishwasher.racks import Racks
+from artgen.categories.dishwasher.space import REACH, Build, Controls, Size, Space
+from artgen.categories.dishwasher.tub import Cabinet, kick_finish
+from artgen.categories.shared.appliances.finish import Look, cabinet_finish, fronts, grip_metals
+from artgen.categories.shared.appliances.wire_baskets import GRIP_REACH, Grip
+from artgen.categories.shared.controls.buttons import ButtonShape
+from artgen.categories.shared.hardware.bar_handles import BarStyle
+from artgen.nodes.details.displays import Color
+
+_TUB_STEEL = material("stainless").with_(
+    name="tub_steel", base_color=(0.78, 0.775, 0.77), specular_roughness=0.27
+)
+_TUB_PLASTIC = coloured("polypropylene", "light_grey").with_(name="tub_plastic")
+_WIRES = (
+    coloured("powder_coat", "light_grey"),
+    coloured("powder_coat", "slate"),
+    coloured("powder_coat", "white"),
+    coloured("powder_coat", "sky"),
+)
+_WORKTOPS = {"stainless": "light_grey", "dark_steel": "graphite", "white": "white", "black": "anthracite"}
+_CONSOLES = {  # of plastic in the tone of the front; those of other looks are of its finish
+    "stainless": coloured("abs", "silver"),
+    "dark_steel": coloured("abs", "anthracite"),
+    "panel": material("black_abs"),
+}
+_FINISH, _METAL = fronts(), grip_metals()
+_PLASTICS = (
+    coloured("abs", "light_grey"),
+    coloured("abs", "slate"),
+    coloured("abs", "grey"),
+    coloured("abs", "navy"),
+)
+
+
+@category(
+    labels=(
+        "body", "tub", "seal", "insulation", "worktop", "kick_plate", "foot", "rail", "filter", "hose",
+        "cord", "rating_plate", "door", "panel", "handle", "print", "display", "vent", "hinge", "dispenser",
+        "rinse_cap", "detergent_flap", "button", "knob", "rack", "grip", "roller", "cutlery_basket",
+        "cup_shelf", "spray_arm",
+    ),
+    joints=(4, 15),
+)  # fmt: skip
+def dishwasher(
+    *,
+    build: Build = choice("built_in", "freestanding", weights=(0.62, 0.38)),
+    size: Size = choice("full", "slim", weights=(0.66, 0.34), doc="60 or 45 cm wide"),
+    controls: Controls = by(
+        "build",
+        built_in=choice("front", "top", weights=(0.5, 0.5)),
+        freestanding="front",
+        doc="in front, or on the upper edge of the door",
+    ),
+    look: Look = by(
+        "build",
+        built_in=by(
+            "controls",
+            front=choice(
+                "stainless", "dark_steel", "white", "black", "glass", weights=(0.35, 0.2, 0.15, 0.15, 0.15)
+            ),
+            top=choice(
+                "stainless",
+                "dark_steel",
+                "white",
+                "black",
+                "glass",
+                "panel",
+                weights=(0.22, 0.14, 0.08, 0.08, 0.08, 0.4),
+            ),
+        ),
+        freestanding=choice(
+            "stainless", "dark_steel", "white", "black", "pastel", weights=(0.28, 0.12, 0.25, 0.1, 0.25)
+        ),
+    ),
+    handle: HandleKind = by(
+        "build",
+        built_in=by(
+            "controls",
+            front=choice("bar", "pocket", "recessed", weights=(0.4, 0.35, 0.25)),
+            top=choice("bar", "recessed", weights=(0.72, 0.28)),
+        ),
+        freestanding=choice("bar", "recessed", weights=(0.5, 0.5)),
+    ),
+    racks: int = by(
+        "size",
+        full=choice(2, 3, weights=(0.45, 0.55)),
+        slim=choice(1, 2, 3, weights=(0.2, 0.5, 0.3)),
+        doc="the third is a tray for cutlery; one alone is that of a glass washer",
+    ),
+    width: Float = by(
+        "size", full=uniform(0.595, 0.599), slim=uniform(0.446, 0.450), unit="m", within=(0.44, 0.62)
+    ),
+    height: Float = by(
+        "build",
+        built_in=uniform(0.82, 0.88),
+        freestanding=uniform(0.84, 0.88),
+        unit="m",
+        within=(0.80, 0.92),
+    ),
+    depth: Float = by(
+        "handle",
+        bar=uniform(0.600, 0.620),
+        otherwise=uniform(0.570, 0.600),
+        unit="m",
+        doc="of everything, the handle included",
+        within=(0.55, 0.68),
+    ),
+    door_thickness: Float = uniform(0.052, 0.060, "m", within=(0.050, 0.070)),
+    plinth: Float = uniform(
+        0.095, 0.120, "m", doc="height of the hinge above the floor", within=(0.09, 0.15)
+    ),
+    swing: Float = uniform(1.54, 1.57, "rad", within=(1.50, 1.5707)),
+    clearance: Float = uniform(0.0022, 0.0030, "m", doc="of the lower rack over the open door"),
+    travel: Float = uniform(0.74, 0.88, doc="of the racks, as a share of their depth", within=(0.3, 0.92)),
+    upper_level: Float = uniform(0.44, 0.50, doc="of the upper rack, as a share of the room over the lower"),
+    finish: Material = _FINISH,
+    metal: Material = _METAL,
+    bar: BarStyle = by(
+        "look",
+        pastel=choice("bow", "arched", "round"),
+        panel=choice("round", "square", "strap", "pro"),
+        otherwise=choice("round", "square", "bow", "strap", "pro", "arched"),
+    ),
+    framed: bool = by("look", panel=choice(False, True), otherwise=False, doc="whether a front has a frame"),
+    tub: Literal["steel", "plastic"] = by(
+        "look",
+        white=choice("steel", "plastic", weights=(0.6, 0.4)),
+        otherwise=choice("steel", "plastic", weights=(0.9, 0.1)),
+    ),
+    pane: bool = by(
+        "look",
+        white=choice(False, True, weights=(0.75, 0.25)),
+        pastel=choice(False, True, weights=(0.8, 0.2)),
+        stainless=choice(False, True),
+        otherwise=choice(False, True, weights=(0.3, 0.7)),
+        doc="whether black glass lies on the console",
+    ),
+    dial: Literal["", "round", "fluted", "bar", "skirted", "capped"] = by(
+        "controls",
+        front=choice("", "round", "fluted", "bar", "skirted", "capped", weights=(7, 1, 1, 0.6, 0.6, 1)),
+        top="",
+        doc="the cycle dial of older styles; none where it is empty",
+    ),
+    buttons: int = by("size", full=count(0, 8), slim=count(0, 5)),
+    button_shape: ButtonShape = choice("round", "square", "pill", "bar"),
+    button_travel: Float = uniform(0.0016, 0.0030, "m"),
+    button_force: Float = uniform(2.0, 5.0, "N"),
+    show: str = by(
+        "controls",
+        front=choice("", "1:25", "3:10", "0:45", "24h", weights=(0.25, 0.25, 0.2, 0.15, 0.15)),
+        top=choice("", "2:05", "0:30"),
+        doc="what the display shows; none where it is empty",
+    ),
+    figures: Color = choice("white", "red", "amber", "cyan", "green"),
+    maker: str = choice(*details.BRANDS),
+    wire: Material = shades(*_WIRES, weights=(3, 2, 1.5, 0.7), color=0.05),
+    plastic: Material = shades(*_PLASTICS, weights=(2, 2, 1.5, 0.6), color=0.05),
+    grip: Grip = choice("bar", "plate"),
+    shelves: bool = choice(True, False, weights=(0.65, 0.35), doc="cup shelves in the upper rack"),
+    ballast: Literal["steel", "concrete"] = choice("steel", "concrete", doc="in the base"),
+    rack_friction: Float = uniform(3.0, 8.0, "N"),
+    pull: Float = uniform(17.0, 24.0, "N", doc="at the handle, to begin to open the door"),
+) -> Body:
+    """Make a dishwasher: door, console, racks, spray arms, detergent flap."""
+    if handle == "recessed":
+        door_thickness = require(
+            door_thickness, door_thickness > 0.051, "a recessed handle is deep: door_thickness over 0.051 m"
+        )
+    worktop = build == "freestanding" and controls == "front" and handle != "pocket"
+    slim = size == "slim"
+    girth = 0.0080
+    projection = 0.040
+    space = Space(
+        width=width,
+        height=height,
+        depth=depth,
+        projection=projection + 2.0 * girth if handle == "bar" else 0.0,
+        thickness=door_thickness,
+        plinth=plinth,
+        wall=0.027 if slim else 0.031,
+        roof=0.050 if worktop else 0.022,
+        swing=swing,
+        clearance=clearance,
+        travel=travel,
+    )
+    lowest = Racks(space, size, wire, plastic, grip, rack_friction, racks < 3, shelves, height)
+    room = space.ceiling - lowest.floor
+    upper = lowest.floor + upper_level * room
+    inside = Racks(space, size, wire, plastic, grip, rack_friction, racks < 3, shelves, upper)
+    levels = (inside.upper_axle, inside.tray_axle)[: racks - 1]
+    look_of_tub = _TUB_STEEL if tub == "steel" else _TUB_PLASTIC
+    sides = material("zinc") if build == "built_in" else cabinet_finish(look, finish)
+    cabinet = Cabinet(
+        space,
+        build,
+        worktop,
+        sides,
+        look_of_tub,
+        kick_finish(sides, build),
+        sides if look in ("pastel", "glass", "panel") else coloured("lacquered_mdf", _WORKTOPS[look]),
+        {"steel": 520.0, "concrete": 640.0}[ballast],
+        levels,
+        maker,
+    )
+
+    high = 0.112
+    grip_length = 0.12 if slim else 0.17
+    half = width / 2.0
+    let_in = handle == "recessed" and controls == "front"
+    console = Console(
+        width=width - 0.003,
+        height=high if controls == "front" else door_thickness,
+        finish=_CONSOLES.get(look, finish),
+        pane=pane and not let_in,
+        buttons=min(buttons, 5) if let_in else buttons,
+        shape=button_shape,
+        cap=material("black_abs") if pane or look in ("black", "dark_steel") else material("aluminium"),
+        travel=button_travel,
+        force=button_force,
+        dial=dial,
+        show=show,
+        color=figures,
+        middle=-0.54 * half,
+        aside=0.30 * half if not let_in else 0.60 * half,
+        far=0.80 * half,
+        upper=controls == "top",
+        opening=(grip_length / 2.0, RECESS_HALF) if let_in else (0.0, 0.0),
+        thickness=CONSOLE_BEFORE_POCKET if handle == "pocket" and controls == "front" else 0.018,
+    )
+    dispenser = Dispenser(space, inside.rim, 0.100 if slim else 0.128)
+    front = Front(
+        space=space,
+        worktop=worktop,
+        controls=controls,
+        console=console,
+        high=high,
+        handle=handle,
+        bar=bar,
+        length=0.72 * width if handle == "bar" else grip_length,
+        projection=projection,
+        girth=girth,
+        metal=metal,
+        finish=finish,
+        framed=framed and handle != "recessed",
+        liner=look_of_tub,
+        maker="" if look == "panel" else maker,
+        dispenser=dispenser,
+    )
+
+    hinge = front.hinge(pull)
+    play = REACH - 0.0006
+    door = front.body().attach(dispenser.flap(), dispenser.slide((hinge > 1.2).beyond(dispenser.slack)))
+    body = cabinet.body().attach(door, hinge)
+    body = body.attach(inside.lower_arm("spray_arm_0"), inside.spin("spray_arm_spin_0"))
+    made = [inside.lower, inside.upper_rack, inside.tray][:racks]
+    for number, make in enumerate(made):
+        rack = make(f"rack_{number}")
+        if number == 1:
+            rack = rack.attach(inside.upper_arm("spray_arm_1"), inside.spin("spray_arm_spin_1"))
+        clear = space.angle_over(inside.low_ends[number], GRIP_REACH if number else 0.0)
+        body = body.attach(rack, inside.slide(f"rack_slide_{number}", (hinge > clear).beyond(play)))
+    return body

@@ -1,0 +1,222 @@
+"""The console of a dishwasher: buttons, a dial, a display, icons and the maker's name.
+
+It is drawn about the origin on the plane y = 0 and looks to -Y; the console on the upper edge of a door is
+turned over.
+"""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+from artgen import Body, Material, Scalar, Solid, Span, board, details, material, part, require, weld
+from artgen.categories.shared.controls.buttons import ButtonShape, button_press, push_button
+from artgen.categories.shared.controls.dials import DialStyle, dial, dial_print, dial_turn
+from artgen.categories.shared.controls.panels import (
+    PANE,
+    button_holes,
+    icon_row,
+    ink_on,
+    inlay,
+    lamp_row,
+    places,
+)
+from artgen.nodes.details.displays import Color
+
+ICONS = ("power", "wash", "timer", "leaf", "cup", "rinse", "drop", "start_pause")
+"""What the buttons do: the first and the last ones are there on every machine."""
+
+LAP = 0.0005
+"""By which boards reach into each other, so that they have no corners in common [m]."""
+
+_DEEP = 0.009  # of caps behind the face [m]
+_ROOM = 0.0025  # behind a cap that is pressed home [m]
+
+
+@dataclass(frozen=True)
+class Console:
+    """What is on a console.
+
+    Attributes:
+        width: Of its face [m].
+        height: Of its face [m].
+        finish: Of the face.
+        pane: Whether a pane of black glass lies on it.
+        buttons: How many there are.
+        shape: Of their caps.
+        cap: Finish of the caps.
+        travel: Of the buttons [m].
+        force: That presses them home [N].
+        dial: Style of the cycle dial; `""` for none.
+        show: What the display shows; `""` for none.
+        color: Of its figures.
+        middle: Where the middle of the buttons lies along x [m].
+        aside: Where the middle of the display lies along x [m].
+        far: Where the dial is along x [m].
+        upper: Whether it lies on the upper edge of the door, where there is little room for print.
+        opening: Half the length and half the height of the opening for a recessed grip in its middle; both 0
+            where there is none [m].
+        thickness: Of the console's boards [m].
+    """
+
+    width: Scalar
+    height: Scalar
+    finish: Material
+    pane: bool
+    buttons: int
+    shape: ButtonShape
+    cap: Material
+    travel: Scalar
+    force: Scalar
+    dial: DialStyle | str
+    show: str
+    color: Color
+    middle: Scalar
+    aside: Scalar
+    far: Scalar
+    upper: bool = False
+    opening: tuple[float, float] = (0.0, 0.0)
+    thickness: float = 0.018
+
+    @cached_property
+    def pitch(self) -> float:
+        """Distance between buttons: a finger of 18 mm has to leave the neighbours alone [m]."""
+        return 0.0205
+
+    @cached_property
+    def _cap_width(self) -> float:
+        return 0.0155 if self.shape in ("pill", "bar") else 0.0115
+
+    @cached_property
+    def _cap_height(self) -> float:
+        return 0.0085 if self.shape in ("pill", "bar") else 0.0115
+
+    @cached_property
+    def _at(self) -> list[Scalar]:
+        return places(self.buttons, self.pitch, middle=self.middle)
+
+    @cached_property
+    def _face(self) -> Material:
+        return material("black_glass") if self.pane else self.finish
+
+    @cached_property
+    def _names(self) -> tuple[str, ...]:
+        """The icons of the buttons, or of the touch keys where there are none."""
+        count = self.buttons or 5
+        return (*ICONS[: count - 1], ICONS[-1]) if count > 1 else ICONS[:1]
+
+    def boards(self) -> list[Solid]:
+        """Make the boards of the face, around the channel in which the buttons move."""
+        x, z = 0.5 * self.width, 0.5 * self.height
+        y: Span = (0.0, self.thickness)
+        wide, tall = self.opening
+        if not self.buttons and not wide:
+            return [board((-x, x), y, (-z, z), bevel=0.0015)]
+        end = -wide if wide else x  # of what is left of the opening
+        boards = []
+        if wide:
+            boards += [
+                board((wide, x), y, (-z, z)),
+                board((-wide - LAP, wide + LAP), y, (tall, z)),
+                board((-wide - LAP, wide + LAP), y, (-z, -tall)),
+            ]
+        if not self.buttons:
+            return [*boards, board((-x, end), y, (-z, z))]
+        left, right = self._channel
+        room = "the buttons have no room on the console: raise width, or lower buttons"
+        left, right = require(left, left > -x, room), require(right, right < end, room)
+        half = 0.5 * self._cap_height + 0.0012
+        return [
+            *boards,
+            board((-x, end), y, (half, z)),
+            board((-x, end), y, (-z, -half)),
+            board((-x, left), y, (-half - LAP, half + LAP)),
+            board((right, end), y, (-half - LAP, half + LAP)),
+        ]
+
+    @cached_property
+    def _channel(self) -> Span:
+        half = 0.5 * ((self.buttons - 1) * self.pitch + self._cap_width) + 0.0012
+        return (self.middle - half, self.middle + half)
+
+    def printed(self) -> Body:
+        """Make the pane, the strip around the buttons, display, icons and lamps, which are only seen."""
+        face, bodies = self._face, []
+        ink = ink_on(face)
+        holes = None
+        if self.buttons:
+            holes = button_holes(self.shape, self._cap_width, self._cap_height, self._at)
+        if self.pane or holes is not None:
+            high = self.height - 0.010 if self.pane else self._cap_height + 0.011
+            if self.pane:
+                wide: Scalar = self.width - 0.012
+                bodies.append(inlay(wide, high, holes=holes, radius=0.004))
+            else:
+                left, right = self._channel
+                wide = right - left + 0.010
+                moved = button_holes(
+                    self.shape, self._cap_width, self._cap_height, places(self.buttons, self.pitch)
+                )
+                strip = inlay(wide, high, finish=self.finish, holes=moved, radius=0.003)
+                bodies.append(strip.at(self.middle, 0.0, 0.0))
+        proud = PANE if self.pane else 0.0001
+        at = self._at if self.buttons else places(5, self.pitch, middle=self.middle)
+        tall = not self.upper
+        if self.buttons:
+            if tall:
+                rise = 0.5 * self._cap_height + 0.0105
+                bodies.append(icon_row(self._names, at, height=0.0088, level=rise, ink=ink, proud=proud))
+                bodies.append(lamp_row(at, level=-0.5 * self._cap_height - 0.0080, lit=1, proud=proud))
+        else:
+            bodies.append(icon_row(self._names, at, height=0.0105, ink=ink, proud=proud))
+            bodies.append(lamp_row(at, level=-0.0105, lit=1, proud=proud))
+        if self.show:
+            size = (0.052, 0.020) if tall else (0.044, 0.014)
+            screen = details.display(self.show, *size, at=(self.aside, -proud, 0.0), color=self.color)
+            bodies.append(screen)
+        if self.dial:
+            ring = dial_print(0.021 if tall else 0.015, ink=ink, style="ticks", count=6)
+            bodies.append(ring.at(self.far, -proud, 0.0))
+        if not bodies:
+            bodies.append(lamp_row([self.aside], proud=proud))
+        return weld(*bodies)
+
+    def joined(self, body: Body) -> Body:
+        """Join buttons and dial to a body on which the console is."""
+        ink = ink_on(self.cap)
+        for index, place in enumerate(self._at):
+            cap = push_button(
+                finish=self.cap,
+                shape=self.shape,
+                width=self._cap_width,
+                height=self._cap_height,
+                proud=self.travel + 0.0012,
+                deep=_DEEP,
+                icon=self._names[index] if self.upper else "",
+                ink=ink if self.upper else None,
+                name=f"button_{index}",
+            )
+            press = button_press(
+                f"button_slide_{index}",
+                travel=self.travel,
+                force=self.force,
+                preload=0.3,
+                pivot=(place, 0.0, 0.0),
+            )
+            body = body.attach(cap.at(place, 0.0, 0.0), press)
+        if self.dial:
+            small = self.upper
+            knob = dial(
+                finish=self.cap,
+                style=self.dial,  # type: ignore[arg-type] # "" is none
+                radius=0.015 if small else 0.021,
+                depth=0.018,
+                mark=ink,
+                cap=material("aluminium"),
+            )
+            turn = dial_turn(pivot=(self.far, 0.0, 0.0))
+            body = body.attach(knob.at(self.far, 0.0, 0.0), turn)
+        return body
+
+    def body(self, label: str = "panel") -> Body:
+        """Make the whole console: boards, print, buttons and dial."""
+        solid = weld(*(part(each, label, self.finish) for each in self.boards()), self.printed())
+        return self.joined(solid)

@@ -1,0 +1,128 @@
+"""The detergent dispenser inside the door of a dishwasher, with its sliding flap and a cap for rinse aid."""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+from artgen import (
+    Body,
+    Condition,
+    Dependency,
+    Frame,
+    Joint,
+    Prismatic,
+    Scalar,
+    Y,
+    Z,
+    board,
+    coloured,
+    cylinder,
+    detail,
+    details,
+    frame,
+    part,
+    rectangle,
+    weld,
+)
+from artgen.categories.dishwasher.space import DISH, Space
+
+FLAP_TRAVEL = 0.036
+"""How far the detergent flap slides [m]."""
+
+_TAB = 0.011  # how far the tab of the flap stands out of the rim of the liner [m]
+_ABOVE = 0.0032  # from the lower rack up to the tab, which would strike it [m]
+_FACE = 0.002  # the dispenser lies behind the rim of the liner by this much [m]
+_PLATE = 0.0034  # thickness of the flap [m]
+
+
+@dataclass(frozen=True)
+class Dispenser:
+    """A dispenser on the liner of the door.
+
+    Attributes:
+        space: The measures of the machine.
+        rim: Height of the front rim of the lower rack [m].
+        beside: How far it is to the right of the middle [m].
+    """
+
+    space: Space
+    rim: Scalar
+    beside: Scalar
+
+    def housing(self) -> list[Body]:
+        """Make the housing on which the flap slides, with the cap of the rinse aid."""
+        space = self.space
+        face, floor = space.inner - _FACE, space.inner - DISH
+        x, low, high = self.beside, self.rim - 0.042, self.rim + 0.075
+        grey = coloured("abs", "light_grey").with_(name="dispenser_grey")
+        housing = board((x - 0.058, x + 0.058), (floor - 0.001, face), (low, high), bevel=0.004)
+        cup = rectangle(0.046, 0.036, radius=0.005)
+        chamber = details.relief(
+            cup, (x - 0.014, face, self.rim + _ABOVE + 0.022), facing=(0.0, 1.0, 0.0), proud=0.0003
+        )
+        dark = coloured("abs", "slate").with_(name="chamber_shade")
+        cap = cylinder(0.017, 0.0014, axis=Y, bevel=0.0006).at(x + 0.036, face + 0.0004, self.rim + 0.040)
+        arrow = details.icon("drop", 0.014)
+        print_ = details.printed(
+            arrow, (x + 0.036, face + 0.0012, self.rim + 0.040), material=dark, facing=(0.0, 1.0, 0.0)
+        )
+        guides = [
+            detail(
+                board(
+                    (x - 0.014 + side * 0.030 - 0.0015, x - 0.014 + side * 0.030 + 0.0015),
+                    (face - 0.001, face + 0.0028),
+                    (low + 0.002, self.rim + _ABOVE + 0.046),
+                    bevel=0.0006,
+                ),
+                "dispenser",
+                grey,
+            )
+            for side in (-1, 1)
+        ]
+        return [
+            part(housing, "dispenser", grey),
+            detail(chamber, "dispenser", dark),
+            detail(cap, "rinse_cap", coloured("abs", "sky")),
+            print_,
+            *guides,
+        ]
+
+    def flap(self) -> Body:
+        """Make the detergent flap: a plate with a tab, by which fingers slide it."""
+        space = self.space
+        near = space.inner - _FACE + 0.0006
+        x, low = self.beside - 0.014, self.rim + _ABOVE
+        plate = board((x - 0.027, x + 0.027), (near, near + _PLATE), (low, low + 0.044), bevel=0.001)
+        tab = board(
+            (x - 0.017, x + 0.017), (near + 0.001, space.inner + _TAB), (low, low + 0.010), bevel=0.002
+        )
+        hold: Frame = frame(
+            (x, space.inner + _TAB + 0.002, low + 0.005), approach=(0.0, -1.0, 0.0), closing=Z
+        )
+        blue = coloured("abs", "light_grey").with_(name="flap_grey")
+        return weld(
+            part(plate, "detergent_flap", blue, grasp=hold, grasp_width=0.020),
+            part(tab, "detergent_flap", blue),
+        )
+
+    def slide(self, needs: Condition | Dependency) -> Joint:
+        """Make the joint of the flap, which a spring shuts."""
+        preload, force = 1.2, 4.0  # a thumb slides it
+        stiffness = (force - preload) / FLAP_TRAVEL
+        return Prismatic(
+            "detergent_flap_slide",
+            axis=-Z,
+            pivot=(self.beside, self.space.inner, self.rim),
+            limits=(0.0, FLAP_TRAVEL),
+            stiffness=stiffness,
+            rest=-preload / stiffness,
+            damping=8.0,
+            friction=0.2,
+            armature=0.05,
+            effort=8.0,
+            needs=needs,
+        )
+
+    @cached_property
+    def slack(self) -> float:
+        """How far the flap moves until its tab strikes the lower rack [m]."""
+        return _ABOVE - 0.0006

@@ -1,0 +1,330 @@
+"""The door of a dishwasher: front, console and handle outside, a dished liner with the dispenser inside."""
+
+import math
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Literal
+
+from artgen import (
+    Body,
+    Float,
+    Joint,
+    Material,
+    Revolute,
+    Scalar,
+    Solid,
+    Span,
+    X,
+    Y,
+    board,
+    box,
+    coloured,
+    cylinder,
+    detail,
+    details,
+    material,
+    part,
+    rectangle,
+    sin,
+    weld,
+)
+from artgen.categories.dishwasher.console import LAP, Console
+from artgen.categories.dishwasher.dispenser import Dispenser
+from artgen.categories.dishwasher.space import DISH, Controls, Space
+from artgen.categories.shared.appliances.finish import DARK, filled
+from artgen.categories.shared.controls.panels import ink_on
+from artgen.categories.shared.hardware.bar_handles import (
+    BarStyle,
+    Grip,
+    bar_handle,
+    pocket_grip,
+    recessed_grip,
+)
+
+HandleKind = Literal["bar", "pocket", "recessed"]
+"""A bar before the front, a pocket in the upper edge, or a recess in the front with a blade in it."""
+
+SKIN = 0.018
+"""Thickness of the front with what is behind it [m]."""
+
+PANEL = 480.0
+"""What a console weighs with its electronics, by its volume [kg/m3]."""
+
+_EDGE = 0.004  # from the door to what is above it [m]
+_GAP = 0.0018  # between console and front [m]
+_RIM = 0.034  # width of the upper rim of the dish [m]
+_RECESS = 0.0285  # depth of a recessed grip, which ends in the liner [m]
+_HALF_RECESS = 0.037  # half the height of a recessed grip [m]
+_POCKET = 0.030  # depth of a pocket [m]
+_BEFORE_POCKET = 0.0155  # of the door before a pocket: the lip that a hand pulls [m]
+_BEHIND_POCKET = 0.0376  # from the front to the back of a pocket [m]
+_GRAVITY = 9.81
+_HANDLE = 0.35  # what a handle weighs, about [kg]
+
+
+RECESS_HALF = _HALF_RECESS
+"""Half the height of the opening for a recessed grip [m]."""
+
+CONSOLE_BEFORE_POCKET = _BEFORE_POCKET
+"""Thickness of a console before a pocket [m]."""
+
+
+def _frame_of(half: Scalar, y: Span, z: Span, wide: Scalar, opening: Span) -> list[Solid]:
+    """Make the four boards around an opening in the middle of a wall."""
+    low, high = z
+    return [
+        board((-half, half), y, (low, opening[0])),
+        board((-half, half), y, (opening[1], high)),
+        board((-half, -wide), y, (opening[0] - LAP, opening[1] + LAP)),
+        board((wide, half), y, (opening[0] - LAP, opening[1] + LAP)),
+    ]
+
+
+@dataclass(frozen=True)
+class Front:
+    """How a door looks.
+
+    Attributes:
+        space: The measures of the machine.
+        worktop: Whether a worktop lies over its upper edge.
+        controls: Where its console is.
+        console: The console.
+        high: Height of a console in front [m].
+        handle: The kind of the handle.
+        bar: Style of a bar.
+        length: Of the handle [m].
+        projection: From the front to the middle of a bar [m].
+        girth: Half the thickness of a bar [m].
+        metal: Of the handle.
+        finish: Of the front.
+        framed: Whether a wooden front has a raised frame.
+        liner: Of the inside.
+        maker: Whose name is on it; `""` for none.
+        dispenser: The dispenser inside.
+    """
+
+    space: Space
+    worktop: bool
+    controls: Controls
+    console: Console
+    high: Scalar
+    handle: HandleKind
+    bar: BarStyle
+    length: Scalar
+    projection: Scalar
+    girth: Scalar
+    metal: Material
+    finish: Material
+    framed: bool
+    liner: Material
+    maker: str
+    dispenser: Dispenser
+
+    @cached_property
+    def top(self) -> Float:
+        """The height of its upper edge [m]."""
+        return self.space.height - (0.030 + _EDGE if self.worktop else _EDGE)
+
+    @cached_property
+    def _half(self) -> Float:
+        return self.space.width / 2.0 - 0.0015
+
+    @cached_property
+    def _skin_top(self) -> Scalar:
+        return self.top - (self.high + _GAP if self.controls == "front" else self.console.thickness + _GAP)
+
+    @cached_property
+    def handle_height(self) -> Scalar:
+        """The height at which a hand pulls it [m]."""
+        if self.handle == "pocket":
+            return self.top - 0.013
+        if self.handle == "bar":
+            return self._skin_top - 0.055
+        return self.top - self.high / 2.0 if self.controls == "front" else self._skin_top - 0.065
+
+    @cached_property
+    def _grip(self) -> Grip | None:
+        """The grip that is let into it, in its place."""
+        space = self.space
+        if self.handle == "pocket":
+            grip = pocket_grip(self.length, finish=self._lining, lip=_BEFORE_POCKET, gap=0.022, deep=_POCKET)
+            turned = Grip(
+                grip.cut.rotate(Y, -math.pi / 2.0), grip.shell.rotate(Y, -math.pi / 2.0)
+            )  # the free edge of a door at the right becomes the upper one
+            return turned.at(0.0, space.front, self.top)
+        if self.handle == "recessed":
+            grip = recessed_grip(
+                self.length, finish=self.metal, lining=self._lining, deep=_RECESS, level=True
+            )
+            return grip.at(0.0, space.front, self.handle_height)
+        return None
+
+    @cached_property
+    def _lining(self) -> Material:
+        return coloured("abs", "graphite").with_(name="grip_lining")
+
+    @cached_property
+    def _boards(self) -> list[tuple[Solid, Material]]:
+        """The boards of the front and the liner with their materials, around the grip."""
+        space, half, low = self.space, self._half, self.space.door_bottom
+        front, inner, dish = space.front, space.inner, space.inner - DISH
+        wooden = self.finish.name.startswith(("oak", "walnut", "ash", "lacquered"))
+        skin = board((-half, half), (front, front + SKIN), (low, self._skin_top), bevel=0.003)
+        grip = self._grip
+        if grip is not None and self.handle == "recessed" and self.controls == "top":
+            skin = skin - grip.cut
+        top = self.top if self.controls == "front" else self.top - self.console.thickness - 0.0002
+        core, behind = (front + SKIN - 0.001, dish), (dish, inner)
+        level = top - _RIM
+        solids = self._around_grip(core, behind, level, top)
+        beside = space.inside - 0.034
+        solids.append(board((-half, half), behind, (low, low + 0.058), bevel=0.003))
+        for x in ((beside, half), (-half, -beside)):
+            solids.append(board(x, behind, (low + 0.056, level + 0.002), bevel=0.003))
+        stuff = filled(self.liner, 285.0, "liner")
+        return [
+            (skin, filled(self.finish, 380.0 if wooden else 290.0, "front")),
+            *((each, stuff) for each in solids),
+        ]
+
+    def _around_grip(self, core: Span, behind: Span, level: Scalar, top: Scalar) -> list[Solid]:
+        """Make the liner's wall and its upper rim, with room for what is let into the front.
+
+        Args:
+            core: Of the wall, along y [m].
+            behind: Of the rim, along y [m].
+            level: Height of the lower edge of the rim [m].
+            top: Height of its upper edge [m].
+        """
+        half, low, wide = self._half, self.space.door_bottom, 0.5 * self.length
+        front, inner, dish = self.space.front, behind[1], behind[0]
+        solids: list[Solid] = []
+        rim = board((-half, half), behind, (level, top), bevel=0.003)
+        match self.handle:
+            case "bar":
+                solids = [board((-half, half), core, (low, top)), rim]
+            case "recessed":
+                z = self.handle_height
+                solids = [
+                    *_frame_of(half, core, (low, top), wide, (z - _HALF_RECESS, z + _HALF_RECESS)),
+                    board((-wide, wide), (front + _RECESS, dish), (z - _HALF_RECESS, z + _HALF_RECESS)),
+                    rim,
+                ]
+            case "pocket":
+                bottom = top - _POCKET
+                solids = [
+                    board((-half, half), core, (low, bottom)),
+                    board((-half, half), behind, (level, bottom)),
+                    board((-wide - LAP, wide + LAP), (front + _BEHIND_POCKET, inner), (bottom - LAP, top)),
+                    *(
+                        board(
+                            (wide, half) if side > 0 else (-half, -wide),
+                            (front + SKIN - 0.001 + LAP, inner),
+                            (bottom - 2.0 * LAP, top),
+                        )
+                        for side in (-1, 1)
+                    ),
+                ]
+        return solids
+
+    def _console_at(self, body: Body) -> Body:
+        """Move the console to its place, turned over where it lies on the upper edge."""
+        space = self.space
+        if self.controls == "front":
+            return body.at(0.0, space.front, self.top - self.high / 2.0)
+        return body.rotate(X, -math.pi / 2.0).at(0.0, space.front + space.thickness / 2.0, self.top)
+
+    def body(self) -> Body:
+        """Make the door with its console and dispenser: the link `door`."""
+        boards = [part(solid, "door", stuff) for solid, stuff in self._boards]
+        bodies = [*boards, *self.dispenser.housing(), *self._liner_details(), *self._front_details()]
+        bodies.append(self._bar() if self._grip is None else self._grip.shell)
+        return weld(*bodies, self._console_body())
+
+    def _console_body(self) -> Body:
+        console = self.console
+        stuff = filled(console.finish, PANEL, "panel")
+        faces = [part(solid, "panel", stuff) for solid in console.boards()]
+        body = console.joined(weld(*faces, console.printed()))
+        return self._console_at(body)
+
+    def _bar(self) -> Body:
+        bar: Body = bar_handle(
+            length=self.length,
+            finish=self.metal,
+            style=self.bar,
+            level=True,
+            projection=self.projection,
+            girth=self.girth,
+        )
+        return bar.at(0.0, self.space.front, self.handle_height)
+
+    def _front_details(self) -> list[Body]:
+        """Make the frame of a wooden front and the maker's name."""
+        space = self.space
+        bodies: list[Body] = []
+        low, top = space.door_bottom, self._skin_top
+        if self.framed:
+            width, height = 2.0 * self._half - 0.004, top - low - 0.004
+            outline = rectangle(width, height, radius=0.002) - rectangle(width - 0.13, height - 0.13)
+            at = (0.0, space.front, (low + top) / 2.0)
+            frame_ = details.relief(outline, at, proud=0.0045, sunk=0.001, bevel=0.0012)
+            bodies.append(detail(frame_, "door", self.finish))
+        if self.maker and not self.framed:
+            word = details.logo(self.maker, 0.0085)
+            z = top - (0.105 if self.handle != "pocket" and self.controls == "top" else 0.032)
+            level = z if self.handle != "bar" else low + 0.06
+            bodies.append(details.printed(word, (0.0, space.front, level), material=ink_on(self.finish)))
+        return bodies
+
+    def _liner_details(self) -> list[Body]:
+        """Make the vent in the liner, and the arms of the hinges beside it."""
+        space = self.space
+        floor = space.inner - DISH
+        vent = cylinder(0.031, 0.006, axis=Y, bevel=0.002).at(
+            -self.dispenser.beside, floor + 0.002, self.top - 0.16
+        )
+        slots = details.vent_slots(0.044, 0.036, 7, slot=0.003, direction="horizontal")
+        grille = details.relief(
+            slots,
+            (-self.dispenser.beside, floor + 0.005, self.top - 0.16),
+            facing=(0.0, 1.0, 0.0),
+            proud=0.0003,
+        )
+        bodies = [
+            detail(vent, "vent", coloured("polypropylene", "grey")),
+            detail(grille, "vent", DARK),
+        ]
+        steel = material("zinc")
+        for side in (-1, 1):
+            x = side * (space.inside + 0.013)
+            arm = box(0.005, 0.003, 0.055, bevel=0.001).at(x, space.inner + 0.001, space.plinth + 0.055)
+            bodies.append(detail(arm, "hinge", steel))
+        return bodies
+
+    def hinge(self, pull: Scalar) -> Joint:
+        """Make the joint of the door; springs carry its weight, friction holds it where it is left.
+
+        The springs are linear and begin at the closed door, so that they lift most where its weight pulls
+        most: m g r sin(q) is met at the open end, and what is left in between is less than the friction.
+
+        Args:
+            pull: Force at the handle that opens it [N].
+        """
+        space = self.space
+        moment: Scalar = _HANDLE * (self.handle_height - space.plinth)
+        for solid, stuff in self._boards:
+            moment = moment + stuff.density * solid.volume() * (solid.centroid().z - space.plinth)
+        for solid in self.console.boards():
+            moment = moment + PANEL * solid.volume() * (self.top - space.plinth - 0.03)
+        return Revolute(
+            "door_hinge",
+            axis=X,
+            pivot=space.hinge,
+            limits=(0.0, space.swing),
+            stiffness=_GRAVITY * moment * sin(space.swing) / space.swing,
+            friction=pull * (self.handle_height - space.plinth),
+            damping=2.0,
+            effort=40.0,  # 60 N at the handle
+            velocity=4.0,
+        )

@@ -1,0 +1,288 @@
+"""The cabinet of a dishwasher: the tub as a cavity of boards, its sides, base, top and back."""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+from artgen import (
+    Body,
+    Material,
+    Scalar,
+    VectorLike,
+    Z,
+    array,
+    board,
+    box,
+    coloured,
+    cylinder,
+    detail,
+    details,
+    material,
+    part,
+    rectangle,
+    weld,
+)
+from artgen.categories.dishwasher.hoses import drain_hose, inlet_hose
+from artgen.categories.dishwasher.space import Build, Space
+from artgen.categories.shared.appliances.cords import cord_stub
+from artgen.categories.shared.appliances.finish import DARK, filled
+
+_SHEET = 0.004  # thickness that stands for the sheet of side panels [m]
+_FEET = 0.022  # from the floor to the base [m]
+_RAIL = 0.0012  # play of rollers in their rails [m]
+_BACK = 0.030  # how deep the recess for hoses is at the back [m]
+_SERVICES = 0.26  # how high it is [m]
+
+
+@dataclass(frozen=True)
+class Cabinet:
+    """How a cabinet looks.
+
+    Attributes:
+        space: Its measures.
+        build: For a kitchen front or on its own.
+        worktop: Whether it has a worktop.
+        sides: Finish of its sides and top.
+        tub: Finish of the tub's inside.
+        kick: Finish of the kick plate.
+        worktop_finish: Finish of the worktop.
+        base_density: Of the base with pump, motor and ballast [kg/m3].
+        levels: Heights of the axles of the upper racks, whose rails are on the walls [m].
+        maker: Whose name is on the rating plate.
+    """
+
+    space: Space
+    build: Build
+    worktop: bool
+    sides: Material
+    tub: Material
+    kick: Material
+    worktop_finish: Material
+    base_density: float
+    levels: tuple[Scalar, ...]
+    maker: str
+
+    def body(self) -> Body:
+        """Make all that stands still: the link `body`."""
+        return weld(
+            *self._base(),
+            *self._walls(),
+            *self._sides(),
+            *self._top(),
+            *self._rails(),
+            *self._inside(),
+            *self._back(),
+        )
+
+    @cached_property
+    def _half(self) -> Scalar:
+        return self.space.width / 2.0
+
+    @cached_property
+    def _rear(self) -> Scalar:
+        return self.space.depth / 2.0
+
+    def _base(self) -> list[Body]:
+        space = self.space
+        half, low = self._half, _FEET
+        front = space.mouth + 0.034
+        under = space.floor - 0.014
+        pan = board(
+            (0.004 - half, half - 0.004), (front, self._rear - _BACK - 0.002), (low, under), bevel=0.004
+        )
+        ballast = filled(material("black_abs"), self.base_density, "base")
+        top = space.door_bottom - 0.004
+        kick = board(
+            (0.001 - half, half - 0.001), (front - 0.0125, front + 0.001), (0.012, top + 0.02), bevel=0.002
+        )
+        y = (front + 0.045, self._rear - _BACK - 0.05)
+        corners = [(side * (half - 0.045), each, 0.0) for side in (-1, 1) for each in y]
+        disc = cylinder(0.019, 0.008, axis=Z, bevel=0.0015).at(0.0, 0.0, 0.004)
+        stem = cylinder(0.007, low, axis=Z).at(0.0, 0.0, low / 2.0 + 0.002)
+        black = material("black_abs")
+        feet = weld(
+            part(array(disc, at=corners), "foot", black, separate="each foot is screwed into the base"),
+            part(array(stem, at=corners), "foot", material("zinc")),
+        )
+        slots = details.vent_slots(0.24, 0.012, 14, slot=0.0036)
+        vent = details.relief(
+            slots, (0.0, front - 0.0125, 0.045), proud=0.0003, sunk=0.0003
+        )  # the base breathes through it
+        return [
+            part(pan, "body", ballast),
+            part(kick, "kick_plate", filled(self.kick, 900.0)),
+            detail(vent, "kick_plate", DARK),
+            feet,
+        ]
+
+    def _walls(self) -> list[Body]:
+        """Make floor, ceiling, sides and back of the tub, whose fronts are the frame of its mouth."""
+        space = self.space
+        wide, outer = space.inside, self._half - _SHEET
+        low, high = space.floor, space.ceiling
+        front, back = space.mouth, space.back
+        stuff = filled(self.tub, 190.0, "tub")
+        boards = [
+            board((-outer, outer), (front, self._rear - _BACK), (low - 0.016, low)),
+            board((-outer, outer), (front, self._rear - 0.002), (high, high + 0.016)),
+            board((-outer, outer), (back, back + 0.012), (low - 0.001, high + 0.001)),
+            *(
+                board(
+                    (side * wide, side * outer) if side > 0 else (-outer, -wide),
+                    (front, back + 0.001),
+                    (low - 0.001, high + 0.001),
+                )
+                for side in (-1, 1)
+            ),
+        ]
+        gasket = details.gasket(
+            2.0 * wide + 0.020,
+            high - low + 0.014 - 0.008,
+            size=0.0062,
+            radius=0.016,
+            section="half_round",
+        ).at(0.0, front + 0.0002, (low + high) / 2.0 + 0.003)
+        return [*(part(each, "tub", stuff) for each in boards), detail(gasket, "seal", material("rubber"))]
+
+    def _sides(self) -> list[Body]:
+        """Make the outer panels: painted ones, or galvanised frames around the insulated tub."""
+        space, half = self.space, self._half
+        bodies: list[Body] = []
+        front, rear = space.mouth + 0.0006, self._rear
+        top = space.height - (0.032 if self.worktop else 0.002)
+        bottom = 0.026
+        density = 2400.0
+        sheet = filled(self.sides, density, "sheet")
+        for side in (-1, 1):
+            x = (side * (half - _SHEET), side * half) if side > 0 else (-half, _SHEET - half)
+            low = space.floor - 0.014
+            bodies.append(part(board(x, (front, rear), (low, top), bevel=0.0012), "body", sheet))
+            deep = (space.mouth + 0.030, rear - 0.002)
+            bodies.append(part(board(x, deep, (bottom, low + 0.001)), "body", sheet))
+            if self.build == "built_in":
+                bodies += self._felt(side, top)
+        return bodies
+
+    def _felt(self, side: int, top: Scalar) -> list[Body]:
+        """Make the insulation that shows between the posts of a built-in machine."""
+        space = self.space
+        low = space.floor + 0.02
+        tall, long = top - low - 0.03, self._rear - space.mouth - 0.11
+        sheet = rectangle(long, tall, radius=0.012)
+        at = (side * self._half, space.mouth + 0.045 + long / 2.0, low + tall / 2.0)
+        felt = coloured("fabric", "graphite").with_(name="bitumen_felt")
+        pad = details.relief(sheet, at, facing=(side, 0.0, 0.0), proud=0.0006, sunk=0.0006)
+        return [detail(pad, "insulation", felt)]
+
+    def _top(self) -> list[Body]:
+        space, half = self.space, self._half
+        low = space.ceiling + 0.016
+        if self.worktop:
+            plate = board(
+                (-half, half),
+                (space.front + 0.004, self._rear),
+                (space.height - 0.030, space.height),
+                bevel=0.005,
+            )
+            return [
+                part(
+                    board(
+                        (0.002 - half, half - 0.002), (space.mouth, self._rear), (low, space.height - 0.029)
+                    ),
+                    "body",
+                    filled(self.sides, 300.0, "deck"),
+                ),
+                part(plate, "worktop", filled(self.worktop_finish, 620.0, "top")),
+            ]
+        deck = board((_SHEET - half, half - _SHEET), (space.mouth, self._rear), (low - 0.001, space.height))
+        return [part(deck, "body", filled(self.sides, 300.0, "deck"))]
+
+    def _rails(self) -> list[Body]:
+        """Make the ledges on which the lower rack rolls, and the channels of the upper ones."""
+        space = self.space
+        bodies: list[Body] = []
+        front, back = space.mouth + 0.004, space.back - 0.006
+        grey = coloured("polypropylene", "light_grey").with_(name="rail_plastic")
+        steel = material("stainless")
+        for side in (-1, 1):
+            x = (space.inside - 0.017, space.inside + 0.001)
+            if side < 0:
+                x = (-space.inside - 0.001, 0.017 - space.inside)
+            top = space.treads - _RAIL
+            bodies.append(part(board(x, (front, back), (top - 0.008, top), bevel=0.002), "rail", grey))
+            for level in self.levels:
+                apart = 0.0095 + _RAIL
+                for way in (-1, 1):
+                    z = level + way * (apart + 0.002)
+                    strip = board(x, (front, back), (z - 0.002, z + 0.002), bevel=0.0008)
+                    bodies.append(part(strip, "rail", steel))
+        return bodies
+
+    def _inside(self) -> list[Body]:
+        """Make sump, filter, feed pipe and embossed walls, which are only seen."""
+        space = self.space
+        middle, low = space.rack_middle, space.floor
+        steel = material("stainless")
+        sump = cylinder(0.085, 0.003, axis=Z, bevel=0.001).at(0.0, middle - 0.075, low + 0.0006)
+        mesh = cylinder(0.078, 0.0012, axis=Z).at(0.0, middle - 0.075, low + 0.0022)
+        cup = cylinder(0.034, 0.014, axis=Z, bevel=0.003).at(0.0, middle - 0.105, low + 0.006)
+        bar = box(0.012, 0.056, 0.006, bevel=0.002).at(0.0, middle - 0.105, low + 0.0145)
+        grey = coloured("polypropylene", "grey")
+        bodies = [
+            detail(sump, "filter", steel),
+            detail(mesh, "filter", material("perforated_steel")),
+            detail(cup, "filter", grey),
+            detail(bar, "filter", coloured("polypropylene", "blue")),
+        ]
+        pipe = board((-0.016, 0.016), (space.back - 0.009, space.back + 0.001), (low, space.ceiling - 0.06))
+        bodies.append(detail(pipe, "tub", grey))
+        rib = box(0.006, 0.004, 0.55 * (space.ceiling - low), bevel=0.0019)  # they stiffen the sheet
+        at: list[VectorLike] = [
+            (share * space.inside, space.back, (low + space.ceiling) / 2.0)
+            for share in (-0.68, -0.42, 0.42, 0.68)
+        ]
+        bodies.append(detail(array(rib, at=at), "tub", self.tub))
+        nozzle = cylinder(0.028, 0.008, axis=Z, bevel=0.002).at(0.0, middle, space.ceiling - 0.003)
+        return [*bodies, detail(nozzle, "tub", grey)]
+
+    def _back(self) -> list[Body]:
+        """Make the back panel above the recess, and in the recess what is joined to water and mains."""
+        space, half, rear = self.space, self._half, self._rear
+        zinc = filled(material("zinc"), 700.0, "sheet")
+        panel = board(
+            (_SHEET - half, half - _SHEET),
+            (space.back + 0.011, rear - 0.003),
+            (_SERVICES, space.ceiling + 0.002),
+        )
+        wall = board(
+            (_SHEET - half, half - _SHEET),
+            (rear - _BACK - 0.004, rear - _BACK),
+            (_FEET + 0.004, _SERVICES + 0.001),
+        )
+        plane = rear - _BACK
+        low = 0.08
+        side = half - 0.10
+        plate = details.rating_plate(
+            0.085,
+            0.045,
+            (self.maker, "230 V~ 1900 W"),
+            at=(0.0, rear - 0.003, 0.55),
+            facing=(0.0, 1.0, 0.0),
+            double_insulated=False,
+        )
+        return [
+            part(panel, "body", zinc),
+            part(wall, "body", zinc),
+            drain_hose([(0.0, 0.016, 0.0), (0.05, 0.016, -0.01), (0.06, 0.016, 0.14)], radius=0.009).at(
+                -side, plane, low
+            ),
+            inlet_hose([(0.0, 0.021, 0.0), (-0.06, 0.021, 0.0), (-0.07, 0.021, 0.16)], radius=0.0055).at(
+                side, plane, low
+            ),
+            cord_stub(height=0.16, reach=0.026).at(0.0, plane, 0.16),
+            plate,
+        ]
+
+
+def kick_finish(front: Material, build: Build) -> Material:
+    """Return what the kick plate is made of: as the front, or black where the kitchen's plinth hides it."""
+    return material("powder_coat_black") if build == "built_in" else front

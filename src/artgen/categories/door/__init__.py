@@ -1,0 +1,303 @@
+"""A hinged door in its frame, with hardware that works: the latch holds it until the handle is turned.
+
+The door is built once: hinges at the left, opening towards the viewer (-y). Other hands and doors that open
+away are mirror images.
+
+Links: `frame`; `door`, or `door_left` and `door_right`; `handle` and `latch`, `lock` and `deadbolt` where
+there are such; `flush_bolt` in the inactive leaf of a double door. Joints: `door_hinge` (with `_left` and
+`_right` for two leaves), `handle_turn` or `handle_push`, `latch_slide`, `lock_turn`, `deadbolt_slide`,
+`flush_bolt_slide`.
+
+What is only seen, such as screws, print, mouldings and seals, has neither mass nor collider. An entrance may
+have a letter plate, the number of the house, a viewer and a kick plate on its outer face, from which it opens
+away, and a brush under its inner one.
+
+Sizes are those of residential doors: leaves 24-42 in wide (28, 30, 32 and 36 in are stock), 6 ft 6 in to 8 ft
+high, 1 3/8 to 1 3/4 in thick (ANSI/SDI A250.8, WDMA I.S. 1A); clearances 3 mm at the sides, 10-19 mm at the
+floor.
+"""
+
+from dataclasses import replace
+from functools import partial, reduce
+from operator import and_
+from typing import Literal
+
+from artgen import (
+    Body,
+    Float,
+    Generator,
+    Material,
+    by,
+    category,
+    choice,
+    details,
+    min_,
+    one_of,
+    require,
+    shades,
+    uniform,
+    vector,
+)
+from artgen.categories.door.doorset import DoorSet, Hand, Opens, handed
+from artgen.categories.door.entrance import Fittings
+from artgen.categories.door.frame import Doorway, FrameKind, Trim, door_frame
+from artgen.categories.door.hanging import Hanging
+from artgen.categories.door.leaf import (
+    flush_leaf,
+    glazed_leaf,
+    half_lite_leaf,
+    louver_leaf,
+    panel_leaf,
+    plank_leaf,
+)
+from artgen.categories.door.lockset import (
+    Roses,
+    Site,
+    dead_lock,
+    pushed_handle,
+    rigid_handle,
+    turning_handle,
+)
+from artgen.categories.door.plates import finger_plate
+from artgen.categories.door.pulls import pull_handle
+from artgen.categories.door.push_bar import push_bar
+from artgen.categories.shared.finish import (
+    FINISH_WEIGHTS,
+    FINISHES,
+    INDOORS,
+    OUTDOORS,
+    known,
+    paints,
+    weighing,
+)
+from artgen.categories.shared.furniture.door_slab import Blank
+from artgen.categories.shared.hardware import HARDWARE_LABELS
+from artgen.categories.shared.hardware.handles_of_option import require_suited
+from artgen.categories.shared.hardware.knobs import knob_handle
+from artgen.categories.shared.hardware.latch import DEADBOLT
+from artgen.categories.shared.hardware.levers import lever_handle
+from artgen.categories.shared.hardware.roses import Fixing
+
+_HANDLES = {
+    "lever": lever_handle,
+    "knob": knob_handle,
+    "push_bar": push_bar,
+    "pull": pull_handle,
+    "none": finger_plate,
+}
+_ABOVE = 0.42  # of the place where hands push a leaf over its handle, past a deadbolt [m]
+_PAINTS = paints(480.0, "paint")  # over light softwood
+_SOLID_PAINTS = paints(660.0, "exterior_paint")  # over hardwood
+_WOODS = known("oak", "oak_flat_sawn", "walnut", "mahogany", "ash", "mahogany_flat_sawn")
+_VENEERS = weighing(  # on light softwood
+    known(
+        "oak",
+        "oak_flat_sawn",
+        "walnut",
+        "walnut_flat_sawn",
+        "beech",
+        "maple",
+        "ash",
+        "pine_flat_sawn",
+        "pine",
+    ),
+    480.0,
+    "veneered",
+)
+_INTERIOR = (*(5.0 / len(_VENEERS),) * len(_VENEERS), *(0.55 * each for each in INDOORS))
+_EXTERIOR = (*(4.5 / len(_WOODS),) * len(_WOODS), *(0.55 * each for each in OUTDOORS))
+
+
+@category(
+    labels=("frame", "seal", "threshold", "door", "glass", "plate", "flush_bolt", *HARDWARE_LABELS),
+    joints=(1, 7),
+)
+def door(
+    *,
+    use: Literal["interior", "exterior"] = choice(
+        "interior",
+        "exterior",
+        weights=(0.62, 0.38),
+        doc="rooms have hollow or light leaves, entrances solid ones",
+    ),
+    layout: Literal["single", "double"] = choice("single", "double", weights=(0.82, 0.18)),
+    hand: Hand = choice("left", "right", doc="side of the hinges of the (active) leaf"),
+    opens: Opens = choice("towards", "away", doc="seen by the viewer, who pulls or pushes"),
+    stock: Literal["standard", "made_to_measure"] = choice("standard", "made_to_measure"),
+    width: Float = by(
+        "stock",
+        standard=by(  # 24, 28, 30, 32, 36 in
+            "use",
+            interior=choice(0.610, 0.711, 0.762, 0.813),
+            exterior=choice(0.813, 0.914, weights=(0.4, 0.6)),
+        ),
+        made_to_measure=by("use", interior=uniform(0.64, 0.90), exterior=uniform(0.80, 0.93)),
+        unit="m",
+        doc="of one leaf",
+        within=(0.60, 1.25),
+    ),
+    height: Float = by(
+        "stock",
+        standard=choice(1.981, 2.032, 2.134, 2.438),  # 78, 80, 84, 96 in
+        made_to_measure=uniform(1.98, 2.44),
+        unit="m",
+        doc="of a leaf",
+        within=(1.8, 2.7),
+    ),
+    thickness: Float = by(  # 1 3/8 and 1 3/4 in
+        "use",
+        interior=uniform(0.035, 0.040),
+        exterior=uniform(0.042, 0.046),
+        unit="m",
+        within=(0.03, 0.06),
+    ),
+    side_gap: Float = uniform(0.003, 0.0036, "m", within=(0.0028, 0.006)),
+    floor_gap: Float = uniform(0.010, 0.019, "m", within=(0.008, 0.03)),
+    jamb_depth: Float = uniform(0.105, 0.145, "m", within=(0.08, 0.3)),
+    frame: FrameKind = by(
+        "layout",
+        single=choice("jambs", "full", "arched", weights=(0.25, 0.6, 0.15)),
+        double=choice("jambs", "full", weights=(0.3, 0.7)),
+    ),
+    casing: Float = uniform(0.055, 0.090, "m"),
+    trim: Trim = choice("ogee", "flat", "stepped", "bevelled", weights=(0.4, 0.25, 0.2, 0.15)),
+    rise: Float = uniform(0.10, 0.20, doc="of an arch, as a share of the leaf's width"),
+    leaf: Generator = by(
+        "use",
+        interior=one_of(flush_leaf, panel_leaf, louver_leaf, plank_leaf, weights=(0.3, 0.42, 0.16, 0.12)),
+        exterior=one_of(
+            panel_leaf, glazed_leaf, half_lite_leaf, plank_leaf, weights=(0.32, 0.25, 0.28, 0.15)
+        ),
+    ),
+    finish: Material = by(
+        "use",
+        interior=shades(*_VENEERS, *_PAINTS, weights=_INTERIOR, color=0.07, roughness=0.04),
+        exterior=shades(*_WOODS, *_SOLID_PAINTS, weights=_EXTERIOR, color=0.07, roughness=0.04),
+    ),
+    frame_finish: Literal["same", "white"] = choice("same", "white", weights=(0.7, 0.3)),
+    frame_paint: Material = shades(_PAINTS[0], color=0.03, roughness=0.05, doc="of a white frame"),
+    sill: Material = by(
+        "use",
+        interior=shades("aluminium", *_VENEERS[:1], "brass", weights=(0.6, 0.25, 0.15)),
+        exterior=shades("aluminium", "aged_bronze", weights=(0.8, 0.2)),
+        doc="of the threshold",
+    ),
+    metal: Material = shades(
+        *FINISHES, weights=FINISH_WEIGHTS, color=0.03, roughness=0.03, doc="of all hardware"
+    ),
+    maker: str = choice(*details.BRANDS, doc="whose name is on the lock"),
+    letter_plate: bool = by("use", interior=False, exterior=choice(False, True)),
+    number: str = by(
+        "use",
+        interior="",
+        exterior=choice("", "3", "8", "12", "27", "46", "51", "109", weights=(5, 1, 1, 1, 1, 1, 1, 1)),
+        doc="of the house",
+    ),
+    viewer: bool = by("use", interior=False, exterior=choice(False, True, weights=(0.4, 0.6))),
+    kick_plate: bool = by("use", interior=False, exterior=choice(False, True, weights=(0.75, 0.25))),
+    sweep: bool = by(
+        "use", interior=False, exterior=choice(False, True), doc="whether a brush seals the gap to the floor"
+    ),
+    opener: Literal["lever", "knob", "push_bar", "pull", "none"] = by(
+        "use",
+        interior=choice("lever", "knob", "push_bar", "pull", "none", weights=(0.55, 0.24, 0.05, 0.09, 0.07)),
+        exterior=choice("lever", "knob", "push_bar", "pull", "none", weights=(0.46, 0.16, 0.16, 0.18, 0.04)),
+    ),
+    handle: Generator = by("opener", _HANDLES),
+    handle_height: Float = uniform(0.86, 1.12, "m", doc="above the floor", within=(0.7, 1.4)),
+    handle_range: Float = by(
+        "opener",
+        lever=uniform(0.60, 1.05),
+        knob=uniform(0.72, 0.85),
+        push_bar=uniform(0.012, 0.018),
+        otherwise=0.8,
+        doc="how far it moves; rad, or m for a push bar",
+    ),
+    spring: Float = uniform(1.1, 1.5, "N m", doc="torque that turns a handle fully"),
+    backset: Float = uniform(0.060, 0.070, "m", doc="lock edge to spindle", within=(0.055, 0.09)),
+    throw: Float = uniform(0.010, 0.012, "m", doc="of the latch", within=(0.009, 0.014)),
+    rose: Literal["round", "square", "plate"] = choice("round", "square", "plate", weights=(0.5, 0.3, 0.2)),
+    rose_across: Float = by(
+        "rose",
+        round=uniform(0.050, 0.060),
+        square=uniform(0.050, 0.058),
+        plate=uniform(0.042, 0.050),
+        unit="m",
+    ),
+    rose_depth: Float = uniform(0.007, 0.011, "m"),
+    fixing: Fixing = by(
+        "rose",
+        plate=choice("slot", "phillips"),
+        otherwise=choice("hidden", "slot", "phillips", weights=(0.4, 0.3, 0.3)),
+        doc="how roses are held: out of sight, or by two screws",
+    ),
+    keyed: bool = by("rose", plate=choice(False, True), otherwise=False, doc="a key cylinder in the plate"),
+    bolted: bool = by(
+        "opener",
+        lever=choice(False, True, weights=(0.7, 0.3)),
+        knob=choice(False, True, weights=(0.5, 0.5)),
+        pull=choice(False, True, weights=(0.6, 0.4)),
+        otherwise=False,
+        doc="whether there is a deadbolt with a thumb turn",
+    ),
+    hinges: int = choice(2, 3, weights=(0.3, 0.7)),
+    hinge_height: Float = uniform(0.085, 0.102, "m"),
+    hinge_radius: Float = uniform(0.005, 0.006, "m", within=(0.004, 0.008)),
+    swing: Float = uniform(1.4, 2.0, "rad", within=(0.5, 2.0)),
+    hinge_friction: Float = uniform(0.6, 1.5, "N m", doc="keeps an open door where it is left"),
+    hinge_damping: Float = uniform(0.5, 2.0, "N m s/rad"),
+) -> Body:
+    """Make a door of one or two leaves in its frame: hinges, handle, latch, locks."""
+    require_suited(handle, "opener", opener, _HANDLES)
+    require(layout == "single" or frame != "arched", "two leaves have no arch: frame must be jambs or full")
+    meeting = 1.25 * side_gap if layout == "double" else side_gap  # between the leaf and what its bolts enter
+    arched = width * rise if frame == "arched" else None
+    fittings = Fittings(metal, kick=kick_plate, sweep=sweep)
+    if opener != "push_bar":  # which is on the outer face
+        fittings = replace(fittings, letters=letter_plate, number=number, viewer=viewer)
+    reach = handle_height + _ABOVE
+    blank = Blank(width, floor_gap, floor_gap + height, thickness, arched, None, finish, fittings, reach)
+    spindle = vector(width / 2.0 - backset, 0.0, handle_height)
+    site = Site(spindle, backset, thickness, meeting, metal, maker)
+    above = 0.30 if opener in ("pull", "none") else 0.15  # a bolt: past the end of a pull, or of a long plate
+    match opener:
+        case "lever" | "knob":
+            lockset = turning_handle(
+                site,
+                handle,
+                limit=handle_range,
+                torque=spring,
+                throw=throw,
+                roses=Roses(rose, rose_across, rose_depth, fixing, keyed and not bolted),
+            )
+        case "push_bar":
+            lockset = pushed_handle(site, handle, width=width, travel=handle_range, throw=throw)
+        case "pull" | "none":
+            over = blank.straight - handle_height
+            over = min_(over, above - 0.03) if bolted else over
+            room = 2.0 * min_(over, handle_height - floor_gap)  # for a pull, on the leaf and below its bolt
+            lockset = rigid_handle(site, partial(handle, room=room) if handle == pull_handle else handle)
+    if bolted:
+        lockset = lockset + dead_lock(replace(site, spindle=spindle + (0.0, 0.0, above)))
+
+    hanging = Hanging(
+        blank, hinges, side_gap, hinge_height, hinge_radius, metal, swing, hinge_friction, hinge_damping
+    )
+    total = (2.0 * width + meeting if layout == "double" else width) + 2.0 * side_gap
+    arch = None if blank.arch is None else blank.arch.outset(side_gap)
+    surround = partial(
+        door_frame,
+        Doorway(total, blank.top + side_gap, thickness, jamb_depth, arch, floor_gap),
+        frame,
+        finish=frame_paint if frame_finish == "white" else finish,
+        sill=sill,
+        casing=casing,
+        trim=trim,
+    )
+    # a bolt is out of the way when it has passed the casing in front of the jamb, 2 mm to spare
+    clear = 1.03 * (thickness / 2.0 + 0.015 + DEADBOLT.width / 2.0 + 0.002) / (width + side_gap / 2.0)
+    needs = reduce(and_, lockset.free).until(clear) if lockset.free else None
+    parts = DoorSet(surround, leaf, blank, hanging, lockset, needs)
+    body = parts.single() if layout == "single" else parts.double(site, hand)
+    body = body.require(hanging.turns_within_gap(), "the far corner of the leaf would strike the jamb")
+    return handed(body, hand, opens)

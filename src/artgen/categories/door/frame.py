@@ -1,0 +1,213 @@
+"""Door frames: jambs and head with stops, casing and threshold, or a solid timber frame with an arched head.
+
+A frame stands about the closed leaf, whose middle plane is y = 0: the clear opening is centred in x and
+starts at z = 0. The front of the frame is level with the front of the leaf, which opens towards -y.
+"""
+
+import math
+from dataclasses import dataclass
+from typing import Literal
+
+from artgen import (
+    Body,
+    Float,
+    Material,
+    Scalar,
+    Solid,
+    X,
+    Y,
+    Z,
+    array,
+    box,
+    detail,
+    enclosed,
+    extrude,
+    material,
+    min_,
+    part,
+    polygon,
+    polyline,
+    rectangle,
+    sweep,
+    weld,
+)
+from artgen.categories.shared.furniture.arch import Arch
+
+JAMB = 0.034
+"""Thickness of jambs and head [m]."""
+
+_TIMBER = 0.075  # face of a solid timber frame [m]
+_STOP = (0.012, 0.030)  # how far a stop stands out, and how deep it is [m]
+STOP_GAP = 0.002
+"""Gap between the closed leaf and the stops [m]; a seal fills it."""
+
+_REVEAL = 0.0095  # casings leave so much of the front of the jamb bare: the hinges swing there [m]
+_ARCH_STOPS = 12  # lengths of the stop under an arch
+_SILL_PLAY = 0.004  # between threshold and leaf [m]
+
+FrameKind = Literal["jambs", "full", "arched"]
+
+Trim = Literal["ogee", "flat", "stepped", "bevelled"]
+"""The section of a casing."""
+
+_TRIMS: dict[str, tuple[tuple[float, float], ...]] = {
+    # shares of the width, and heights [m], from the outer edge to the inner one; 15 mm is the most, so that
+    # bolts pass in front
+    "ogee": (
+        (1.0, 0.0132), (0.985, 0.0146), (0.965, 0.015), (0.86, 0.015), (0.84, 0.0147), (0.825, 0.0137),
+        (0.80, 0.0126), (0.76, 0.0118), (0.72, 0.0114), (0.62, 0.0107), (0.40, 0.0096), (0.33, 0.0093),
+        (0.28, 0.0088), (0.25, 0.0079), (0.22, 0.0073), (0.18, 0.0071), (0.05, 0.0070), (0.02, 0.0064),
+        (0.0, 0.0050),
+    ),
+    "flat": (
+        (1.0, 0.0130), (0.99, 0.0142), (0.975, 0.0145), (0.025, 0.0145), (0.01, 0.0142), (0.0, 0.0130),
+    ),
+    "stepped": (
+        (1.0, 0.0140), (0.99, 0.0148), (0.98, 0.015), (0.76, 0.015), (0.745, 0.0148), (0.74, 0.0140),
+        (0.74, 0.0112), (0.725, 0.0110), (0.36, 0.0110), (0.345, 0.0108), (0.34, 0.0100), (0.34, 0.0078),
+        (0.325, 0.0075), (0.02, 0.0075), (0.005, 0.0070), (0.0, 0.0062),
+    ),
+    "bevelled": (
+        (1.0, 0.0138), (0.99, 0.0148), (0.975, 0.015), (0.55, 0.015), (0.50, 0.0148), (0.04, 0.0072),
+        (0.015, 0.0066), (0.0, 0.0058),
+    ),
+}  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Doorway:
+    """The clear opening that a frame leaves for its leaves.
+
+    Attributes:
+        width: Between the jambs [m].
+        height: Under the head, at the crown of an arch [m].
+        thickness: Of the leaf [m].
+        depth: Of the jambs, front to back [m].
+        arch: The arch of the head; None for a straight one.
+        floor_gap: Under the leaf [m].
+    """
+
+    width: Float
+    height: Float
+    thickness: Float
+    depth: Float
+    arch: Arch | None
+    floor_gap: Float
+
+    @property
+    def straight(self) -> Scalar:
+        """Height of the jambs [m]."""
+        return self.height if self.arch is None else self.arch.spring
+
+    @property
+    def middle(self) -> Float:
+        """Where the middle of the jambs is along Y [m]."""
+        return (self.depth - self.thickness) / 2.0
+
+
+def door_frame(
+    doorway: Doorway,
+    kind: FrameKind,
+    *,
+    finish: Material,
+    sill: Material,
+    casing: Scalar,
+    trim: Trim = "ogee",
+    jamb_cut: Solid | None = None,
+    head_cut: Solid | None = None,
+) -> Body:
+    """Make the frame of a door: the link `frame`.
+
+    Args:
+        doorway: What it leaves free.
+        kind: Jambs and head only; with casing and threshold; or solid timber with an arched head.
+        finish: Its wood.
+        sill: Material of the threshold.
+        casing: Width of the casing [m].
+        trim: Section of the casing.
+        jamb_cut: What the locks need taken out of the jamb at the right.
+        head_cut: What a flush bolt needs taken out of the head.
+    """
+    wide = _TIMBER if kind == "arched" else JAMB
+    tall = doorway.straight if doorway.arch is None else doorway.arch.outset(wide).spring
+    eased = 0.003 if kind == "arched" else 0.0015
+    jamb = box(wide, doorway.depth, tall, bevel=eased)
+    beside, half_way = (doorway.width + wide) / 2.0, tall / 2.0
+    right = jamb.at(beside, doorway.middle, half_way)
+    head = _head(doorway, wide)
+    solids = [
+        right if jamb_cut is None else right - jamb_cut,
+        jamb.at(-beside, doorway.middle, half_way),
+        head if head_cut is None else head - head_cut,
+        *_stops(doorway),
+    ]
+    bodies = [part(solid, "frame", finish) for solid in solids]
+    bodies.append(detail(_seals(doorway), "seal", material("rubber")))
+    if kind == "full":
+        front, back = -doorway.thickness / 2.0, doorway.depth - doorway.thickness / 2.0
+        surround = _casing(doorway, casing, trim)
+        bodies.append(part(surround.at(0.0, front, 0.0), "frame", finish))
+        bodies.append(part(surround.rotate(Z, math.pi).at(0.0, back, 0.0), "frame", finish))
+    if kind != "jambs":
+        bodies += _threshold(doorway, sill)
+    return weld(*bodies)
+
+
+def _head(doorway: Doorway, wide: float) -> Solid:
+    if doorway.arch is None:
+        head = box(doorway.width + 2.0 * wide, doorway.depth, wide, bevel=0.0015)
+        return head.at(0.0, doorway.middle, doorway.height + wide / 2.0)
+    # its ends lie within the jambs, which reach up to its outer corners
+    arch = doorway.arch
+    (band,) = arch.bands(wide, beyond=(arch.outset(wide).angle - arch.angle) * arch.radius)
+    return extrude(band, doorway.depth, axis=Y, bevel=0.0015).at(0.0, doorway.middle, 0.0)
+
+
+def _stops(doorway: Doorway) -> list[Solid]:
+    """Make the strips behind the leaf that it closes against."""
+    out, deep = _STOP
+    middle = doorway.thickness / 2.0 + STOP_GAP + deep / 2.0
+    side = box(out, deep, doorway.straight, bevel=0.0025)
+    beside = (doorway.width - out) / 2.0
+    sides = [side.at(x, middle, doorway.straight / 2.0) for x in (-beside, beside)]
+    if doorway.arch is not None:
+        # in lengths that collide as their hulls, half a millimetre into the doorway
+        bands = doorway.arch.outset(-out).bands(out, count=_ARCH_STOPS, beyond=out)
+        strips = [enclosed(extrude(band, deep, axis=Y, bevel=0.001)) for band in bands]
+        return [*sides, *(strip.at(0.0, middle, 0.0) for strip in strips)]
+    top = box(doorway.width - 2.0 * out, deep, out, bevel=0.0025)
+    top = top.at(0.0, middle, doorway.height - out / 2.0)
+    return [*sides, top]
+
+
+def _seals(doorway: Doorway) -> Solid:
+    """Make the strips of rubber on the sides of the stops that the leaf touches."""
+    tall = doorway.straight - _STOP[0]
+    side = box(0.007, STOP_GAP - 0.0003, tall, bevel=0.0005)
+    middle = (doorway.thickness + STOP_GAP) / 2.0 + 0.0002
+    beside = (doorway.width - _STOP[0]) / 2.0
+    return array(side, at=[(-beside, middle, tall / 2.0), (beside, middle, tall / 2.0)])
+
+
+def _threshold(doorway: Doorway, sill: Material) -> list[Body]:
+    """Make the plate on the floor; one of metal has ribs that feet do not slip on."""
+    thick = doorway.floor_gap - _SILL_PLAY
+    plate = box(doorway.width, doorway.depth, thick, bevel=min_(0.0022, 0.4 * thick))
+    bodies = [part(plate.at(0.0, doorway.middle, thick / 2.0), "threshold", sill)]
+    if sill.base_metalness > 0.5:
+        rib = box(doorway.width - 0.004, 0.0022, 0.0012, bevel=0.0005)
+        places = [(0.0, doorway.middle + (index - 3.0) * 0.007, thick) for index in range(7)]
+        bodies.append(detail(array(rib, at=places), "threshold", sill))
+    return bodies
+
+
+def _casing(doorway: Doorway, width: Scalar, trim: Trim) -> Solid:
+    """Make the moulded trim of the front, mitred at its corners, its back at y = 0."""
+    corners = [(share * width, high) for share, high in _TRIMS[trim]]
+    # united with its back: a union is smooth where corners are blunt
+    back = rectangle(width, 0.004).at(width / 2.0, 0.002)
+    section = polygon([(0.0, 0.0), (width, 0.0), *corners]) | back
+    x, z = doorway.width / 2.0 + _REVEAL, doorway.height + _REVEAL
+    # swept on the floor, up the left leg and down the right one, then stood up: up becomes the front
+    course = polyline([(-x, 0.0, 0.0), (-x, z, 0.0), (x, z, 0.0), (x, 0.0, 0.0)])
+    return sweep(section, course).rotate(X, math.pi / 2.0)

@@ -1,0 +1,99 @@
+"""How a leaf hangs: its butt hinges on leaf and jamb, and the joint about their pins."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from artgen import Body, Bool, Condition, Dependency, Float, Joint, Material, Revolute, Scalar
+from artgen.categories.shared.furniture.door_slab import Blank
+from artgen.categories.shared.hardware.hinge import hinge_frame, hinge_leaf, hinge_offset
+
+_TOP = 0.19  # from the top of the leaf to the middle of the upper hinge [m]
+_BOTTOM = 0.28  # from the bottom of the leaf to the middle of the lower hinge [m]
+
+
+@dataclass(frozen=True)
+class Hanging:
+    """Butt hinges at the left of a leaf, which is centred in x.
+
+    Attributes:
+        blank: The leaf.
+        count: 2 or 3 hinges.
+        gap: Between the leaf and the jamb [m].
+        height: Of a hinge [m].
+        radius: Of its knuckles [m].
+        finish: Its metal.
+        swing: How far the leaf opens [rad].
+        friction: Of all hinges together [N m].
+        damping: Of all hinges together [N m s/rad].
+    """
+
+    blank: Blank
+    count: int
+    gap: Float
+    height: Float
+    radius: Float
+    finish: Material
+    swing: Float
+    friction: Float
+    damping: Float
+
+    def _half(self, make: Callable[..., Body]) -> Body:
+        low, high = self.blank.bottom + _BOTTOM, self.blank.straight - _TOP
+        levels = [low + (high - low) * index / (self.count - 1) for index in range(self.count)]
+        half = make(
+            height=self.height, radius=self.radius, depth=self._depth, finish=self.finish, levels=levels
+        )
+        return half.at(
+            -(self.blank.width + self.gap) / 2.0, -self.blank.thickness / 2.0 - hinge_offset(self.radius), 0.0
+        )
+
+    def on_leaf(self) -> Body:
+        """Make the halves to weld to the leaf."""
+        return self._half(hinge_leaf)
+
+    def on_frame(self) -> Body:
+        """Make the halves to weld to the jamb."""
+        return self._half(hinge_frame)
+
+    @property
+    def _depth(self) -> Float:
+        """How far the plates reach along the edge: they stop 6 mm before its back [m]."""
+        return self.blank.thickness - 0.006
+
+    def joint(
+        self,
+        name: str,
+        *,
+        middle: Scalar = 0.0,
+        side: int = 1,
+        needs: Condition | Dependency | None = None,
+    ) -> Joint:
+        """Make the joint about the pins; positive opens the leaf towards -y.
+
+        Args:
+            name: Name of the joint.
+            middle: Where the middle of the leaf stands in x [m].
+            side: 1 for hinges at the left of the leaf, -1 at the right.
+            needs: Where the leaf may open.
+        """
+        blank = self.blank
+        return Revolute(
+            name,
+            axis=(0.0, 0.0, -side),
+            pivot=(
+                middle - side * (blank.width + self.gap) / 2.0,
+                -blank.thickness / 2.0 - hinge_offset(self.radius),
+                0.0,
+            ),
+            limits=(0.0, self.swing),
+            friction=self.friction,
+            damping=self.damping,
+            effort=100.0,
+            velocity=6.0,
+            needs=needs,
+        )
+
+    def turns_within_gap(self) -> Bool:
+        """Tell whether the far corner of the leaf, which swings out of the closed width, clears the jamb."""
+        thick = hinge_offset(self.radius) + self.blank.thickness
+        return thick * thick / (2.0 * self.blank.width) < self.gap - 0.0004

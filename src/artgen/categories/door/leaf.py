@@ -1,0 +1,242 @@
+"""Door leaves: flush, boarded, panelled, glazed, louvred and half glazed.
+
+A leaf stands in the X-Z plane, in place above the floor: it is centred in x, its faces are at
+y = -thickness / 2 and y = thickness / 2, its lock edge is at x = width / 2.
+"""
+
+from typing import Literal
+
+from artgen import (
+    Body,
+    Float,
+    Material,
+    Scalar,
+    Y,
+    array,
+    box,
+    by,
+    choice,
+    count,
+    detail,
+    extrude,
+    generator,
+    material,
+    part,
+    rectangle,
+    uniform,
+    weld,
+)
+from artgen.categories.door.entrance import fitted
+from artgen.categories.door.framing import Row, framed
+from artgen.categories.shared.finish import across, known
+from artgen.categories.shared.furniture.door_slab import EASED, Blank
+from artgen.categories.shared.furniture.infill import Opening, Relief, Sticking, panels_in, panes_in, slats_in
+
+_GLASS = known("glass", "frosted_glass", "tinted_glass")
+_LOCK_STRIP = 0.120  # from the lock edge to an upright inlay, which the lock must not reach [m]
+_GLASS_WEIGHTS = (0.6, 0.3, 0.1)[: len(_GLASS)]
+
+
+@generator
+def flush_leaf(
+    *,
+    blank: Blank,
+    inlays: int = choice(0, 3, 4, weights=(0.7, 0.15, 0.15)),
+    grain: Literal["upright", "across"] = choice("upright", "across", weights=(0.75, 0.25)),
+) -> Body:
+    """Make a flush leaf: one smooth slab with a hollow or particle core.
+
+    Args:
+        blank: Its measures.
+        inlays: Strips of aluminium across the faces; with them goes one upright strip.
+        grain: Which way the grain of the veneer runs.
+    """
+    finish = blank.finish if grain == "upright" else across(blank.finish)
+    core = finish.with_(name=f"{finish.name}_faced", density=350.0)
+    if blank.arch is None:
+        slab = box(blank.width, blank.thickness, blank.upright, bevel=0.0015).at(0.0, 0.0, blank.waist)
+    else:
+        outline = blank.arch.segment() | rectangle(blank.width, blank.upright).at(0.0, blank.waist)
+        slab = extrude(outline, blank.thickness, axis=Y, bevel=0.0015)
+    body = weld(part(blank.carved(slab), "door", core, push=blank.push), *_fitted(blank))
+    if not inlays:
+        return body
+    # across, up to one that runs upright beside the lock
+    long, out = blank.width - _LOCK_STRIP, blank.thickness / 2.0
+    strip, line = box(long, 0.0008, 0.008), box(0.008, 0.0008, blank.upright - 0.004)
+    levels = [blank.bottom + blank.upright * (at + 0.75) / (inlays + 0.5) for at in range(inlays)]
+    places = [(-_LOCK_STRIP / 2.0 + 0.001, side * (out - 0.0001), z) for z in levels for side in (-1, 1)]
+    beside = [(blank.width / 2.0 - _LOCK_STRIP, side * (out - 0.0001), blank.waist) for side in (-1, 1)]
+    bars = (array(strip, at=places), array(line, at=beside))
+    return weld(body, *(detail(bar, "door", material("aluminium")) for bar in bars))
+
+
+@generator
+def plank_leaf(
+    *,
+    blank: Blank,
+    boards: int = count(4, 7, weights=(1, 3, 3, 1)),
+    joint: Float = uniform(0.0025, 0.0045, "m", doc="radius of the edges, which makes the V between boards"),
+) -> Body:
+    """Make a boarded leaf: upright boards, tongued together, with a V in every joint.
+
+    Args:
+        blank: Its measures.
+        boards: How many boards.
+        joint: Radius of their edges [m].
+    """
+    wide = blank.width / boards
+    board = blank.board(wide, blank.upright, joint)
+    bodies: list[Body] = []
+    for index in range(boards):
+        placed = board.at((index - (boards - 1) / 2.0) * wide, 0.0, blank.waist)
+        if index == boards - 1:  # at the lock
+            bodies.append(part(blank.carved(placed), "door", blank.finish, push=blank.push))
+        else:
+            bodies.append(part(placed, "door", blank.finish))
+    if blank.arch is not None:
+        head = extrude(blank.arch.segment(), blank.thickness, axis=Y, bevel=EASED)
+        bodies.append(part(head, "door", across(blank.finish)))
+    return weld(*bodies, *_fitted(blank))
+
+
+def _fitted(blank: Blank) -> list[Body]:
+    """Make what an entrance has on a leaf that is even all over."""
+    return fitted(
+        blank.fittings,
+        face=blank.thickness / 2.0,
+        width=blank.width,
+        bottom=blank.bottom,
+        letters=blank.bottom + 0.36 * blank.upright,
+        number=blank.bottom + 0.86 * blank.upright,
+        looks_out=blank.bottom + 0.76 * blank.upright,
+    )
+
+
+_ROWS: dict[int, tuple[tuple[float, int], ...]] = {
+    1: ((1.0, 1),),
+    2: ((0.42, 1), (0.58, 1)),
+    3: ((0.42, 2), (0.58, 1)),
+    4: ((0.42, 2), (0.58, 2)),
+    5: ((0.2, 1),) * 5,
+    6: ((0.34, 2), (0.45, 2), (0.21, 2)),
+    7: ((0.34, 2), (0.43, 2), (0.23, 3)),
+    8: ((0.25, 2),) * 4,
+}
+"""Rows of panels from the bottom up, with their share of the height and their columns."""
+
+
+@generator
+def panel_leaf(
+    *,
+    blank: Blank,
+    panels: int = count(1, 8, weights=(1, 3, 1, 3, 2, 4, 1, 1), doc="6 is the colonial door"),
+    relief: Relief = choice("raised", "recessed"),
+    sticking: Sticking = by(
+        "relief",
+        raised=choice("ogee", "ovolo"),
+        recessed=choice("ogee", "ovolo", "square", weights=(0.25, 0.25, 0.5)),
+        doc="the moulding around the panels; square is the shaker door",
+    ),
+    stile: Float = uniform(0.106, 0.115, "m", within=(0.1, 0.16)),
+    moulding: Float = uniform(0.010, 0.016, "m", doc="how far the sticking reaches into a panel"),
+) -> Body:
+    """Make a leaf of stiles and rails with panels between them.
+
+    Args:
+        blank: Its measures.
+        panels: How many panels.
+        relief: Whether the panels' fields stand out of their grooves or lie flat in them.
+        sticking: The moulding around the panels.
+        stile: Width of the stiles [m].
+        moulding: Width of the moulding around the panels [m].
+    """
+
+    def panel(opening: Opening, thickness: Scalar) -> list[Body]:
+        return panels_in(opening, thickness, relief, moulding, sticking)
+
+    rows = [Row(share, columns, panel) for share, columns in _ROWS[panels]]
+    return framed(blank, stile, rows)
+
+
+@generator
+def glazed_leaf(
+    *,
+    blank: Blank,
+    columns: int = choice(1, 2, 3, weights=(0.4, 0.3, 0.3)),
+    lights: int = choice(1, 4, 5, weights=(0.4, 0.3, 0.3), doc="panes above each other"),
+    glass: Material = choice(*_GLASS, weights=_GLASS_WEIGHTS),
+    stile: Float = uniform(0.106, 0.115, "m", within=(0.1, 0.16)),
+) -> Body:
+    """Make a glazed leaf: one pane in beads, divided by muntins.
+
+    Args:
+        blank: Its measures.
+        columns: Panes side by side.
+        lights: Panes above each other.
+        glass: Clear, frosted or tinted glass.
+        stile: Width of the stiles [m].
+    """
+
+    def pane(opening: Opening, thickness: Scalar) -> list[Body]:
+        return panes_in(opening, thickness, columns, lights, glass)
+
+    return framed(blank, stile, [Row(1.0, 1, pane)])
+
+
+@generator
+def half_lite_leaf(
+    *,
+    blank: Blank,
+    columns: int = choice(1, 2, 3),
+    lights: int = choice(1, 2, 3),
+    glass: Material = choice(*_GLASS, weights=_GLASS_WEIGHTS),
+    panels: int = choice(1, 2),
+    stile: Float = uniform(0.106, 0.115, "m", within=(0.1, 0.16)),
+) -> Body:
+    """Make a leaf with a window above and panels below.
+
+    Args:
+        blank: Its measures.
+        columns: Panes side by side.
+        lights: Panes above each other.
+        glass: Clear, frosted or tinted glass.
+        panels: Panels side by side below.
+        stile: Width of the stiles [m].
+    """
+
+    def panel(opening: Opening, thickness: Scalar) -> list[Body]:
+        return panels_in(opening, thickness, "raised", 0.012, "ogee")
+
+    def pane(opening: Opening, thickness: Scalar) -> list[Body]:
+        return panes_in(opening, thickness, columns, lights, glass)
+
+    return framed(blank, stile, [Row(0.42, panels, panel), Row(0.58, 1, pane)])
+
+
+@generator
+def louver_leaf(
+    *,
+    blank: Blank,
+    below: Literal["louver", "panel"] = choice("louver", "panel"),
+    # each slat is a collider: two sections and a leaf's hardware stay below 64
+    slats: int = by("below", louver=count(9, 10), panel=count(15, 18), doc="in one section", within=(6, 24)),
+    stile: Float = uniform(0.106, 0.115, "m", within=(0.1, 0.16)),
+) -> Body:
+    """Make a louvred leaf: slats tilted by about 40 degrees that hide what is behind.
+
+    Args:
+        blank: Its measures.
+        below: What fills the lower section.
+        slats: Slats in each section.
+        stile: Width of the stiles [m].
+    """
+
+    def louver(opening: Opening, thickness: Scalar) -> list[Body]:
+        return slats_in(opening, thickness, slats)
+
+    def panel(opening: Opening, thickness: Scalar) -> list[Body]:
+        return panels_in(opening, thickness, "recessed", 0.012, "ovolo")
+
+    lower = louver if below == "louver" else panel
+    return framed(blank, stile, [Row(0.45, 1, lower), Row(0.55, 1, louver)])

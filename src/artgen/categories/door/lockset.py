@@ -1,0 +1,257 @@
+"""Locksets: what a handle, its latch and a deadbolt put on a leaf, cut out of it, and need in the jamb."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Literal
+
+from artgen import Body, Condition, Joint, Material, Scalar, Solid, Vector, box, cylinder, detail, weld
+from artgen.categories.door.pulls import pull_handle
+from artgen.categories.door.push_bar import push_bar_case, push_slide
+from artgen.categories.shared.finish import recess
+from artgen.categories.shared.hardware.latch import (
+    DEADBOLT,
+    LATCH_HOLE,
+    faceplate,
+    latch_bolt,
+    latch_pocket,
+    latch_slide,
+    strike_plate,
+    strike_pocket,
+)
+from artgen.categories.shared.hardware.levers import spring_turn
+from artgen.categories.shared.hardware.locks import (
+    THROW,
+    deadbolt,
+    deadbolt_cover,
+    deadbolt_hole,
+    deadbolt_pocket,
+    deadbolt_slide,
+    thumb_turn,
+    thumb_turn_joint,
+)
+from artgen.categories.shared.hardware.roses import Fixing, rose, spindle_hole
+
+HandleKind = Literal["lever", "knob", "push_bar", "pull", "none"]
+
+_RELEASE = 0.85
+"""The share of its range after which a handle has drawn its latch."""
+
+_PLATE = 0.22
+"""Height of long plates [m]."""
+
+_DRAWN = 0.02
+"""A deadbolt is inside its leaf while its turn stands below this angle [rad]."""
+
+
+@dataclass(frozen=True)
+class Site:
+    """Where a lockset goes, on a leaf whose middle plane is y = 0 and whose lock edge is at the right.
+
+    Attributes:
+        spindle: Where the spindle crosses the middle plane [m].
+        backset: From the spindle to the lock edge [m].
+        thickness: Of the leaf [m].
+        gap: Between the leaf and what its bolts enter [m].
+        finish: Metal of all that is seen.
+        mark: The name of its maker.
+    """
+
+    spindle: Vector
+    backset: Scalar
+    thickness: Scalar
+    gap: Scalar
+    finish: Material
+    mark: str = ""
+
+
+@dataclass(frozen=True)
+class Roses:
+    """The covers of the hole that the spindle of a handle passes.
+
+    Attributes:
+        style: Round or square roses, or long plates.
+        across: Width of a rose [m].
+        depth: How far it stands out of the leaf [m].
+        fixing: How a rose is held.
+        keyed: Whether a plate has a key cylinder.
+    """
+
+    style: Literal["round", "square", "plate"]
+    across: Scalar
+    depth: Scalar
+    fixing: Fixing = "hidden"
+    keyed: bool = False
+
+
+@dataclass(frozen=True)
+class Lockset:
+    """Everything that a lock brings along.
+
+    Attributes:
+        cuts: What is taken out of the leaf.
+        fixed: What is welded to the leaf.
+        moving: What moves on the leaf, with its joint.
+        strikes: What is welded to the jamb.
+        strike_cuts: What is taken out of the jamb.
+        free: What has to hold before the closed leaf may open.
+    """
+
+    cuts: tuple[Solid, ...] = ()
+    fixed: tuple[Body, ...] = ()
+    moving: tuple[tuple[Body, Joint], ...] = ()
+    strikes: tuple[Body, ...] = ()
+    strike_cuts: tuple[Solid, ...] = ()
+    free: tuple[Condition, ...] = ()
+
+    def __add__(self, other: "Lockset") -> "Lockset":
+        """Fit both."""
+        return Lockset(
+            self.cuts + other.cuts,
+            self.fixed + other.fixed,
+            self.moving + other.moving,
+            self.strikes + other.strikes,
+            self.strike_cuts + other.strike_cuts,
+            self.free + other.free,
+        )
+
+
+def latch(site: Site, leader: Joint, *, throw: Scalar, release: Scalar, through: bool = False) -> Lockset:
+    """Fit a latch that a handle draws.
+
+    Args:
+        site: Where.
+        leader: Joint of the handle.
+        throw: How far the bolt stands out [m].
+        release: Position of the handle at which the bolt is drawn [rad or m].
+        through: Whether the pocket of the bolt reaches to the hole of a spindle.
+    """
+    at, backset, finish = site.spindle, site.backset, site.finish
+    strike = strike_plate(backset=backset, gap=site.gap, throw=throw, thickness=site.thickness, finish=finish)
+    return Lockset(
+        cuts=(latch_pocket(backset=backset, throw=throw, through=through).paint(recess(finish)).at(at),),
+        fixed=(faceplate(backset=backset, finish=finish, mark=site.mark).at(at),),
+        moving=(
+            (
+                latch_bolt(backset=backset, throw=throw, finish=finish).at(at),
+                latch_slide(leader, throw=throw, release=release),
+            ),
+        ),
+        strikes=(strike.at(at),),
+        strike_cuts=(strike_pocket(backset=backset, gap=site.gap, throw=throw).paint(recess(finish)).at(at),),
+        free=(leader > release,),
+    )
+
+
+def turning_handle(
+    site: Site,
+    handle: Callable[..., Body],
+    *,
+    limit: Scalar,
+    torque: Scalar,
+    throw: Scalar,
+    roses: Roses,
+) -> Lockset:
+    """Fit a lever or knob on its roses, with the latch that it draws.
+
+    Args:
+        site: Where.
+        handle: Generator of the lever or knob.
+        limit: How far it turns [rad].
+        torque: Of its spring at the limit [N m].
+        throw: Of the latch [m].
+        roses: Their covers.
+    """
+    at, thickness, finish = site.spindle, site.thickness, site.finish
+    turn = spring_turn(limit=limit, pivot=at, preload=0.55 * torque, torque=torque)
+    covers = rose(
+        thickness=thickness,
+        depth=roses.depth,
+        across=roses.across,
+        finish=finish,
+        style=roses.style,
+        height=_PLATE,
+        fixing=roses.fixing,
+        keyed=roses.keyed,
+    )
+    moving = handle(thickness=thickness, rose_depth=roses.depth, finish=finish)
+    fitted = Lockset(
+        cuts=(spindle_hole(thickness, height=LATCH_HOLE).paint(recess(finish)).at(at),),
+        fixed=(covers.at(at),),
+        moving=((moving.at(at), turn),),
+    )
+    return fitted + latch(site, turn, throw=throw, release=_RELEASE * limit, through=True)
+
+
+def pushed_handle(
+    site: Site, bar: Callable[..., Body], *, width: Scalar, travel: Scalar, throw: Scalar
+) -> Lockset:
+    """Fit a push bar on the face to which the door does not open, a pull on the other, and the latch.
+
+    Args:
+        site: Where.
+        bar: Generator of the push bar.
+        width: Of the leaf [m].
+        travel: How far the bar slides [m].
+        throw: Of the latch [m].
+    """
+    at, thickness, finish = site.spindle, site.thickness, site.finish
+    length = width - 0.15
+    push = push_slide(travel=travel)
+    moving = bar(thickness=thickness, length=length, travel=travel, finish=finish)
+    outside = pull_handle(
+        thickness=thickness,
+        finish=finish,
+        faces="front",
+        style="U",
+        length=0.22,
+        projection=0.05,
+        girth=0.0095,
+    )
+    fixed = (push_bar_case(thickness=thickness, length=length, finish=finish).at(at), outside.at(at))
+    return Lockset(fixed=fixed, moving=((moving.at(at), push),)) + latch(
+        site, push, throw=throw, release=_RELEASE * travel
+    )
+
+
+def rigid_handle(site: Site, handle: Callable[..., Body]) -> Lockset:
+    """Fit a pull or finger plates, and the roller that snaps into the jamb instead of a latch.
+
+    Args:
+        site: Where.
+        handle: Generator of the pull or the plates.
+    """
+    at, backset, finish = site.spindle, site.backset, site.finish
+    plate = box(0.0008, 0.0235, 0.057, bevel=0.0002).at(backset, 0.0, 0.0)
+    roller = cylinder(0.006, 0.014, bevel=0.001).at(backset - 0.0045, 0.0, 0.0)
+    catch = weld(detail(plate, "faceplate", finish), detail(roller, "latch", finish))
+    return Lockset(fixed=(handle(thickness=site.thickness, finish=finish).at(at), catch.at(at)))
+
+
+def dead_lock(site: Site) -> Lockset:
+    """Fit a deadbolt with a thumb turn in front and a key cylinder at the back."""
+    at, backset, thickness, finish = site.spindle, site.backset, site.thickness, site.finish
+    turn = thumb_turn_joint(pivot=at)
+    strike = strike_plate(
+        backset=backset, gap=site.gap, throw=THROW, thickness=thickness, finish=finish, bolt="deadbolt"
+    )
+    return Lockset(
+        cuts=(
+            deadbolt_pocket(backset=backset).paint(recess(finish)).at(at),
+            deadbolt_hole(thickness).paint(recess(finish)).at(at),
+        ),
+        fixed=(
+            faceplate(backset=backset, finish=finish, bolt="deadbolt").at(at),
+            deadbolt_cover(thickness=thickness, finish=finish).at(at),
+        ),
+        moving=(
+            (thumb_turn(thickness=thickness, finish=finish).at(at), turn),
+            (deadbolt(backset=backset, finish=finish).at(at), deadbolt_slide(turn)),
+        ),
+        strikes=(strike.at(at),),
+        strike_cuts=(
+            strike_pocket(backset=backset, gap=site.gap, throw=THROW, bolt=DEADBOLT)
+            .paint(recess(finish))
+            .at(at),
+        ),
+        free=(turn < _DRAWN,),
+    )

@@ -1,0 +1,417 @@
+"""A piece of furniture with drawers: a chest, a bedside table, a filing cabinet or a bank of a kitchen.
+
+The front faces -y. Fronts lie on the edges of the carcass, or stand between its boards, flush with them.
+Every drawer is a box of boards on a pair of runners, with 12.5 mm of play at each side, as runners are made.
+
+Links: `body` and `drawer_<n>`, row by row from the top left. Joints: `drawer_slide_<n>`.
+
+Drawers stay where they are left: runners hold with their friction, 5-10 N. They come out by up to three
+quarters of their depth, as far as simple runners let them.
+
+Sizes are those of furniture (IKEA MALM, HEMNES and MAXIMERA, Bisley and HON catalogues): chests 0.6-1.4 m
+wide and 0.7-1.3 m high, bedside tables 0.4-0.55 m wide, filing cabinets 0.4-0.47 m wide with drawers of
+0.28-0.32 m for hanging files, kitchen banks 0.4-1.4 m wide and 0.82-0.92 m high with their worktop.
+"""
+
+from functools import reduce
+from typing import Literal
+
+from artgen import (
+    Body,
+    Float,
+    Generator,
+    Material,
+    Scalar,
+    by,
+    category,
+    choice,
+    count,
+    material,
+    min_,
+    require,
+    uniform,
+    weld,
+)
+from artgen.categories.drawer.boxes import (
+    BoxLook,
+    Mounting,
+    Rows,
+    drawer_box,
+    fixed_members,
+    slide,
+)
+from artgen.categories.drawer.boxes import (
+    drawer as drawer_of,
+)
+from artgen.categories.drawer.files import INDEXES, label_holder, lock
+from artgen.categories.drawer.runners import RunnerStyle
+from artgen.categories.shared.furniture.carcass import Carcass, LegStyle
+from artgen.categories.shared.furniture.finish import (
+    GREY_STEEL,
+    HARDBOARD,
+    PLY,
+    WHITE_BOARD,
+    CaseLook,
+    accents,
+    boards,
+    hardware,
+    leg_finishes,
+    worktops,
+)
+from artgen.categories.shared.furniture.fronts import FrontLook, FrontStyle
+from artgen.categories.shared.hardware.furniture_pulls import bar_pull, cup_pull, groove_pull, knob_pull
+from artgen.categories.shared.hardware.handles_of_option import require_suited
+
+_FINISH, _ACCENT = boards("wood", "lacquer", "melamine", "decor", "steel"), accents()
+_WORKTOP, _LEG, _METAL = worktops(), leg_finishes(), hardware()
+_HANDLES = {"knob": knob_pull, "bar": bar_pull, "cup": cup_pull, "groove": groove_pull}
+_LEAST = 0.09  # from one drawer to the next [m]
+_FRAMED = choice("flat", "beaded", "shaker", "ramped", weights=(0.4, 0.15, 0.25, 0.2))
+_MOUNTED = choice("overlay", "inset", weights=(0.55, 0.45))
+_SLABS = choice("flat", "beaded", weights=(0.7, 0.3))  # many framed fronts would be too many colliders
+
+
+@category(
+    labels=(
+        "body", "back", "top", "plinth", "leg", "foot", "drawer", "front", "runner", "handle", "label_holder",
+        "lock", "cylinder", "print", "screw",
+    ),
+    joints=(1, 15),
+)  # fmt: skip
+def drawer(
+    *,
+    kind: Literal["chest", "bedside", "file", "kitchen"] = choice(
+        "chest", "bedside", "file", "kitchen", weights=(0.34, 0.22, 0.2, 0.24)
+    ),
+    look: CaseLook = by(
+        "kind",
+        file="steel",
+        kitchen=choice("wood", "lacquer", "melamine", "decor", weights=(0.25, 0.4, 0.2, 0.15)),
+        otherwise=choice("wood", "lacquer", "melamine", "decor", weights=(0.5, 0.28, 0.12, 0.1)),
+    ),
+    rows: int = by(
+        "kind",
+        chest=choice(3, 4, 5, weights=(0.35, 0.35, 0.3)),
+        bedside=choice(1, 2, 3, weights=(0.3, 0.45, 0.25)),
+        file=choice(2, 3, 4),
+        kitchen=choice(2, 3, 4, 5, weights=(0.2, 0.45, 0.25, 0.1)),
+    ),
+    columns: int = by(
+        "kind",
+        chest=by(
+            "rows",
+            {5: choice(1, 2, 3, weights=(0.5, 0.3, 0.2))},
+            otherwise=choice(1, 2, 3, weights=(0.4, 0.38, 0.22)),
+        ),
+        bedside=1,
+        file=choice(1, 2, weights=(0.85, 0.15)),
+        kitchen=by(
+            "rows",
+            {4: choice(1, 2, weights=(0.7, 0.3)), 5: 1},
+            otherwise=choice(1, 2, 3, weights=(0.6, 0.27, 0.13)),
+        ),
+    ),
+    mounting: Mounting = by(
+        "grip",
+        groove="overlay",
+        otherwise=by(
+            "kind",
+            kitchen=choice("overlay", "inset", weights=(0.85, 0.15)),
+            # the 15 drawers of a chest for herbs, cards or tools have a frame around each
+            chest=by("rows", {5: by("columns", {3: "inset"}, otherwise=_MOUNTED)}, otherwise=_MOUNTED),
+            otherwise=_MOUNTED,
+        ),
+        doc="fronts lie on the carcass or stand between its boards",
+    ),
+    style: FrontStyle = by(
+        "look",
+        steel="flat",
+        otherwise=by(
+            "grip",
+            groove="flat",
+            otherwise=by(
+                "columns", {1: _FRAMED, 2: by("rows", {2: _FRAMED, 3: _FRAMED}, otherwise=_SLABS), 3: _SLABS}
+            ),
+        ),
+        doc="of the fronts",
+    ),
+    niche: bool = by(
+        "kind",
+        bedside=by(
+            "rows", {1: choice(False, True), 2: choice(False, True, weights=(0.7, 0.3))}, otherwise=False
+        ),
+        otherwise=False,
+        doc="an open compartment under the drawers",
+    ),
+    stand: Literal["plinth", "legs", "feet"] = by(
+        "kind",
+        chest=choice("plinth", "legs", weights=(0.4, 0.6)),
+        bedside=by(
+            "rows",
+            {1: by("niche", {True: choice("plinth", "legs"), False: "legs"})},
+            otherwise=choice("plinth", "legs", weights=(0.35, 0.65)),
+        ),
+        file="feet",
+        kitchen="plinth",
+    ),
+    width: Float = by(
+        "kind",
+        chest=by("columns", {1: uniform(0.60, 0.90), 2: uniform(0.85, 1.30), 3: uniform(1.15, 1.40)}),
+        bedside=uniform(0.40, 0.55),
+        file=by("columns", {1: uniform(0.40, 0.47), 2: uniform(0.80, 0.92)}),
+        kitchen=by("columns", {1: uniform(0.40, 0.90), 2: uniform(0.80, 1.20), 3: uniform(1.20, 1.40)}),
+        unit="m",
+        within=(0.38, 1.5),
+    ),
+    depth: Float = by(
+        "kind",
+        chest=uniform(0.40, 0.52),
+        bedside=uniform(0.35, 0.44),
+        file=uniform(0.50, 0.58),
+        kitchen=uniform(0.51, 0.56),
+        unit="m",
+        doc="of the carcass",
+        within=(0.33, 0.62),
+    ),
+    height: Float = by(
+        "kind",
+        chest=by("rows", {3: uniform(0.70, 0.86), 4: uniform(0.84, 1.06), 5: uniform(1.02, 1.28)}),
+        bedside=by(
+            "rows",
+            {
+                1: uniform(0.42, 0.54),
+                2: by("niche", {True: uniform(0.57, 0.66), False: uniform(0.46, 0.62)}),
+                3: uniform(0.55, 0.68),
+            },
+        ),
+        file=by("rows", {2: uniform(0.66, 0.73), 3: uniform(0.95, 1.04), 4: uniform(1.24, 1.30)}),
+        kitchen=uniform(0.82, 0.92),
+        unit="m",
+        doc="over all",
+        within=(0.38, 1.4),
+    ),
+    stand_height: Float = by(
+        "stand",
+        plinth=uniform(0.06, 0.11),
+        feet=uniform(0.008, 0.014),
+        legs=by(
+            "kind",
+            bedside=by(
+                "rows",
+                {1: by("niche", {True: uniform(0.10, 0.16), False: uniform(0.22, 0.27)})},
+                otherwise=uniform(0.10, 0.16),
+            ),
+            otherwise=uniform(0.09, 0.17),
+        ),
+        unit="m",
+        within=(0.005, 0.35),
+    ),
+    top_share: Float = by(
+        "kind",
+        kitchen=by("rows", {2: uniform(0.45, 1.0), 3: uniform(0.45, 0.62)}, otherwise=uniform(0.7, 1.0)),
+        chest=uniform(0.72, 1.0),
+        otherwise=1.0,
+        doc="height of the top row, as a share of the second one's",
+    ),
+    growth: Float = by(
+        "kind",
+        chest=uniform(1.0, 1.14),
+        otherwise=1.0,
+        doc="how much higher each further row is than the last",
+    ),
+    setback: Float = by(
+        "kind", kitchen=uniform(0.04, 0.06), otherwise=uniform(0.004, 0.03), unit="m", doc="of a plinth"
+    ),
+    thickness: Float = by(
+        "look", steel=uniform(0.012, 0.015), otherwise=uniform(0.016, 0.020), unit="m", doc="of the boards"
+    ),
+    front_thickness: Float = by(
+        "grip",
+        groove=uniform(0.0215, 0.0235),
+        otherwise=uniform(0.017, 0.021),
+        unit="m",
+        within=(0.016, 0.025),
+    ),
+    rail: Float = uniform(0.034, 0.046, "m", doc="width of the frames of framed fronts"),
+    slope: Float = uniform(0.010, 0.018, "m", doc="width of the slope of ramped fronts"),
+    leg: LegStyle = choice("tapered", "splayed", "square", "turned", "metal"),
+    top: Literal["worktop", "over", "flush"] = by(
+        "kind", kitchen="worktop", file="flush", otherwise=choice("over", "flush")
+    ),
+    top_thickness: Float = by(
+        "top", worktop=uniform(0.018, 0.038), otherwise=uniform(0.014, 0.024), unit="m"
+    ),
+    overhang: Float = uniform(
+        0.004, 0.016, "m", doc="of a top over the fronts, and over the sides of furniture"
+    ),
+    finish: Material = _FINISH,
+    fronts: Literal["same", "painted", "wood"] = by(
+        "kind",
+        file="same",
+        kitchen="same",
+        otherwise=by(
+            "look",
+            wood=choice("same", "painted", weights=(0.75, 0.25)),
+            lacquer=choice("same", "wood", weights=(0.75, 0.25)),
+            otherwise="same",
+        ),
+        doc="finish of the fronts",
+    ),
+    accent: Material = _ACCENT,
+    shell: Literal["same", "white"] = by(
+        "kind",
+        kitchen=by("mounting", overlay=choice("same", "white"), inset="same"),
+        otherwise="same",
+        doc="finish of the carcass",
+    ),
+    worktop: Material = _WORKTOP,
+    leg_finish: Material = _LEG,
+    box: Literal["ply", "white", "same", "steel"] = by(
+        "kind",
+        file="steel",
+        kitchen=choice("ply", "white", "steel", weights=(0.25, 0.4, 0.35)),
+        otherwise=choice("ply", "white", "same", weights=(0.6, 0.2, 0.2)),
+        doc="of what the boxes behind the fronts are made",
+    ),
+    runner: RunnerStyle = by("kind", file="ball", otherwise=choice("roller", "ball")),
+    metal: Material = _METAL,
+    grip: Literal["knob", "bar", "cup", "groove"] = by(
+        "kind",
+        file=choice("bar", "cup", weights=(0.75, 0.25)),
+        chest=by(
+            "columns",
+            {
+                1: choice("knob", "bar", "cup", "groove", weights=(0.35, 0.25, 0.18, 0.22)),
+                2: by(
+                    "rows",
+                    {5: choice("knob", "groove")},
+                    otherwise=choice("knob", "bar", "cup", "groove", weights=(0.35, 0.25, 0.18, 0.22)),
+                ),
+                3: "knob",
+            },
+        ),
+        bedside=choice("knob", "bar", "cup", "groove", weights=(0.42, 0.2, 0.14, 0.24)),
+        kitchen=by(
+            "columns",
+            {3: choice("knob", "bar", "cup", weights=(0.3, 0.5, 0.2))},
+            otherwise=choice("knob", "bar", "cup", "groove", weights=(0.15, 0.4, 0.2, 0.25)),
+        ),
+    ),
+    handle: Generator = by("grip", _HANDLES),
+    handles: int = by(
+        "kind",
+        chest=by("columns", {1: choice(1, 2, weights=(0.25, 0.75))}, otherwise=1),
+        otherwise=1,
+        doc="on a drawer",
+    ),
+    handle_level: Float = by(
+        "kind",
+        file=uniform(0.55, 0.68),
+        kitchen=uniform(0.55, 0.78),
+        otherwise=uniform(0.48, 0.60),
+        doc="height of handles as a share of the front",
+    ),
+    first_index: int = by(
+        "kind", file=count(0, 7), otherwise=0, doc="which card is in the first label holder"
+    ),
+    locked: bool = by(
+        "kind", file=choice(True, False, weights=(0.8, 0.2)), otherwise=False, doc="with a lock"
+    ),
+    slide_share: Float = uniform(
+        0.60, 0.75, doc="how much of its depth a drawer comes out", within=(0.2, 0.8)
+    ),
+    slide_friction: Float = by(
+        "runner", roller=uniform(6.0, 10.0), ball=uniform(5.0, 8.0), unit="N", doc="of a pair of runners"
+    ),
+    slide_damping: Float = uniform(4.0, 12.0, "N s/m"),
+) -> Body:
+    """Make a chest, bedside table, filing cabinet or bank with its drawers shut."""
+    require_suited(handle, "grip", grip, _HANDLES)
+    require(style not in ("fielded", "glazed"), f"style={style} is for doors: no handle of a drawer meets it")
+    slab = 0.0 if top == "flush" else top_thickness
+    height = require(
+        height,
+        height - stand_height - slab > _LEAST * rows,
+        f"drawers are {_LEAST:g} m high at least: raise height, or lower rows or stand_height",
+    )
+    case = Carcass(
+        width=width,
+        low=stand_height,
+        high=height - slab,
+        front=-depth / 2,
+        rear=depth / 2,
+        thick=thickness,
+        finish=WHITE_BOARD if shell == "white" else finish,
+        inside=WHITE_BOARD if kind == "kitchen" else finish,
+        foot=0.0 if stand == "plinth" else None,
+    )
+    shelf = case.floor + 0.42 * (case.ceiling - case.floor)
+    weights: list[Scalar] = [top_share, *(growth**at for at in range(rows - 1))]
+    bays = Rows(case, mounting, columns, weights, front_thickness, grip == "groove", shelf if niche else None)
+    dress = finish if fronts == "same" else accent
+    sides = {"ply": PLY, "white": WHITE_BOARD, "same": dress, "steel": GREY_STEEL}[box]
+    boxes = BoxLook(
+        sides,
+        HARDBOARD if box == "white" else sides,
+        wall=0.009 if box == "steel" else 0.013,
+        floor=0.006,
+        runner=runner,
+        tallest=0.25 if kind == "file" else 0.19,
+        solid=rows * columns <= 4,
+    )
+    body = weld(
+        *case.bodies(),
+        *bays.between(solid=boxes.solid),
+        *([case.deck(shelf)] if niche else []),
+        *fixed_members(bays, boxes),
+        *case.standing(stand, setback=setback, leg=leg, finish=leg_finish),
+    )
+    if top != "flush":
+        before = case.front - bays.face + overhang
+        beside = overhang if top == "over" else 0.0
+        body = weld(
+            body, case.worktop(slab, worktop if top == "worktop" else finish, before=before, beside=beside)
+        )
+
+    # between the rails of the lowest front is room for a hand
+    slim = reduce(min_, (0.25 * (high - low) for low, high in bays.spans), rail)
+    look_ = FrontLook(style, dress, slim, "square", slope, material("glass"))
+    for row, (low, high) in enumerate(bays.spans):
+        made, tall = drawer_box(bays, row, boxes), high - low
+        level = handle_level * tall
+        if look_.framed:
+            level = min_(level, tall - slim - 0.031)
+        for column, middle in enumerate(bays.middles):
+            left, right = bays.outer(column)
+            number, wide = row * columns + column, right - left
+            if grip == "groove":
+                end = 1 if column == columns - 1 else -1
+                edge = handle(
+                    length=wide,
+                    thick=front_thickness,
+                    front=dress,
+                    finish=metal,
+                    end=end,
+                    name="drawer_handle",
+                )
+                on_front = [edge.at(0.0, 0.0, tall)]
+            else:
+                ends = {"": 0.0} if handles == 1 else {"_left": -0.28 * wide, "_right": 0.28 * wide}
+                at = (look_.sunk(front_thickness), level)
+                room = {"room": wide if handles == 1 else 0.44 * wide} if grip == "bar" else {}
+                on_front = [
+                    handle(finish=metal, name=f"drawer_handle{end}", **room).at(x, *at)
+                    for end, x in ends.items()
+                ]
+            if kind == "file":
+                index = INDEXES[(first_index + number) % len(INDEXES)]
+                on_front += label_holder(z=level + 0.058, finish=metal, index=index)
+            if locked and number == 0:
+                on_front += lock(x=wide / 2 - 0.032, z=tall - 0.032, finish=material("chrome"))
+            body = body.attach(
+                drawer_of(bays, row, column, look_, made, on_front)
+                .suffixed(f"_{number}")
+                .at(middle, 0.0, low),
+                slide(bays, row, column, share=slide_share, friction=slide_friction, damping=slide_damping),
+            )
+    return body

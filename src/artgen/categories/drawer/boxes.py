@@ -1,0 +1,317 @@
+"""Drawers of furniture: a box of boards on runners behind a front, and where drawers are in a carcass.
+
+A drawer is made with the lower edge of its front at z = 0, its middle at x = 0, and in place along y.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Literal
+
+from artgen import (
+    Body,
+    Joint,
+    Material,
+    Prismatic,
+    Scalar,
+    X,
+    min_,
+    part,
+    weld,
+)
+from artgen.categories.drawer.runners import SIDE_PLAY, RunnerStyle, fixed_member, moving_member
+from artgen.categories.shared.furniture.carcass import Carcass
+from artgen.categories.shared.furniture.fronts import FrontLook, front
+from artgen.categories.shared.furniture.shelves import open_box
+from artgen.categories.shared.hardware.furniture_pulls import GROOVE
+
+Mounting = Literal["overlay", "inset"]
+"""Whether fronts lie on the edges of the carcass or stand between them."""
+
+GAP = 0.003
+"""Between two fronts, or around one that stands between boards [m]."""
+
+_SHADOW = 0.020  # the gap over a groove into which fingers reach from above [m]
+_BEHIND = 0.002  # from an overlaid front to the carcass [m]
+_MARGIN = 0.0015  # from overlaid fronts to the outlines of the carcass [m]
+_FLOOR = 0.014  # under the box of a drawer [m]
+_OVER = 0.016  # over it [m]
+_REAR = 0.018  # behind it [m]
+_BITE = 0.0003  # how far boards reach into each other [m]
+_HAND = 60.0  # the most that a hand pulls with [N]
+
+
+@dataclass(frozen=True)
+class Rows:
+    """Where drawers are in a carcass.
+
+    Attributes:
+        case: The carcass.
+        mounting: How fronts are mounted.
+        columns: Drawers side by side.
+        weights: How high the rows are in proportion, from the top.
+        thick: Thickness of fronts [m].
+        groove: Whether fronts have a groove along their upper edges.
+        low: Where the lowest row begins, over the floor [m]; by default at the bottom of the carcass.
+    """
+
+    case: Carcass
+    mounting: Mounting
+    columns: int
+    weights: Sequence[Scalar]
+    thick: Scalar
+    groove: bool = False
+    low: Scalar | None = None
+
+    @property
+    def inset(self) -> bool:
+        """Whether fronts stand between the boards."""
+        return self.mounting == "inset"
+
+    @cached_property
+    def face(self) -> Scalar:
+        """The faces of shut drawers along y [m]."""
+        return self.case.front if self.inset else self.case.front - _BEHIND - self.thick
+
+    @property
+    def apart(self) -> Scalar:
+        """From one front to the next one above it [m]."""
+        if self.inset:
+            return self.case.thick + 2 * GAP  # a rail between them
+        return _SHADOW if self.groove else GAP
+
+    @cached_property
+    def bottom(self) -> Scalar:
+        """The lower edge of the lowest fronts [m]."""
+        if self.inset:
+            return (self.case.floor if self.low is None else self.low) + GAP
+        return (self.case.low + _MARGIN) if self.low is None else self.low - self.case.thick / 2
+
+    @cached_property
+    def top(self) -> Scalar:
+        """The upper edge of the highest fronts [m]."""
+        if self.inset:
+            return self.case.ceiling - GAP
+        return self.case.high - (_SHADOW if self.groove else _MARGIN)
+
+    @cached_property
+    def cell(self) -> Scalar:
+        """The width between the boards beside a drawer [m]."""
+        return (2 * self.case.right - (self.columns - 1) * self.case.thick) / self.columns
+
+    @cached_property
+    def middles(self) -> list[Scalar]:
+        """The middles of the columns along x [m]."""
+        pitch = self.cell + self.case.thick
+        return [(at - (self.columns - 1) / 2) * pitch for at in range(self.columns)]
+
+    @cached_property
+    def width(self) -> Scalar:
+        """Of a front [m]; those of a row are alike, so that outer ones may end before the outline."""
+        return self.cell - 2 * GAP if self.inset else self.cell + self.case.thick - GAP
+
+    @cached_property
+    def begin(self) -> Scalar:
+        """The fronts of boxes along y [m]."""
+        return self.face + self.thick - _BITE
+
+    @cached_property
+    def deep(self) -> Scalar:
+        """The depth of boxes [m]."""
+        return self.case.behind - _REAR - self.begin
+
+    def outer(self, column: int) -> tuple[Scalar, Scalar]:
+        """Return the left and the right edge of the fronts of a column [m]."""
+        middle = self.middles[column]
+        left, right = middle - self.width / 2, middle + self.width / 2
+        if self.inset:
+            return left, right
+        end = self.case.width / 2 - _MARGIN
+        return (-end if column == 0 else left), (end if column == self.columns - 1 else right)
+
+    @cached_property
+    def spans(self) -> list[tuple[Scalar, Scalar]]:
+        """The lower and upper edges of the fronts of each row, from the top [m]."""
+        whole: Scalar = self.weights[0]
+        for weight in self.weights[1:]:
+            whole = whole + weight
+        unit = (self.top - self.bottom - (len(self.weights) - 1) * self.apart) / whole
+        found, high = [], self.top
+        for weight in self.weights:
+            found.append((high - weight * unit, high))
+            high = high - weight * unit - self.apart
+        return found
+
+    def rises(self, row: int) -> tuple[Scalar, Scalar]:
+        """Return what is free over the lower edge of a front, and under its upper one [m]."""
+        if self.inset:
+            return 0.0, 0.0
+        last = row == len(self.weights) - 1
+        floor: Scalar = 0.0
+        if last:
+            floor = (self.case.floor - self.bottom) if self.low is None else self.case.thick / 2
+        ceiling: Scalar = 0.0
+        if row == 0:
+            ceiling = self.case.thick - _MARGIN
+        if self.groove:
+            ceiling = GROOVE
+        return floor, ceiling
+
+    def between(self, *, solid: bool) -> list[Body]:
+        """Make the partitions between columns and the rails between rows.
+
+        Args:
+            solid: Whether rails behind grooves have mass and collide, or only are seen.
+        """
+        case, y = self.case, self.case.thick / 2
+        low = None if self.low is None else self.low
+        bodies = [
+            case.partition((left + right) / 2, low=low)
+            for left, right in zip(self.middles, self.middles[1:], strict=False)
+        ]
+        if not self.inset and not self.groove:
+            return bodies
+        levels: list[tuple[Scalar, Scalar]] = []
+        for (_, high), (low_above, _) in zip(self.spans[1:], self.spans, strict=False):
+            if self.inset:
+                levels.append((high + GAP + y, case.thick))
+            else:
+                levels.append(((high - 0.022 + low_above + 0.004) / 2, low_above - high + 0.026))
+        for middle in self.middles:
+            half = self.cell / 2
+            bodies += [
+                case.rail(middle - half, middle + half, z, high=high, solid=solid or self.inset)
+                for z, high in levels
+            ]
+        return bodies
+
+
+@dataclass(frozen=True)
+class BoxLook:
+    """How the boxes of drawers look.
+
+    Attributes:
+        sides: Of sides, back and inner front.
+        bottom: Of the bottom.
+        wall: Thickness of sides, back and inner front [m].
+        floor: Thickness of the bottom [m].
+        runner: On what they run.
+        tallest: Height of their sides at most [m].
+        solid: Whether runners, and rails behind grooves, have mass and collide; those of many drawers only
+            are seen, since simulators look at all pairs of what is near.
+    """
+
+    sides: Material
+    bottom: Material
+    wall: Scalar
+    floor: Scalar
+    runner: RunnerStyle
+    tallest: Scalar
+    solid: bool = True
+
+
+def drawer(rows: Rows, row: int, column: int, look: FrontLook, box: Body, handles: Sequence[Body]) -> Body:
+    """Make a drawer: the link `drawer`.
+
+    Args:
+        rows: Where drawers are.
+        row: From the top.
+        column: From the left.
+        look: How its front looks.
+        box: Its box, of `drawer_box`.
+        handles: Its handles, in place on the face y = 0, about the middle of the lower edge of the front.
+    """
+    low, high = rows.spans[row]
+    left, right = rows.outer(column)
+    aside = (left + right) / 2 - rows.middles[column]
+    slab = high - low - GROOVE + 0.0004 if rows.groove else high - low  # under its edge
+    middle = (aside, rows.face + rows.thick / 2, slab / 2)
+    return weld(
+        box,
+        *(each.at(*middle) for each in front(look, right - left, slab, rows.thick, label="front")),
+        *(each.at(aside, rows.face, 0.0) for each in handles),
+    )
+
+
+def _sizes(rows: Rows, row: int, look: BoxLook) -> tuple[Scalar, Scalar, Scalar]:
+    """Return where the box of a drawer begins over its front, its height, and the middle of its runners."""
+    low, high = rows.spans[row]
+    floor, over = rows.rises(row)
+    base = floor + _FLOOR
+    tall = min_(high - low - base - over - _OVER, look.tallest)
+    return base, tall, base + (0.017 if look.runner == "roller" else 0.42 * tall)
+
+
+def drawer_box(rows: Rows, row: int, look: BoxLook) -> Body:
+    """Make the box of the drawers of a row with the moving members of its runners: the link `drawer`.
+
+    Args:
+        rows: Where drawers are.
+        row: From the top.
+        look: How it looks.
+    """
+    base, tall, z = _sizes(rows, row, look)
+    begin, wide, deep = rows.begin, rows.cell - 2 * SIDE_PLAY, rows.deep
+    boards = open_box(wide, deep, tall, wall=look.wall, front=look.wall, floor=look.floor)
+    inner, bottom, *others = (each.at(0.0, begin, base) for each in boards)
+    length = deep - look.wall - 0.004
+    members = moving_member(
+        look.runner, side=wide / 2, z=z, front=begin + look.wall, length=length, solid=look.solid
+    )
+    return weld(
+        part(inner, "drawer", look.sides, name="drawer"),
+        part(bottom, "drawer", look.bottom),
+        *(part(each, "drawer", look.sides) for each in others),
+        *(half for each in members for half in (each, each.mirror(X))),
+    )
+
+
+def fixed_members(rows: Rows, look: BoxLook) -> list[Body]:
+    """Make the members of the runners on the carcass."""
+    bodies: list[Body] = []
+    for row, (low, _) in enumerate(rows.spans):
+        z = low + _sizes(rows, row, look)[2]
+        members = fixed_member(
+            look.runner,
+            face=rows.cell / 2,
+            z=z,
+            front=rows.begin + 0.004,
+            length=rows.deep - 0.008,
+            solid=look.solid,
+        )
+        pair = [half for each in members for half in (each, each.mirror(X))]
+        bodies += [each.at(x, 0.0, 0.0) for x in rows.middles for each in pair]
+    return bodies
+
+
+def travel(rows: Rows, share: Scalar) -> Scalar:
+    """Return how far drawers come out [m].
+
+    Args:
+        rows: Where drawers are.
+        share: How much of its depth a box comes out.
+    """
+    return share * rows.deep
+
+
+def slide(rows: Rows, row: int, column: int, *, share: Scalar, friction: Scalar, damping: Scalar) -> Joint:
+    """Make the slide of a drawer, to be suffixed with it.
+
+    Args:
+        rows: Where drawers are.
+        row: From the top.
+        column: From the left.
+        share: How much of its depth its box comes out.
+        friction: Of its runners [N].
+        damping: Of its runners [N s/m].
+    """
+    low, high = rows.spans[row]
+    return Prismatic(
+        f"drawer_slide_{row * rows.columns + column}",
+        axis=(0.0, -1.0, 0.0),
+        pivot=(rows.middles[column], rows.face, (low + high) / 2),
+        limits=(0.0, travel(rows, share)),
+        friction=friction,
+        damping=damping,
+        effort=_HAND,
+    )

@@ -1,0 +1,99 @@
+"""Runners of drawers: a member on the carcass and one on the drawer, at each side, 12.5 mm of side play.
+
+Roller runners are folded steel, coated, and let a drawer come out three quarters: a nylon roller at the front
+of the carcass's member, another at the rear of the drawer's. Ball runners are zinc-plated channels.
+"""
+
+from typing import Literal
+
+from artgen import (
+    Body,
+    Material,
+    Scalar,
+    Solid,
+    VectorLike,
+    X,
+    array,
+    board,
+    cylinder,
+    detail,
+    material,
+    part,
+)
+from artgen.categories.shared.furniture.finish import CREAM_STEEL, ZINC
+from artgen.categories.shared.hardware.screws import screws
+
+SIDE_PLAY = 0.0125
+"""From the side of a drawer to the face beside it [m]."""
+
+RunnerStyle = Literal["roller", "ball"]
+"""Coated angles with rollers, or telescopes with balls."""
+
+_MEMBER = 0.0052  # thickness of either member: 2.1 mm are left between them [m]
+
+_HIGH: dict[RunnerStyle, float] = {"roller": 0.030, "ball": 0.042}
+
+
+def steel_of(style: RunnerStyle) -> Material:
+    """Return the steel of runners."""
+    return CREAM_STEEL if style == "roller" else ZINC
+
+
+def fixed_member(
+    style: RunnerStyle, *, face: Scalar, z: Scalar, front: Scalar, length: Scalar, solid: bool
+) -> list[Body]:
+    """Make the member on the carcass, at the right of a drawer.
+
+    Args:
+        style: What runs.
+        face: The face that it lies on, along x [m].
+        z: Its middle [m].
+        front: Where it begins along y [m].
+        length: [m].
+        solid: Whether it has mass and collides, or only is seen.
+    """
+    high, steel = _HIGH[style], steel_of(style)
+    rail = board(
+        (face - _MEMBER, face + 0.0003), (front, front + length), (z - high / 2, z + high / 2), bevel=0.0008
+    )
+    # lips fold over the drawer's member
+    lip = board(
+        (face - _MEMBER - 0.0018, face - _MEMBER + 0.0005),
+        (front + 0.001, front + length - 0.001),
+        (-0.0015, 0.0015),
+    )
+    edge = high / 2 - 0.0015
+    at: list[VectorLike] = [(0.0, 0.0, z + end * edge) for end in ((-1, 1) if style == "ball" else (-1,))]
+    bodies = [_steel(rail, steel, solid=solid), detail(array(lip, at=at), "runner", steel)]
+    if style == "roller":
+        wheel = cylinder(0.010, 0.0022, axis=X, bevel=0.0006)
+        bodies.append(detail(wheel.at(face - _MEMBER - 0.0006, front + 0.014, z), "runner", material("abs")))
+    return bodies
+
+
+def moving_member(
+    style: RunnerStyle, *, side: Scalar, z: Scalar, front: Scalar, length: Scalar, solid: bool
+) -> list[Body]:
+    """Make the member on the right side of a drawer.
+
+    Args:
+        style: What runs.
+        side: The outer face of that side, along x [m].
+        z: Its middle [m].
+        front: Where it begins along y [m].
+        length: [m].
+        solid: Whether it has mass and collides, or only is seen.
+    """
+    high, steel = _HIGH[style] - 0.010, steel_of(style)
+    rail = board(
+        (side - 0.0003, side + _MEMBER), (front, front + length), (z - high / 2, z + high / 2), bevel=0.0008
+    )
+    heads = [(side + _MEMBER, front + share * length, z) for share in (0.12, 0.5, 0.88)]
+    return [
+        _steel(rail, steel, solid=solid),
+        *screws(heads, facing="+x", radius=0.0032, finish=steel, sunk=0.0008),
+    ]
+
+
+def _steel(rail: Solid, steel: Material, *, solid: bool) -> Body:
+    return part(rail, "runner", steel) if solid else detail(rail, "runner", steel)

@@ -1,0 +1,278 @@
+"""A faucet on a sample deck or before a wall board, as in a shop: its spout turns, its handles open.
+
+Links: `deck`, with the body; `spout`; `handle` of a mixer, or `handle_left` (hot) and `handle_right` (cold);
+`spray_head` on its hose; `lift_rod`, `pivot_rod` and `plug` of a pop-up drain. Joints: `spout_swivel`;
+`handle_turn` and `handle_lift`, both between the same links, or `handle_turn_left` and `handle_turn_right`;
+`spray_head_slide`; `lift_rod_slide`, and `pivot_rod_turn` and `plug_slide`, which follow it.
+
+A single lever turns to both sides for hot and cold and is lifted to open. Handles of two are shut at 0; they
+turn by a quarter, levers to the front. A spray head is drawn back by the weight on its hose. A lift
+rod comes with its drain, in a piece of a vanity top on a stand: lifted, it turns the pivot rod under the
+slab, which lowers the plug.
+
+Sizes are those of shops: valves 0.2 m apart (8 inches, ASME A112.18.1), spouts that reach 0.10-0.25 m and end
+0.08-0.30 m over the deck, aerators M22 and M24, ceramic discs that turn at 0.3-0.8 N m.
+"""
+
+from typing import Literal
+
+from artgen import (
+    Body,
+    Float,
+    Material,
+    by,
+    category,
+    choice,
+    material,
+    max_,
+    min_,
+    require,
+    shades,
+    uniform,
+    vector,
+    weld,
+)
+from artgen.categories.faucet.drain import Drain
+from artgen.categories.faucet.handles import (
+    HandleStyle,
+    LeverStyle,
+    bonnet,
+    quarter_turn,
+    turning_handle,
+)
+from artgen.categories.faucet.spouts import (
+    SpoutStyle,
+    beam_spout,
+    hanging_spout,
+    pull_down_spout,
+    pull_out,
+    rising_spout,
+    spray_head,
+    swivel,
+)
+from artgen.categories.faucet.stands import (
+    ROD_AT,
+    Board,
+    Lever,
+    before_wall,
+    bridge,
+    sided_column,
+    topped_column,
+    widespread,
+)
+from artgen.categories.shared.finish import casting
+
+Style = Literal["widespread", "single_hole", "bridge", "wall", "vessel", "gooseneck", "pull_down"]
+
+_METALS = {
+    "satin_brass": 1.2,
+    "brass": 0.8,
+    "satin_nickel": 2.0,
+    "powder_coat_black": 1.8,
+    "aged_bronze": 0.8,
+    "chrome": 3.0,
+    "stainless": 1.0,
+}
+_DECKS: dict[Material | str, float] = {
+    casting(material("stainless_blasted"), 0.14): 0.6,  # a sheet around a board
+    "green_marble": 0.5,
+    "marble": 1.2,
+    "oak": 1.0,
+    "black_granite": 1.2,
+    "granite": 1.0,
+    "walnut": 1.0,
+}
+_PAST = 0.045  # from the end of a lever to the middle of a spray head [m]
+_METAL_WEIGHTS, _DECK_WEIGHTS = tuple(_METALS.values()), tuple(_DECKS.values())
+
+
+@category(
+    labels=(
+        "deck", "foot", "screw", "escutcheon", "body", "valve", "collar", "handle", "index", "spout",
+        "aerator", "spray_head", "hose", "guide", "lift_rod",
+        "strap", "pivot_rod", "drain", "plug",
+    ),
+    joints=(3, 6),
+)  # fmt: skip
+def faucet(
+    *,
+    style: Style = choice(
+        "vessel",
+        "bridge",
+        "single_hole",
+        "wall",
+        "widespread",
+        "gooseneck",
+        "pull_down",
+        weights=(0.15, 0.11, 0.10, 0.12, 0.16, 0.16, 0.20),
+    ),
+    spout: SpoutStyle = by(
+        "style",
+        widespread=choice("gooseneck", "arc", "angular", weights=(0.3, 0.4, 0.3)),
+        bridge=choice("gooseneck", "angular", weights=(0.7, 0.3)),
+        wall=choice("gooseneck", "low", weights=(0.45, 0.55)),
+        single_hole="beam",
+        vessel="beam",
+        otherwise="gooseneck",
+    ),
+    height: Float = by(
+        "style",
+        widespread=by(
+            "spout", gooseneck=uniform(0.20, 0.30), arc=uniform(0.145, 0.20), otherwise=uniform(0.145, 0.22)
+        ),
+        bridge=uniform(0.30, 0.40),
+        wall=uniform(0.24, 0.29),
+        single_hole=uniform(0.062, 0.095),
+        vessel=uniform(0.17, 0.25),
+        gooseneck=uniform(0.32, 0.44),
+        pull_down=uniform(0.40, 0.45),
+        unit="m",
+        doc="of the spout over the deck, or over the bar before a wall; of the column under a straight spout",
+        within=(0.05, 0.45),
+    ),
+    reach: Float = by(
+        "style",
+        widespread=uniform(0.11, 0.16),
+        single_hole=uniform(0.115, 0.15),
+        vessel=uniform(0.12, 0.18),
+        bridge=uniform(0.17, 0.22),
+        wall=uniform(0.15, 0.22),
+        otherwise=uniform(0.18, 0.22),
+        unit="m",
+        doc="of the spout from its axis",
+        within=(0.08, 0.26),
+    ),
+    girth: Float = by(
+        "style",
+        widespread=uniform(0.0095, 0.0125),
+        pull_down=uniform(0.0125, 0.0145),
+        otherwise=uniform(0.0105, 0.0135),
+        unit="m",
+        doc="radius of the spout's tube",
+        within=(0.009, 0.016),
+    ),
+    body_radius: Float = uniform(0.0215, 0.0265, "m", doc="of the column of a mixer", within=(0.02, 0.03)),
+    square: bool = choice(False, True, doc="whether a straight spout is flat"),
+    swivel_limit: Float = by(
+        "style",
+        single_hole=uniform(1.57, 2.1),  # clear of the rod behind it
+        wall=uniform(1.57, 1.75),  # clear of the wall
+        otherwise=uniform(1.57, 3.14),
+        unit="rad",
+        doc="of the spout to either side",
+        within=(0.5, 3.14),
+    ),
+    handle: HandleStyle = choice(
+        "lever", "blade", "cross", "knob", weights=(0.35, 0.25, 0.25, 0.15), doc="of two"
+    ),
+    lever: LeverStyle = choice("rod", "blade", "paddle", doc="of a mixer"),
+    handle_length: Float = uniform(0.058, 0.076, "m", doc="of two, from the axis", within=(0.045, 0.09)),
+    lever_length: Float = by(
+        "style",
+        single_hole=uniform(0.078, 0.100),
+        vessel=uniform(0.078, 0.100),
+        otherwise=uniform(0.085, 0.115),
+        unit="m",
+        doc="of a mixer, from the axis",
+        within=(0.07, 0.14),
+    ),
+    side: Literal["left", "right"] = choice(
+        "right", "left", weights=(0.8, 0.2), doc="of the lever under a tall spout"
+    ),
+    lift: Float = uniform(0.42, 0.50, "rad", doc="of a lever", within=(0.3, 0.55)),
+    rod: bool = by(
+        "style",
+        widespread=choice(True, False),
+        single_hole=choice(True, False),
+        otherwise=False,
+        doc="whether it has a pop-up drain, which a rod shuts",
+    ),
+    finish: Material = shades(*_METALS, weights=_METAL_WEIGHTS, color=0.03, roughness=0.03),
+    accent: Literal["same", "ceramic"] = choice(
+        "same", "ceramic", weights=(0.6, 0.4), doc="buttons of two handles"
+    ),
+    surface: Material = shades(*_DECKS, weights=_DECK_WEIGHTS, color=0.06, doc="of the deck or wall"),
+    deck_margin: Float = uniform(
+        0.045, 0.075, "m", doc="of the deck around what stands on it", within=(0.035, 0.12)
+    ),
+    deck_thickness: Float = uniform(0.020, 0.030, "m", within=(0.020, 0.05)),
+    swivel_friction: Float = uniform(0.6, 1.4, "N m", doc="of the seals of the spout", within=(0.2, 4.0)),
+    handle_friction: Float = uniform(0.35, 0.75, "N m", doc="of ceramic discs", within=(0.1, 2.0)),
+    head_travel: Float = uniform(0.050, 0.075, "m", doc="of a spray head", within=(0.03, 0.09)),
+    head_force: Float = uniform(9.0, 14.0, "N", doc="by which it is drawn back", within=(5.0, 30.0)),
+    rod_friction: Float = uniform(5.0, 9.0, "N"),
+) -> Body:
+    """Make a faucet, shut: spout, one or two handles, spray head, lift rod."""
+    require(
+        (spout == "beam") == (style in ("single_hole", "vessel")),
+        f"spout={spout} does not go with style={style}: a beam is the spout of single_hole and vessel, and "
+        "these have no other one",
+    )
+    require(spout != "low" or style == "wall", f"spout=low hangs before a wall, not on style={style}")
+    require(not rod or style != "wall", "a faucet on a wall has no lift rod: rod must be False")
+    # slabs on a wall are thinner than worktops
+    thick = min_(deck_thickness, 0.024) if style == "wall" else deck_thickness
+    board = Board(deck_margin, thick, surface, reach if rod else None)
+    arm = Lever(lever, lever_length, lift, handle_friction, side)
+    ring = 2 * girth + 0.010  # height of the ring of a straight spout
+    match style:
+        case "widespread":
+            stand = widespread(board, girth=girth, finish=finish)
+        case "bridge":
+            stand = bridge(board, finish=finish)
+        case "wall":
+            stand = before_wall(board, finish=finish, hangs=spout == "low")
+        case "single_hole" | "vessel":
+            stand = topped_column(
+                board, radius=body_radius, height=height, ring=ring, lever=arm, finish=finish
+            )
+        case _:
+            stand = sided_column(board, radius=body_radius, lever=arm, finish=finish)
+
+    rise = height - stand.over - girth  # of the middle of the tube over the foot of a spout
+    straight = rise - 0.5 * reach  # where the arc of a swan's neck ends
+    if spout == "beam":
+        turned = beam_spout(
+            hub=body_radius, tall=ring, reach=reach, radius=girth, square=square, finish=finish
+        )
+    elif spout == "low":
+        turned = hanging_spout(reach=reach, radius=girth, finish=finish)
+    elif style == "pull_down":
+        fall = straight - head_travel - 0.017  # over which the hose slides in a straight leg
+        end = vector(0.0, -reach, fall)
+        turned = pull_down_spout(
+            height=rise, reach=reach, radius=girth, travel=head_travel, fall=fall, finish=finish
+        ).attach(
+            spray_head(radius=girth, travel=head_travel, finish=finish).at(end),
+            pull_out(travel=head_travel, force=head_force, pivot=end),
+        )
+        turned = turned.require(
+            reach > lever_length + _PAST,
+            f"the spray head swings past the lever: reach over lever_length by {_PAST:g} m",
+        )
+    else:
+        fall = {"gooseneck": straight - 0.032, "arc": 0.6 * rise}.get(spout, rise - 0.032)
+        turned = rising_spout(
+            spout, height=rise, reach=reach, fall=max_(stand.least, fall), radius=girth, finish=finish
+        )
+    turn = swivel(limit=swivel_limit, friction=swivel_friction, pivot=stand.foot)
+    body = stand.body.attach(turned.at(stand.foot), turn)
+
+    button = finish if accent == "same" else material("ceramic")
+    for at, hot in zip(stand.valves, (True, False), strict=False):
+        which = "left" if hot else "right"
+        one = turning_handle(
+            handle,
+            finish=finish,
+            accent=button,
+            length=handle_length,
+            hot=hot,
+            name=f"handle_{which}",
+            from_tip=style == "wall",
+        )
+        joint = quarter_turn(f"handle_turn_{which}", hot=hot, friction=handle_friction, pivot=at)
+        body = weld(body, bonnet(finish, flange=stand.flanges).at(at)).attach(one.at(at), joint)
+    if rod:
+        drain = Drain(-reach, ROD_AT, board.top, deck_thickness, finish, rod_friction)
+        body = drain.on(body)
+    return body

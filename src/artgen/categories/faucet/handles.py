@@ -1,0 +1,301 @@
+"""Valves of faucets with their handles: quarter turns for hot and cold, and single levers for both.
+
+Each is made about the z axis with its foot on z = 0; a single lever can be turned to any side.
+"""
+
+import math
+from typing import Literal
+
+from artgen import (
+    Body,
+    Joint,
+    Material,
+    Profile,
+    Revolute,
+    Scalar,
+    Solid,
+    VectorLike,
+    X,
+    Y,
+    Z,
+    array,
+    box_between,
+    cylinder,
+    detail,
+    details,
+    extrude,
+    frustum,
+    grasp_on,
+    half_section,
+    material,
+    part,
+    polygon,
+    revolve,
+    ring,
+    sphere,
+    spline,
+    text,
+    union,
+    vector,
+    weld,
+)
+from artgen.categories.shared.finish import casting
+
+HandleStyle = Literal["lever", "blade", "cross", "knob"]
+"""A round lever, a flat one, a cross with balls, or a fluted knob."""
+
+LeverStyle = Literal["rod", "blade", "paddle"]
+"""The lever of a mixer: a round rod, a flat bar, or a blade that widens."""
+
+QUARTER = 1.57
+"""How far a ceramic disc turns from closed to open [rad]."""
+
+TURN = 0.9
+"""How far a single lever turns to either side, to hot and to cold [rad]."""
+
+BONNET = 0.040
+"""Height of the fixed part of a valve for one handle [m]."""
+
+_GAP = 0.0006  # between what stands and what turns [m]
+_RED = material("enamel").with_(name="mark_red", base_color=(0.50, 0.02, 0.02), texture="")
+_BLUE = material("enamel").with_(name="mark_blue", base_color=(0.02, 0.07, 0.40), texture="")
+
+
+def bonnet(finish: Material, *, flange: bool = True) -> Body:
+    """Make the fixed part of a valve for one handle, to be welded to what it stands on.
+
+    Args:
+        finish: Its metal.
+        flange: Whether a flange covers the hole that it stands in.
+    """
+    metal = casting(finish, 0.5)
+    neck = frustum(0.0185, 0.0165, BONNET + 0.002, bevel=0.0008).align((0.0, 0.0, BONNET), z=1)
+    bodies = [part(neck, "valve", metal)]
+    if flange:
+        plate = frustum(0.0265, 0.0240, 0.008, bevel=0.0015).align((0.0, 0.0, -0.0004), z=-1)
+        bodies.insert(0, part(plate, "escutcheon", metal))
+    groove = ring(0.0169, 0.0150)
+    return weld(
+        *bodies,
+        details.printed(
+            groove, (0.0, 0.0, BONNET), material=material("black_abs"), facing=Z, label="valve", proud=0.0001
+        ),
+    )
+
+
+def _rod(length: Scalar, thick: Scalar) -> Solid:
+    """Make a round bar along x from the origin that tapers a little and has a round end."""
+    outline = spline(
+        [
+            (0.80 * thick, 0.0, 0.0),
+            (0.86 * thick, 0.0, 0.5 * length),
+            (1.00 * thick, 0.0, 0.88 * length),
+            (0.72 * thick, 0.0, 0.985 * length),
+            (0.0, 0.0, length),
+        ]
+    )
+    return revolve(half_section(outline), axis=X, sides=20)
+
+
+def turning_handle(
+    style: HandleStyle,
+    *,
+    finish: Material,
+    accent: Material,
+    length: Scalar,
+    hot: bool,
+    name: str,
+    from_tip: bool = False,
+) -> Body:
+    """Make a handle for one valve, closed: a lever points to -x on the hot side, to x on the cold one.
+
+    Args:
+        style: Its form.
+        finish: Its metal.
+        accent: The button on its top.
+        length: Of a lever from the axis; a cross is as wide [m].
+        hot: Whether it is for hot water, which is on the left.
+        name: Name of the link.
+        from_tip: Whether a hand takes hold of a lever from its tip on, since there is a wall behind.
+    """
+    low = BONNET + _GAP
+    metal = casting(finish, 0.6)
+    side = -1 if hot else 1
+    turned = math.pi if hot else 0.0
+    high: Scalar
+    hub: Solid
+    arms: list[Solid] = []
+    match style:
+        case "lever" | "blade":
+            high = low + 0.020
+            hub = cylinder(0.0165, 0.020, bevel=0.0035).align((0.0, 0.0, low), z=-1)
+            if style == "lever":
+                arm = _rod(length, 0.0068).rotate(Y, -0.13).at(0.0, 0.0, low + 0.010)
+            else:
+                arm = box_between((0.0, -0.0065, 0.007), (length, 0.0065, 0.0145), bevel=0.003).at(0, 0, low)
+            arm = arm.rotate(Z, turned)
+            arms = [arm]
+            if from_tip:
+                hold = grasp_on(arm, approach=-side * X, closing=Z, depth=0.028)
+            else:
+                at = vector(0.74 * side * length, 0.0, low + 0.012)
+                hold = grasp_on(arm, approach=-Z, closing=Y, at=at)
+        case "cross":
+            high = low + 0.026
+            hub = frustum(0.0135, 0.0105, 0.026, bevel=0.002).align((0.0, 0.0, low), z=-1)
+            reach = 0.54 * length
+            bar = cylinder(0.0046, 2 * reach, axis=X)
+            arms = [bar.at(0.0, 0.0, low + 0.015), bar.rotate(Z, 0.5 * math.pi).at(0.0, 0.0, low + 0.015)]
+            ends: list[VectorLike] = [
+                (reach, 0.0, 0.0),
+                (-reach, 0.0, 0.0),
+                (0.0, reach, 0.0),
+                (0.0, -reach, 0.0),
+            ]
+            arms.append(array(sphere(0.0066).at(0.0, 0.0, low + 0.015), at=ends))
+            at = vector(0.8 * side * reach, 0.0, low + 0.015)
+            hold = grasp_on(arms[0], approach=-Z, closing=Y, at=at)
+        case "knob":
+            high = low + 0.031
+            hub = cylinder(0.0205, 0.026, bevel=0.005).align((0.0, 0.0, high), z=1)
+            arms = [frustum(0.0155, 0.0185, 0.010).align((0.0, 0.0, low), z=-1)]
+            hold = grasp_on(hub, approach=-Z, closing=Y, depth=0.022)
+    bodies = [part(union(hub, *arms), "handle", metal, name=name, grasp=hold)]
+    if style == "knob":
+        lobes = extrude(_lobed(), 0.022, bevel=0.0012).align((0.0, 0.0, high - 0.002), z=1)
+        bodies.append(detail(lobes, "handle", finish))
+    button = cylinder(0.0088, 0.0022, bevel=0.0009).at(0.0, 0.0, high + 0.0004)
+    letter = text("H" if hot else "C", 0.0062)
+    bodies.append(detail(button, "index", accent))
+    bodies.append(
+        details.printed(
+            letter, (0.0, -0.0031, high + 0.0015), material=_RED if hot else _BLUE, facing=Z, label="index"
+        )
+    )
+    return weld(*bodies)
+
+
+def _lobed() -> Profile:
+    """Make the outline of a knob with eight lobes."""
+    angles = [math.tau * step / 64.0 for step in range(64)]
+    radii = [0.0217 + 0.0011 * math.cos(8.0 * angle) for angle in angles]
+    return polygon([(r * math.cos(a), r * math.sin(a)) for r, a in zip(radii, angles, strict=True)])
+
+
+def quarter_turn(name: str, *, hot: bool, friction: Scalar, pivot: VectorLike = (0.0, 0.0, 0.0)) -> Joint:
+    """Make the joint of a handle; positive opens it, and brings a lever to the front.
+
+    Args:
+        name: Name of the joint.
+        hot: Whether it is on the left.
+        friction: Of ceramic discs with grease, 0.3-0.8 [N m].
+        pivot: A point on the axis [m].
+    """
+    return Revolute(
+        name,
+        axis=Z if hot else -Z,
+        pivot=pivot,
+        limits=(0.0, QUARTER),
+        friction=friction,
+        damping=0.03,
+        armature=0.0002,  # spindle and disc
+        effort=4.0,
+    )
+
+
+def mixer(
+    style: LeverStyle,
+    *,
+    radius: Scalar,
+    length: Scalar,
+    rise: Scalar,
+    finish: Material,
+    lift: Scalar,
+    friction: Scalar,
+) -> Body:
+    """Make the top of a mixer with its lever: the seat, and on it the link `handle` on its two joints.
+
+    The lever sits on a ball, so that it can tilt and turn in a collar with an even gap. It points to the
+    front; `handle_turn` turns it to either side for hot and cold, `handle_lift` lifts it to open.
+
+    Args:
+        style: Form of the lever.
+        radius: Of the collar [m].
+        length: From the axis to the lever's tip [m].
+        rise: Angle of the lever over the level while it is closed [rad].
+        finish: Its metal.
+        lift: How far it is lifted [rad].
+        friction: Of the cartridge [N m].
+    """
+    ball = radius - 0.0026
+    middle = ball + _GAP
+    metal = casting(finish, 0.35)
+    # the collar is only seen, the ball stands over the plane of the seat
+    collar = revolve(
+        polygon(
+            [
+                (radius - 0.0018, -0.0010),
+                (radius, -0.0010),
+                (radius, 0.72 * ball),
+                (radius - 0.0006, 0.76 * ball),
+                (radius - 0.0018, 0.76 * ball),
+            ]
+        )
+    )
+    seat = cylinder(radius - 0.0014, 0.0006).align((0.0, 0.0, 0.0), z=1)
+    start = 0.55 * ball
+    match style:
+        case "rod":
+            arm = _rod(length - start, 0.0062).rotate(Z, -0.5 * math.pi).at(0.0, -start, 0.0)
+        case "blade":
+            arm = box_between((-0.008, -length, -0.0035), (0.008, -start, 0.0035), bevel=0.0028)
+        case "paddle":
+            outline = polygon(
+                [
+                    (-0.0065, -start),
+                    (0.0065, -start),
+                    (0.0125, -length),
+                    (-0.0125, -length),
+                ],
+                radius=0.004,
+            )
+            arm = extrude(outline, 0.0065, bevel=0.0024)
+    arm = arm.rotate(X, -rise).at(0.0, 0.0, middle)
+    out = vector(0.0, -1.0, 0.0).rotate(X, -rise)
+    at = vector(0.0, 0.0, middle) + out * (0.78 * length)
+    hold = grasp_on(arm, approach=-Z, closing=X, at=at)
+    body = weld(
+        part(arm, "handle", casting(finish, 0.7), grasp=hold),
+        part(sphere(ball).at(0.0, 0.0, middle), "handle", metal),
+        details.raised(
+            ring(0.0030, 0.0014),
+            (0.0, 0.0, middle + ball - 0.0008),
+            material=_BLUE,
+            facing=Z,
+            label="index",
+            proud=0.0012,
+        ),
+    )
+    pivot = vector(0.0, 0.0, middle)
+    turn = Revolute(
+        "handle_turn",
+        axis=Z,
+        pivot=pivot,
+        limits=(-TURN, TURN),
+        friction=friction,
+        damping=0.03,
+        armature=0.0003,
+        effort=4.0,
+    )
+    raise_ = Revolute(
+        "handle_lift",
+        axis=-X,
+        pivot=pivot,
+        limits=(0.0, lift),
+        friction=friction,
+        damping=0.03,
+        armature=0.0003,
+        effort=4.0,
+    )
+    fixed = weld(part(seat, "valve", metal), detail(collar, "collar", finish))
+    return fixed.attach(body, turn, raise_)

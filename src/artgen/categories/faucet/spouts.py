@@ -1,0 +1,331 @@
+"""Spouts of faucets: they turn about the z axis over the plane z = 0, on which their foot ends."""
+
+import math
+from typing import Literal
+
+from artgen import (
+    Body,
+    Joint,
+    Material,
+    Path,
+    Prismatic,
+    Profile,
+    Revolute,
+    Scalar,
+    Vector,
+    X,
+    Y,
+    Z,
+    array,
+    box_between,
+    circle,
+    cylinder,
+    detail,
+    frame,
+    frustum,
+    grasp_on,
+    material,
+    part,
+    polyline,
+    rectangle,
+    require,
+    revolve,
+    spline,
+    sweep,
+    tube,
+    vector,
+    weld,
+)
+from artgen.categories.shared.finish import casting
+
+SpoutStyle = Literal["gooseneck", "arc", "angular", "low", "beam"]
+"""A swan's neck, a low arc, a bent square tube, one that hangs from a bar, or a straight one."""
+
+GAP = 0.0006
+"""Between a spout and what it turns on [m]."""
+
+AERATOR = 0.015
+"""Length of an aerator [m]."""
+
+HEAD = 0.085
+"""Length of a spray head [m]."""
+
+_FOOT = 0.024  # height of the hub of a spout [m]
+_BORE = 0.0084  # radius of the bore in which a hose slides [m]
+_LEAST = 0.0104  # radius of a spout with that bore [m]
+_HOSE = 0.0056  # radius of the hose [m]
+_DOCK = 0.010  # what remains of the hose in the spout when the head is out [m]
+_SIDES = 12  # facets of hollow parts, under a smooth skin
+_MESH = material("black_abs").with_(name="aerator_mesh", base_color=(0.10, 0.10, 0.10))
+
+
+def swivel(*, limit: Scalar, friction: Scalar, pivot: Vector) -> Joint:
+    """Make the joint of a spout, which looks to the front at 0.
+
+    Args:
+        limit: How far it turns to either side [rad].
+        friction: Of its seals [N m].
+        pivot: A point on its axis [m].
+    """
+    return Revolute(
+        "spout_swivel",
+        axis=Z,
+        pivot=pivot,
+        limits=(-limit, limit),
+        friction=friction,
+        damping=0.05,
+        armature=0.0005,
+        effort=8.0,
+    )
+
+
+def aerator(radius: Scalar, finish: Material) -> Body:
+    """Make an aerator that hangs from the origin down, with its sieve."""
+    ring_ = cylinder(radius, AERATOR, bevel=0.0014).align((0.0, 0.0, 0.001), z=1)
+    sieve = cylinder(0.74 * radius, 0.0008).at(0.0, 0.0, 0.001 - AERATOR)
+    holes = cylinder(0.50 * radius, 0.0010).at(0.0, 0.0, 0.0009 - AERATOR)
+    return weld(
+        part(ring_, "aerator", casting(finish, 0.6)),
+        detail(sieve, "aerator", _MESH),
+        detail(holes, "aerator", material("stainless").with_(name="sieve_steel", specular_roughness=0.5)),
+    )
+
+
+def _course(style: SpoutStyle, height: Scalar, reach: Scalar, fall: Scalar) -> Path:
+    """Return the middle line of a spout from its foot to its end, which points down."""
+    low = 0.004
+    match style:
+        case "gooseneck":
+            height = require(
+                height,
+                height - low > 0.5 * reach,
+                "a gooseneck is higher than half of its reach: raise height, or lower reach",
+            )
+            return polyline(
+                [(0.0, 0.0, low), (0.0, 0.0, height), (0.0, -reach, height), (0.0, -reach, fall)],
+                fillet=0.4985 * reach,
+            )
+        case "arc":
+            drop = height - fall
+            return spline(
+                [
+                    (0.0, 0.0, low),
+                    (0.0, 0.0, 0.50 * height),
+                    (0.0, -0.16 * reach, 0.86 * height),
+                    (0.0, -0.52 * reach, height),
+                    (0.0, -0.88 * reach, height - 0.30 * drop),
+                    (0.0, -reach, fall + 0.35 * drop),
+                    (0.0, -reach, fall),
+                ]
+            )
+        case _:
+            return polyline(
+                [(0.0, 0.0, low), (0.0, 0.0, height), (0.0, -reach, height), (0.0, -reach, fall)],
+                fillet=0.020,
+            )
+
+
+def rising_spout(
+    style: SpoutStyle, *, height: Scalar, reach: Scalar, fall: Scalar, radius: Scalar, finish: Material
+) -> Body:
+    """Make a spout that rises from its foot: the link `spout`.
+
+    Args:
+        style: Its form.
+        height: Of the middle of its highest part over its foot [m].
+        reach: From its axis to its end [m].
+        fall: Height of its end over its foot, where the aerator begins [m].
+        radius: Of its tube [m].
+        finish: Its metal.
+    """
+    section: Profile = circle(radius)
+    if style == "angular":
+        section = rectangle(1.8 * radius, 1.8 * radius, radius=0.3 * radius)
+    pipe = sweep(section, _course(style, height, reach, fall))
+    hub = frustum(radius + 0.0065, radius + 0.0035, _FOOT, bevel=0.0015).align((0.0, 0.0, GAP), z=-1)
+    end = vector(0.0, -reach, fall)
+    metal = casting(finish, 0.32)
+    tip = aerator(radius + 0.0012, finish).at(end)
+    hold = frame(end + Z * 0.004, approach=Y, closing=X)
+    return weld(
+        part(hub, "spout", metal, grasp=hold, grasp_width=2.0 * radius + 0.012),
+        part(pipe, "spout", metal),
+        tip,
+    )
+
+
+def hanging_spout(*, reach: Scalar, radius: Scalar, finish: Material) -> Body:
+    """Make a spout that hangs from a foot above it, runs forward and a little up: the link `spout`.
+
+    Args:
+        reach: From its axis to its end [m].
+        radius: Of its tube [m].
+        finish: Its metal.
+    """
+    low, fall = -0.050, -0.062
+    course = polyline(
+        [(0.0, 0.0, -0.004), (0.0, 0.0, low), (0.0, -reach, -0.028), (0.0, -reach, fall)],
+        fillet=0.021,
+    )
+    hub = frustum(radius + 0.0035, radius + 0.0065, _FOOT, bevel=0.0015).align((0.0, 0.0, -GAP), z=1)
+    end = vector(0.0, -reach, fall)
+    metal = casting(finish, 0.32)
+    hold = frame(end + Z * 0.006, approach=Y, closing=X)
+    return weld(
+        part(hub, "spout", metal, grasp=hold, grasp_width=2.0 * radius + 0.012),
+        part(sweep(circle(radius), course), "spout", metal),
+        aerator(radius + 0.0012, finish).at(end),
+    )
+
+
+def beam_spout(
+    *, hub: Scalar, tall: Scalar, reach: Scalar, radius: Scalar, square: bool, finish: Material
+) -> Body:
+    """Make a spout that leaves a ring about a column: the link `spout`.
+
+    The ring has few facets under a smooth skin, which is only seen.
+
+    Args:
+        hub: Radius of the ring [m].
+        tall: Height of the ring [m].
+        reach: From the axis to its end [m].
+        radius: Of its tube [m].
+        square: Whether the tube is flat and square instead of round.
+        finish: Its metal.
+    """
+    metal = casting(finish, 0.35)
+    core = core_radius(hub)
+    inner = (core + 0.0004) * 1.04  # so that its facets clear the core
+    low, high = GAP, tall - 2.0 * GAP
+    wall = revolve(
+        rectangle(hub - 0.0006 - inner, high - low).at(0.5 * (hub - 0.0006 + inner), 0.5 * (low + high)),
+        sides=_SIDES,
+    )
+    skin = tube(hub, hub - 0.0016, high - low, bevel=0.0006).at(0.0, 0.0, 0.5 * (low + high))
+    middle = 0.5 * tall
+    end = vector(0.0, -reach, middle - radius)
+    if square:
+        pipe = box_between(
+            (-1.3 * radius, -reach - 1.1 * radius, middle - 0.75 * radius),
+            (1.3 * radius, -0.80 * hub, middle + 0.75 * radius),
+            bevel=0.0025,
+        )
+        end = vector(0.0, -reach, middle - 0.75 * radius)
+    else:
+        course = polyline(
+            [
+                (0.0, -0.80 * hub, middle),
+                (0.0, -reach, middle),
+                (0.0, -reach, middle - 1.6 * radius),
+            ],
+            fillet=1.25 * radius,
+        )
+        pipe = sweep(circle(radius), course)
+        end = vector(0.0, -reach, middle - 1.6 * radius)
+    hold = grasp_on(pipe, approach=Y, closing=X, depth=0.018)
+    return weld(
+        part(wall, "spout", metal),
+        detail(skin, "spout", finish),
+        part(pipe, "spout", metal, grasp=hold),
+        aerator(0.92 * radius, finish).at(end),
+    )
+
+
+def core_radius(hub: Scalar) -> Scalar:
+    """Return the radius of the fixed core in the ring of a beam spout [m]."""
+    return 0.60 * hub
+
+
+def pull_down_spout(
+    *, height: Scalar, reach: Scalar, radius: Scalar, travel: Scalar, fall: Scalar, finish: Material
+) -> Body:
+    """Make a gooseneck whose end takes up the hose of a spray head: the link `spout`.
+
+    Args:
+        height: Of the middle of its highest part over its foot [m].
+        reach: From its axis to its end [m].
+        radius: Of its tube [m].
+        travel: How far the head comes out [m].
+        fall: Height of its end over its foot [m].
+        finish: Its metal.
+    """
+    metal = casting(finish, 0.32)
+    radius = require(
+        radius, radius > _LEAST, f"the hose of a spray head is in its spout: girth over {_LEAST:g} m"
+    )
+    deep = travel + _DOCK + 0.006  # of the bore
+    pipe = sweep(circle(radius), _course("gooseneck", height, reach, fall + deep))
+    hub = frustum(radius + 0.0065, radius + 0.0035, _FOOT, bevel=0.0015).align((0.0, 0.0, GAP), z=-1)
+    # facets inside of the smooth skin
+    out, inner = radius - 0.0006, _BORE / 0.966
+    leg = revolve(rectangle(out - inner, deep + 0.0005).at(0.5 * (out + inner), 0.5 * deep), sides=_SIDES)
+    skin = tube(radius, radius - 0.0014, deep + 0.0006).at(0.0, 0.0, 0.5 * deep + 0.0003)
+    end = vector(0.0, -reach, fall)
+    hold = frame(end + Z * 0.012, approach=Y, closing=X)
+    return weld(
+        part(hub, "spout", metal, grasp=hold, grasp_width=2.0 * radius + 0.012),
+        part(pipe, "spout", metal),
+        part(leg.at(end), "spout", casting(finish, 0.8)),
+        detail(skin.at(end), "spout", finish),
+    )
+
+
+def spray_head(*, radius: Scalar, travel: Scalar, finish: Material) -> Body:
+    """Make a spray head that hangs from the origin, with the hose above it: the link `spray_head`.
+
+    Args:
+        radius: Of the spout's tube [m].
+        travel: How far it comes out [m].
+        finish: Its metal.
+    """
+    low = -HEAD - GAP
+    wide = radius + 0.0045
+    grip = frustum(wide, radius + 0.0004, 0.75 * HEAD, bevel=0.001).align((0.0, 0.0, -GAP), z=1)
+    nose = cylinder(wide, 0.26 * HEAD, bevel=0.002).align((0.0, 0.0, low), z=-1)
+    hose = cylinder(_HOSE, travel + _DOCK + 0.002).align((0.0, 0.0, -GAP - 0.002), z=-1)
+    metal = casting(finish, 0.28)
+    dark = material("black_abs")
+    at = [
+        (ring * wide * math.cos(turn), ring * wide * math.sin(turn), low - 0.0006)
+        for ring, count in ((0.3, 6), (0.62, 12))
+        for turn in (math.tau * step / count for step in range(count))
+    ]
+    rocker = box_between(
+        (-0.0042, -wide - 0.0012, -0.62 * HEAD), (0.0042, -radius, -0.36 * HEAD), bevel=0.0016
+    )
+    face = cylinder(0.84 * wide, 0.0012).at(0.0, 0.0, low + 0.0001)
+    hold = grasp_on(grip, approach=Y, closing=X)
+    return weld(
+        part(grip, "spray_head", metal, grasp=hold),
+        part(nose, "spray_head", metal),
+        part(hose, "hose", material("rubber")),
+        detail(rocker, "spray_head", dark),
+        detail(face, "aerator", dark),
+        detail(array(cylinder(0.0012, 0.0012), at=at), "aerator", material("silicone")),
+    )
+
+
+def pull_out(*, travel: Scalar, force: Scalar, pivot: Vector) -> Joint:
+    """Make the joint of a spray head, which the weight on its hose draws back.
+
+    A weight of 0.5-0.8 kg hangs on the hose under the sink; friction in the bend takes part of it.
+
+    Args:
+        travel: How far it comes out [m].
+        force: With which it is drawn back at the end [N].
+        pivot: Where it is [m].
+    """
+    preload = 0.75 * force
+    stiffness = (force - preload) / travel
+    return Prismatic(
+        "spray_head_slide",
+        axis=-Z,
+        pivot=pivot,
+        limits=(0.0, travel),
+        stiffness=stiffness,
+        rest=-preload / stiffness,
+        friction=1.0,
+        damping=12.0,
+        armature=0.5,  # the weight on the hose
+        effort=40.0,
+    )

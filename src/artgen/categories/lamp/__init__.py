@@ -1,0 +1,426 @@
+"""A lamp that works: arms that stay where they are put, shades that turn, and a switch.
+
+Links: `base`; `swivel`, `arm_lower`, `arm_upper` and `slider` where there are arms; `shade`; and the switch:
+`button`, `rocker`, `dial` or `pull_chain`. Joints: `arm_swivel` (without limits), `arm_lower_hinge`,
+`arm_upper_hinge`, `shade_hinge`, `height_slide` on a reading lamp, `shade_turn` of a shade on a harp, and
+`switch_slide`, `switch_rock`, `switch_turn` or `switch_pull`.
+
+Arms swing in the plane y = 0. At rest a lamp stands as in a shop: arms raised, the shade looking down.
+Springs and brakes are as strong as what they have to hold: they are derived from the mass and the reach of
+what is beyond them. Limits of arms follow from their lengths: a shade never gets below the hinge of the
+lowest arm. Bases are as heavy as the lamp needs to stand in every pose.
+
+Sizes are those of shops: desk lamps with arms of 0.3-0.45 m, table lamps 0.35-0.7 m and floor lamps
+1.2-1.85 m high; sockets are E27 (IEC 60061), shades of cloth 0.26-0.46 m wide.
+"""
+
+from typing import Literal
+
+from artgen import (
+    Body,
+    Float,
+    Material,
+    Scalar,
+    by,
+    category,
+    choice,
+    max_,
+    shades,
+    uniform,
+    weld,
+)
+from artgen.categories.lamp.arms import ARM_LABELS, ArmStyle
+from artgen.categories.lamp.bases import (
+    FITTING,
+    BaseShape,
+    BodyForm,
+    base_edge,
+    pole,
+    steady_height,
+    tripod,
+    turned_body,
+    turned_lamp,
+    weighted,
+    weighted_base,
+    wide_up_to,
+)
+from artgen.categories.lamp.bulbs import SOCKET
+from artgen.categories.lamp.cord import CASE, Cord
+from artgen.categories.lamp.finish import (
+    BODIES,
+    BODY_WEIGHTS,
+    CLOTH_WEIGHTS,
+    CLOTHS,
+    COAT_WEIGHTS,
+    COATS,
+    FITTING_WEIGHTS,
+    FITTINGS,
+    LEGS,
+    OPAL,
+    STONES,
+    plastic,
+)
+from artgen.categories.lamp.jointed import ArmLooks, ArmSizes, Carried
+from artgen.categories.lamp.lampshades import ShadeKind, metal_head, spider_shade
+from artgen.categories.lamp.pointed import POLE, pointed
+from artgen.categories.lamp.standing import BESIDE, Chain, crown, globed, harp_rise, shaded
+from artgen.categories.lamp.switches import SWITCH_LABELS
+from artgen.categories.lamp.switches import switch as switch_of
+
+Style = Literal["desk", "architect", "led_bar", "reading", "floor", "tripod", "arc", "table", "mushroom"]
+
+_POINTED = ("desk", "architect", "led_bar", "reading", "arc")  # those with a metal head on an arm
+_STALK = 0.060  # radius of the foot of a mushroom lamp [m]
+_COVERS = (
+    "what stands on the base would cover the switch in it: take a larger base_radius, a smaller body_radius "
+    "or switch_on=cord"
+)
+_TOO_LOW = (
+    "the arm would strike the base where its clamp is lowest: take a larger height, or a smaller travel or "
+    "arm_length"
+)
+_ON_CASE = 0.020  # of a dial above its case on the cord, and 3 mm [m]
+_STEM = 0.14  # between the hub of a tripod and its socket, where a chain hangs [m]
+
+
+@category(
+    labels=("base", "foot", "pole", *ARM_LABELS, "shade", "socket", "bulb", "harp", "finial", *SWITCH_LABELS),
+    joints=(1, 5),
+)
+def lamp(
+    *,
+    style: Style = choice(
+        "desk",
+        "architect",
+        "led_bar",
+        "reading",
+        "floor",
+        "tripod",
+        "arc",
+        "table",
+        "mushroom",
+        weights=(0.12, 0.12, 0.11, 0.13, 0.12, 0.10, 0.07, 0.17, 0.06),
+    ),
+    base_shape: BaseShape = by(
+        "style",
+        arc=choice("round", "square", "hexagonal", weights=(0.6, 0.3, 0.1)),
+        mushroom=choice("round", "hexagonal", weights=(0.85, 0.15)),
+        tripod="round",
+        otherwise=choice("round", "square", "hexagonal", weights=(0.6, 0.25, 0.15)),
+    ),
+    base_radius: Float = by(
+        "style",
+        desk=uniform(0.085, 0.110),
+        architect=uniform(0.090, 0.115),
+        led_bar=uniform(0.085, 0.110),
+        reading=uniform(0.125, 0.150),
+        floor=uniform(0.125, 0.160),
+        arc=uniform(0.155, 0.180),
+        table=uniform(0.080, 0.105),
+        mushroom=uniform(0.080, 0.100),
+        otherwise=0.1,
+        unit="m",
+        within=(0.08, 0.18),
+    ),
+    base_height: Float = by(
+        "style",
+        arc=uniform(0.026, 0.036),
+        table=uniform(0.018, 0.028),
+        otherwise=uniform(0.017, 0.024),
+        unit="m",
+        doc="at least; more where the lamp would tip",
+        within=(0.016, 0.08),
+    ),
+    height: Float = by(
+        "style",
+        reading=uniform(1.22, 1.45),
+        floor=uniform(1.40, 1.75),
+        tripod=uniform(1.35, 1.60),
+        arc=uniform(1.62, 1.84),
+        table=uniform(0.46, 0.69),
+        mushroom=uniform(0.36, 0.50),
+        otherwise=0.5,
+        unit="m",
+        doc="of a lamp that stands by itself; that of a desk lamp follows from its arms",
+        within=(0.34, 1.85),
+    ),
+    arm_style: ArmStyle = choice("rods", "tube", "flat"),
+    arm_length: Float = by(
+        "style",
+        desk=uniform(0.34, 0.42),
+        architect=uniform(0.32, 0.38),
+        led_bar=uniform(0.36, 0.45),
+        reading=uniform(0.37, 0.44),
+        otherwise=0.4,
+        unit="m",
+        doc="of the lower arm",
+        within=(0.3, 0.6),
+    ),
+    upper_arm: Float = uniform(
+        0.90, 1.02, doc="length of an upper arm over that of the lower", within=(0.8, 1.1)
+    ),
+    lean: Float = by(
+        "style",
+        desk=uniform(0.05, 0.40),
+        architect=uniform(0.36, 0.50),
+        led_bar=uniform(0.08, 0.25),
+        reading=uniform(0.95, 1.25),
+        otherwise=0.0,
+        unit="rad",
+        doc="of the lower arm at rest: back, or forward where it is the only one",
+    ),
+    rise: Float = uniform(0.82, 0.98, "rad", doc="of an upper arm at rest, from the vertical"),
+    tilt: Float = by(
+        "style",
+        desk=uniform(0.75, 0.95),
+        otherwise=uniform(0.20, 0.40),
+        unit="rad",
+        doc="how far a metal shade looks forward at rest, at least",
+    ),
+    reach: Float = uniform(0.46, 0.62, "m", doc="of the bow of an arc lamp", within=(0.3, 0.8)),
+    travel: Float = uniform(
+        0.25, 0.40, "m", doc="of the clamp of a reading lamp on its pole", within=(0.1, 0.5)
+    ),
+    shade: ShadeKind = by(
+        "style",
+        floor=choice("drum", "cone", "curved"),
+        tripod=choice("drum", "cone", weights=(0.7, 0.3)),
+        arc=choice("dome", "cone", "curved", weights=(0.6, 0.2, 0.2)),
+        table=choice("cone", "drum", "curved"),
+        mushroom=choice("dome", "globe", weights=(0.45, 0.55)),
+        led_bar="drum",
+        otherwise=choice("cone", "dome", "curved", "drum"),
+    ),
+    shade_radius: Float = by(
+        "style",
+        desk=uniform(0.066, 0.084),
+        architect=uniform(0.070, 0.088),
+        reading=uniform(0.062, 0.080),
+        floor=uniform(0.17, 0.23),
+        tripod=uniform(0.18, 0.23),
+        arc=uniform(0.11, 0.15),
+        table=uniform(0.135, 0.185),
+        mushroom=uniform(0.105, 0.150),
+        otherwise=0.08,
+        unit="m",
+        doc="of the rim",
+        within=(0.06, 0.26),
+    ),
+    shade_height: Float = by(
+        "style",
+        floor=uniform(1.05, 1.30),
+        tripod=uniform(1.00, 1.25),
+        table=uniform(1.15, 1.40),
+        mushroom=uniform(0.86, 1.00),
+        arc=uniform(0.85, 1.00),
+        otherwise=by(
+            "shade",
+            cone=uniform(1.45, 1.80),
+            drum=uniform(1.40, 1.80),
+            dome=uniform(1.25, 1.45),
+            otherwise=uniform(1.45, 1.70),
+        ),
+        doc="over the radius of its rim",
+        within=(0.7, 2.2),
+    ),
+    shade_top: Float = by(  # radius of the upper rim
+        "shade",
+        drum=uniform(0.94, 0.99),
+        cone=uniform(0.52, 0.78),
+        otherwise=uniform(0.48, 0.58),
+        doc="of cloth, over that of the lower",
+        within=(0.4, 1.0),
+    ),
+    body: BodyForm = by(
+        "style",
+        table=choice("vase", "gourd", "bottle", "column", "turned"),
+        otherwise="column",
+        doc="of a table lamp",
+    ),
+    body_radius: Float = by(
+        "body",
+        vase=uniform(0.075, 0.100),
+        gourd=uniform(0.075, 0.095),
+        bottle=uniform(0.068, 0.090),
+        otherwise=uniform(0.046, 0.058),
+        unit="m",
+        within=(0.04, 0.11),
+    ),
+    switch: Literal["button", "rocker", "dial", "pull_chain"] = by(
+        "style",
+        floor=choice("pull_chain", "button", "rocker", "dial", weights=(0.5, 0.25, 0.1, 0.15)),
+        tripod=choice("pull_chain", "button", "rocker", "dial", weights=(0.3, 0.35, 0.15, 0.2)),
+        table=by(
+            "body",
+            column=choice("pull_chain", "rocker", "dial", weights=(0.7, 0.15, 0.15)),
+            turned=choice("pull_chain", "rocker", "dial", weights=(0.7, 0.15, 0.15)),
+            otherwise=choice("rocker", "dial", "button"),
+        ),
+        otherwise=choice("button", "rocker", "dial"),
+    ),
+    switch_on: Literal["base", "cord", "socket"] = by(
+        "switch",
+        pull_chain="socket",
+        dial="cord",  # where a hand can turn without striking an arm
+        otherwise=by(
+            "style",
+            desk=choice("base", "cord", weights=(0.75, 0.25)),
+            architect=choice("base", "cord", weights=(0.7, 0.3)),
+            led_bar="base",
+            reading=choice("base", "cord"),
+            otherwise="cord",
+        ),
+    ),
+    chain_travel: Float = uniform(
+        0.030, 0.060, "m", doc="how far a pull chain is pulled", within=(0.02, 0.07)
+    ),
+    chain_force: Float = uniform(
+        3.0, 8.0, "N", doc="of its spring when it is pulled out", within=(2.0, 12.0)
+    ),
+    swivel_friction: Float = by(
+        "style",
+        reading=uniform(1.5, 2.6),
+        arc=uniform(2.0, 3.5),
+        otherwise=uniform(0.9, 1.7),
+        unit="N m",
+        doc="against turning an arm on the base: 3-6 N at its end",
+        within=(0.1, 6.0),
+    ),
+    shade_friction: Float = by(
+        "shade",
+        dome=uniform(0.04, 0.08),  # it is turned by its knob
+        otherwise=uniform(0.30, 0.70),
+        unit="N m",
+        doc="against turning a shade on its harp",
+        within=(0.01, 2.0),
+    ),
+    metal: Material = by(
+        "style",
+        floor=shades(*FITTINGS, weights=FITTING_WEIGHTS, color=0.03),
+        tripod=shades(*FITTINGS, weights=FITTING_WEIGHTS, color=0.03),
+        table=shades(*FITTINGS, weights=FITTING_WEIGHTS, color=0.03),
+        arc=shades(*FITTINGS, weights=FITTING_WEIGHTS, color=0.03),
+        otherwise=shades(*COATS, weights=COAT_WEIGHTS, color=0.05),
+        doc="of arms, poles and bases",
+    ),
+    finish: Material = by(
+        "style",
+        floor=shades(*CLOTHS, weights=CLOTH_WEIGHTS, color=0.06),
+        tripod=shades(*CLOTHS, weights=CLOTH_WEIGHTS, color=0.06),
+        table=shades(*CLOTHS, weights=CLOTH_WEIGHTS, color=0.06),
+        otherwise=shades(*COATS, weights=COAT_WEIGHTS, color=0.05),
+        doc="of the shade",
+    ),
+    matching: bool = by(
+        "style",
+        desk=choice(True, False, weights=(0.8, 0.2)),
+        architect=True,
+        led_bar=True,
+        reading=choice(True, False, weights=(0.8, 0.2)),
+        mushroom=True,
+        otherwise=False,
+        doc="whether the shade is finished like the arms or the base",
+    ),
+    lining: Material = by(
+        "style",
+        floor=shades("fabric", color=0.02),
+        tripod=shades("fabric", color=0.02),
+        table=shades("fabric", color=0.02),
+        otherwise=shades("enamel_white", "satin_brass", weights=(0.85, 0.15), color=0.02),
+        doc="inside of the shade",
+    ),
+    stuff: Material = by(
+        "style",
+        table=shades(*BODIES, weights=BODY_WEIGHTS, color=0.06),
+        tripod=shades(*LEGS, color=0.06),
+        arc=shades(*STONES, color=0.05),
+        otherwise=shades("glass"),
+        doc="of the body of a table lamp, the legs of a tripod, the stone under an arc lamp",
+    ),
+    plastics: Literal["black", "white"] = choice(
+        "black", "white", weights=(0.65, 0.35), doc="of switch and cord"
+    ),
+) -> Body:
+    """Make a lamp for a desk, a table or the floor: arms, shade, switch."""
+    dark, ink = plastic(plastics)
+    coat = metal if matching else finish
+    deep = shade_radius * shade_height
+    looks = ArmLooks(arm_style, metal, swivel_friction)
+    sizes = ArmSizes(
+        arm_length, arm_length * upper_arm, lean, rise, tilt, reach, travel, height - base_height
+    )
+    carried: Carried | None = None
+    if style in _POINTED:
+        head = metal_head(shade, radius=shade_radius, depth=deep, finish=coat, lining=lining, trim=metal)
+        carried = pointed(style, head, looks, sizes)
+
+    # the base, as heavy as the lamp needs to stand with its arms stretched out; the cord leaves at the back
+    stone = stuff if style == "arc" else weighted(metal, 2800.0 if style == "table" else 4600.0)
+    edge = base_edge(base_shape, base_radius)
+    switched = None if switch == "pull_chain" else switch_of(switch, finish=dark, ink=ink)
+    if style == "tripod":
+        top = height - crown(harp_rise(deep, shade)) - SOCKET - _STEM
+        base = tripod(spread=0.17 * top + 0.03, height=top, radius=0.014, finish=stuff, metal=metal)
+        cord = Cord(dark, start=0.05, end=0.36, height=top - 0.015, stiff=0.10)
+    else:
+        top = 1.0 * base_height
+        if carried is not None:
+            top = steady_height(base_shape, base_radius, stone.density, least=base_height, of=carried)
+        set_in = switched if switch_on == "base" else None
+        front = 0.62 * edge
+        base = weighted_base(base_shape, base_radius, top, stone, set_in=set_in, front=front)
+        if set_in is not None and style in ("table", "mushroom"):
+            base = base.require(
+                front - set_in.half > (body_radius if style == "table" else _STALK) + 0.001, _COVERS
+            )
+        cord = Cord(dark, start=edge, end=edge + 0.11, height=0.5 * top + 0.001)
+    base = weld(base, cord.with_case(switched) if switched and switch_on == "cord" else cord.alone())
+
+    if carried is not None and style == "reading":
+        clamp = height - 0.11 - travel  # where it is lowest
+        base = weld(base, pole(POLE, top - 0.001, height - 0.03, metal, capped=True)).require(
+            clamp > top + carried.hangs + 0.01, _TOO_LOW
+        )
+        return base.attach(carried.body.at(0.0, 0.0, clamp), *carried.joints)
+    if carried is not None:
+        return base.attach(carried.body.at(0.0, 0.0, top), *carried.joints)
+
+    mouth = height - crown(harp_rise(deep, shade))  # of the socket
+    foot = mouth - SOCKET
+    under: Scalar = top  # a chain
+    if style == "table":
+        stand = turned_lamp(body, radius=body_radius, low=top - 0.001, high=foot, finish=stuff, metal=metal)
+        under = wide_up_to(body, BESIDE, radius=body_radius, low=top, high=foot - FITTING)
+    elif style == "mushroom":
+        foot = foot if shade == "dome" else height - 2.0 * shade_radius - 0.006
+        sheet = weighted(metal, 900.0)
+        # under a dome it hides the socket
+        ends = foot + 0.002 if shade == "globe" else mouth - 0.006
+        stand = turned_body("stem", radius=_STALK, low=top - 0.001, high=ends, finish=sheet)
+        under = wide_up_to("stem", BESIDE, radius=_STALK, low=top, high=ends)
+    else:
+        stand = pole(0.0115, top - 0.001, foot + 0.003, metal)
+    if shade == "globe":
+        return globed(weld(base, stand), top=foot, radius=shade_radius, glass=OPAL, metal=metal)
+    cover = spider_shade(
+        shade,
+        top=shade_top * shade_radius,
+        bottom=shade_radius,
+        height=deep,
+        finish=coat,
+        lining=lining,
+        trim=coat,
+        wire=metal,
+    )
+    chain = Chain(chain_travel, chain_force, metal, under) if switch == "pull_chain" else None
+    low: Scalar = 0.002 if style == "tripod" else top + 0.002  # the shade hangs above it
+    return shaded(
+        weld(base, stand),
+        cover,
+        mouth=mouth,
+        height=deep,
+        metal=metal,
+        friction=shade_friction,
+        over=max_(low, CASE[2] + _ON_CASE) if switch_on == "cord" else low,
+        chain=chain,
+    )

@@ -1,0 +1,404 @@
+"""What lamps stand on: weighted bases, poles, tripods, and the turned bodies of table lamps."""
+
+import math
+from collections.abc import Sequence
+from itertools import pairwise
+from typing import Literal
+
+from artgen import (
+    Body,
+    Float,
+    Material,
+    Scalar,
+    Solid,
+    Vector,
+    box,
+    circle,
+    clamp,
+    cylinder,
+    cylinder_between,
+    detail,
+    extrude,
+    frustum,
+    half_section,
+    mass,
+    material,
+    max_,
+    norm,
+    part,
+    polyline,
+    regular_polygon,
+    require,
+    revolve,
+    sphere,
+    spline,
+    sweep,
+    switch,
+    union,
+    vector,
+    weld,
+)
+from artgen.categories.lamp.jointed import Carried
+from artgen.categories.lamp.switches import Switch
+from artgen.categories.shared.finish import casting
+
+BaseShape = Literal["round", "square", "hexagonal"]
+"""The outline of a base."""
+
+BodyForm = Literal["vase", "gourd", "bottle", "column", "turned", "stem"]
+"""The form of a table lamp's body."""
+
+FITTING = 0.035
+"""Height of the fitting between the body of a table lamp and its socket [m]."""
+
+PAD = 0.002
+"""Height of the felt or rubber under a base [m]."""
+
+_AREA = {
+    "round": math.pi,
+    "square": 4.0 * 0.89**2,
+    "hexagonal": 1.5 * math.sqrt(3.0),
+}  # over the radius squared
+_EDGE = {"round": 1.0, "square": 0.89, "hexagonal": math.cos(math.pi / 6.0)}  # nearest edge, over the radius
+_BELOW = 0.0020  # how far the core of a turned body lies below its skin [m]
+_SQUAT = (
+    "no room is left for the body of the lamp between its base and its shade or socket: take a larger "
+    "height, or a smaller shade_radius or shade_height"
+)
+_TIPS = (
+    "the lamp would tip unless its base were higher than wide: take a larger base_radius, or a smaller "
+    "reach, arm_length, shade_radius or shade_height"
+)
+_CORE_SIDES = 32  # of that core: its frustums have 64 corners, as many as a collider may have
+_STEADY = 1.35  # by how much the base outweighs what would tip it
+
+
+def base_edge(shape: BaseShape, radius: Scalar) -> Scalar:
+    """Return the distance from the middle of a base to its nearest edge [m]."""
+    return _EDGE[shape] * radius
+
+
+def steady_height(shape: BaseShape, radius: Scalar, density: float, *, least: Scalar, of: Carried) -> Float:
+    """Return how high a base has to be to outweigh what it carries, with the arms stretched out.
+
+    Args:
+        shape: Its outline.
+        radius: Its radius [m].
+        density: Of what it is made of [kg/m3].
+        least: What it is high at least [m].
+        of: What it carries.
+    """
+    edge = 0.97 * base_edge(shape, radius)  # its pad is a little smaller
+    tips = of.moment - mass(of.body) * edge
+    high = max_(least, _STEADY * tips / (edge * density * _AREA[shape] * radius * radius))
+    return require(high, high < 2.0 * radius, _TIPS)
+
+
+def base_block(shape: BaseShape, radius: Scalar, height: Scalar, *, bevel: Scalar = 0.0025) -> Solid:
+    """Make the block of a base on its pad, up to z = height.
+
+    Args:
+        shape: Its outline; a square one is 1.78 radii wide.
+        radius: Its radius [m].
+        height: Height of its top above the floor [m].
+        bevel: Radius of its edges [m].
+    """
+    tall = height - PAD
+    match shape:
+        case "round":
+            block = cylinder(radius, tall, bevel=bevel)
+        case "square":
+            block = box(2.0 * 0.89 * radius, 2.0 * 0.89 * radius, tall, bevel=bevel)
+        case "hexagonal":
+            block = extrude(regular_polygon(6, radius), tall, bevel=bevel)
+    return block.at(0.0, 0.0, PAD + tall / 2.0)
+
+
+def pad(shape: BaseShape, radius: Scalar) -> Body:
+    """Make the pad under a base, which keeps it from sliding and scratching."""
+    inset = 0.96 * radius
+    match shape:
+        case "round":
+            sheet = cylinder(inset, PAD + 0.0006)
+        case "square":
+            sheet = box(1.78 * inset, 1.78 * inset, PAD + 0.0006)
+        case "hexagonal":
+            sheet = extrude(regular_polygon(6, inset), PAD + 0.0006)
+    return part(sheet.at(0.0, 0.0, (PAD + 0.0006) / 2.0), "foot", material("rubber"))
+
+
+def weighted_base(
+    shape: BaseShape,
+    radius: Scalar,
+    height: Scalar,
+    finish: Material,
+    *,
+    set_in: Switch | None = None,
+    front: Scalar = 0.0,
+) -> Body:
+    """Make a base on its pad: the link `base`.
+
+    Args:
+        shape: Its outline.
+        radius: Its radius [m].
+        height: Height of its top [m].
+        finish: What it is made of.
+        set_in: A switch in its top.
+        front: How far that is in front of the middle [m].
+    """
+    block = base_block(shape, radius, height)
+    if set_in is None:
+        return weld(part(block, "base", finish), pad(shape, radius))
+    at = vector(0.0, -front, height)
+    if set_in.hole is not None:
+        block = block - set_in.hole.at(at)
+    return weld(part(block, "base", finish), pad(shape, radius), set_in.body.at(at))
+
+
+_LENGTHS = 4  # of a pole on which a ring slides
+
+
+def pole(radius: Scalar, low: Scalar, high: Scalar, finish: Material, *, capped: bool = False) -> Body:
+    """Make an upright tube, with a flange at its foot and, if it is `capped`, a ball that ends it.
+
+    On a capped one a ring slides: it collides in short lengths, for PhysX lets a ring jam on a long thin one.
+    """
+    if capped:
+        long = (high - low) / _LENGTHS
+        length = cylinder(radius, long + 0.001)
+        middles = [low + long * (number + 0.5) for number in range(_LENGTHS)]
+        tube_ = union(*(length.at(0.0, 0.0, middle) for middle in middles))
+    else:
+        tube_ = cylinder_between((0.0, 0.0, low), (0.0, 0.0, high), radius, bevel=0.001)
+    flange = cylinder(2.1 * radius, 0.008, bevel=0.0025).at(0.0, 0.0, low + 0.004)
+    bodies = [part(tube_, "pole", hollow(finish)), part(flange, "pole", finish)]
+    if capped:
+        bodies.append(part(sphere(1.7 * radius).at(0.0, 0.0, high + 0.8 * radius), "pole", finish))
+    return weld(*bodies)
+
+
+def hollow(finish: Material) -> Material:
+    """Return the material of a tube; a wall of 1.5 mm at a radius of 10 mm is 28 % of the whole."""
+    return casting(finish, 0.28)
+
+
+def tripod(*, spread: Scalar, height: Scalar, radius: Scalar, finish: Material, metal: Material) -> Body:
+    """Make three slanted legs under a hub whose top is at a height; one leg points to the front.
+
+    Args:
+        spread: Distance of the feet from the axis [m].
+        height: Of the top of the hub [m].
+        radius: Of a leg where it is thickest [m].
+        finish: Of the legs.
+        metal: Of the hub and the ferrules.
+    """
+    top = 0.034
+    disc = cylinder(0.052, 0.030, bevel=0.004).at(0.0, 0.0, height - 0.015)
+    bodies = [part(disc, "pole", metal.with_(name=f"{metal.name}_hub", density=1500.0), name="base")]
+    foot = cylinder(0.62 * radius + 0.004, 0.014, bevel=0.003)
+    rise = height - 0.020
+    for number in range(3):
+        turn = math.pi * (1.5 + 2.0 * number / 3.0)
+        out = vector(math.cos(turn), math.sin(turn), 0.0)
+        low, high = out * spread + vector(0.0, 0.0, 0.010), out * top + vector(0.0, 0.0, rise)
+        leg = _strut(low, high, 0.62 * radius, radius)
+        share = 0.09
+        end = low + (high - low) * share
+        ferrule = _strut(low, end, 0.62 * radius + 0.0012, 0.62 * radius + 0.0012 + 0.38 * share * radius)
+        bodies += [
+            part(leg, "pole", finish),
+            detail(ferrule, "pole", metal),
+            part(foot.at(out * spread + vector(0.0, 0.0, 0.007)), "foot", material("rubber")),
+        ]
+    share = 0.46  # of the way up, where three rods hold the legs apart
+    corners = [
+        vector(math.cos(turn), math.sin(turn), 0.0) * (spread + (top - spread) * share)
+        + vector(0.0, 0.0, 0.010 + (rise - 0.010) * share)
+        for turn in (math.pi * (1.5 + 2.0 * number / 3.0) for number in range(3))
+    ]
+    rods = [_strut(corners[index], corners[index - 1], 0.0035, 0.0035) for index in range(3)]
+    return weld(*bodies, *(part(rod, "pole", metal) for rod in rods))
+
+
+def _strut(low: Vector, high: Vector, thin: Scalar, thick: Scalar) -> Solid:
+    along = high - low
+    return frustum(thin, thick, norm(along), axis=along).at((low + high) * 0.5)
+
+
+_BODIES: dict[str, Sequence[tuple[float, float]]] = {
+    # radius and height from the foot to the neck, as shares
+    "vase": ((0.60, 0.0), (0.80, 0.16), (1.0, 0.45), (0.96, 0.66), (0.62, 0.88), (0.30, 0.97), (0.24, 1.0)),
+    "gourd": (
+        (0.62, 0.0),
+        (0.96, 0.15),
+        (1.0, 0.30),
+        (0.66, 0.52),
+        (0.46, 0.62),
+        (0.60, 0.76),
+        (0.52, 0.90),
+        (0.22, 1.0),
+    ),
+    "bottle": ((0.86, 0.0), (1.0, 0.10), (1.0, 0.42), (0.82, 0.62), (0.36, 0.80), (0.26, 0.90), (0.26, 1.0)),
+    "column": ((1.0, 0.0), (0.66, 0.07), (0.50, 0.16), (0.46, 0.5), (0.42, 0.86), (0.60, 0.93), (0.42, 1.0)),
+    "stem": ((1.0, 0.0), (0.62, 0.10), (0.42, 0.28), (0.36, 0.55), (0.36, 0.80), (0.42, 1.0)),
+    "turned": (
+        (0.95, 0.0),
+        (0.72, 0.07),
+        (0.42, 0.13),
+        (0.66, 0.24),
+        (0.72, 0.32),
+        (0.44, 0.46),
+        (0.30, 0.60),
+        (0.30, 0.78),
+        (0.50, 0.86),
+        (0.30, 0.93),
+        (0.26, 1.0),
+    ),
+}
+
+
+def _between(points: Sequence[tuple[float, float]]) -> list[tuple[float, float]]:
+    """Return points of an outline with one more on the curve between each two, as Catmull and Rom draw it."""
+    found = [points[0]]
+    for index in range(len(points) - 1):
+        before, after = points[max(index - 1, 0)], points[min(index + 2, len(points) - 1)]
+        start, end = points[index], points[index + 1]
+        middle = [
+            (9.0 * (a + b) - (c + d)) / 16.0 for a, b, c, d in zip(start, end, before, after, strict=True)
+        ]
+        found += [(middle[0], middle[1]), end]
+    return found
+
+
+def turned_body(form: BodyForm, *, radius: Scalar, low: Scalar, high: Scalar, finish: Material) -> Body:
+    """Make the turned or thrown body of a table lamp between two heights.
+
+    What is seen is a smooth skin; what weighs and collides is a core of frustums 2 mm below it, each of which
+    is one convex piece of few corners.
+
+    Args:
+        form: Its outline.
+        radius: Where it is widest [m].
+        low: Height of its foot [m].
+        high: Height of its neck [m].
+        finish: Its material, of the density that it has with its hollow.
+    """
+    least = 0.020 if form == "stem" else 0.068  # the core of a lower one crosses itself
+    high = require(high, high - low >= least, _SQUAT)
+    points = [(r * radius, 0.0, low + share * (high - low)) for r, share in _between(_BODIES[form])]
+    core = revolve(half_section(polyline(points), inset=_BELOW), sides=_CORE_SIDES)
+    skin = revolve(half_section(spline(points), wall=0.0005))
+    lid = cylinder(_BODIES[form][-1][0] * radius - 0.0002, 0.0025).at(0.0, 0.0, high - 0.00125)
+    return weld(part(core, "base", finish), detail(skin, "base", finish), detail(lid, "base", finish))
+
+
+def wide_up_to(form: BodyForm, beside: float, *, radius: Scalar, low: Scalar, high: Scalar) -> Scalar:
+    """Return up to which height a turned body reaches farther out than to a distance from its axis [m].
+
+    Args:
+        form: Its outline.
+        beside: The distance [m].
+        radius: Where it is widest [m].
+        low: Height of its foot [m].
+        high: Height of its neck [m].
+    """
+    found = low
+    share = beside / radius
+    for (r, at), (r_above, at_above) in pairwise(_between(_BODIES[form])):
+        way = clamp((r - share) / (r - r_above), 0.0, 1.0) if r > r_above else 1.0
+        end = low + (at + way * (at_above - at)) * (high - low)
+        found = switch(max(r, r_above) > share, end, found)
+    return found
+
+
+def neck(form: BodyForm, radius: Scalar, *, low: Scalar, high: Scalar, finish: Material) -> Body:
+    """Make the fitting between a body and its socket: a cap on the body, and a tube.
+
+    Args:
+        form: Outline of the body.
+        radius: Of the body where it is widest [m].
+        low: Height of its upper end [m].
+        high: Height of the socket [m].
+        finish: Its metal.
+    """
+    wide = max_(_BODIES[form][-1][0] * radius + 0.003, 0.016)
+    cap = cylinder(wide, 0.006, bevel=0.002).at(0.0, 0.0, low + 0.002)
+    stem = cylinder_between((0.0, 0.0, low), (0.0, 0.0, high), 0.0095, bevel=0.001)
+    ring = cylinder(0.0125, 0.008, bevel=0.0028).at(0.0, 0.0, low + 0.45 * (high - low))
+    return weld(part(cap, "pole", finish), part(stem, "pole", hollow(finish)), part(ring, "pole", finish))
+
+
+def turned_lamp(
+    form: BodyForm, *, radius: Scalar, low: Scalar, high: Scalar, finish: Material, metal: Material
+) -> Body:
+    """Make the body of a table lamp with the fitting that carries its socket.
+
+    Args:
+        form: Its outline.
+        radius: Where it is widest [m].
+        low: Height of its foot [m].
+        high: Height of the socket [m].
+        finish: Of the body.
+        metal: Of the fitting.
+    """
+    shoulder = high - FITTING
+    return weld(
+        turned_body(form, radius=radius, low=low, high=shoulder, finish=finish),
+        neck(form, radius, low=shoulder, high=high + 0.003, finish=metal),
+    )
+
+
+def weighted(finish: Material, density: float = 4600.0) -> Material:
+    """Return the material of a base: a pressed cover over cast iron or cement."""
+    return finish.with_(name=f"{finish.name}_{density:.0f}", density=density)
+
+
+def harp(
+    *,
+    saddle: Scalar,
+    top: Scalar,
+    half: Scalar,
+    metal: Material,
+    stud: Scalar,
+    stud_radius: Scalar,
+    finial: bool = True,
+) -> list[Body]:
+    """Make the bow of wire around a bulb that carries a shade, with its stud and finial.
+
+    Args:
+        saddle: Height of its feet, on the socket [m].
+        top: Height of its upper bar [m].
+        half: Half of its width at the bulb [m].
+        metal: Its wire.
+        stud: How far the stud stands above the bar, up to the finial [m].
+        stud_radius: Radius of the stud [m].
+        finial: Whether a finial is screwed on it; a dome has its own.
+    """
+    rise = top - saddle
+    course = polyline(
+        [
+            (-0.014, 0.0, saddle),
+            (-half, 0.0, saddle + 0.30 * rise),
+            (-half, 0.0, saddle + 0.70 * rise),
+            (-0.012, 0.0, top),
+            (0.012, 0.0, top),
+            (half, 0.0, saddle + 0.70 * rise),
+            (half, 0.0, saddle + 0.30 * rise),
+            (0.014, 0.0, saddle),
+        ]
+    )
+    seat = cylinder(0.0085, 0.0030, bevel=0.0008).at(0.0, 0.0, top + 0.0012)
+    tall = stud + (0.004 if finial else -0.003)  # a stud without a finial ends inside of the hub
+    pin = cylinder(stud_radius, tall).at(0.0, 0.0, top + tall / 2.0)
+    knob = sphere(0.0085).at(0.0, 0.0, top + stud + 0.0095)
+    saddle_bar = box(0.034, 0.010, 0.0030, bevel=0.0008).at(0.0, 0.0, saddle)
+    bodies = [
+        part(sweep(circle(0.0019), course), "harp", metal),
+        part(saddle_bar, "harp", metal),
+        part(seat, "harp", metal),
+        part(pin, "harp", metal),
+    ]
+    if finial:
+        collar = cylinder(0.0062, 0.004, bevel=0.0008).at(0.0, 0.0, top + stud + 0.0025)
+        bodies += [part(collar, "finial", metal), part(knob, "finial", metal)]
+    return bodies

@@ -1,0 +1,352 @@
+"""Lamps with arms: on a desk with one arm or two, a bar of LEDs on an arm, and a reading lamp on its pole.
+
+Arms swing in the plane y = 0. Angles are from the vertical, positive towards +x.
+"""
+
+import math
+from dataclasses import dataclass
+
+from artgen import (
+    Body,
+    Float,
+    Joint,
+    Material,
+    Scalar,
+    Vector,
+    Y,
+    atan2,
+    box,
+    center_of_mass,
+    cos,
+    cylinder,
+    detail,
+    frame,
+    mass,
+    material,
+    max_,
+    min_,
+    norm,
+    part,
+    require,
+    sin,
+    sqrt,
+    vector,
+    weld,
+)
+from artgen.categories.lamp.arms import (
+    GRAVITY,
+    ArmStyle,
+    Load,
+    arm,
+    bracket,
+    braked_hinge,
+    collar,
+    collar_joints,
+    eyes,
+    head_hinge,
+    turret,
+    turret_turn,
+)
+from artgen.categories.lamp.lampshades import Head
+
+POST = 0.050
+"""Height of the hinge of a lower arm above the base [m]."""
+
+_HANG = 0.024  # from the hinge of a shade to the top of its housing [m]
+_BESIDE = 0.0095  # half of the width of an arm, and 2 mm [m]
+_OVER = 0.020  # by how much a shade stays above the hinge of the lowest arm [m]
+_SPRING = material("chrome")
+_LIGHT = material("led_white")
+_BACK = 0.26  # how far it turns back at least [rad]
+_UP = -1.25  # how far a shade turns up [rad]
+
+
+@dataclass(frozen=True)
+class Carried:
+    """What stands on a base.
+
+    Attributes:
+        body: The link that moves on the base, with all that it carries; it begins at z = 0.
+        moment: Mass times the farthest reach of its parts [kg m].
+        joints: How it moves on the base.
+        hangs: How far below z = 0 an arm of a reading lamp reaches with its shade [m].
+    """
+
+    body: Body
+    moment: Float
+    joints: tuple[Joint, ...]
+    hangs: Scalar = 0.0
+
+
+@dataclass(frozen=True)
+class ArmLooks:
+    """How arms look and feel.
+
+    Attributes:
+        style: Form of their bars.
+        finish: What they are made of.
+        swivel_friction: Against turning on the base [N m].
+    """
+
+    style: ArmStyle
+    finish: Material
+    swivel_friction: Scalar
+
+    def turn(self) -> tuple[Joint, ...]:
+        """Make the joint by which they turn on the base."""
+        return (turret_turn(friction=self.swivel_friction),)
+
+
+@dataclass(frozen=True)
+class ArmSizes:
+    """The sizes of arms; each lamp takes those that it has.
+
+    Attributes:
+        length: Of the lower or only arm [m].
+        upper: Of the upper arm, or of a bar of LEDs [m].
+        lean: Of the lower arm at rest [rad].
+        rise: Of the upper arm at rest, from the vertical [rad].
+        tilt: How far a shade looks forward at rest [rad].
+        reach: Of a bow [m].
+        travel: Of a clamp on its pole [m].
+        height: Of a bow above the base [m].
+    """
+
+    length: Scalar
+    upper: Scalar
+    lean: Scalar
+    rise: Scalar
+    tilt: Scalar
+    reach: Scalar
+    travel: Scalar
+    height: Scalar
+
+
+def _steepest(cosine: Scalar) -> Float:
+    """Return the angle of a cosine [rad]."""
+    held = max_(-0.99, min_(0.99, cosine))
+    return atan2(sqrt(1.0 - held * held), held)
+
+
+def _hung(head: Head, looks: ArmLooks) -> Body:
+    """Return a head with its bracket, its hinge at the origin."""
+    return weld(head.body.at(0.0, 0.0, -_HANG), *bracket(looks.finish, length=_HANG))
+
+
+def _tip(length: Scalar, angle: Scalar) -> tuple[Scalar, float, Scalar]:
+    return (length * sin(angle), 0.0, length * cos(angle))
+
+
+def _headed(body: Body, hung: Body, head: Head, *, at: Vector, lean: Scalar, tilt: Scalar) -> Body:
+    """Attach a head to the end of an arm that leans by an angle; the head looks down and a little forward."""
+    filled = head.spread(_HANG, _BESIDE) + 0.03 - lean
+    looks = max_(tilt, filled + _BACK)  # a wide shade looks farther forward, off its arm
+    placed = hung.rotate(Y, -looks).at(at)
+    return body.attach(placed, head_hinge(placed, pivot=at, limits=(_UP, min_(looks - filled, 1.1))))
+
+
+def one_arm(head: Head, looks: ArmLooks, *, length: Scalar, lean: Scalar, tilt: Scalar) -> Carried:
+    """Make an arm on a turret with a shade at its end.
+
+    Args:
+        head: The shade.
+        looks: How the arm looks.
+        length: Of the arm [m].
+        lean: How far it leans forward at rest [rad].
+        tilt: How far the shade looks forward at rest [rad].
+    """
+    hung = _hung(head, looks)
+    weight, heavy = GRAVITY * mass(hung), norm(center_of_mass(hung))
+    reach = head.reach + _HANG
+    lowest = _steepest((reach + _OVER) / length)
+    back = -min_(0.6, lowest)
+    bar = arm("arm_lower", looks.style, length, finish=looks.finish, outer=False)
+    own = mass(bar)
+    placed = bar.rotate(Y, lean).at(0.0, 0.0, POST)
+    end = vector(*_tip(length, lean)) + (0.0, 0.0, POST)
+    placed = _headed(placed, hung, head, at=end, lean=lean, tilt=tilt)
+    load = Load().lever(GRAVITY * own, length / 2.0, back, lowest).lever(weight, length, back, lowest)
+    hinge = braked_hinge(
+        "arm_lower_hinge",
+        pivot=(0.0, 0.0, POST),
+        limits=(back - lean, lowest - lean),
+        load=load.free(weight, heavy),
+        feel=5.0,
+        reach=length,
+    )
+    body = turret(looks.finish, height=POST, outer=True).attach(placed, hinge)
+    far = sin(lowest) * length
+    moment = own * far / 2.0 + mass(hung) * (far + heavy)
+    return Carried(
+        body.require(lowest - lean > 0.2, "the arm has no way forward"), 1.0 * moment, looks.turn()
+    )
+
+
+def two_arms(
+    head: Head, looks: ArmLooks, *, lower: Scalar, upper: Scalar, lean: Scalar, rise: Scalar, tilt: Scalar
+) -> Carried:
+    """Make two arms on a turret that springs balance, with a shade at their end.
+
+    Args:
+        head: The shade.
+        looks: How the arms look.
+        lower: Length of the lower arm [m].
+        upper: Length of the upper arm [m].
+        lean: How far the lower arm leans back at rest [rad].
+        rise: Angle of the upper arm from the vertical at rest [rad].
+        tilt: How far the shade looks forward at rest [rad].
+    """
+    hung = _hung(head, looks)
+    weight, heavy = GRAVITY * mass(hung), norm(center_of_mass(hung))
+    reach = head.reach + _HANG
+    first = arm("arm_lower", looks.style, lower, finish=looks.finish, outer=True, spring=_SPRING)
+    second = arm("arm_upper", looks.style, upper, finish=looks.finish, outer=False, spring=_SPRING)
+    own, beyond = GRAVITY * mass(first), GRAVITY * mass(second)
+    low, high = -lean - 0.42, 0.16
+    folded = _steepest(
+        (reach + _OVER - lower * math.cos(high)) / upper
+    )  # of the upper arm, the lower one at its most
+    bent = folded - high  # angle between the arms
+    straight = 0.45
+    elbow = vector(*_tip(lower, -lean)) + (0.0, 0.0, POST)
+    end = elbow + vector(*_tip(upper, rise))
+    turned = second.rotate(Y, rise).at(elbow)
+    turned = _headed(turned, hung, head, at=end, lean=rise, tilt=tilt)
+    between = rise + lean
+    ends = (low + straight, max_(high + bent, 1.6))
+    above = Load().lever(beyond, upper / 2.0, *ends).lever(weight, upper, *ends).free(weight, heavy)
+    bend = braked_hinge(
+        "arm_upper_hinge",
+        pivot=elbow,
+        limits=(straight - between, bent - between),
+        load=above,
+        feel=5.0,
+        reach=upper,
+        sprung=True,
+    )
+    below = Load().lever(own, lower / 2.0, low, high).lever(beyond + weight, lower, low, high)
+    below = below.lever(beyond, upper / 2.0, *ends).lever(weight, upper, *ends).free(weight, heavy)
+    swing = braked_hinge(
+        "arm_lower_hinge",
+        pivot=(0.0, 0.0, POST),
+        limits=(low + lean, high + lean),
+        load=below,
+        feel=5.0,
+        reach=lower,
+        sprung=True,
+        damping=0.1,
+    )
+    chain = first.rotate(Y, -lean).at(0.0, 0.0, POST).attach(turned, bend)
+    body = turret(looks.finish, height=POST, outer=False).attach(chain, swing)
+    far = lower * math.sin(high)
+    moment = (own * far / 2.0 + beyond * (far + upper / 2.0) + weight * (far + upper + heavy)) / GRAVITY
+    return Carried(
+        body.require(bent - between > 0.1, "the upper arm has no way down"), 1.0 * moment, looks.turn()
+    )
+
+
+def light_bar(looks: ArmLooks, *, length: Scalar, bar: Scalar, lean: Scalar) -> Carried:
+    """Make a bar of LEDs on an arm.
+
+    Args:
+        looks: How arm and bar look.
+        length: Of the arm [m].
+        bar: Length of the bar from its hinge [m].
+        lean: How far the arm leans back at rest [rad].
+    """
+    first = arm("arm_lower", looks.style, length, finish=looks.finish, outer=True)
+    shade = _bar(looks.finish, bar)
+    own, weight, heavy = GRAVITY * mass(first), GRAVITY * mass(shade), norm(center_of_mass(shade))
+    low, high = -lean - 0.45, 0.40
+    folded = _steepest((0.045 - length * math.cos(high)) / bar)
+    bent = min_(folded - high, 2.2)
+    top = vector(*_tip(length, -lean)) + (0.0, 0.0, POST)
+    between = math.pi / 2.0 + lean
+    straight = 0.35
+    ends = (low + straight, max_(high + bent, 1.6))
+    hinge = braked_hinge(
+        "shade_hinge",
+        pivot=top,
+        limits=(straight - between, bent - between),
+        load=Load().lever(weight, heavy, *ends),
+        feel=4.0,
+        reach=bar,
+    )
+    below = Load().lever(own, length / 2.0, low, high).lever(weight, length, low, high)
+    swing = braked_hinge(
+        "arm_lower_hinge",
+        pivot=(0.0, 0.0, POST),
+        limits=(low + lean, high + lean),
+        load=below.lever(weight, heavy, *ends),
+        feel=5.0,
+        reach=length,
+    )
+    chain = first.rotate(Y, -lean).at(0.0, 0.0, POST)
+    chain = chain.attach(shade.rotate(Y, math.pi / 2.0).at(top), hinge)
+    body = turret(looks.finish, height=POST, outer=False).attach(chain, swing)
+    far = length * math.sin(0.40)
+    moment = (own * far / 2.0 + weight * (far + heavy)) / GRAVITY
+    return Carried(body.require(bent - between > 0.15, "the bar has no way down"), 1.0 * moment, looks.turn())
+
+
+def _bar(finish: Material, length: Scalar) -> Body:
+    """Make the bar, upward from its hinge; its light shines to +x, which is down when it lies level."""
+    start, thick, width = 0.045, 0.011, 0.026
+    long = length - start
+    middle = start + long / 2.0
+    grip = frame((0.0, 0.0, middle), approach=Y, closing=(1.0, 0.0, 0.0))
+    case = box(thick, width, long, bevel=0.003).at(0.0, 0.0, middle)
+    neck = cylinder(0.0042, start + 0.004).at(0.0, 0.0, (start + 0.004) / 2.0)
+    glow = box(0.0016, width - 0.007, long - 0.016, bevel=0.0006).at(thick / 2.0 + 0.0002, 0.0, middle)
+    return weld(
+        part(case, "shade", finish.with_(name=f"{finish.name}_bar", density=900.0), grasp=grip),
+        part(neck, "shade", finish),
+        detail(glow, "bulb", _LIGHT),
+        *eyes(finish, label="shade", outer=False),
+    )
+
+
+def reading_arm(
+    head: Head, looks: ArmLooks, *, length: Scalar, lean: Scalar, tilt: Scalar, bore: Scalar, travel: Scalar
+) -> Carried:
+    """Make an arm on a clamp that slides and turns on a pole about z, the clamp at z = 0.
+
+    Args:
+        head: The shade.
+        looks: How the arm looks.
+        length: Of the arm [m].
+        lean: Its angle from the vertical at rest [rad].
+        tilt: How far the shade looks forward at rest [rad].
+        bore: Radius of the pole [m].
+        travel: How far the clamp slides up [m].
+    """
+    hung = _hung(head, looks)
+    weight, heavy = GRAVITY * mass(hung), norm(center_of_mass(hung))
+    reach = head.reach + _HANG
+    out = bore + 0.036
+    bar = arm("arm_lower", looks.style, length, finish=looks.finish, outer=False)
+    own = mass(bar)
+    # upright the shade would strike the pole: its hinge stays farther out than the shade reaches
+    sine = (reach + bore + 0.012 - out) / length
+    sine = require(
+        sine, sine < 0.95, "the shade strikes the pole: lower shade_radius, or raise arm_length or height"
+    )
+    low = atan2(sine, sqrt(1.0 - sine * sine))
+    high = 2.0
+    end = vector(*_tip(length, lean)) + (out, 0.0, 0.0)
+    placed = bar.rotate(Y, lean).at(out, 0.0, 0.0)
+    placed = _headed(placed, hung, head, at=end, lean=lean, tilt=tilt)
+    load = Load().lever(GRAVITY * own, length / 2.0, low, high).lever(weight, length, low, high)
+    hinge = braked_hinge(
+        "arm_lower_hinge",
+        pivot=(out, 0.0, 0.0),
+        limits=(low - lean, high - lean),
+        load=load.free(weight, heavy),
+        feel=5.0,
+        reach=length,
+    )
+    body = collar(looks.finish, bore=bore, out=out).attach(placed, hinge)
+    body = body.require(lean - low > 0.15, "the arm has no way up")
+    moment = own * (out + length / 2.0) + mass(hung) * (out + length + heavy)
+    joints = collar_joints(body, travel=travel, friction=looks.swivel_friction)
+    return Carried(body, 1.0 * moment, joints, reach - length * math.cos(high))

@@ -1,0 +1,156 @@
+"""Lamps that carry their shade on a socket: table lamps, floor lamps, tripods, and globes."""
+
+from dataclasses import dataclass
+
+from artgen import (
+    Body,
+    Float,
+    Material,
+    Revolute,
+    Scalar,
+    Y,
+    Z,
+    clamp,
+    cylinder,
+    max_,
+    part,
+    sphere,
+    tube,
+    weld,
+)
+from artgen.categories.lamp.bases import harp
+from artgen.categories.lamp.bulbs import lamp_holder
+from artgen.categories.lamp.lampshades import HUB, STUD, FabricShade, ShadeKind, drop_of
+from artgen.categories.lamp.pull_chain import KNOB, SPOUT, chain_pull, pull_chain, spout
+
+_GAP = 0.0004  # above and below the hub of a shade [m]
+_SEAT = 0.0027  # of the hub above the bar of a harp [m]
+_BOW = 0.042  # half of the width of a harp [m]
+_OUT = 0.046  # of the chain from the axis: a finger closes between it and the pole [m]
+_BELOW = 0.052  # of the middle of its knob under the shade, where a hand passes the rim [m]
+_OUTSIDE = 0.014  # of the same under the spout, at least: a knob is not drawn into it [m]
+_PULLED_INTO = (
+    "a pull chain would be pulled into what stands under it: take a larger height, or a smaller "
+    "chain_travel, shade_radius, shade_height or body_radius"
+)
+_HANGS_LOW = (
+    "the shade hangs down to the floor, the base or the switch on the cord: take a larger height, or a "
+    "smaller shade_radius or shade_height"
+)
+
+BESIDE = _OUT - KNOB[0]
+"""How far from the axis a lamp may reach without being under its chain [m]."""
+
+
+@dataclass(frozen=True)
+class Chain:
+    """A pull chain.
+
+    Attributes:
+        travel: How far it is pulled [m].
+        force: Of its spring when it is pulled out [N].
+        knob: What its knob is made of.
+        under: Height of what stands under it [m].
+    """
+
+    travel: Scalar
+    force: Scalar
+    knob: Material
+    under: Scalar
+
+
+def harp_rise(height: Scalar, kind: ShadeKind) -> Float:
+    """Return how far a harp stands above the mouth of its socket [m].
+
+    A cloth shade hides the socket: its rim is about 34 mm below the mouth. A dome ends near the mouth.
+
+    Args:
+        height: Of the shade [m].
+        kind: Its form.
+    """
+    below = 0.004 if kind == "dome" else drop_of(kind) + 0.037
+    return clamp(height - below, 0.112, 0.24)
+
+
+def crown(rise: Float) -> Float:
+    """Return how far the finial of a harp stands above the mouth of the socket [m]."""
+    return rise + 0.012 + 0.018
+
+
+def shaded(
+    base: Body,
+    shade: FabricShade,
+    *,
+    mouth: Scalar,
+    height: Scalar,
+    metal: Material,
+    friction: Scalar,
+    over: Scalar,
+    chain: Chain | None = None,
+) -> Body:
+    """Put a socket with its bulb, a harp and a shade on a base.
+
+    The shade rests on the harp, on whose stud it turns; its weight and the finial hold it by friction.
+
+    Args:
+        base: What stands on the floor.
+        shade: The shade.
+        mouth: Height of the mouth of the socket [m].
+        height: Of the shade [m].
+        metal: Of socket and harp.
+        friction: Against turning the shade [N m].
+        over: Height of what lies on the floor around the base [m].
+        chain: A pull chain at the socket, where there is one.
+    """
+    top = mouth + harp_rise(height, shade.kind)
+    bow = harp(
+        saddle=mouth - 0.005,
+        top=top,
+        half=_BOW,
+        metal=metal,
+        stud=HUB + _SEAT + 0.0003,
+        stud_radius=STUD,
+        finial=shade.kind != "dome",
+    )
+    bodies = [base, lamp_holder(metal).at(0.0, 0.0, mouth), *bow]
+    level = top + _SEAT + _GAP - shade.hub  # of the lower rim
+    if chain is not None:
+        bodies.append(_chained(chain, mouth, level, metal))
+    turn = Revolute("shade_turn", axis=Z, friction=friction, damping=0.01, armature=0.0002, effort=3.0)
+    cover = shade.body.at(0.0, 0.0, level).require(level > over, _HANGS_LOW)
+    return weld(*bodies).attach(cover, turn)
+
+
+def _chained(chain: Chain, mouth: Scalar, rim: Scalar, metal: Material) -> Body:
+    """Make the switch beside a socket with its chain, in front."""
+    outlet = mouth - 0.048
+    hang = max_(outlet - rim + _BELOW, _OUTSIDE)
+    long = _OUT - SPOUT + 0.001
+    stem = cylinder(0.0042, long, axis=Y).at(0.0, -0.5 * long, mouth - 0.030)
+    switch = weld(part(stem, "socket", metal), spout(chain.travel, metal).at(0.0, -_OUT, outlet))
+    pull = pull_chain(chain.travel, hang, finish=metal, knob=chain.knob).at(0.0, -_OUT, outlet)
+    lowest = outlet - hang - KNOB[1] / 2.0 - chain.travel
+    pull = pull.require(lowest > chain.under + 0.001, _PULLED_INTO)
+    return switch.attach(pull, chain_pull(chain.travel, force=chain.force))
+
+
+def globed(base: Body, *, top: Scalar, radius: Scalar, glass: Material, metal: Material) -> Body:
+    """Put a globe of opal glass, which hides its bulb, on a base whose top is at a height.
+
+    Args:
+        base: What stands on the floor.
+        top: Height at which the fitter begins [m].
+        radius: Of the globe [m].
+        glass: Of the globe; it weighs what a globe of 3 mm glass weighs.
+        metal: Of the fitter.
+    """
+    opal = glass.with_(name=f"{glass.name}_globe", density=230.0)  # 3 mm of 2500 kg/m3 at 0.1 m
+    cup = tube(0.030, 0.026, 0.016, bevel=0.0012).at(0.0, 0.0, top + 0.008)
+    floor = cylinder(0.029, 0.004, bevel=0.0012).at(0.0, 0.0, top + 0.002)
+    sunk = 0.010 - 0.0045  # where a globe of 0.1 m enters a ring of 26 mm
+    return weld(
+        base,
+        part(sphere(radius).at(0.0, 0.0, top + sunk + radius), "shade", opal),
+        part(cup, "socket", metal),
+        part(floor, "socket", metal),
+    )

@@ -1,0 +1,251 @@
+"""A microwave oven with its turntable, and a door that a handle or a button opens.
+
+The door hangs at its left. Links: `body`; `door`; `plate` on its coupler, and the `roller_ring` under it;
+`key_0`, ... in rows of three; `dial`, or `dial_0`, ...; where no handle is on the door, `button` and the
+`latch` that it lifts. Joints: `door_hinge`, `plate_spin`, `ring_spin`, `key_slide_0`, ..., `dial_turn`
+(numbered where there are several), `button_slide` and `latch_slide`.
+
+Two hooks of the door reach into the frame of the cavity. Pawls of the latch lie before their barbs, so that
+the door opens only while the button is pressed; a spring then throws it open by 0.3 rad, and from there it
+stays where it is left, as a door with a handle does everywhere. Wheels roll between the floor and the plate:
+their ring turns half as fast as the plate.
+
+Sizes are those of countertop ovens of 17-32 litres: 0.44-0.60 x 0.32-0.45 x 0.25-0.34 m and 10-18 kg; plates
+of 245-315 mm.
+"""
+
+from typing import Literal, get_args
+
+from artgen import (
+    Body,
+    Float,
+    Material,
+    by,
+    category,
+    choice,
+    coloured,
+    details,
+    material,
+    require,
+    shades,
+    uniform,
+    weld,
+)
+from artgen.categories.microwave.case import Case
+from artgen.categories.microwave.controls import Controls, Panel
+from artgen.categories.microwave.door import Door, FaceStyle, HandleKind, Latches
+from artgen.categories.microwave.space import Space
+from artgen.categories.microwave.turntable import Turntable
+from artgen.categories.shared.appliances.finish import cabinet_finish, fronts, grip_metals
+from artgen.categories.shared.controls.buttons import ButtonShape
+from artgen.categories.shared.controls.dials import DialStyle
+from artgen.categories.shared.hardware.bar_handles import BarStyle
+from artgen.nodes.details.displays import Color
+
+Look = Literal["stainless", "dark_steel", "white", "black", "pastel"]
+"""Families of finishes, as of other appliances."""
+
+_LOOKS: tuple[Look, ...] = get_args(Look)
+_FINISH, _METAL = fronts(*_LOOKS), grip_metals(*_LOOKS)
+_CAVITIES = {
+    "grey": coloured("enamel", "light_grey").with_(name="cavity_grey", specular_roughness=0.35),
+    "ivory": coloured("enamel", "ivory").with_(name="cavity_ivory", specular_roughness=0.35),
+    "steel": material("stainless").with_(
+        name="cavity_steel", base_color=(0.74, 0.735, 0.73), specular_roughness=0.32
+    ),
+}
+_BLACK = material("black_glass")
+_WHITE = material("black_glass").with_(name="white_glass", base_color=(0.80, 0.80, 0.79))
+_CAPS = {
+    "stainless": coloured("abs", "silver"),
+    "dark_steel": coloured("abs", "graphite"),
+    "white": coloured("abs", "light_grey"),
+    "black": coloured("abs", "anthracite"),
+    "pastel": coloured("abs", "ivory"),
+}
+_LININGS = {  # those of other looks are of the finish
+    look: coloured("abs", color).with_(name=f"door_lining_{color}")
+    for look, color in (
+        ("stainless", "graphite"),
+        ("dark_steel", "anthracite"),
+        ("black", "anthracite"),
+    )
+}
+_KNOBS = (  # caps of plastic under a skin of metal
+    *(material(name).with_(name=f"{name}_cap", density=1100.0) for name in ("aluminium", "chrome")),
+    material("black_abs"),
+    material("brushed_aluminium").with_(name="brushed_cap", density=1100.0),
+)
+
+
+@category(
+    labels=(
+        "body", "cavity", "foot", "vent", "light", "wave_guide_cover", "rating_plate", "screw", "cord",
+        "door", "window", "mesh", "handle", "hinge", "latch", "panel", "display", "print", "button", "dial",
+        "plate", "coupler", "roller_ring",
+    ),
+    joints=(5, 17),
+)  # fmt: skip
+def microwave(
+    *,
+    controls: Controls = choice("keypad", "mixed", "dials", weights=(0.5, 0.28, 0.22)),
+    look: Look = by(
+        "controls",
+        dials=choice(*_LOOKS, weights=(1.0, 0.3, 1.6, 0.8, 2.4)),
+        otherwise=choice(*_LOOKS, weights=(2.4, 0.7, 1.4, 1.0, 1.0)),
+    ),
+    handle: HandleKind = by(
+        "look",
+        stainless=choice("pocket", "none", "bar", weights=(0.25, 0.3, 0.45)),
+        dark_steel=choice("none", "pocket", "bar", weights=(0.3, 0.25, 0.45)),
+        white=choice("bar", "pocket", "none", weights=(0.25, 0.3, 0.45)),
+        black=choice("none", "bar", "pocket", weights=(0.35, 0.35, 0.3)),
+        pastel=choice("pocket", "none", "bar", weights=(0.15, 0.35, 0.5)),
+        doc="none has a button that opens the door",
+    ),
+    face: FaceStyle = by(
+        "look",
+        stainless=choice("framed", "glass", "banded", weights=(0.4, 0.2, 0.4)),
+        dark_steel=choice("framed", "glass", "banded", weights=(0.3, 0.4, 0.3)),
+        white=choice("framed", "glass", weights=(0.75, 0.25)),
+        black=choice("framed", "glass", weights=(0.4, 0.6)),
+        pastel="framed",
+    ),
+    width: Float = uniform(0.44, 0.60, "m", within=(0.43, 0.66)),
+    height: Float = uniform(0.25, 0.34, "m", within=(0.245, 0.38)),
+    depth: Float = by(
+        "handle",
+        bar=uniform(0.375, 0.45),
+        otherwise=uniform(0.330, 0.42),
+        unit="m",
+        doc="of everything, a handle included",
+        within=(0.32, 0.5),
+    ),
+    panel: Float = uniform(0.098, 0.128, "m", doc="width of the control panel", within=(0.094, 0.16)),
+    door_thickness: Float = uniform(0.0345, 0.040, "m", within=(0.034, 0.05)),
+    border: Float = uniform(0.030, 0.052, "m", doc="above and below the window", within=(0.026, 0.08)),
+    foot: Float = uniform(0.008, 0.014, "m", doc="height of the feet", within=(0.006, 0.02)),
+    plate: Float = uniform(0.93, 1.0, doc="of the largest plate that turns in the cavity", within=(0.7, 1.0)),
+    finish: Material = _FINISH,
+    metal: Material = _METAL,
+    bar: BarStyle = by(
+        "look",
+        pastel=choice("bow", "arched", "round"),
+        otherwise=choice("round", "square", "bow", "strap", "arched"),
+    ),
+    cavity: Literal["grey", "ivory", "steel"] = choice("grey", "ivory", "steel", weights=(0.45, 0.25, 0.3)),
+    keys: int = by(
+        "controls",
+        keypad=choice(6, 9, 12, weights=(0.25, 0.35, 0.4)),
+        mixed=choice(3, 6),
+        dials=0,
+        doc="in rows of three",
+    ),
+    key_shape: ButtonShape = choice("bar", "square", "pill", weights=(0.45, 0.25, 0.3)),
+    key_travel: Float = uniform(0.0010, 0.0015, "m", within=(0.0005, 0.003)),
+    key_force: Float = uniform(2.0, 4.0, "N"),
+    dials: int = by("controls", keypad=0, mixed=1, dials=choice(2, 3, weights=(0.75, 0.25))),
+    dial_style: DialStyle = choice("round", "fluted", "bar", "skirted", "capped"),
+    dial_radius: Float = by(
+        "dials",
+        {2: uniform(0.018, 0.023), 3: uniform(0.0165, 0.019)},
+        otherwise=uniform(0.0165, 0.021),
+        unit="m",
+        within=(0.012, 0.026),
+    ),
+    knob: Material = shades(*_KNOBS, color=0.03, roughness=0.03, doc="of dials"),
+    eject_travel: Float = uniform(0.0042, 0.0050, "m", doc="of the button that opens the door"),
+    eject_force: Float = uniform(8.0, 14.0, "N", doc="that presses it home"),
+    swing: Float = uniform(1.55, 1.70, "rad", within=(1.2, 1.75)),
+    pull: Float = uniform(10.0, 22.0, "N", doc="at the handle, to begin to open the door"),
+    pop: Float = uniform(2.0, 3.5, "N", doc="of the spring of a door without a handle, at its latches"),
+    plate_friction: Float = uniform(0.02, 0.05, "N m", doc="of the rollers and the motor's gears"),
+    show: str = by(
+        "controls",
+        dials="",
+        otherwise=choice("12:00", "9:41", "0:30", "2:05", "18:20"),
+        doc="what the display shows; none where it is empty",
+    ),
+    figures: Color = choice("green", "white", "cyan", "amber", "red", "lcd"),
+    air: Literal["left", "right"] = choice("left", "right", doc="side of the larger vent"),
+    watts: int = choice(1050, 1150, 1200, 1270, 1350, 1450),
+    maker: str = choice(*details.BRANDS),
+    signed: Literal["door", "panel"] = choice("door", "panel", doc="where the maker's name is"),
+) -> Body:
+    """Make a microwave oven, closed: door, latch, turntable, keys, dials."""
+    require(key_shape != "round", "keys are wider than high: key_shape must be bar, square or pill")
+    girth, projection = 0.0072, 0.034
+    space = Space(
+        width=width,
+        height=height,
+        depth=depth,
+        projection=projection + girth if handle == "bar" else 0.0 * depth,
+        thickness=door_thickness,
+        panel=panel,
+        foot=foot,
+    )
+    glass = _WHITE if look == "white" and face == "glass" else _BLACK
+    latches = Latches(space)
+    case = Case(
+        space,
+        finish=cabinet_finish(look, finish),
+        inside=_CAVITIES[cavity],
+        stuffing=740.0,
+        slots=latches.slots,
+        vents=air,
+        maker=maker,
+        watts=watts,
+    )
+    left = space.across[0] - space.door[0] + 0.008
+    right = space.door[1] - space.across[1] + 0.010
+    leaf = Door(
+        space,
+        face=face,
+        handle=handle,
+        bar=bar,
+        finish=finish,
+        glass=glass,
+        metal=metal,
+        inside=_LININGS.get(look, finish),
+        border=(left, right + (0.036 if handle == "pocket" else 0.0), border, border),
+        maker=maker if signed == "door" else "",
+    )
+    front = Panel(
+        space,
+        face=face,
+        finish=finish,
+        glass=glass,
+        keys=keys,
+        shape=key_shape,
+        cap=_CAPS[look],
+        dials=dials,
+        dial=dial_style,
+        radius=dial_radius,
+        knob=knob,
+        metal=metal,
+        travel=key_travel,
+        force=key_force,
+        eject=handle == "none",
+        eject_travel=eject_travel,
+        eject_force=eject_force,
+        show=show,
+        color=figures,
+        maker=maker if signed == "panel" else "",
+    )
+    x, y = space.middle
+    table = Turntable(plate * space.reach, x, y, space.floor, plate_friction)
+
+    body = weld(case.body(), front.body(), table.shaft())
+    if handle == "none":
+        press = front.press()
+        hinge = leaf.hinge(swing=swing, pull=pop, needs=latches.frees(press), sprung=True)
+        body = body.attach(front.button(), press).attach(latches.pawls(), latches.slide(press))
+    else:
+        hinge = leaf.hinge(swing=swing, pull=pull, needs=None)
+    body = body.attach(leaf.body(latches), hinge)
+    spin = table.spin()
+    body = body.attach(table.plate(), spin).attach(table.ring(), table.roll(spin))
+    return front.joined(body).require(
+        front.room >= 0.0,
+        "dials do not fit over keys and button: raise height, or lower keys, dials or dial_radius",
+    )

@@ -1,0 +1,384 @@
+"""The control panel of a microwave oven: display, keypad, dials, and the button that opens the door."""
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Literal
+
+from artgen import (
+    Body,
+    Joint,
+    Material,
+    Profile,
+    Scalar,
+    Solid,
+    Span,
+    board,
+    detail,
+    details,
+    part,
+    rectangle,
+    weld,
+)
+from artgen.categories.microwave.door import PANE, FaceStyle
+from artgen.categories.microwave.space import EDGE, Space
+from artgen.categories.shared.appliances.finish import filled
+from artgen.categories.shared.controls.buttons import (
+    PLAY,
+    ButtonShape,
+    button_outline,
+    button_press,
+    push_button,
+)
+from artgen.categories.shared.controls.dials import DialStyle, dial, dial_print, dial_turn
+from artgen.categories.shared.controls.panels import ink_on
+from artgen.nodes.details.displays import Color
+
+Controls = Literal["keypad", "mixed", "dials"]
+"""Keys, keys with one dial, or dials alone."""
+
+_LAP = 0.0005
+_UNDER = 0.0003  # from the face that is seen to the boards under it [m]
+_FACE = 0.0165  # thickness of the face with the channels of keys [m]
+_DEEP = 0.0085  # of caps behind the face [m]
+_MARGIN = 0.0105  # from the edges of the panel to what is on it [m]
+_BAND = 0.030  # of the finish at top and bottom of a banded front [m]
+_PITCH = 0.0200  # of rows of keys [m]
+_KEY = 0.0138  # height of a key [m]
+_EJECT = 0.030  # height of the button that opens the door [m]
+_SCREEN = 0.026  # height of the display [m]
+_APART = 0.011  # between display, controls and button [m]
+
+_DIGITS = ("1", "2", "3", "4", "5", "6", "7", "8", "9", "stop", "0", "play")
+_PROGRAMS = ("cup", "pizza", "fish", "chicken", "bread", "defrost", "carrot", "plate", "grill")
+_STARTS = ("timer", "stop", "start_pause")
+
+
+def key_names(count: int) -> tuple[str, ...]:
+    """Return what is on keys in rows of three: figures where there are enough, programs above or instead."""
+    if count >= len(_DIGITS):
+        return (*_PROGRAMS[: count - len(_DIGITS)], *_DIGITS)
+    return (*_PROGRAMS[: count - len(_STARTS)], *_STARTS) if count else ()
+
+
+@dataclass(frozen=True)
+class Panel:
+    """What is on a control panel.
+
+    Attributes:
+        space: The measures of the oven.
+        face: How the front is divided.
+        finish: Of the front.
+        glass: Of panes.
+        keys: How many keys there are, in rows of three.
+        shape: Of their caps.
+        cap: Of keys and the button.
+        dials: How many dials there are, one below the other.
+        dial: Their style.
+        radius: Of the dials [m].
+        knob: What dials are made of.
+        metal: Of caps of dials.
+        travel: Of keys [m].
+        force: That presses a key home [N].
+        eject: Whether a button opens the door.
+        eject_travel: Of that button [m].
+        eject_force: That presses it home [N].
+        show: What the display shows; `""` for none.
+        color: Of its figures.
+        maker: Whose name is above the display; `""` for none.
+    """
+
+    space: Space
+    face: FaceStyle
+    finish: Material
+    glass: Material
+    keys: int
+    shape: ButtonShape
+    cap: Material
+    dials: int
+    dial: DialStyle
+    radius: Scalar
+    knob: Material
+    metal: Material
+    travel: Scalar
+    force: Scalar
+    eject: bool
+    eject_travel: Scalar
+    eject_force: Scalar
+    show: str
+    color: Color
+    maker: str
+
+    @cached_property
+    def _x(self) -> Span:
+        return (self.space.split, self.space.half - EDGE)
+
+    @cached_property
+    def _middle(self) -> Scalar:
+        return (self._x[0] + self._x[1]) / 2.0
+
+    @cached_property
+    def _wide(self) -> Scalar:
+        """The width of what is on the panel [m]."""
+        return self._x[1] - self._x[0] - 2.0 * _MARGIN
+
+    @cached_property
+    def _ends(self) -> Span:
+        """The lowest and highest of what is on the panel [m]."""
+        low, high = self.space.tall
+        edge = _BAND + 0.004 if self.face == "banded" else _MARGIN
+        return (low + edge, high - edge)
+
+    @cached_property
+    def _rows(self) -> int:
+        return -(-self.keys // 3)
+
+    @cached_property
+    def _screen(self) -> Scalar:
+        """The middle of the display, along z [m]."""
+        return self._ends[1] - (0.010 if self.maker else 0.0) - _SCREEN / 2.0
+
+    @cached_property
+    def _room(self) -> Span:
+        """What is left between the display and the button, along z [m]."""
+        low, high = self._ends
+        top = self._screen - _SCREEN / 2.0 - _APART if self.show else high - (0.012 if self.maker else 0.0)
+        return (low + _EJECT + _APART if self.eject else low, top)
+
+    @cached_property
+    def _key(self) -> Scalar:
+        """The width of a key [m]."""
+        return self._pitch - 0.0056
+
+    @cached_property
+    def _pitch(self) -> Scalar:
+        return self._wide / 3.0
+
+    @cached_property
+    def _grid(self) -> list[tuple[Scalar, Scalar]]:
+        """The middles of the keys, x and z [m]."""
+        low, high = self._room
+        tall = (self._rows - 1) * _PITCH
+        # keys alone are in the middle of the room; under a dial they are at its lower end
+        last = low + _KEY / 2.0 if self.dials else (low + high - tall) / 2.0
+        return [
+            (self._middle + (index % 3 - 1) * self._pitch, last + (self._rows - 1 - index // 3) * _PITCH)
+            for index in range(self.keys)
+        ]
+
+    @cached_property
+    def _turned(self) -> list[tuple[Scalar, Scalar]]:
+        """The middles of the dials, x and z [m]."""
+        high, step = self._room[1], self._step
+        return [(self._middle, high - (number + 0.5) * step) for number in range(self.dials)]
+
+    @cached_property
+    def _step(self) -> Scalar:
+        """The height that each dial has [m]."""
+        low, high = self._room
+        if self.keys:
+            low = low + self._rows * _PITCH
+        return (high - low) / max(self.dials, 1)
+
+    @property
+    def room(self) -> Scalar:
+        """How much higher than needed what is left for dials is; negative where they do not fit [m]."""
+        return self._step - 2.0 * self.radius if self.dials else self._step
+
+    @cached_property
+    def _button(self) -> Scalar:
+        """The middle of the button, along z [m]."""
+        return self._ends[0] + _EJECT / 2.0
+
+    @cached_property
+    def _fields(self) -> list[tuple[Span, Span]]:
+        """The channels in which keys and button move, along x and z, from the lowest up [m]."""
+        play = PLAY + 0.0006
+        half = self._wide / 2.0 + play
+        fields = []
+        if self.eject:
+            tall = _EJECT / 2.0 + play
+            fields.append(
+                ((self._middle - half, self._middle + half), (self._button - tall, self._button + tall))
+            )
+        if self.keys:
+            beside = self._pitch + self._key / 2.0 + play
+            tall = _KEY / 2.0 + play
+            last, first = self._grid[-1][1], self._grid[0][1]
+            fields.append(((self._middle - beside, self._middle + beside), (last - tall, first + tall)))
+        return fields
+
+    def _boards(self) -> list[Solid]:
+        """Make the boards around the channels, just under the face that is seen, and the back."""
+        space, (left, right) = self.space, self._x
+        low, high = space.tall
+        y = (space.front + _UNDER, space.front + _FACE)
+        inside = (y[0] + _UNDER, y[1] - _UNDER)
+        x, z = (left + _UNDER, right - _UNDER), (low + _UNDER, high - _UNDER)
+        solids = [
+            board(
+                (left + 0.001, right - 0.001), (y[1] - _LAP, space.mouth + _LAP), (low + 0.001, high - 0.001)
+            )
+        ]
+        if not self._fields:
+            return [*solids, board(x, y, z)]
+        between = self._fields[0][0]  # the widest is the lowest
+        solids += [board((x[0], between[0]), y, z), board((between[1], x[1]), y, z)]
+        edges = [z[0] + _LAP, *(edge for _, field in self._fields for edge in field), z[1] - _LAP]
+        across = (between[0] - _LAP, between[1] + _LAP)
+        return solids + [
+            board(across, inside, (edges[index], edges[index + 1])) for index in range(0, len(edges), 2)
+        ]
+
+    def _front(self) -> Solid:
+        """Make the face with its channels as it is seen."""
+        (left, right), (low, high) = self._x, self.space.tall
+        x, z = (left + right) / 2.0, (low + high) / 2.0
+        outline = rectangle(right - left, high - low)
+        for (x0, x1), (z0, z1) in self._fields:
+            outline = outline - rectangle(x1 - x0, z1 - z0).at((x0 + x1) / 2.0 - x, (z0 + z1) / 2.0 - z)
+        middle = (x, self.space.front + _FACE / 2.0, z)
+        return details.relief(outline, middle, proud=_FACE / 2.0, sunk=_FACE / 2.0, bevel=0.0014)
+
+    def body(self) -> Body:
+        """Make the panel with its print, to be welded to the case."""
+        stuff = filled(self.finish, 240.0, "panel")
+        return weld(
+            *(part(each, "panel", stuff) for each in self._boards()),
+            detail(self._front(), "panel", self.finish),
+            *self._printed(),
+        )
+
+    @cached_property
+    def _dark(self) -> Material:
+        """What lies around the keys."""
+        return self.finish if self.face == "framed" and not self.show else self.glass
+
+    def _pane(self) -> Profile:
+        """Return the outline of the pane about the middle of the panel, with holes for keys and button."""
+        low, high = self.space.tall
+        level = (low + high) / 2.0
+        wide = self._x[1] - self._x[0]
+        match self.face:
+            case "framed":
+                pane = rectangle(wide - 0.008, high - low - 0.008, radius=0.005)
+            case "glass":
+                pane = rectangle(wide - 0.003, high - low - 0.003, radius=0.003)
+            case "banded":
+                pane = rectangle(wide - 0.0006, high - low - 2.0 * _BAND)
+        holes = [
+            button_outline(self.shape, self._key + 2.0 * PLAY, _KEY + 2.0 * PLAY).at(
+                x - self._middle, z - level
+            )
+            for x, z in self._grid
+        ]
+        if self.eject:
+            hole = button_outline("bar", self._wide + 2.0 * PLAY, _EJECT + 2.0 * PLAY)
+            holes.append(hole.at(0.0, self._button - level))
+        for hole in holes:
+            pane = pane - hole
+        return pane
+
+    def _printed(self) -> list[Body]:
+        """Make pane, display, scales of dials and the name, which are only seen."""
+        space, bodies = self.space, []
+        low, high = space.tall
+        face = self._dark
+        pane = details.relief(
+            self._pane(), (self._middle, space.front, (low + high) / 2.0), proud=PANE, sunk=0.0006
+        )
+        bodies.append(detail(pane, "panel", face))
+        ink, plane = ink_on(face), space.front - PANE
+        if self.show:
+            bodies.append(
+                details.display(
+                    self.show,
+                    self._wide,
+                    _SCREEN,
+                    at=(self._middle, plane, self._screen),
+                    color=self.color,
+                )
+            )
+        if self.maker:
+            word = details.logo(self.maker, 0.0042)
+            bodies.append(details.printed(word, (self._middle, plane, self._ends[1] - 0.0035), material=ink))
+        for number, (x, z) in enumerate(self._turned):
+            style: Literal["numbers", "ticks", "band"] = ("band", "ticks", "numbers")[number % 3]
+            scale = dial_print(self.radius, ink=ink, style=style, count=8)
+            bodies.append(scale.at(x, plane, z))
+            sign = details.icon(("microwave", "timer", "defrost")[number % 3], 0.0085)
+            bodies.append(
+                details.printed(
+                    sign, (x - self._wide / 2.0 + 0.006, plane, z + self.radius + 0.006), material=ink
+                )
+            )
+        return bodies
+
+    def button(self) -> Body:
+        """Make the button that opens the door: the link `button`."""
+        at = (self._middle, self.space.front, self._button)
+        cap = push_button(
+            finish=self.cap,
+            shape="bar",
+            width=self._wide,
+            height=_EJECT,
+            proud=self.eject_travel + 0.0016,
+            deep=_DEEP,
+            name="button",
+        )
+        word = details.lettering(["OPEN"], 0.0052, tracking=0.25)
+        out = -(self.eject_travel + 0.0016)
+        return weld(cap, details.printed(word, (0.0, out, 0.0), material=ink_on(self.cap))).at(*at)
+
+    def press(self) -> Joint:
+        """Make the joint of that button, which lifts the latches against their springs."""
+        at = (self._middle, self.space.front, self._button)
+        return button_press(
+            travel=self.eject_travel,
+            preload=0.16 * self.eject_force,
+            force=self.eject_force,
+            damping=8.0,
+            effort=30.0,
+            pivot=at,
+        )
+
+    def joined(self, body: Body) -> Body:
+        """Join keys and dials to the body that has the panel."""
+        for number, ((x, z), name) in enumerate(zip(self._grid, key_names(self.keys), strict=True)):
+            at = (x, self.space.front, z)
+            proud = PANE + self.travel + 0.0006
+            ink = ink_on(self.cap)
+            cap = push_button(
+                finish=self.cap,
+                shape=self.shape,
+                width=self._key,
+                height=_KEY,
+                proud=proud,
+                deep=_DEEP,
+                icon="" if name.isdigit() else name,
+                ink=None if name.isdigit() else ink,
+                name=f"key_{number}",
+            )
+            if name.isdigit():
+                figure = details.lettering([name], 0.0058)
+                cap = weld(cap, details.printed(figure, (0.0, -proud, 0.0), material=ink))
+            # the domes under the keys of a foil hardly push at rest
+            press = button_press(
+                f"key_slide_{number}", travel=self.travel, preload=0.3, force=self.force, pivot=at
+            )
+            body = body.attach(cap.at(at), press)
+        for number, (x, z) in enumerate(self._turned):
+            tail = f"_{number}" if self.dials > 1 else ""
+            at = (x, self.space.front - PANE, z)
+            knob = dial(
+                finish=self.knob,
+                style=self.dial,
+                radius=self.radius,
+                depth=0.020,
+                mark=ink_on(self.knob),
+                cap=self.metal,
+                name=f"dial{tail}",
+                label="dial",
+            )
+            turn = dial_turn(f"dial_turn{tail}", endless=True, pivot=at)
+            body = body.attach(knob.at(at), turn)
+        return body

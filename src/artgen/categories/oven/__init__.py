@@ -1,0 +1,305 @@
+"""An oven, built into a kitchen cabinet or as a range with burners on top, with its racks.
+
+The door hangs at its lower edge. Springs carry it, and friction holds it where it is left, as for grilling.
+Links: `body`; `door`; `rack_0` (the lowest), ..., as many as there are, one of which may be a deep pan;
+`dial`, or `dial_0`, ... from left to right; under the oven of a range the `drawer`; over gas burners
+`grate_0`, .... Joints: `door_hinge`, `rack_slide_0`, ..., `dial_turn` (numbered where there are several),
+`drawer_slide` and `grate_lift_0`, ....
+
+Racks lie on rods at the sides. They come out once the door is open so far that it has left their way, which
+is computed from their heights and from how far they come; behind the closed door they have the play up to it.
+
+Sizes are those of EN 60350 ovens for niches of 60 cm, fronts 595 mm, and of ranges of 60-76 cm (24 and 30 in)
+whose burners are 85-92 cm high. Masses: 30-45 kg built in, 45-90 kg for ranges.
+"""
+
+from typing import Literal, get_args
+
+from artgen import (
+    Body,
+    Float,
+    Material,
+    by,
+    category,
+    choice,
+    coloured,
+    count,
+    details,
+    material,
+    require,
+    shades,
+    uniform,
+    weld,
+)
+from artgen.categories.oven.body import Cabinet
+from artgen.categories.oven.door import BEHIND, Door, HandleKind, Window
+from artgen.categories.oven.drawer import Drawer
+from artgen.categories.oven.panel import Panel
+from artgen.categories.oven.racks import Racks, element
+from artgen.categories.oven.space import Build, Space
+from artgen.categories.oven.top import BurnerKind, Top
+from artgen.categories.shared.appliances.finish import cabinet_finish, fronts, grip_metals
+from artgen.categories.shared.controls.dials import DialStyle
+from artgen.categories.shared.hardware.bar_handles import BarStyle
+from artgen.nodes.details.displays import Color
+
+Look = Literal["stainless", "dark_steel", "white", "black", "pastel"]
+"""Families of finishes, as of other appliances."""
+
+_LOOKS: tuple[Look, ...] = get_args(Look)
+_FINISH, _METAL = fronts(*_LOOKS), grip_metals(*_LOOKS)
+_ENAMELS = (
+    coloured("enamel", "anthracite").with_(name="cavity_anthracite", specular_roughness=0.22),
+    coloured("enamel", "slate").with_(name="cavity_slate", specular_roughness=0.22),
+    coloured("enamel", "navy").with_(name="cavity_blue", specular_roughness=0.22),
+)
+_KNOBS = (  # caps of plastic under a skin of metal
+    *(
+        material(name).with_(name=f"{name}_cap", density=1100.0)
+        for name in ("stainless", "aluminium", "chrome", "satin_brass")
+    ),
+    material("black_abs"),
+    coloured("abs", "light_grey"),
+)
+_CHROME = material("chrome").with_(name="rack_chrome", density=15000.0)  # with the wires that are only seen
+_PAN = coloured("enamel", "anthracite").with_(name="pan_enamel", density=2200.0)  # of 0.6 mm, drawn 2.2 thick
+_RACKS_MEET = (
+    "racks would meet each other, or the heating element over them: the cavity is too low for so many, raise "
+    "height, lower hinge_height or panel, or take fewer racks or pan=False"
+)
+_DRAWER_MEETS = (
+    "the handle of the open door would meet the drawer: lower drawer_travel or depth, or raise height"
+)
+_LEVELS = {1: (2,), 2: (1, 3), 3: (1, 2, 4)}  # at which racks are, by their number
+
+
+@category(
+    labels=(
+        "body", "cavity", "top", "trim", "kick_plate", "foot", "rail", "seal", "light", "element",
+        "fan_cover", "vent", "screw", "rating_plate", "cord", "panel", "display", "print", "dial", "door",
+        "window", "handle", "hinge", "rack", "pan", "drawer", "burner", "burner_cap", "igniter",
+        "zone", "grate",
+    ),
+    joints=(2, 14),
+)  # fmt: skip
+def oven(
+    *,
+    build: Build = choice("built_in", "range", weights=(0.48, 0.52)),
+    look: Look = by(
+        "build",
+        built_in=choice(*_LOOKS, weights=(2.0, 1.0, 1.2, 1.2, 0.9)),
+        range=choice(*_LOOKS, weights=(2.0, 0.7, 1.4, 0.9, 1.8)),
+    ),
+    window: Window = by(
+        "look",
+        pastel=choice("partial", "none", weights=(0.8, 0.2)),
+        white=choice("none", "partial", "full", weights=(0.2, 0.5, 0.3)),
+        otherwise=choice("none", "partial", "full", weights=(0.08, 0.5, 0.42)),
+        doc="in the door; full is a front of glass",
+    ),
+    handle: HandleKind = by(
+        "look",
+        pastel=choice("bar", "box", weights=(0.8, 0.2)),
+        otherwise=choice("bar", "box", weights=(0.65, 0.35)),
+    ),
+    burner: BurnerKind = by(
+        "build",
+        built_in="gas",
+        range=choice("gas", "radiant", "induction", weights=(0.55, 0.25, 0.2)),
+        doc="on a range",
+    ),
+    burners: int = by("build", built_in=0, range=choice(4, 5, weights=(0.65, 0.35))),
+    drawer: bool = by(
+        "build",
+        built_in=False,
+        range=choice(True, False, weights=(0.7, 0.3)),
+        doc="whether a drawer is below the oven",
+    ),
+    racks: int = choice(1, 2, 3, weights=(0.25, 0.45, 0.3)),
+    pan: bool = choice(False, True, weights=(0.55, 0.45), doc="whether the second rack is a deep pan"),
+    width: Float = by(
+        "build",
+        built_in=uniform(0.56, 0.60),
+        range=by("burners", {4: uniform(0.60, 0.70)}, otherwise=uniform(0.68, 0.76)),
+        unit="m",
+        within=(0.55, 0.92),
+    ),
+    height: Float = by(
+        "build",
+        built_in=uniform(0.600, 0.640),
+        range=uniform(0.85, 0.92),
+        unit="m",
+        doc="without grates",
+        within=(0.59, 0.95),
+    ),
+    depth: Float = by(
+        "build",
+        built_in=uniform(0.560, 0.620),
+        range=uniform(0.600, 0.650),
+        unit="m",
+        doc="of everything, the handle included",
+        within=(0.55, 0.72),
+    ),
+    door_thickness: Float = uniform(0.038, 0.046, "m", within=(0.036, 0.055)),
+    hinge_height: Float = by(
+        "build",
+        built_in=uniform(0.076, 0.082),
+        range=uniform(0.215, 0.245),
+        unit="m",
+        doc="of the axis of the door",
+        within=(0.074, 0.30),
+    ),
+    panel: Float = uniform(0.090, 0.112, "m", doc="height of the control panel", within=(0.085, 0.13)),
+    wall: Float = uniform(0.050, 0.062, "m", doc="from the sides to the cavity", within=(0.045, 0.09)),
+    window_width: Float = uniform(0.72, 0.94, doc="of the cavity's", within=(0.4, 0.95)),
+    window_height: Float = by(
+        "window",
+        full=uniform(0.84, 1.0),
+        otherwise=uniform(0.62, 0.86),
+        doc="of the room for it",
+        within=(0.4, 1.0),
+    ),
+    finish: Material = _FINISH,
+    metal: Material = _METAL,
+    enamel: Material = shades(*_ENAMELS, weights=(3, 1.5, 1.5), color=0.05, doc="of the cavity"),
+    bar: BarStyle = by(
+        "look",
+        pastel=choice("bow", "arched", "round"),
+        otherwise=choice("round", "square", "bow", "strap", "arched"),
+    ),
+    handle_length: Float = uniform(0.70, 0.90, doc="of the width", within=(0.4, 0.95)),
+    projection: Float = uniform(0.038, 0.046, "m", doc="of the handle", within=(0.036, 0.055)),
+    convection: bool = choice(True, False, weights=(0.7, 0.3), doc="whether a fan is behind its back wall"),
+    dials: int = by(
+        "build",
+        built_in=choice(0, 1, 2, 3, weights=(0.25, 0.1, 0.45, 0.2)),
+        range=by(
+            "burner",
+            gas=by("burners", {4: choice(5, 6)}, otherwise=6),
+            otherwise=by(
+                "burners", {4: choice(0, 4, 5, 6, weights=(0.25, 0.15, 0.35, 0.25))}, otherwise=choice(0, 6)
+            ),
+        ),
+        doc="those of the burners first",
+    ),
+    dial_style: DialStyle = choice("round", "fluted", "bar", "skirted", "capped"),
+    dial_radius: Float = by(
+        "build",
+        built_in=uniform(0.0200, 0.0245),
+        range=uniform(0.0195, 0.0235),
+        unit="m",
+        within=(0.014, 0.026),
+    ),
+    dial_friction: Float = uniform(0.04, 0.09, "N m", doc="of switches with detents, or of greased taps"),
+    knob: Material = shades(*_KNOBS, weights=(2, 1.5, 1, 0.4, 2, 0.6), color=0.03, roughness=0.03),
+    show: str = by(
+        "dials",
+        {
+            0: choice("12:30", "180", "7:45", "220"),
+            6: by("build", built_in="", range=choice("", "12:30", weights=(0.7, 0.3))),
+        },
+        otherwise=choice("", "12:30", "7:45", "18:05", weights=(0.3, 0.3, 0.2, 0.2)),
+        doc="what the display shows; none where it is empty",
+    ),
+    figures: Color = choice("white", "red", "amber", "cyan", "green"),
+    mirrored: bool = choice(False, True, doc="whether the large burners are on the right"),
+    brass: bool = choice(False, True, weights=(0.75, 0.25), doc="whether gas burners are of brass"),
+    swing: Float = uniform(1.54, 1.57, "rad", within=(1.53, 1.5707)),
+    pull: Float = uniform(16.0, 24.0, "N", doc="at the handle, to begin to open the door"),
+    travel: Float = uniform(0.30, 0.36, "m", doc="of the racks", within=(0.2, 0.37)),
+    rack_friction: Float = uniform(3.0, 7.0, "N"),
+    drawer_travel: Float = uniform(
+        0.68, 0.80, doc="of the drawer, as a share of its depth", within=(0.3, 0.82)
+    ),
+    drawer_friction: Float = uniform(6.0, 14.0, "N"),
+    watts: int = count(2100, 3600),
+    maker: str = choice(*details.BRANDS),
+    signed: Literal["door", "panel"] = choice("door", "panel", doc="where the maker's name is"),
+) -> Body:
+    """Make an oven or a range, closed: door, racks, drawer, dials."""
+    girth = 0.0080
+    require(not drawer or build == "range", "a drawer is below the door of a range: drawer must be False")
+    if build == "range":
+        hinge_height = require(
+            hinge_height, hinge_height > 0.18, "there is a drawer below the door: hinge_height over 0.18 m"
+        )
+        height = require(height, height >= 0.8, "a range stands on the floor: height at least 0.8 m")
+    space = Space(
+        build=build,
+        width=width,
+        height=height,
+        depth=depth,
+        projection=projection + BEHIND,
+        thickness=door_thickness,
+        hinge_height=hinge_height,
+        panel=panel,
+        wall=wall,
+        swing=swing,
+        slide=travel,
+    )
+    glass = material("black_glass")
+    sides = coloured("powder_coat", "anthracite") if build == "range" else material("zinc")
+    cabinet = Cabinet(
+        space,
+        cabinet_finish(look, finish) if look in ("white", "pastel") and build == "range" else sides,
+        enamel,
+        wool=390.0 if build == "built_in" else 315.0,
+        bay=drawer,
+        finish=finish,
+        convection=convection,
+        maker=maker,
+        watts=watts,
+    )
+    leaf = Door(
+        space,
+        window=window,
+        across=window_width,
+        tall=window_height,
+        handle=handle,
+        bar=bar,
+        length=handle_length * width,
+        projection=projection,
+        girth=girth,
+        finish=finish,
+        glass=glass,
+        metal=metal,
+        maker=maker if signed == "door" else "",
+    )
+    front = Panel(
+        space,
+        finish=finish,
+        pane=window == "full" and look != "stainless",
+        dials=dials,
+        burners=max(dials - 2, 0) if not burners else min(burners, dials),
+        style=dial_style,
+        radius=dial_radius,
+        knob=knob,
+        metal=metal,
+        friction=dial_friction,
+        show=show,
+        color=figures,
+        maker=maker if signed == "panel" else "",
+    )
+    inside, levels = Racks(space, _CHROME, _PAN, rack_friction), _LEVELS[racks]
+
+    body = weld(cabinet.body(), front.body(), inside.rails(levels), element(space))
+    body = body.require(inside.apart(levels, pan=pan), _RACKS_MEET)
+    pans = Drawer(space, finish, metal, 0.24 * width, drawer_travel, drawer_friction)
+    if drawer:
+        body = weld(body, pans.runners())
+    if build == "range":
+        top = Top(space, burner, burners, mirrored, finish, brass, maker, drawer)
+        body = top.joined(weld(body, top.body()))
+    hinge = leaf.hinge(pull)
+    body = body.attach(leaf.body(), hinge)
+    for number, level in enumerate(levels):
+        deep = pan and number == 1
+        name = f"rack_{number}"
+        rack = inside.pan(name, level) if deep else inside.rack(name, level)
+        clear = space.angle_over(inside.low(level, pan=deep))
+        needs = (hinge > clear).beyond(space.play)
+        body = body.attach(rack, inside.slide(f"rack_slide_{number}", needs))
+    if drawer:
+        body = body.attach(pans.body(), pans.slide())
+        body = body.require(pans.before < leaf.handle_before - 0.001, _DRAWER_MEETS)
+    return front.joined(body)

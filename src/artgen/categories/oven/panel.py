@@ -1,0 +1,216 @@
+"""The control panel of an oven: a display and touch keys between dials, each with its scale."""
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Literal
+
+from artgen import Body, Joint, Material, Scalar, board, details, material, part, weld
+from artgen.categories.oven.space import LAP, Space
+from artgen.categories.shared.appliances.finish import filled
+from artgen.categories.shared.controls.dials import DialStyle, dial, dial_print, dial_turn
+from artgen.categories.shared.controls.panels import PANE, icon_row, ink_on, inlay, lamp_row, places
+from artgen.nodes.details.displays import Color
+
+SWEEP = 4.7
+"""How far a dial turns from off [rad]."""
+
+_START = 0.45  # from the top, where off is, to the first place of a scale [rad]
+_DEEP = 0.030  # thickness of the panel [m]
+_FUNCTIONS = ("heat_both", "heat_bottom", "grill", "hot_air", "defrost", "oven_light")
+_BLACK = material("black_glass")
+_TOUCH = ("power", "minus", "timer", "clock", "plus", "child_lock")
+
+
+@dataclass(frozen=True)
+class Panel:
+    """What is on a panel.
+
+    Attributes:
+        space: The measures of the oven.
+        finish: Of its face.
+        pane: Whether a pane of black glass lies on it.
+        dials: How many dials there are.
+        burners: How many of them belong to burners.
+        style: Of the dials.
+        radius: Of the dials [m].
+        knob: What dials are made of.
+        metal: Of their caps.
+        friction: That holds them [N m].
+        show: What the display shows; `""` for none.
+        color: Of its figures.
+        maker: Whose name is on it; `""` for none.
+    """
+
+    space: Space
+    finish: Material
+    pane: bool
+    dials: int
+    burners: int
+    style: DialStyle
+    radius: Scalar
+    knob: Material
+    metal: Material
+    friction: Scalar
+    show: str
+    color: Color
+    maker: str
+
+    @cached_property
+    def _level(self) -> Scalar:
+        """The middle of the panel, along z [m]."""
+        return (self.space.panel_low + self.space.panel_high) / 2.0
+
+    @cached_property
+    def _half(self) -> Scalar:
+        return self.space.half - (0.0015 if self.space.build == "range" else 0.0)
+
+    @cached_property
+    def _screen(self) -> tuple[Scalar, Scalar]:
+        """Width and height of the display [m]."""
+        high = 0.30 * self.space.panel
+        return (2.9 * high, high)
+
+    @cached_property
+    def _aside(self) -> Scalar:
+        """Half of what the display takes with its touch keys, along x [m]."""
+        if not self.show:
+            return 0.0 * self.space.width
+        return self._screen[0] / 2.0 + 0.012
+
+    @cached_property
+    def _at(self) -> list[Scalar]:
+        """The middles of the dials, from left to right [m]."""
+        if not self.dials:
+            return []
+        end = self._half - 0.020 - self.radius
+        if not self.show:
+            step = 2.0 * end / max(self.dials, 3)
+            return places(self.dials, step)
+        left = (self.dials + 1) // 2
+        right = self.dials - left
+        start = self._aside + self.radius + 0.012
+        room = end - start
+        row = []
+        for count, way in ((left, -1), (right, 1)):
+            # one or two are in the middle of their side, more of them fill it
+            step = room / max(count - 1, 2)
+            first = start + (room - (count - 1) * step) / 2.0
+            found = [way * (first + number * step) for number in range(count)]
+            row += found[::-1] if way < 0 else found
+        return row
+
+    def body(self) -> Body:
+        """Make the panel with its print, to be welded to the cabinet."""
+        space, half = self.space, self._half
+        front = space.front
+        face = board(
+            (-half, half),
+            (front, front + _DEEP),
+            (space.panel_low, space.panel_high - 0.0006),
+            bevel=0.0020,
+        )
+        behind = board(
+            (0.002 - half, half - 0.002),
+            (front + _DEEP - LAP, space.mouth + LAP),
+            (space.panel_low + 0.001, space.panel_high - 0.001),
+        )
+        return weld(
+            part(face, "panel", filled(self.finish, 260.0, "panel")),
+            part(behind, "panel", filled(material("powder_coat_black"), 150.0, "panel")),
+            *(each.at(0.0, front, self._level) for each in self._printed()),
+        )
+
+    def _printed(self) -> list[Body]:
+        """Make pane, display, touch keys, scales and the name on the plane y = 0, about the middle."""
+        bodies = []
+        high = self.space.panel
+        face = _BLACK if self.pane else self.finish
+        proud: Scalar = PANE if self.pane else 0.0
+        if self.pane:
+            bodies.append(inlay(2.0 * self._half - 0.006, high - 0.008, finish=face, radius=0.004))
+        ink = ink_on(face)
+        if self.show:
+            bodies += self._display(high)
+        if not self.dials:
+            # all is done by touch: signs at both sides
+            for way, names in ((-1, _FUNCTIONS), (1, _TOUCH)):
+                row = [way * (self._aside + 0.030 + number * 0.038) for number in range(4)]
+                bodies.append(icon_row(names[:4], row, height=0.0125, ink=ink, proud=proud))
+                bodies.append(lamp_row(row, level=-0.016, lit=1 if way < 0 else 9, proud=proud))
+        for number, x in enumerate(self._at):
+            bodies.append(self._scale(number, ink).at(x, -proud, 0.0))
+        if self.maker:
+            bodies.append(self._name(ink, proud))
+        return bodies
+
+    def _display(self, high: Scalar) -> list[Body]:
+        """Make the display over its three touch keys, on a pane of its own where the panel has none."""
+        wide, tall = self._screen
+        keys = places(3, 0.30 * wide)
+        names = ("minus", "timer", "plus")
+        return [
+            *([] if self.pane else [inlay(wide + 0.012, 0.80 * high, radius=0.004)]),
+            details.display(self.show, wide, tall, at=(0.0, -PANE, 0.13 * high), color=self.color),
+            icon_row(names, keys, height=0.0085, level=-0.24 * high, ink=ink_on(_BLACK), proud=PANE),
+        ]
+
+    def _scale(self, number: int, ink: Material) -> Body:
+        """Print the scale around a dial: fan signs of the oven's first, temperatures, or heat of a burner."""
+        last = self.dials - self.burners
+        sweep = SWEEP - _START
+        of_oven = number >= self.burners
+        off = details.lettering(["0"], 0.0042)
+        up = self.radius + 0.0052
+        bodies = [details.printed(off.at(0.0, up), (0.0, 0.0, 0.0), material=ink)]
+        style: Literal["numbers", "ticks", "band", "icons"] = "band"
+        if of_oven:
+            style = "icons" if number == self.burners and last > 1 else "ticks"
+        if style == "icons":
+            scale = dial_print(
+                self.radius,
+                ink=ink,
+                style="icons",
+                icons=_FUNCTIONS,
+                sweep=sweep,
+                start=_START,
+                height=0.0034,
+            )
+        else:
+            scale = dial_print(self.radius, ink=ink, style=style, count=6, sweep=sweep, start=_START)
+        bodies.append(scale)
+        sign = "oven" if of_oven and self.burners else ("" if of_oven else "flame")
+        if of_oven and not self.burners and style == "ticks":
+            sign = "thermometer"
+        if sign:
+            mark = details.icon(sign, 0.0085).at(0.0, -self.radius - 0.0115)
+            bodies.append(details.printed(mark, (0.0, 0.0, 0.0), material=ink))
+        return weld(*bodies)
+
+    def _name(self, ink: Material, proud: Scalar) -> Body:
+        """Print the maker's name at the right end, or in the middle where there is no display."""
+        word = details.logo(self.maker, 0.0058)
+        tall = 0.5 * self.space.panel - 0.0105
+        x = 0.0 if self.show else -self._half + 0.055
+        return details.printed(word, (x, -proud, -tall), material=ink)
+
+    def joined(self, body: Body) -> Body:
+        """Join the dials to a body that has the panel."""
+        proud: Scalar = PANE if self.pane else 0.0
+        for number, x in enumerate(self._at):
+            tail = f"_{number}" if self.dials > 1 else ""
+            at = (x, self.space.front - proud, self._level)
+            knob = dial(
+                finish=self.knob,
+                style=self.style,
+                radius=self.radius,
+                depth=0.022,
+                mark=ink_on(self.knob),
+                cap=self.metal,
+                name=f"dial{tail}",
+                label="dial",
+            )
+            body = body.attach(knob.at(at), self._turn(f"dial_turn{tail}", at))
+        return body
+
+    def _turn(self, name: str, at: tuple[Scalar, Scalar, Scalar]) -> Joint:
+        return dial_turn(name, low=0.0, high=SWEEP, friction=self.friction, pivot=at)

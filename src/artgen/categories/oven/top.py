@@ -1,0 +1,176 @@
+"""The top of a range: gas burners under grates that lift off, or glass with its zones."""
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Literal
+
+from artgen import (
+    Body,
+    Material,
+    Scalar,
+    Y,
+    Z,
+    board,
+    detail,
+    details,
+    extrude,
+    material,
+    min_,
+    part,
+    rectangle,
+    weld,
+)
+from artgen.categories.oven.space import LAP, TOP, UNDER, Space
+from artgen.categories.shared.appliances.finish import DARK, filled
+from artgen.categories.shared.controls.panels import ink_on
+from artgen.categories.shared.cooktops.burners import (
+    ALUMINIUM,
+    BRASS,
+    ZONE_RADIUS,
+    gas_burner,
+    induction_zone,
+    printed_zones,
+    radiant_zone,
+)
+from artgen.categories.shared.cooktops.grates import grates
+from artgen.categories.shared.cooktops.plan import Plan
+
+BurnerKind = Literal["gas", "radiant", "induction"]
+"""Flames, or glowing bands or coils under glass."""
+
+_EDGE = 0.020  # from the edges of the top to the field of the burners [m]
+_VENT = 0.046  # from the back edge to that field: where the oven lets its steam out [m]
+_GLASS = 0.005
+_LIP = 0.12  # depth of its front edge, which is hollow: the less is in it, the less is below the oven [m]
+
+
+@dataclass(frozen=True)
+class TopPlan(Plan):
+    """Burners that have all of a top but its border: their dials are on the panel."""
+
+    @cached_property
+    def field(self) -> tuple[Scalar, Scalar, Scalar, Scalar]:
+        """Left, right, front and back of the field with the burners [m]."""
+        x, y = self.width / 2.0 - _EDGE, self.depth / 2.0
+        return (-x, x, _EDGE - y, y - _VENT)
+
+
+@dataclass(frozen=True)
+class Top:
+    """The top of a range.
+
+    Attributes:
+        space: The measures of the range.
+        kind: What heats.
+        burners: How many burners there are.
+        mirrored: Whether the large burners are on the right.
+        finish: Of a top of sheet, and of the edge of one of glass.
+        brass: Whether gas burners are of brass.
+        maker: Whose name is on glass; `""` for none.
+        drawer: Whether a drawer is below, and no panel of sheet.
+    """
+
+    space: Space
+    kind: BurnerKind
+    burners: int
+    mirrored: bool
+    finish: Material
+    brass: bool
+    maker: str
+    drawer: bool
+
+    @cached_property
+    def _deep(self) -> tuple[Scalar, Scalar]:
+        """The front and the back of the top, along y [m]."""
+        return (self.space.front - 0.004, self.space.rear - 0.0006)
+
+    @cached_property
+    def _y(self) -> Scalar:
+        """The middle of the top, along y [m]."""
+        return (self._deep[0] + self._deep[1]) / 2.0
+
+    @cached_property
+    def _plan(self) -> TopPlan:
+        front, back = self._deep
+        return TopPlan(self.burners, 2, 0, "front", self.space.width, back - front, 0.02, 0.07, self.mirrored)
+
+    def body(self) -> Body:
+        """Make the top with its burners or zones, to be welded to the cabinet."""
+        space, plan = self.space, self._plan
+        wide, deep = space.width, plan.depth
+        thick = TOP - 0.0004
+        outline = rectangle(wide, deep, radius=0.010)
+        low = space.height - thick
+        glass = self.kind != "gas"
+        half = 0.5 * (thick - (_GLASS if glass else 0.0))
+        slab = details.relief(
+            outline, (0.0, 0.0, low + half), facing=Z, up=Y, proud=half, sunk=half, bevel=0.0028
+        )
+        bodies = [detail(slab, "top", self.finish), *self._tray(low)]
+        if glass:
+            pane = extrude(rectangle(wide - 0.010, deep - 0.010, radius=0.008), _GLASS + 0.001, bevel=0.0014)
+            bodies.append(part(pane.align((0.0, 0.0, space.height), z=1), "top", material("black_glass")))
+            bodies += self._zones()
+        else:
+            border = rectangle(wide - 0.004, deep - 0.004, radius=0.009)
+            border = border - rectangle(wide - 0.020, deep - 0.020, radius=0.007)
+            rim = details.relief(border, (0.0, 0.0, space.height), facing=Z, proud=0.0018, bevel=0.0014)
+            bodies.append(detail(rim, "top", self.finish))
+            cap = material("enamel_black").with_(name="cap_enamel", specular_roughness=0.5)
+            metal = BRASS if self.brass else ALUMINIUM
+            bodies += [
+                gas_burner(each.size, spreader=metal, cap=cap).at(each.x, each.y, space.height)
+                for each in plan.places
+            ]
+        slots = details.vent_slots(0.62 * wide, 0.014, 34, slot=0.0060)
+        at = (0.0, deep / 2.0 - 0.024, space.height)
+        bodies.append(detail(details.relief(slots, at, facing=Z, proud=0.0003), "vent", DARK))
+        return weld(*bodies).at(0.0, self._y, 0.0)
+
+    def _tray(self, low: Scalar) -> list[Body]:
+        """Make what carries the burners, as boards just under the surface; its front edge is hollow."""
+        x, y = self.space.width / 2.0 - UNDER, self._plan.depth / 2.0 - UNDER
+        z = (low + UNDER, self.space.height - UNDER)
+        edge = -y + _LIP
+        return [
+            part(board((-x, x), (edge, y), z), "top", filled(self.finish, 560.0, "top")),
+            part(
+                board((LAP - x, x - LAP), (-y, edge + LAP), (z[0] + LAP, z[1])),
+                "top",
+                filled(self.finish, 150.0 if self.drawer else 420.0, "edge"),
+            ),
+        ]
+
+    def _zones(self) -> list[Body]:
+        plan, top = self._plan, self.space.height
+        ink = ink_on(material("black_glass"))
+        zones = []
+        for place in plan.places:
+            radius = min_(ZONE_RADIUS[place.size], 0.92 * place.reach)
+            film = (
+                radiant_zone(radius, dual=place.size in ("large", "wok"))
+                if self.kind == "radiant"
+                else induction_zone(radius, style="cross")
+            )
+            zones.append((place, film))
+        bodies = [printed_zones(zones, top, ink)]
+        if self.maker:
+            word = details.logo(self.maker, 0.008)
+            at = (0.0, -0.5 * plan.depth + 0.022, top)
+            bodies.append(details.printed(word, at, material=ink, facing=Z))
+        return bodies
+
+    def joined(self, body: Body) -> Body:
+        """Join the grates of gas burners, which lift off, to a body that has the top."""
+        if self.kind != "gas":
+            return body
+        made = grates(
+            self._plan.columns,
+            plate=self.space.height,
+            style="continuous",
+            iron=material("cast_iron"),
+            feet=material("rubber"),
+        )
+        for grate, lift in made:
+            body = body.attach(grate.at(0.0, self._y, 0.0), lift)
+        return body

@@ -1,0 +1,205 @@
+"""A pepper mill: a turned body whose head, or whose crank, turns the burr in its foot.
+
+Links: `body`; `top`, which is a bulb, a disc or a ball, or else `crank` with its `knob`. Joints: `top_turn`
+or `crank_turn`, and `knob_spin` about the pin of a knob; none has limits. Shaft and male burr turn with what
+a hand turns; the burr is seen from below.
+
+Grinding takes 0.1 to 0.4 N m, which is modelled as dry friction: it acts only while the mill turns, and holds
+the head where it is left. Sizes are those of household catalogues (Peugeot, Cole & Mason, Zassenhaus): 12-18
+cm for the table, to 40 cm for restaurants, 50-72 mm wide; a beech mill of 18 cm weighs 0.25 kg.
+"""
+
+from typing import Literal
+
+from artgen import (
+    Body,
+    Float,
+    Material,
+    by,
+    category,
+    choice,
+    details,
+    require,
+    shades,
+    uniform,
+    weld,
+)
+from artgen.categories.pepper_grinder.bodies import INSET, Content, capped, clear, ring, wooden
+from artgen.categories.pepper_grinder.finish import (
+    CLEAR,
+    LACQUER_WEIGHTS,
+    LACQUERS,
+    METAL_WEIGHTS,
+    METALS,
+    STEEL_WEIGHTS,
+    STEELS,
+    WOOD_WEIGHTS,
+    WOODS,
+)
+from artgen.categories.pepper_grinder.forms import HEAD_HEIGHT, BodyForm, Top, end_radius, fitting
+from artgen.categories.pepper_grinder.marks import Mark, letter_mark, maker_mark, word_mark
+from artgen.categories.pepper_grinder.works import Crank, Finial, HeadLooks, crank, head, head_turn
+
+Build = Literal["wood", "lacquer", "steel", "clear"]
+
+_STRAIGHT = ("cylinder",)  # what a clear tube looks like
+_RINGS = {"table": 9, "kitchen": 13, "restaurant": 19}
+
+
+@category(
+    labels=(
+        "body",
+        "mechanism",
+        "ring",
+        "cap",
+        "peppercorns",
+        "top",
+        "shaft",
+        "burr",
+        "finial",
+        "crank",
+        "knob",
+        "screw",
+        "print",
+    ),
+    joints=(1, 2),
+)
+def pepper_grinder(
+    *,
+    style: BodyForm = choice(
+        "classic",
+        "baluster",
+        "hourglass",
+        "tower",
+        "cone",
+        "barrel",
+        "spool",
+        "ripple",
+        "cylinder",
+        weights=(0.16, 0.10, 0.12, 0.08, 0.09, 0.07, 0.08, 0.07, 0.23),
+    ),
+    top: Top = by(
+        "style",
+        classic=choice("bulb", "ball", "crank", weights=(0.7, 0.15, 0.15)),
+        baluster=choice("bulb", "ball", "crank", weights=(0.45, 0.3, 0.25)),
+        hourglass=choice("bulb", "disc", "ball", weights=(0.2, 0.6, 0.2)),
+        tower=choice("disc", "ball", "bulb", weights=(0.5, 0.3, 0.2)),
+        cone=choice("disc", "ball", "crank", weights=(0.45, 0.35, 0.2)),
+        barrel=choice("disc", "crank", weights=(0.35, 0.65)),
+        cylinder=choice("disc", "ball", "crank", weights=(0.6, 0.2, 0.2)),
+        otherwise=choice("bulb", "ball", weights=(0.65, 0.35)),
+        doc="what turns: a head, or a crank on a cap",
+    ),
+    build: Build = by(
+        "style",
+        cylinder=choice("wood", "lacquer", "steel", "clear", weights=(0.12, 0.13, 0.20, 0.55)),
+        hourglass=choice("wood", "lacquer", "steel", weights=(0.36, 0.36, 0.28)),
+        cone=choice("wood", "lacquer", "steel", weights=(0.45, 0.25, 0.3)),
+        otherwise=choice("wood", "lacquer", weights=(0.56, 0.44)),
+        doc="what the body is made of; a clear one shows what is in it",
+    ),
+    size: Literal["table", "kitchen", "restaurant"] = by(
+        "top",
+        crank="table",
+        disc=choice("table", "kitchen", "restaurant", weights=(0.45, 0.43, 0.12)),
+        otherwise=choice("table", "kitchen", "restaurant", weights=(0.35, 0.45, 0.2)),
+    ),
+    height: Float = by(
+        "size",
+        table=uniform(0.125, 0.175),
+        kitchen=uniform(0.185, 0.26),
+        restaurant=uniform(0.29, 0.385),
+        unit="m",
+        within=(0.12, 0.40),
+        doc="to the top of the head, below its nut",
+    ),
+    diameter: Float = by(
+        "size",
+        table=uniform(0.050, 0.060),
+        kitchen=uniform(0.053, 0.064),
+        restaurant=uniform(0.060, 0.072),
+        unit="m",
+        within=(0.05, 0.075),
+    ),
+    head_height: Float = by(
+        "top",
+        disc=uniform(0.75, 1.5),
+        crank=1.0,
+        otherwise=uniform(0.92, 1.12),
+        doc="over what its drawing has",
+        within=(0.6, 1.8),
+    ),
+    finish: Material = by(
+        "build",
+        wood=shades(*WOODS, weights=WOOD_WEIGHTS, color=0.12),
+        lacquer=shades(*LACQUERS, weights=LACQUER_WEIGHTS, color=0.05),
+        steel=shades(*STEELS, weights=STEEL_WEIGHTS, color=0.02),
+        clear=shades(*CLEAR, weights=(0.8, 0.2), color=0.0),
+    ),
+    ends: Material = by(
+        "build",
+        clear=shades(*WOODS, *STEELS, weights=(*WOOD_WEIGHTS, *STEEL_WEIGHTS), color=0.05),
+        steel=shades(*STEELS, *WOODS, weights=(*STEEL_WEIGHTS, *WOOD_WEIGHTS), color=0.04),
+        otherwise=shades(*WOODS, color=0.06),
+        doc="of the head, foot and collar of a clear mill, of the head of a steel one, of a crank's knob",
+    ),
+    metal: Material = choice(*METALS, weights=METAL_WEIGHTS, doc="of the nut, the ring and a crank"),
+    finial: Finial = choice("nut", "ball", "cap", weights=(0.4, 0.35, 0.25)),
+    ringed: bool = by("top", crank=False, otherwise=choice(True, False, weights=(0.45, 0.55))),
+    crank_reach: Float = uniform(0.052, 0.068, "m", doc="from the axis to the knob", within=(0.045, 0.09)),
+    knob_radius: Float = uniform(0.0105, 0.0130, "m", within=(0.009, 0.016)),
+    friction: Float = uniform(0.10, 0.40, "N m", doc="of peppercorns between the burrs", within=(0.02, 0.8)),
+    knob_friction: Float = uniform(0.001, 0.003, "N m", doc="of a crank's knob on its pin"),
+    content: Content = by(
+        "build",
+        clear=choice("pepper", "salt", "mixed", weights=(0.6, 0.25, 0.15)),
+        otherwise=choice("pepper", "salt", weights=(0.7, 0.3)),
+    ),
+    mark: Mark = by(
+        "top",
+        disc=choice("none", "letter", "word", weights=(0.45, 0.35, 0.2)),
+        otherwise=by("build", wood="none", otherwise=choice("none", "word", weights=(0.7, 0.3))),
+        doc="how it says what is in it",
+    ),
+    maker: str = choice(*details.BRANDS),
+) -> Body:
+    """Make a pepper or salt mill: a head that turns, or a crank with its knob."""
+    least = 0.91 if top == "ball" else 0.0
+    head_height = require(
+        head_height, head_height >= least, f"a ball is no lower: head_height at least {least:g}"
+    )
+    require(
+        mark != "letter" or top == "disc",
+        f"a letter is printed on a flat head: mark=letter has top=disc only, not {top}",
+    )
+    require(build != "clear" or style in _STRAIGHT, "a clear tube is straight: style must be cylinder")
+    radius = diameter / 2.0
+    crown = head_height * HEAD_HEIGHT[top] * radius
+    tall = height - crown  # of the body
+    tall = require(
+        tall, tall > 1.2 * radius, "there is no room for a body below: raise height, or lower head_height"
+    )
+    if build == "clear":
+        body = clear(radius, tall, finish, ends, content=content, rings=_RINGS[size])
+    else:
+        body = wooden(style, radius, tall, finish)
+    if ringed:
+        body = weld(body, ring(end_radius(style) * radius + 0.0004, tall - 0.0032, tall - 0.0006, metal))
+    solid = ends if build == "clear" else finish
+    body = weld(body, maker_mark(maker, style, radius, tall, solid))
+    word = "salt" if content == "salt" else "pepper"
+    if mark == "word":
+        around = radius - INSET if build == "clear" else radius
+        body = weld(body, word_mark(word, style, around, tall, finish))
+
+    looks = HeadLooks(
+        ends if build in ("clear", "steel") or top == "crank" else finish, metal, finial, fitting(style, top)
+    )
+    if top == "crank":
+        body = capped(body, style, radius, tall, crown, metal)
+        turning = crank(Crank(crank_reach, knob_radius, knob_friction), height, looks)
+        return body.attach(turning, head_turn("crank_turn", friction))
+    turning = head(top, radius, tall, crown, looks)
+    if mark == "letter":
+        turning = weld(turning, letter_mark(word, radius, height, looks.finish))
+    return body.attach(turning, head_turn("top_turn", friction))

@@ -1,0 +1,178 @@
+"""Silhouettes of pepper mills: bodies and heads as a turner draws them, in waves, coves, beads and knees.
+
+A form is a list of runs, each smooth, which meet in knees, in shares of the mill's radius and height.
+"""
+
+import math
+from typing import Literal
+
+from artgen import Scalar
+from artgen.categories.shared.vessels.turned import Drawn, Run, drawn
+
+BodyForm = Literal[
+    "classic", "baluster", "hourglass", "tower", "cone", "barrel", "spool", "ripple", "cylinder"
+]
+"""The outline of a mill's body."""
+
+Top = Literal["bulb", "disc", "ball", "crank"]
+"""What turns: a turned bulb, a flat disc, a ball, or a crank on a domed cap."""
+
+_FOOT: list[list[Drawn]] = [
+    [(0.96, 0.0, 0.0), (1.0, 0.0, 0.10), (0.97, 0.0, 0.30)],
+    [(0.89, 0.0, 0.30), (0.89, 0.0, 0.37)],
+]
+_PLAIN: list[Drawn] = [(0.97, 0.0, 0.0), (1.0, 0.0, 0.05)]
+_COLLAR: list[list[Drawn]] = [  # the bead on which a head turns
+    [(0.74, 1.0, -0.21), (0.80, 1.0, -0.19), (0.83, 1.0, -0.10), (0.80, 1.0, 0.0)],
+]
+_WIDE: list[list[Drawn]] = [[(0.90, 1.0, -0.12), (0.90, 1.0, 0.0)]]
+
+_BODIES: dict[str, list[list[Drawn]]] = {
+    "classic": [
+        *_FOOT,
+        [
+            (0.93, 0.0, 0.37),
+            (0.88, 0.06, 0.42),
+            (0.68, 0.34, 0.20),
+            (0.60, 0.56, 0.10),
+            (0.62, 0.76, -0.02),
+            (0.72, 1.0, -0.26),
+        ],
+        *_COLLAR,
+    ],
+    "baluster": [
+        *_FOOT,
+        [(0.72, 0.0, 0.40), (0.66, 0.05, 0.46), (0.78, 0.16, 0.42), (0.93, 0.32, 0.20), (0.86, 0.48, 0.08)],
+        [(0.90, 0.48, 0.10), (0.92, 0.48, 0.18), (0.88, 0.48, 0.26)],
+        [(0.80, 0.48, 0.29), (0.62, 0.62, 0.14), (0.58, 0.78, 0.0), (0.72, 1.0, -0.26)],
+        *_COLLAR,
+    ],
+    "hourglass": [
+        _PLAIN,
+        [
+            (1.0, 0.0, 0.05),
+            (0.97, 0.10, 0.05),
+            (0.76, 0.36, 0.0),
+            (0.68, 0.56, 0.0),
+            (0.74, 0.78, 0.0),
+            (0.88, 1.0, 0.0),
+        ],
+    ],
+    "tower": [
+        [(1.0, 0.0, 0.0), (1.0, 0.0, 0.22)],
+        [(0.92, 0.0, 0.22), (0.92, 0.0, 0.30), (0.86, 0.0, 0.44)],
+        [(0.79, 0.0, 0.44), (0.70, 0.5, 0.1), (0.66, 1.0, -0.44)],
+        [(0.74, 1.0, -0.44), (0.80, 1.0, -0.36), (0.74, 1.0, -0.28)],
+        [(0.82, 1.0, -0.28), (0.88, 1.0, 0.0)],
+    ],
+    "cone": [_PLAIN, [(1.0, 0.0, 0.05), (0.78, 1.0, 0.0)]],
+    "barrel": [
+        [(0.80, 0.0, 0.0), (0.84, 0.0, 0.06)],
+        [(0.86, 0.0, 0.06), (0.96, 0.2, 0.04), (1.0, 0.46, 0.0), (0.96, 0.74, 0.0), (0.84, 1.0, -0.08)],
+        [(0.80, 1.0, -0.08), (0.80, 1.0, 0.0)],
+    ],
+    "spool": [
+        *_FOOT,
+        [(0.92, 0.0, 0.37), (0.72, 0.20, 0.20), (0.68, 0.32, 0.10), (0.82, 0.5, -0.10)],
+        [(0.88, 0.5, -0.10), (0.93, 0.5, 0.0), (0.88, 0.5, 0.10)],
+        [(0.82, 0.5, 0.10), (0.66, 0.68, -0.08), (0.64, 0.80, -0.08), (0.76, 1.0, -0.24)],
+        *_COLLAR,
+    ],
+    "ripple": [
+        [(0.96, 0.0, 0.0), (1.0, 0.0, 0.08), (0.97, 0.0, 0.20)],
+        *(
+            [
+                (0.86 - 0.12 * share, share, 0.20 - 0.42 * share),
+                (0.97 - 0.11 * share, share + 0.08, 0.20 - 0.42 * (share + 0.08)),
+                (0.97 - 0.12 * share, share + 0.16, 0.20 - 0.42 * (share + 0.16)),
+                (0.86 - 0.12 * share, share + 0.25, 0.20 - 0.42 * (share + 0.25)),
+            ]
+            for share in (0.0, 0.25, 0.5, 0.75)
+        ),
+        *_COLLAR,
+    ],
+    "cylinder": [
+        _PLAIN,
+        [(1.0, 0.0, 0.05), (1.0, 0.0, 0.42)],
+        [(0.975, 0.0, 0.42), (0.975, 0.0, 0.46)],
+        [(1.0, 0.0, 0.46), (1.0, 1.0, -0.04)],
+        [(1.0, 1.0, -0.04), (0.97, 1.0, 0.0)],
+    ],
+}
+
+_BALL = [math.radians(angle) for angle in (-52.0, -26.0, 0.0, 30.0, 60.0, 82.0)]
+
+_HEADS: dict[str, list[list[Drawn]]] = {
+    "bulb": [
+        [(0.78, 0.0, 0.0), (0.82, 0.0, 0.08), (0.78, 0.0, 0.17)],
+        [(0.66, 0.0, 0.17), (0.50, 0.0, 0.32), (0.48, 0.0, 0.45), (0.54, 0.0, 0.55)],
+        [
+            (0.60, 0.0, 0.55),
+            (0.78, 0.30, 0.42),
+            (0.84, 0.60, 0.20),
+            (0.70, 0.86, 0.04),
+            (0.40, 0.98, 0.0),
+            (0.20, 1.0, 0.0),
+        ],
+    ],
+    "disc": [
+        [(0.94, 0.0, 0.0), (1.0, 0.0, 0.06)],
+        [(1.0, 0.0, 0.06), (1.0, 1.0, -0.14)],
+        [(1.0, 1.0, -0.14), (0.95, 1.0, -0.03), (0.80, 1.0, 0.0)],
+    ],
+    "ball": [
+        [(0.76, 0.0, 0.0), (0.80, 0.0, 0.07), (0.76, 0.0, 0.14)],
+        [(0.62, 0.0, 0.14), (0.52, 0.0, 0.22), (0.52, 0.0, 0.26)],
+        [(0.90 * math.cos(turn), 1.0, -0.88 + 0.88 * math.sin(turn)) for turn in _BALL],
+    ],
+    "crank": [  # the cap that stays, under the crank
+        [(0.88, 0.0, 0.0), (0.90, 0.0, 0.05), (0.88, 0.0, 0.12)],
+        [(0.84, 0.0, 0.12), (0.74, 0.55, 0.06), (0.44, 0.92, 0.0), (0.26, 1.0, 0.0)],
+    ],
+}
+
+HEAD_HEIGHT = {"bulb": 1.75, "disc": 0.62, "ball": 1.92, "crank": 0.62}
+"""Height of each head over the mill's radius; a straight body has a higher disc."""
+
+WIDEST = {"bulb": 0.62, "disc": 0.5, "ball": 0.54, "crank": 0.0}
+"""Where a head is widest, as a share of its height: there hands hold it."""
+
+_ENDS = {"classic": 0.80, "baluster": 0.80, "spool": 0.80, "ripple": 0.80, "barrel": 0.80, "cone": 0.78}
+_BASES = {"bulb": 0.80, "disc": 0.94, "ball": 0.78, "crank": 0.88}  # of heads, over their radius
+
+
+def end_radius(form: BodyForm) -> float:
+    """Return the radius of the upper end of a body over the mill's radius."""
+    return {**_ENDS, "cylinder": 0.97}.get(form, 0.88)
+
+
+def fitting(form: BodyForm, top: Top) -> float:
+    """Return by how much a head is narrower than its drawing, so that its foot fits the end of a body."""
+    share = end_radius(form) / _BASES[top]
+    return share if top in ("disc", "crank") else min(share, 1.06)
+
+
+def body_runs(form: BodyForm, radius: Scalar, low: Scalar, height: Scalar) -> list[Run]:
+    """Return the outline of a body that stands at a height.
+
+    Args:
+        form: Its silhouette.
+        radius: Radius of the mill [m].
+        low: Height of its foot [m].
+        height: Its height [m].
+    """
+    return drawn(_BODIES[form], radius, low, height)
+
+
+def head_runs(top: Top, radius: Scalar, low: Scalar, height: Scalar, *, across: float = 1.0) -> list[Run]:
+    """Return the outline of a head, or of the cap under a crank.
+
+    Args:
+        top: Its kind.
+        radius: Radius of the mill [m].
+        low: Height of its underside [m].
+        height: Its height [m].
+        across: Share by which it is narrower, where the body ends narrow.
+    """
+    form = [[(across * r, share, rest) for r, share, rest in run] for run in _HEADS[top]]
+    return drawn(form, radius, low, height)

@@ -1,0 +1,148 @@
+"""Pliers that lie on a table: two forgings that cross in a lapped joint, with teeth, grips and a spring.
+
+Links: `body`, the half whose jaw is at the right, which also has the rivet; `jaw`, the other half. Joints:
+`jaw_hinge`, closed at 0; `pivot_slide` of slip-joint pliers, whose keyed bolt passes from one hole of its
+slot to the other one only when the jaws are wide open.
+
+The jaws point to the back (+y), the handles to the front, where the hand is. In the lap each half has half of
+the thickness; the jaws close to 0.3 mm, teeth between teeth. Pliers without a spring stay as they are put; a
+leaf spring opens the others.
+
+Sizes are those of Knipex, Bahco and Wiha catalogues: combination 160-200 mm and 0.18-0.32 kg, long-nose
+140-200 mm and 0.10-0.20 kg, diagonal cutters 130-180 mm and 0.12-0.26 kg, slip-joint 160-250 mm.
+"""
+
+from artgen import (
+    Body,
+    Float,
+    Material,
+    Prismatic,
+    Revolute,
+    X,
+    Z,
+    by,
+    category,
+    choice,
+    coloured,
+    count,
+    details,
+    material,
+    max_,
+    require,
+    shades,
+    uniform,
+)
+from artgen.categories.plier.fittings import PASSES, Grip, Key, off_middle
+from artgen.categories.plier.half import Make
+from artgen.categories.plier.halves import Forging, Style
+
+_STEEL = material("steel")
+_STEELS = (
+    _STEEL.with_(name="polished_steel", base_color=(0.72, 0.71, 0.70), specular_roughness=0.16),
+    material("chrome").with_(name="chrome_vanadium", specular_roughness=0.14, density=7850.0),
+    material("satin_nickel").with_(name="nickel_plated", density=7850.0),
+    material("black_steel").with_(name="blackened_steel", specular_roughness=0.38, density=7850.0),
+    _STEEL.with_(name="forged_steel", base_color=(0.30, 0.295, 0.29), specular_roughness=0.48),
+)
+_SLEEVES = tuple(
+    coloured(name, color)
+    for name, color in (
+        ("rubber", "red"),
+        ("rubber", "blue"),
+        ("rubber", "black"),
+        ("rubber", "yellow"),
+        ("rubber", "orange"),
+        ("rubber", "forest"),
+        ("abs", "red"),
+        ("abs", "navy"),
+        ("abs", "graphite"),
+        ("abs", "teal"),
+    )
+)
+_ACCENTS = tuple(coloured("rubber", color) for color in ("red", "yellow", "orange", "light_grey", "blue"))
+_BRIGHT = 0.10  # mean of the colour of a sleeve whose soft part is dark
+
+
+@category(labels=("body", "jaw", "teeth", "edge", "pivot", "grip", "spring", "print"), joints=(1, 2))
+def plier(
+    *,
+    style: Style = choice(
+        "combination", "needle_nose", "cutter", "slip_joint", weights=(0.34, 0.26, 0.22, 0.18)
+    ),
+    length: Float = by(
+        "style",
+        combination=uniform(0.155, 0.205),
+        needle_nose=uniform(0.140, 0.210),
+        cutter=uniform(0.130, 0.180),
+        slip_joint=uniform(0.165, 0.250),
+        unit="m",
+        within=(0.12, 0.26),
+    ),
+    spread: Float = uniform(0.118, 0.140, doc="half of the width over the closed handles, over the length"),
+    handle_width: Float = uniform(0.0088, 0.0104, "m", doc="of the bare bar", within=(0.007, 0.012)),
+    handle_share: Float = uniform(0.66, 0.82, doc="thickness of the bar over that at the pivot"),
+    jagged: bool = by("style", cutter=False, otherwise=choice(True, False, weights=(0.8, 0.2))),
+    teeth_count: int = by("jagged", {True: count(6, 20), False: 6}, doc="on the flat of a jaw"),
+    steel: Material = shades(*_STEELS, weights=(2.2, 1.6, 1.0, 1.6, 0.8), color=0.04, roughness=0.05),
+    grips: Grip = choice("bare", "dipped", "two_component", weights=(0.2, 0.42, 0.38)),
+    sleeve: Material = shades(*_SLEEVES, color=0.06, roughness=0.04),
+    accent: Material = choice(*_ACCENTS, doc="of the soft part of a dark sleeve; it is dark in a bright one"),
+    sprung: bool = by(
+        "style",
+        slip_joint=False,
+        needle_nose=choice(False, True, weights=(0.6, 0.4)),
+        cutter=choice(False, True),
+        combination=choice(False, True, weights=(0.85, 0.15)),
+    ),
+    opening: Float = uniform(0.42, 0.50, "rad", within=(0.2, 0.52)),
+    friction: Float = uniform(
+        0.06, 0.16, "N m", doc="of the joint: it opens by its weight when new and oiled"
+    ),
+    preload: Float = uniform(0.22, 0.32, "N m", doc="of a spring, jaws open, handles 0.15 m long"),
+    squeeze: Float = uniform(0.45, 0.75, "N m", doc="of a spring, jaws closed, handles 0.15 m long"),
+    maker: str = choice(*details.BRANDS),
+) -> Body:
+    """Make combination, needle-nose, slip-joint or cutting pliers, closed."""
+    slip = style == "slip_joint"
+    key = Key.of(length)
+    least = PASSES + 0.01 if slip else 0.0
+    opening = require(
+        opening, opening >= least, f"the bolt passes its slot when they are open: opening at least {least:g}"
+    )
+    # fingers come between the handles of the smallest, too
+    forging = Forging(style, length, key.way if slip else 0.0, max_(spread * length, 0.0178))
+    inlay = coloured("rubber", "graphite") if sum(sleeve.base_color) / 3.0 > _BRIGHT else accent
+    teeth = teeth_count if jagged else 0
+    thick = handle_share * forging.thick
+    make = Make(
+        forging, teeth, steel, grips, sleeve, inlay, handle_width, thick, sprung, key if slip else None
+    )
+    lever = forging.rear / 0.15  # a spring is made for the force at the hand
+    stiffness = lever * (squeeze - preload) / opening
+    hinge = Revolute(
+        "jaw_hinge",
+        axis=Z,
+        limits=(0.0, opening),
+        stiffness=stiffness if sprung else 0.0,
+        rest=lever * squeeze / stiffness if sprung else 0.0,
+        friction=0.25 * friction if sprung else friction,
+        damping=0.010 if sprung else 0.004,  # the leaves of a spring rub
+        armature=0.00002,
+        effort=20.0,
+    )
+    slide = Prismatic(
+        "pivot_slide",
+        axis=-X,
+        limits=(0.0, key.way),
+        friction=4.0,  # of a bolt that is drawn tight
+        damping=1.0,
+        effort=60.0,
+        needs=(hinge > PASSES).until(0.985 * key.way),
+    )
+    body = make.lower().attach(make.upper(), *((slide, hinge) if slip else (hinge,)))
+    nearer = key.way / 2.0 if slip else 0.0  # with the pivot in its second hole
+    body = body.require(
+        off_middle(forging, grips, handle_width) > nearer + 0.0002,
+        "thick handles touch each other below the joint: lower handle_width, or raise length or spread",
+    )
+    return body.at(-make.middle(), (forging.rear - forging.jaw) / 2.0, make.rests())

@@ -1,0 +1,283 @@
+"""What is put on the halves of pliers: teeth, edges, pivots, grips and springs.
+
+Axes are those of `plier_halves`. Everything here belongs to the half whose jaw is at the right.
+"""
+
+import math
+from functools import reduce
+from typing import Literal, NamedTuple
+
+from artgen import (
+    Body,
+    Float,
+    Frame,
+    Material,
+    Profile,
+    Scalar,
+    Solid,
+    X,
+    Y,
+    Z,
+    cylinder_between,
+    detail,
+    extrude,
+    grasp_on,
+    loft,
+    material,
+    min_,
+    part,
+    polygon,
+    polyline,
+    rectangle,
+    regular_polygon,
+    sqrt,
+    sweep,
+    union,
+)
+from artgen.categories.plier.halves import RECESSED, Forging
+
+Grip = Literal["bare", "dipped", "two_component"]
+
+_PROUD = 0.0006  # how far the soft part of a sleeve stands out of it [m]
+_MESH = 0.00012  # from the middle line of the teeth to either row [m]
+_SIDES = 4  # of holes for pivots, which their heads hide
+
+ALIGNED = 0.47
+"""How far slip-joint pliers are open when the flats of their bolt pass the neck of the slot [rad]."""
+
+PASSES = 0.40
+"""From where on the bolt passes [rad]."""
+
+
+def jaw_face(forging: Forging, count: int, finish: Material, *, phase: int) -> Body:
+    """Make the flat of a jaw, as it is seen; its teeth fit between those of the other jaw.
+
+    Args:
+        forging: The half.
+        count: Teeth on it; 0 for a plain one.
+        finish: Its steel.
+        phase: 1 for this half, -1 for the other one, which is turned over.
+    """
+    low, high = forging.head.grips
+    start, end = forging.level(low), forging.level(high)
+    steps = max(2 * count, 1)
+    deep = 0.00020 if count else 0.0  # as high as the recess of the face allows
+    points = [
+        (_MESH + phase * deep * (1.0 if index % 2 else -1.0), start + (end - start) * index / steps)
+        for index in range(steps + 1)
+    ]
+    back = RECESSED + 0.0004
+    strip = extrude(polygon([*points, (back, end), (back, start)]), 0.03, axis=Z)
+    return detail(strip & _between(forging, low, high, 0.96), "teeth", finish)
+
+
+def _between(forging: Forging, low: float, high: float, share: float) -> Solid:
+    """Make the room between the sides of a jaw, for what lies on its face."""
+    sections = [rectangle(0.02, share * forging.height(at)) for at in (low, high)]
+    return loft(sections, [forging.level(low), forging.level(high)], axis=Y)
+
+
+def cutting_edge(forging: Forging, finish: Material) -> Body:
+    """Make the ground edge of a jaw that cuts, as it is seen."""
+    low, high = forging.level(forging.head.cuts[0]), forging.level(forging.head.cuts[1])
+    half, back = 0.2 * forging.height(forging.head.cuts[1]), RECESSED + 0.0004
+    section = polygon([(0.0001, 0.0), (back, half), (back, -half)])
+    edge = extrude(section, high - low, axis=Y).at(0.0, (low + high) / 2.0, 0.0)
+    return detail(edge, "edge", finish)
+
+
+def pipe_lining(forging: Forging, finish: Material) -> Body:
+    """Make the coarse teeth of the round grip for pipes, as they are seen."""
+    middle, half = forging.head.pipe
+    y, deep, long = forging.level(middle), forging.pipe_depth, half * forging.jaw
+    count = 6
+    inner, outer = [], []
+    for index in range(2 * count + 1):
+        angle = math.radians(-78.0 + 156.0 * index / (2 * count))
+        share = 0.97 if index % 2 else 0.80
+        inner.append((share * deep * math.cos(angle), y + share * long * math.sin(angle)))
+        outer.append((1.1 * deep * math.cos(angle), y + 1.04 * long * math.sin(angle)))
+    strip = extrude(polygon([*inner, *reversed(outer)]), 0.9 * forging.height(middle), axis=Z)
+    return detail(strip, "teeth", finish)
+
+
+def pivot_hole(radius: Scalar) -> Profile:
+    """Make the outline of the hole for a rivet, its sides outside of the radius [m]."""
+    return regular_polygon(_SIDES, radius / math.cos(math.pi / _SIDES))
+
+
+def rivet(forging: Forging, radius: Scalar, finish: Material) -> list[Body]:
+    """Make a rivet: it is fast in the lower plate, passes the upper one, and has a head above it."""
+    top, bottom = forging.thick / 2.0, -forging.thick / 2.0
+    shank = cylinder_between((0.0, 0.0, bottom + 0.0004), (0.0, 0.0, top + 0.0008), radius)
+    head = cylinder_between((0.0, 0.0, top + 0.0002), (0.0, 0.0, top + 0.0012), 1.55 * radius, bevel=0.0004)
+    ground = cylinder_between(
+        (0.0, 0.0, top + 0.0008), (0.0, 0.0, top + 0.00125), 1.05 * radius, bevel=0.0002
+    )
+    return [part(union(shank, head), "pivot", finish), detail(ground, "pivot", material("stainless"))]
+
+
+class Key(NamedTuple):
+    """The keyed bolt of a slip joint and the slot of two holes that it passes when it is aligned.
+
+    Attributes:
+        radius: Of the bolt [m].
+        flats: Half of the distance between its flats [m].
+        hole: Radius of both holes [m].
+        way: From one hole to the other [m].
+    """
+
+    radius: Scalar
+    flats: Scalar
+    hole: Scalar
+    way: Scalar
+
+    @staticmethod
+    def of(length: Scalar) -> "Key":
+        """Size a bolt for pliers of a length [m]; the neck between the holes is 6 mm for 200 mm."""
+        return Key(0.0200 * length, 0.0120 * length, 0.0200 * length + 0.00019, 0.0290 * length)
+
+    def slot(self) -> Profile:
+        """Make the outline of the slot: the second hole is at -x."""
+        # of so few sides that no collider takes two of them for one, and reaches into the hole
+        hole = regular_polygon(14, self.hole / math.cos(math.pi / 14.0))
+        return hole | hole.at(-self.way)
+
+    def bolt(self, forging: Forging, finish: Material) -> list[Body]:
+        """Make the bolt, fast in the plate of a half, with a nut beyond the plate of the other one."""
+        top, bottom = forging.thick / 2.0, -forging.thick / 2.0
+        # at what angle its flats meet its round sides
+        reach = sqrt(self.radius * self.radius - self.flats * self.flats)
+        side = [(self.radius * math.cos(at), self.radius * math.sin(at)) for at in (-0.39, -0.13, 0.13, 0.39)]
+        half = [(reach, -self.flats), *side, (reach, self.flats)]
+        outline = polygon([*half, *((-x, -y) for x, y in half)]).rotate(ALIGNED)
+        nut = 0.0020
+        shank = extrude(outline, forging.thick + nut, axis=Z).at(0.0, 0.0, nut / 2.0)
+        plate = extrude(regular_polygon(6, 1.75 * self.radius), nut - 0.0003, axis=Z, bevel=0.0003)
+        head = cylinder_between(
+            (0.0, 0.0, bottom + 0.0004), (0.0, 0.0, bottom - 0.0016), 1.7 * self.radius, bevel=0.0006
+        )
+        return [
+            part(union(shank, plate.at(0.0, 0.0, top + 0.0003 + (nut - 0.0003) / 2.0)), "pivot", finish),
+            part(head, "pivot", finish),
+        ]
+
+
+_FAT: dict[Grip, float] = {"bare": 0.0, "dipped": 0.0016, "two_component": 0.0040}
+"""How thick sleeves are [m]."""
+
+_SWELL = {"dipped": (1.0,) * 7, "two_component": (1.12, 1.0, 1.02, 1.05, 1.04, 0.98, 0.94)}
+"""How a sleeve grows and shrinks on its way, from its upper end on."""
+
+
+def sleeve_thickness(style: Grip, thick: Float) -> Float:
+    """Return the thickness of the handles of pliers, over bars of a thickness, at most [m]."""
+    return (thick + 2.0 * _FAT[style]) * max(_SWELL.get(style, (1.0,)))
+
+
+class _Ring(NamedTuple):
+    """A section of a sleeve: where it is, and how large."""
+
+    y: Scalar
+    x: Scalar
+    wide: Scalar
+    tall: Scalar
+
+
+def _rings(forging: Forging, style: Grip, width: Scalar, thick: Scalar) -> list[_Ring]:
+    """Return the sections of a sleeve, from its upper end on."""
+    fat = 2.0 * _FAT[style]
+    first = 0 if style == "two_component" else 1
+    rings = [
+        _Ring(y, x, (width + fat) * swell, (thick + fat) * swell)
+        for (y, x), swell in zip(forging.course[2:], _SWELL[style], strict=True)
+    ][first:]
+    y, x, wide, tall = rings[0]
+    lead = 0.78 if style == "two_component" else 0.88
+    upper = _Ring(y + 0.0026, x + 0.0005, lead * wide, lead * tall)
+    return [upper, *rings, _below(rings[-1], 0.0036, 0.56)]
+
+
+def off_middle(forging: Forging, style: Grip, width: Scalar) -> Scalar:
+    """Return how far handles stay off the middle between them, closed, where they begin to part [m].
+
+    Args:
+        forging: The half.
+        style: What is on its handle.
+        width: Of the bar in it [m].
+    """
+    off = [-x - width / 2.0 for _, x in forging.course[1:3]]
+    if style != "bare":
+        off += [-ring.x - ring.wide / 2.0 for ring in _rings(forging, style, width, width)[:3]]
+    return reduce(min_, off)
+
+
+def _below(ring: _Ring, down: float, share: float) -> _Ring:
+    """Return a smaller section below the last one that has steel in it."""
+    return _Ring(ring.y - down, ring.x + down / 12.0, share * ring.wide, share * ring.tall)
+
+
+def sleeved(forging: Forging, style: Grip, width: Scalar, thick: Scalar) -> Solid:
+    """Make the sleeve of a handle: dipped in PVC, or a thick one of two plastics.
+
+    Args:
+        forging: The half.
+        style: Which of them.
+        width: Of the bar in it [m].
+        thick: Of the bar [m].
+    """
+    return _along(_rings(forging, style, width, thick))
+
+
+def sleeve_end(forging: Forging, style: Grip, width: Scalar, thick: Scalar, finish: Material) -> Body:
+    """Make the round end of a sleeve, as it is seen over the cone that collides; see `sleeved`."""
+    last = _rings(forging, style, width, thick)[-2]
+    steps = ((-0.0004, 0.97), (0.0002, 1.0), (0.0014, 0.94), (0.0028, 0.80), (0.0037, 0.56))
+    return detail(_along([_below(last, down, share) for down, share in steps]), "grip", finish)
+
+
+def grip_inlay(forging: Forging, width: Scalar, thick: Scalar, finish: Material, *, over: bool) -> Body:
+    """Make the soft part of a sleeve of two plastics, as it is seen from above; see `hold_on`."""
+    shares = (0.30, 0.58, 0.66, 0.66, 0.60, 0.42, 0.20)
+    rings = _rings(forging, "two_component", width, thick)[1:]
+    soft = [_Ring(y, x, share * wide, tall) for share, (y, x, wide, tall) in zip(shares, rings, strict=False)]
+    return detail(_along(soft).at(0.0, 0.0, -_PROUD if over else _PROUD), "grip", finish)
+
+
+def hold_on(forging: Forging, solid: Solid, thick: Scalar, *, over: bool) -> Frame:
+    """Find where a hand from above takes hold of a handle, near its widest place.
+
+    Args:
+        forging: The half.
+        solid: Its sleeve or its bare bar.
+        thick: Thickness of it [m].
+        over: Whether this half is turned over, so that a hand from above comes from below.
+    """
+    y, x = forging.course[5]
+    return grasp_on(solid, approach=Z if over else -Z, closing=X, at=(x, y, 0.0), depth=0.8 * thick)
+
+
+def _along(rings: list[_Ring]) -> Solid:
+    sections = [
+        rectangle(ring.wide, ring.tall, radius=0.40 * min_(ring.wide, ring.tall)).at(ring.x)
+        for ring in reversed(rings)
+    ]
+    return loft(sections, [ring.y for ring in reversed(rings)], axis=Y)
+
+
+def leaf_spring(forging: Forging, finish: Material, *, width: Scalar) -> Body:
+    """Make the leaf spring of a handle, as it is seen: it rests on that of the other one in the middle."""
+    stations = forging.course
+    foot_y, foot_x = stations[3]
+    inside = foot_x + 0.42 * width
+    end = -forging.clear_below - 0.55 * forging.lap
+    course = polyline(
+        [
+            (inside, foot_y - 0.006, 0.0),
+            (inside + 0.0008, foot_y + 0.002, 0.0),
+            (-0.0022, (foot_y + end) / 2.0 + 0.002, 0.0),
+            (-0.0010, end, 0.0),
+        ],
+        fillet=0.006,
+    )
+    return detail(sweep(rectangle(0.0009, 0.0045), course), "spring", finish)

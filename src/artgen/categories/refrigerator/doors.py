@@ -1,0 +1,357 @@
+"""Doors of refrigerators: a skin, the lining behind it with its ridges and bins, gasket, handle and signs."""
+
+from dataclasses import dataclass
+from typing import Literal
+
+from artgen import (
+    Body,
+    Material,
+    Scalar,
+    Solid,
+    X,
+    Y,
+    board,
+    box,
+    details,
+    extrude,
+    material,
+    max_,
+    min_,
+    part,
+    polygon,
+    rectangle,
+    require,
+    weld,
+)
+from artgen.categories.refrigerator.case import SEAL_GAP, Case
+from artgen.categories.refrigerator.dispenser import dispenser
+from artgen.categories.refrigerator.leaf import CHEEK, LINING_INSET, SEAL_INSET, Leaf
+from artgen.categories.refrigerator.seals import door_gasket
+from artgen.categories.shared.appliances.finish import CLEAR, filled
+from artgen.categories.shared.furniture.shelves import door_bin
+from artgen.categories.shared.hardware.bar_handles import (
+    BarStyle,
+    Grip,
+    bar_handle,
+    pocket_grip,
+    recessed_grip,
+)
+
+BIN_SHY = 0.002
+"""How much less deep than the ridges beside them bins are: drawers strike the ridges first [m]."""
+
+SOFT = 0.024
+"""Radius of the corners of a soft front [m]."""
+
+GripKind = Literal["bar", "pocket", "channel", "recessed"]
+"""A bar; a pocket in the edge; a channel along all of the edge; a recess in the front with a blade."""
+
+Front = Literal["flat", "soft", "bowed", "framed"]
+"""Sharp edges, round ones, a front that swells, or a frame around a panel."""
+
+_SKIN, _THICK_SKIN = 0.028, 0.042  # front part of a door; with a pocket in its edge [m]
+_FREE_INSET = 0.006  # by how much the lining is narrower than the skin at the other edges [m]
+_RIDGE = 0.016  # thickness of ridges [m]
+_LEAST_BIN = 0.05  # width of a bin [m]
+_SEAL = 0.014  # width of the gasket [m]
+_SEAL_FREE = 0.0004  # between gasket and cabinet: not seen, and free of contact [m]
+_FOAM = 190.0  # 8 kg/m2 of steel, foam and plastic sheet, and what is in it: 9 kg at 0.7 x 1.1 m [kg/m3]
+_EDGES = {"flat": 0.0026, "soft": 0.005, "bowed": 0.005, "framed": 0.002}  # radius of the edges [m]
+_FRAME = (0.062, 0.0045)  # width of the boards of a framed front, and how far they stand out [m]
+_BOW = ((1.0, 0.010), (0.988, 0.0035), (0.97, 0.0008))  # the round edge of a bowed front: share, back [m]
+_TRACKING = 0.3  # of the name on a door, in heights of its letters
+_BOWED = (0.9, 0.75, 0.5, 0.25, 0.0, -0.25, -0.5, -0.75, -0.9)
+_NO_ROOM = (
+    "a door is too narrow for bins between its ridges: raise width, lower wall or bin_depth, or take a "
+    "freezer_share of about 0.45 where the freezer is beside"
+)
+
+
+@dataclass(frozen=True)
+class Dress:
+    """How the fronts of one refrigerator look.
+
+    Attributes:
+        finish: Of the fronts.
+        metal: Of handles.
+        liner: Of the inner sides.
+        seal: Of the gaskets.
+        trim: Of bins and shelves.
+        form: Of the fronts.
+        bow: How far a bowed front swells [m].
+        grip: Kind of the handles.
+        bar: Style of a bar.
+        girth: Half of the thickness of a bar [m].
+        length: Of a handle, as a share of the front.
+    """
+
+    finish: Material
+    metal: Material
+    liner: Material
+    seal: Material
+    trim: Material
+    form: Front
+    bow: Scalar
+    grip: GripKind
+    bar: BarStyle
+    girth: Scalar
+    length: Scalar
+
+    @property
+    def front(self) -> Front:
+        """The form of the fronts: grips that are let into them want flat ones."""
+        if self.grip == "bar" or self.form in ("flat", "soft"):
+            return self.form
+        return "soft" if self.form == "bowed" else "flat"
+
+    def rise(self, share: Scalar) -> Scalar:
+        """Return how far the front stands out at a share of half its width from its middle [m]."""
+        if self.front == "framed":
+            return _FRAME[1]
+        return self.bow * (1 - share * share) if self.front == "bowed" else 0.0
+
+
+def slab(
+    case: Case, dress: Dress, left: Scalar, right: Scalar, low: Scalar, high: Scalar, *, thick: Scalar = _SKIN
+) -> Solid:
+    """Make the front part of a door or drawer.
+
+    Args:
+        case: The cabinet.
+        dress: How it looks.
+        left: Its left edge [m].
+        right: Its right edge [m].
+        low: Its lower edge [m].
+        high: Its upper edge [m].
+        thick: From front to back [m].
+    """
+    middle, upward, ease = (left + right) / 2, (low + high) / 2, _EDGES[dress.front]
+    if dress.front == "soft":
+        outline = rectangle(right - left, high - low, radius=SOFT)
+        return extrude(outline, thick, axis=Y, bevel=ease).at(middle, case.front + thick / 2, upward)
+    if dress.front != "bowed":
+        board = box(right - left, thick, high - low, bevel=ease)
+        return board.at(middle, case.front + thick / 2, upward)
+    half = (right - left) / 2
+    edge = [(share * half, back - dress.rise(share)) for share, back in _BOW]
+    swell = [(share * half, -dress.rise(share)) for share in _BOWED]
+    corners = [
+        (-half, thick),
+        (half, thick),
+        *edge,
+        *swell,
+        *((-x, y) for x, y in reversed(edge)),
+    ]
+    return extrude(polygon(corners), high - low, bevel=ease).at(middle, case.front, upward)
+
+
+def framing(case: Case, dress: Dress, left: Scalar, right: Scalar, low: Scalar, high: Scalar) -> list[Body]:
+    """Make the boards around the panel of a framed front; none for another one."""
+    if dress.front != "framed":
+        return []
+    wide, out = _FRAME
+    y = case.front - out / 2 + 0.0005
+    stile = box(wide, out + 0.001, high - low, bevel=0.0014)
+    rail = box(right - left - 2 * wide + 0.001, out + 0.001, wide, bevel=0.0014)
+    middle, upward = (left + right) / 2, (low + high) / 2
+    boards = [
+        *(stile.at(middle + way * (right - left - wide) / 2, y, upward) for way in (-1, 1)),
+        *(rail.at(middle, y, upward + way * (high - low - wide) / 2) for way in (-1, 1)),
+    ]
+    return [part(board, "panel", filled(dress.finish, _FOAM)) for board in boards]
+
+
+def lining(case: Case, left: Scalar, right: Scalar, low: Scalar, high: Scalar, *, thick: Scalar) -> Solid:
+    """Make the rear part of a door or drawer, a little narrower than its front part.
+
+    Args:
+        case: The cabinet.
+        left: Its left edge [m].
+        right: Its right edge [m].
+        low: Its lower edge [m].
+        high: Its upper edge [m].
+        thick: Of the front part [m].
+    """
+    deep = case.thickness - thick + 0.001
+    return board((left, right), (case.face - deep, case.face), (low, high), bevel=0.005)
+
+
+def door(leaf: Leaf, dress: Dress, *, brand: str = "", display: str = "", water: bool = False) -> Body:
+    """Make a door: the link of that name, in its place.
+
+    Args:
+        leaf: Its measures.
+        dress: How it looks.
+        brand: The name on it; `""` for none.
+        display: What the display on it shows; `""` for none.
+        water: Whether it has a dispenser.
+    """
+    case = leaf.case
+    grip = dress.grip
+    if grip in ("pocket", "channel") and leaf.meets:  # hands do not come between two doors
+        grip = "recessed"
+    thick = _THICK_SKIN if grip in ("pocket", "channel") else _SKIN
+    skin = slab(case, dress, leaf.left, leaf.right, leaf.low, leaf.high, thick=thick)
+    inner = lining(
+        case,
+        leaf.left + LINING_INSET,
+        leaf.right - _FREE_INSET,
+        leaf.low + 0.005,
+        leaf.high - 0.005,
+        thick=thick,
+    )
+    cuts: list[Grip] = []
+    bodies: list[Body] = []
+    if grip == "bar":
+        bodies.append(_bar(leaf, dress))
+    else:
+        cuts.append(_sunk(leaf, dress, grip))
+    if water:
+        high = min_(0.30, 0.32 * leaf.height)
+        made = dispenser(
+            width=min_(0.19, 0.55 * leaf.width),
+            height=high,
+            deep=case.thickness - 0.018,
+            trim=dress.metal,
+            show="4",
+        )
+        cuts.append(made.at(leaf.left + 0.44 * leaf.width, case.front, leaf.low + 0.55 * leaf.height))
+    for made in cuts:
+        skin, inner = skin - made.cut, inner - made.cut
+    bodies += [made.shell for made in cuts]
+    base = part(skin, leaf.label, filled(dress.finish, _FOAM), name=leaf.name)
+    body = weld(
+        base,
+        part(inner, "liner", filled(dress.liner, _FOAM)),
+        *framing(case, dress, leaf.left, leaf.right, leaf.low, leaf.high),
+        *bodies,
+        _seal(leaf, dress),
+        *_inside(leaf, dress),
+        *_signs(leaf, dress, brand, display),
+    )
+    return body.mirror(X) if leaf.mirrored else body
+
+
+def _bar(leaf: Leaf, dress: Dress) -> Body:
+    length = max_(dress.length * leaf.height, 0.17)
+    aside = _FRAME[0] / 2 if dress.front == "framed" else 0.048
+    share = 1 - 2 * aside / leaf.width
+    y = leaf.case.front - dress.rise(share) + (0.0008 if dress.front == "bowed" else 0.0)
+    level: Scalar = (leaf.low + leaf.high) / 2
+    if leaf.handle == "low":
+        level = leaf.low + 0.055 + length / 2
+    elif leaf.handle == "high":
+        level = leaf.high - 0.055 - length / 2
+    out = 0.040 + 1.4 * dress.girth
+    bar: Body = bar_handle(
+        length=length,
+        finish=dress.metal,
+        style=dress.bar,
+        name=f"{leaf.name}_handle",
+        projection=out,
+        girth=dress.girth,
+    )
+    return bar.at(leaf.right - aside, y, level)
+
+
+def _sunk(leaf: Leaf, dress: Dress, grip: str) -> Grip:
+    """Make a grip that is let into a door."""
+    y, middle = leaf.case.front, (leaf.low + leaf.high) / 2
+    name = f"{leaf.name}_handle"
+    if grip == "channel":
+        return pocket_grip(leaf.height - 0.03, finish=material("aluminium"), name=name).at(
+            leaf.right, y, middle
+        )
+    length = min_(max_(dress.length * leaf.height, 0.13), 0.34)
+    level: Scalar = middle
+    if leaf.handle == "low":
+        level = leaf.low + 0.05 + length / 2
+    elif leaf.handle == "high":
+        level = leaf.high - 0.05 - length / 2
+    shade = material("black_abs")
+    if grip == "pocket":
+        return pocket_grip(length, finish=shade, name=name).at(leaf.right, y, level)
+    return recessed_grip(length, finish=dress.metal, lining=shade, name=name).at(leaf.right - 0.062, y, level)
+
+
+def _seal(leaf: Leaf, dress: Dress) -> Body:
+    left, right = leaf.left + SEAL_INSET, leaf.right - 0.012
+    low, high = leaf.low + 0.008, leaf.high - 0.008
+    ring = door_gasket(right - left, high - low, rubber=dress.seal, deep=SEAL_GAP - _SEAL_FREE, size=_SEAL)
+    return ring.at((left + right) / 2, leaf.case.face, (low + high) / 2)
+
+
+def _inside(leaf: Leaf, dress: Dress) -> list[Body]:
+    """Make the ridges of the lining and the bins between them."""
+    if leaf.ridge is None:
+        return []
+    left, right = leaf.ridges
+    low, high = leaf.cell.low + 0.020, leaf.cell.high - 0.020
+    sunk = 0.004
+    y = leaf.case.face + (leaf.ridge - sunk) / 2
+    white = filled(dress.liner, _FOAM)
+    # the free one is so wide that it stands before the drawers at its side
+    first, last = left + _RIDGE, min_(right - _RIDGE, leaf.cell.right - CHEEK - 0.012)
+    bodies = [
+        part(
+            box(end - start, leaf.ridge + sunk, high - low, bevel=0.005).at(
+                (start + end) / 2, y, (low + high) / 2
+            ),
+            "liner",
+            white,
+        )
+        for start, end in ((left, first), (last, right))
+    ]
+    width = require(last - first + 0.002, last - first > _LEAST_BIN, _NO_ROOM)
+    deep = leaf.ridge - BIN_SHY
+    pitch = (high - low) / leaf.bins
+    middle = ((first + last) / 2, leaf.case.face - 0.001)
+    hung = door_bin(
+        width,
+        deep + 0.001,
+        min_(0.095, 0.6 * pitch),
+        finish=CLEAR,
+        trim=dress.trim,
+        at=[(*middle, low + index * pitch + 0.006) for index in range(leaf.bins)],
+    )
+    return [*bodies, hung]
+
+
+def _signs(leaf: Leaf, dress: Dress, brand: str, display: str) -> list[Body]:
+    """Make the name and the display on the front."""
+    bodies = []
+    y = leaf.case.front - (dress.bow - 0.0003 if dress.front == "bowed" else 0.0)
+    middle = (leaf.left + leaf.right) / 2
+    if brand:
+        size: Scalar = 0.013
+        if dress.front == "bowed":  # its ends have to reach back to a front that swells away from them
+            share = min_(0.28, 0.005 / dress.bow)
+            size = min_(size, share * leaf.width / details.lettering_width(brand.upper(), _TRACKING))
+        mark = details.logo(brand, size, tracking=_TRACKING)
+        drop = 0.09 if dress.front == "framed" else 0.055
+        shine = dress.metal if dress.metal.base_metalness > 0.5 else material("chrome")
+        bodies.append(
+            details.raised(
+                mark, (middle, y, leaf.high - drop), material=shine, label="logo", proud=0.0005, bevel=0.0
+            )
+        )
+    if display:
+        at = (middle, y, leaf.high - 0.30 * leaf.height)
+        pane = details.display(display, 0.125, 0.042, at=at, color="cyan")
+        bodies.append(pane)
+    return bodies
+
+
+def mullion(leaf: Leaf, *, finish: Material) -> Body:
+    """Make the strip at the free edge of a door that closes the gap to the other one from behind.
+
+    Real ones fold as the door opens; this one stays within its door, so that it never touches the other.
+    """
+    wide, deep = 0.044, 0.013
+    strip = box(wide, deep, leaf.cell.height - 0.010, bevel=0.002)
+    strip = strip.at(
+        leaf.right - 0.012 - wide / 2,
+        leaf.case.face + deep / 2 - 0.0005,
+        (leaf.cell.low + leaf.cell.high) / 2,
+    )
+    return part(strip, "mullion", finish)

@@ -1,0 +1,277 @@
+"""Drawers of refrigerators: those behind doors, and freezer drawers with fronts of their own."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from artgen import (
+    Body,
+    Condition,
+    Joint,
+    Material,
+    Prismatic,
+    Scalar,
+    box,
+    detail,
+    material,
+    max_,
+    min_,
+    part,
+    switch,
+    weld,
+)
+from artgen.categories.refrigerator.case import HUMP_DEEP, HUMP_HIGH, SEAL_GAP, Case, Cell
+from artgen.categories.refrigerator.doors import Dress, framing, lining, slab
+from artgen.categories.refrigerator.leaf import CHEEK
+from artgen.categories.refrigerator.seals import door_gasket
+from artgen.categories.shared.appliances.finish import filled
+from artgen.categories.shared.furniture.shelves import LIP_REACH, drawer_box, open_box
+from artgen.categories.shared.hardware.bar_handles import bar_handle, recessed_grip
+
+SLACK = 0.012
+"""How far a drawer comes forward until it strikes the ridges, or the flat inside, of its closed door [m]."""
+
+_PLAY = 0.003  # around a drawer [m]
+_FLOOR = 0.004  # under a drawer [m]
+_NO_MORE = 0.002  # by how much less than the slack a drawer is said to be free [m]
+_FOAM = 190.0  # of fronts, as of doors [kg/m3]
+_HAND = 60.0  # the most that a hand pulls with [N]
+
+
+@dataclass(frozen=True)
+class Slot:
+    """The place of a drawer behind a door.
+
+    Attributes:
+        left: Its left side along x [m].
+        right: Its right side [m].
+        low: Its underside [m].
+        height: Of the drawer [m].
+        front: Its front along y [m].
+        rear: The furthest that it may reach to the back [m].
+        lip: Height of its lip over its underside [m].
+        sides: The halves of the cell in which it is: -1 the left one, 1 the right one.
+    """
+
+    left: Scalar
+    right: Scalar
+    low: Scalar
+    height: Scalar
+    front: Scalar
+    rear: Scalar
+    lip: Scalar
+    sides: tuple[int, ...] = (-1, 1)
+
+
+def drawer_front(case: Case, ridge: Scalar | None) -> Scalar:
+    """Return where the fronts of drawers are along y, behind a door with ridges or with a flat inside [m]."""
+    return case.face + SLACK + LIP_REACH + (0.0 if ridge is None else ridge)
+
+
+def rows(
+    cell: Cell,
+    counts: Sequence[int],
+    *,
+    low: Scalar,
+    height: Scalar,
+    front: Scalar,
+    pitch: Scalar,
+    lip: Scalar,
+    finish: Material,
+) -> tuple[list[Slot], list[Body]]:
+    """Place drawers in rows from below, and make the rails at both sides of them.
+
+    Args:
+        cell: Where they are.
+        counts: How many stand side by side in each row.
+        low: Underside of the lowest row [m].
+        height: Of a drawer [m].
+        front: Their fronts along y [m].
+        pitch: From row to row [m].
+        lip: Height of their lips over their undersides [m].
+        finish: Of the rails.
+
+    Returns:
+        The places, and what is to be welded to the cabinet.
+    """
+    slots: list[Slot] = []
+    rails: list[Body] = []
+    hollow = filled(finish, 160.0)
+    for number, count in enumerate(counts):
+        base = low + number * pitch + _FLOOR
+        behind = switch(base < cell.low + HUMP_HIGH, HUMP_DEEP, 0.0) if cell.humped else 0.0
+        rear = cell.rear - behind - 0.012
+        room = cell.width - 2 * CHEEK
+        wide = (room - (count - 1) * 0.008) / count
+        for place in range(count):
+            left = cell.left + CHEEK + place * (wide + 0.008)
+            sides = (-1, 1) if count == 1 else (-1,) if place == 0 else (1,)
+            slots.append(Slot(left, left + wide, base, height, front, rear, lip, sides))
+        deep = rear - front - 0.02
+        cheek = box(CHEEK - _PLAY + 0.0005, deep, height - 0.006, bevel=0.002)
+        aside = (CHEEK - _PLAY - 0.0005) / 2
+        rails += [
+            part(cheek.at(x, front + 0.02 + deep / 2, base + height / 2), "rail", hollow)
+            for x in (cell.left + aside, cell.right - aside)
+        ]
+    return slots, rails
+
+
+def inner_drawer(slot: Slot, number: int, *, finish: Material, front: Material, lip: Material) -> Body:
+    """Make a drawer behind a door: the link `inner_drawer_<number>`.
+
+    Args:
+        slot: Its place.
+        number: Ends the name.
+        finish: Of its box.
+        front: Of its front.
+        lip: Of its lip.
+    """
+    made = drawer_box(
+        slot.right - slot.left,
+        slot.rear - slot.front,
+        slot.height,
+        label="inner_drawer",
+        name=f"inner_drawer_{number}",
+        finish=finish,
+        front=front,
+        lip=lip,
+        lip_at=slot.lip,
+    )
+    return made.at((slot.left + slot.right) / 2, slot.front, slot.low)
+
+
+def inner_slide(slot: Slot, number: int, opened: Condition, *, share: Scalar, friction: Scalar) -> Joint:
+    """Make the slide of a drawer behind a door: it strikes the door unless that is open.
+
+    Args:
+        slot: Its place.
+        number: Ends the name.
+        opened: Where the doors have swung clear of its way.
+        share: How much of its depth it comes out.
+        friction: Plastic on plastic, 3-8 N [N].
+    """
+    return Prismatic(
+        f"inner_drawer_slide_{number}",
+        axis=(0.0, -1.0, 0.0),
+        pivot=((slot.left + slot.right) / 2, slot.front, slot.low),
+        limits=(0.0, share * (slot.rear - slot.front)),
+        friction=friction,
+        damping=4.0,
+        effort=_HAND,
+        needs=opened.beyond(SLACK - _NO_MORE),
+    )
+
+
+@dataclass(frozen=True)
+class Front:
+    """The front of a freezer drawer.
+
+    Attributes:
+        cell: What it closes.
+        left: Its left edge along x [m].
+        right: Its right edge [m].
+        low: Its lower edge [m].
+        high: Its upper edge [m].
+    """
+
+    cell: Cell
+    left: Scalar
+    right: Scalar
+    low: Scalar
+    high: Scalar
+
+
+def outer_drawer(case: Case, front: Front, number: int, dress: Dress, *, finish: Material) -> Body:
+    """Make a freezer drawer with its front, gasket, handle and basket: the link `outer_drawer_<number>`.
+
+    Args:
+        case: The cabinet.
+        front: Its front.
+        number: Ends the name.
+        dress: How it looks.
+        finish: Of the basket.
+    """
+    left, right, low, high = front.left, front.right, front.low, front.high
+    middle, upward = (left + right) / 2, (low + high) / 2
+    skin = slab(case, dress, left, right, low, high)
+    inner = lining(case, left + 0.005, right - 0.005, low + 0.005, high - 0.005, thick=0.028)
+    if dress.grip == "bar":
+        aside = 0.031 if dress.front == "framed" else 0.055
+        length = min_(max_(0.62 * (right - left), 0.2), (right - left) - 0.1)
+        feet = dress.rise((length - 0.02) / (right - left)) - (0.0008 if dress.front == "bowed" else 0.0)
+        out = 0.040 + 1.4 * dress.girth + (dress.rise(0.0) - feet)  # before the middle, which swells most
+        handle = bar_handle(
+            length=length,
+            finish=dress.metal,
+            style=dress.bar,
+            level=True,
+            name=f"outer_drawer_{number}_handle",
+            projection=out,
+            girth=dress.girth,
+        ).at(middle, case.front - feet, high - aside)
+    else:
+        grip = recessed_grip(
+            0.26,
+            finish=dress.metal,
+            lining=material("black_abs"),
+            level=True,
+            name=f"outer_drawer_{number}_handle",
+        )
+        grip = grip.at(middle, case.front, high - 0.062)
+        skin, inner, handle = skin - grip.cut, inner - grip.cut, grip.shell
+    seal = door_gasket(
+        right - left - 0.024, high - low - 0.016, rubber=dress.seal, deep=SEAL_GAP - 0.0004, size=0.014
+    )
+    return weld(
+        part(skin, "outer_drawer", filled(dress.finish, _FOAM), name=f"outer_drawer_{number}"),
+        part(inner, "liner", filled(dress.liner, _FOAM)),
+        *framing(case, dress, left, right, low, high),
+        handle,
+        seal.at(middle, case.face, upward),
+        *_basket(case, front.cell, finish),
+    )
+
+
+def basket_depth(case: Case, cell: Cell) -> Scalar:
+    """Return how deep the basket of a freezer drawer is [m]."""
+    return cell.rear - (HUMP_DEEP if cell.humped else 0.0) - 0.015 - case.face
+
+
+def _basket(case: Case, cell: Cell, finish: Material) -> list[Body]:
+    deep, wide = basket_depth(case, cell), cell.width - 2 * 0.022
+    tall = 0.62 * cell.height
+    boards = open_box(wide, deep + 0.002, tall, wall=0.004, front=0.004)
+    rail = box(0.010, deep - 0.02, 0.022, bevel=0.002)
+    at = (cell.middle, case.face - 0.002, cell.low + 0.012)
+    return [
+        *(part(board.at(*at), "basket", finish) for board in boards),
+        *(
+            detail(
+                rail.at(cell.middle + way * (wide / 2 + 0.003), case.face + deep / 2, cell.low + 0.7 * tall),
+                "rail",
+                material("zinc"),
+            )
+            for way in (-1, 1)
+        ),
+    ]
+
+
+def outer_slide(case: Case, front: Front, number: int, *, share: Scalar, pull: Scalar) -> Joint:
+    """Make the slide of a freezer drawer on its runners.
+
+    Args:
+        case: The cabinet.
+        front: Its front.
+        number: Ends the name.
+        share: How much of its depth it comes out.
+        pull: Of gasket and runners, 15-30 N [N].
+    """
+    return Prismatic(
+        f"outer_drawer_slide_{number}",
+        axis=(0.0, -1.0, 0.0),
+        pivot=((front.left + front.right) / 2, case.front, (front.low + front.high) / 2),
+        limits=(0.0, share * basket_depth(case, front.cell)),
+        friction=pull,
+        damping=12.0,
+        effort=_HAND,
+    )

@@ -1,0 +1,219 @@
+"""What is inside the cells of a refrigerator: shelves, an ice box, light, dial and air duct."""
+
+from collections.abc import Sequence
+from typing import Literal
+
+from artgen import (
+    Body,
+    Condition,
+    Joint,
+    Material,
+    Revolute,
+    Scalar,
+    Y,
+    array,
+    atan2,
+    box,
+    cylinder,
+    detail,
+    details,
+    frame,
+    material,
+    max_,
+    part,
+    weld,
+)
+from artgen.categories.refrigerator.case import Cell
+from artgen.categories.refrigerator.drawers import SLACK
+from artgen.categories.shared.appliances.finish import DARK, filled
+from artgen.categories.shared.furniture.shelves import LIP_REACH, egg_tray, glass_shelf, wire_shelf
+
+ShelfKind = Literal["glass", "wire"]
+
+DUCT = 0.014
+"""How far the air duct stands out of the rear of a cell [m]."""
+
+ICE_SHELF = 0.024
+"""Thickness of the floor of an ice box [m]."""
+
+LIGHT = 0.15
+"""Width of the light at the ceiling of a cell [m]."""
+
+_FLAP = 0.016  # thickness of the flap of an ice box [m]
+_FLAP_INSET = 0.062  # from the side of the cell to its edge with the hinges [m]
+
+
+def shelf(
+    cell: Cell,
+    kind: ShelfKind,
+    levels: Sequence[Scalar],
+    *,
+    front: Scalar,
+    trim: Material,
+    glass: Material,
+) -> Body:
+    """Make shelves from side to side of a cell.
+
+    Args:
+        cell: Where they are.
+        kind: Of glass, or of wires.
+        levels: Their heights [m].
+        front: Their front along y [m].
+        trim: Of their strips, or of their wires.
+        glass: Of their panes.
+    """
+    rear = cell.rear - DUCT - 0.004
+    deep = rear - front
+    places = [(cell.middle, front + deep / 2, level) for level in levels]
+    if kind == "glass":
+        return glass_shelf(cell.width, deep, trim=trim, glass=glass, at=places)
+    return wire_shelf(cell.width, deep, finish=trim, at=places)
+
+
+def eggs(cell: Cell, level: Scalar, *, front: Scalar, finish: Material) -> Body:
+    """Make an egg tray on a glass shelf, at the right in front.
+
+    Args:
+        cell: Where it is.
+        level: The top of the shelf [m].
+        front: The front of the shelf along y [m].
+        finish: Of the tray.
+    """
+    wide = 0.22
+    return egg_tray(wide, 0.098, finish=finish, columns=4).at(
+        cell.right - wide / 2 - 0.05, front + 0.075, level - 0.0004
+    )
+
+
+def fittings(
+    cell: Cell,
+    *,
+    front: Scalar,
+    low: Scalar,
+    high: Scalar,
+    control: Literal["dial", "touch", "none"],
+    show: str,
+    liner: Material,
+) -> list[Body]:
+    """Make light and control at the ceiling of a cell, and the air duct on its rear.
+
+    Args:
+        cell: Where they are.
+        front: The front of its shelves along y [m].
+        low: Where the duct begins [m].
+        high: The ceiling: of the cell, or under an ice box [m].
+        control: What sets the temperature.
+        show: What a display shows.
+        liner: What housings are made of.
+    """
+    bodies = []
+    wide = 0.34 * cell.width
+    tall = max_(high - low - 0.03, 0.02)  # where there is no room, the category says so
+    duct = box(wide, DUCT + 0.001, tall, bevel=0.005)
+    face = cell.rear - DUCT
+    bodies.append(
+        part(
+            duct.at(cell.middle, cell.rear - DUCT / 2 + 0.0005, low + tall / 2 + 0.01),
+            "duct",
+            filled(liner, 220.0),
+        )
+    )
+    slots = details.vent_slots(0.6 * wide, 0.028, 4, slot=0.0035, direction="horizontal")
+    vent = details.relief(slots, (0.0, 0.0, 0.0), proud=0.0002)
+    places = [(cell.middle, face, low + share * tall) for share in (0.22, 0.55, 0.86)]
+    bodies.append(detail(array(vent, at=places), "vent", DARK))
+    housing = box(LIGHT, 0.085, 0.022, bevel=0.005).at(cell.middle, front + 0.055, high - 0.0105)
+    bodies.append(part(housing, "light", filled(liner, 220.0)))
+    lamp = box(0.11, 0.045, 0.004, bevel=0.0015).at(cell.middle, front + 0.058, high - 0.0228)
+    bodies.append(detail(lamp, "light", material("led_white")))
+    panel = (cell.middle, front + 0.0125, high - 0.0105)
+    if control == "dial":
+        at = (cell.middle, front + 0.0080, high - 0.0105)
+        knob = cylinder(0.0085, 0.010, axis=Y, bevel=0.0015).at(*at)
+        mark = box(0.0012, 0.0008, 0.006).at(cell.middle, front + 0.0030, high - 0.0085)
+        bodies += [detail(knob, "control", material("abs")), detail(mark, "control", material("black_abs"))]
+        sign = details.icon("snowflake", 0.008).at(0.03, 0.0)
+        bodies.append(details.printed(sign, panel, material=material("black_abs"), label="control"))
+    elif control == "touch":
+        bodies.append(details.display(show, 0.05, 0.015, at=panel, color="white", label="control"))
+    return bodies
+
+
+def ice_box(cell: Cell, *, low: Scalar, front: Scalar, liner: Material) -> list[Body]:
+    """Make the floor of an ice box under the ceiling of a cell, and the post on which its flap hangs.
+
+    Args:
+        cell: Where it is.
+        low: Underside of its floor [m].
+        front: Its front along y [m].
+        liner: What it is made of.
+    """
+    deep = cell.rear - front
+    floor = box(cell.width + 0.001, deep + 0.001, ICE_SHELF, bevel=0.004)
+    plate = box(cell.width - 0.01, deep - 0.06, 0.001)
+    wide, high = _FLAP_INSET - 0.004, cell.high - low - ICE_SHELF
+    post = box(wide + 0.0005, 0.05, high + 0.001, bevel=0.004)
+    return [
+        part(floor.at(cell.middle, front + deep / 2, low + ICE_SHELF / 2), "ice_box", liner),
+        part(post.at(cell.left + (wide - 0.0005) / 2, front + 0.025, cell.high - high / 2), "ice_box", liner),
+        detail(
+            plate.at(cell.middle, front + deep / 2 + 0.02, low + ICE_SHELF + 0.0002),
+            "ice_box",
+            material("aluminium"),
+        ),
+    ]
+
+
+def flap(cell: Cell, *, low: Scalar, front: Scalar, finish: Material) -> Body:
+    """Make the flap of an ice box, the link `freezer_door`, hinged at the left.
+
+    Args:
+        cell: Where it is.
+        low: Underside of the floor of the box [m].
+        front: The front of the box along y [m].
+        finish: Of the flap.
+    """
+    left, right = cell.left + _FLAP_INSET, cell.right - 0.012
+    bottom, top = low + ICE_SHELF + 0.003, cell.high - 0.004
+    board = box(right - left, _FLAP, top - bottom, bevel=0.004)
+    middle = ((left + right) / 2, front + _FLAP / 2, (bottom + top) / 2)
+    level = bottom + 0.025
+    lip = box(right - left - 0.03, LIP_REACH + 0.0005, 0.009, bevel=0.003)
+    lip = lip.at(middle[0] + 0.01, front - (LIP_REACH - 0.0005) / 2, level)
+    hold = frame((right - 0.11, front - 0.011, level), approach=(0.0, 1.0, 0.0), closing=(0.0, 0.0, 1.0))
+    ink = material("black_abs").with_(name="ice_ink", base_color=(0.10, 0.25, 0.42))
+    sign = details.icon("snowflake", 0.03)
+    return weld(
+        part(lip, "freezer_door", finish, name="freezer_door", grasp=hold),
+        part(board.at(*middle), "freezer_door", finish),
+        details.printed(sign, (middle[0], front, middle[2] + 0.012), material=ink),
+    )
+
+
+def flap_reach(cell: Cell) -> Scalar:
+    """Return how far to the left the flap of an ice box comes as it opens [m]."""
+    return cell.left + _FLAP_INSET + _FLAP / 2 - LIP_REACH - _FLAP / 2 - 0.003
+
+
+def flap_swing(cell: Cell, opened: Condition, *, front: Scalar, far: Scalar, limit: Scalar) -> Joint:
+    """Make the hinge of the flap of an ice box; it strikes the door in front of it unless that is open.
+
+    Args:
+        cell: Where it is.
+        opened: Where the door has swung clear.
+        front: Of the flap along y [m].
+        far: The outer side of the ridge that its lip strikes along x [m].
+        limit: How far it opens [rad].
+    """
+    axis = cell.left + _FLAP_INSET + _FLAP / 2
+    free = atan2(SLACK, far - axis)
+    return Revolute(
+        "freezer_door_hinge",
+        pivot=(axis, front + _FLAP / 2, cell.high - 0.05),
+        axis=(0.0, 0.0, -1.0),
+        limits=(0.0, limit),
+        friction=1.2,
+        damping=0.1,
+        effort=20.0,
+        needs=opened.beyond(0.7 * free),
+    )

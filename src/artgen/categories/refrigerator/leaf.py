@@ -1,0 +1,149 @@
+"""The measures of a refrigerator's door: where it hinges, how far its inside reaches, when it clears what."""
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Literal
+
+from artgen import Float, Joint, Scalar, Vector, atan2, max_, sqrt, vector
+from artgen.categories.refrigerator.case import SEAL_GAP, Case, Cell
+from artgen.categories.refrigerator.hinges import door_swing
+
+PIN = 0.020
+"""From the outer edge and from the front of a door to the axis of its hinge [m]."""
+
+SEAL_INSET = 0.026
+"""From the edge with the hinges to the gasket: beyond the axis, so that it leaves the cabinet at once [m]."""
+
+CHEEK = 0.040
+"""From the side of a cell to a drawer: the width of the rails there [m]."""
+
+LINING_INSET = 0.004
+"""By how much the lining is narrower than the skin at the edge with the hinges [m]."""
+
+_RIDGE_INSET = 0.055  # from the wall of the cell to the ridge near the hinges [m]
+_SWINGS_PAST = 0.005  # what the free ridge leaves to what it passes [m]
+_CLEARS = 0.004  # what an open door leaves to a drawer's way [m]
+
+
+@dataclass(frozen=True)
+class Leaf:
+    """A door that hinges at its left; one at the right is the mirror image of such a door.
+
+    Attributes:
+        label: Semantic label.
+        name: Name of the link.
+        case: The cabinet.
+        cell: What it closes.
+        left: Its edge with the hinges along x [m].
+        right: Its free edge [m].
+        low: Its lower edge [m].
+        high: Its upper edge [m].
+        limit: How far to the right what is on its inside may reach: a wall, or another door [m].
+        ridge: How deep its ridges reach into the cell [m]; None for a flat inside.
+        bins: How many bins hang between them.
+        mirrored: Whether it hinges at the right: all measures then are those of the mirror image.
+        handle: Where its handle is.
+        meets: Whether its free edge meets that of another door.
+    """
+
+    label: str
+    name: str
+    case: Case
+    cell: Cell
+    left: Scalar
+    right: Scalar
+    low: Scalar
+    high: Scalar
+    limit: Scalar
+    ridge: Scalar | None
+    bins: int
+    mirrored: bool = False
+    handle: Literal["low", "middle", "high"] = "middle"
+    meets: bool = False
+
+    @cached_property
+    def width(self) -> Scalar:
+        """From edge to edge [m]."""
+        return self.right - self.left
+
+    @cached_property
+    def height(self) -> Scalar:
+        """From its lower to its upper edge [m]."""
+        return self.high - self.low
+
+    @cached_property
+    def arm(self) -> Scalar:
+        """From the axis to the handle [m]."""
+        return self.width - PIN - 0.05
+
+    @cached_property
+    def pivot(self) -> Vector:
+        """A point on the axis of the hinge, mirrored where the door is [m]."""
+        side = -1.0 if self.mirrored else 1.0
+        return vector(side * (self.left + PIN), self.case.front + PIN, (self.low + self.high) / 2)
+
+    @cached_property
+    def joint(self) -> str:
+        """Name of its hinge."""
+        head, split, side = self.name.partition("_left")
+        if not split:
+            head, split, side = self.name.partition("_right")
+        return f"{head}_hinge{split}{side}"
+
+    @cached_property
+    def reach(self) -> Scalar:
+        """From the axis to the tips of the ridges, front to back [m]."""
+        return self.case.thickness - PIN + (0.0 if self.ridge is None else self.ridge)
+
+    @cached_property
+    def ridges(self) -> tuple[Scalar, Scalar]:
+        """The outer sides of the ridges along x [m].
+
+        The free one is as far from the axis as it may be to pass the limit with its tip.
+        """
+        axis = self.left + PIN
+        room = self.limit - axis - _SWINGS_PAST
+        return self.cell.left + _RIDGE_INSET, axis + sqrt(max_(room * room - self.reach * self.reach, 0.0))
+
+    def clears(self, x: Scalar) -> Float:
+        """Return the angle from which on nothing of the open door reaches past `x` to the right [rad].
+
+        A point at (u, v) of the axis, to the right and to the back, has turned to u cos q + v sin q. This
+        falls from q = atan2(v, u) on, and passes c at that angle and acos(c / r) more.
+        """
+        axis = self.left + PIN
+        room = x - axis - _CLEARS
+        back = self.case.thickness - PIN
+        points: list[tuple[Scalar, Scalar]] = [
+            (LINING_INSET - PIN, back),
+            (SEAL_INSET - PIN, back + SEAL_GAP),
+        ]
+        if self.ridge is not None:
+            points.append((self.ridges[0] - axis, self.reach))
+        angles = []
+        for u, v in points:
+            rest = sqrt(max_(u * u + v * v - room * room, 0.0))
+            angles.append(atan2(v, u) + atan2(rest, room))
+        return max_(max_(angles[0], angles[1]), angles[-1])
+
+    def hinge(self, *, limit: Scalar, pull: Scalar, damping: Scalar) -> Joint:
+        """Make its hinge.
+
+        Args:
+            limit: How far it opens [rad].
+            pull: Force at the handle that moves it [N].
+            damping: [N m s/rad].
+        """
+        return door_swing(
+            self.joint,
+            pivot=self.pivot,
+            way=1 if self.mirrored else -1,
+            limit=limit,
+            pull=pull,
+            arm=self.arm,
+            damping=damping,
+        )
+
+    def frees(self, left: Scalar, right: Scalar) -> Float:
+        """Return the angle from which on it is out of the way of what comes out between two sides [rad]."""
+        return self.clears(-right if self.mirrored else left)

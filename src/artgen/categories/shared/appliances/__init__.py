@@ -1,0 +1,1 @@
+"""Parts of household appliances: finishes, racks, cords."""

@@ -1,0 +1,1 @@
+"""Controls of appliances and lamps: buttons, dials, panels."""

@@ -1,0 +1,234 @@
+"""Control panels: a strip of black glass, a display, printed icons and lamps. All of it is only seen.
+
+Everything lies on the plane y = 0 and looks to -Y; move it to its face, or turn it there by `rotate`. Buttons
+and dials, which move, are joined at the same places, which `places` gives.
+"""
+
+from collections.abc import Sequence
+from typing import Literal
+
+from artgen import (
+    MATERIALS,
+    Body,
+    Material,
+    Profile,
+    Scalar,
+    Y,
+    circle,
+    coloured,
+    detail,
+    details,
+    extrude,
+    rectangle,
+    weld,
+)
+from artgen.categories.shared.controls.buttons import PLAY, ButtonShape, button_outline
+from artgen.nodes.details.displays import Color
+
+PANE = 0.0006
+"""How far an inlay stands out of its face [m]."""
+
+_LAMP = 0.0009  # radius of a lamp beside an icon [m]
+_FILM = 0.0002  # how far print stands out [m]
+
+LIGHT_INK = coloured("abs", "light_grey").with_(name="light_ink", texture="", tile=None)
+"""Print on dark faces."""
+
+DARK_INK = coloured("abs", "graphite").with_(name="dark_ink", texture="", tile=None)
+"""Print on bright faces."""
+
+
+def ink_on(face: Material) -> Material:
+    """Return the print that shows on a face."""
+    luminance = sum(share * one for share, one in zip((0.21, 0.72, 0.07), face.base_color, strict=True))
+    return DARK_INK if luminance > 0.12 else LIGHT_INK
+
+
+def places(count: int, pitch: Scalar, *, middle: Scalar = 0.0) -> list[Scalar]:
+    """Return the middles of things in a row along x [m].
+
+    Args:
+        count: How many there are.
+        pitch: Distance between neighbours [m].
+        middle: The middle of the row [m].
+    """
+    return [middle + (index - (count - 1) / 2.0) * pitch for index in range(count)]
+
+
+def inlay(
+    width: Scalar,
+    height: Scalar,
+    *,
+    finish: Material | None = None,
+    radius: Scalar = 0.003,
+    holes: Profile | None = None,
+    proud: Scalar = PANE,
+    label: str = "panel",
+) -> Body:
+    """Make a thin pane on the face, about the origin.
+
+    Args:
+        width: Its width [m].
+        height: Its height [m].
+        finish: What it is made of; by default black glass.
+        radius: Of its corners [m].
+        holes: What is cut out of it, such as the holes of buttons.
+        proud: How far it stands out of the face [m].
+        label: Semantic label.
+    """
+    outline = rectangle(width, height, radius=radius)
+    if holes is None:
+        solid = details.relief(outline, proud=proud, sunk=0.0006, bevel=0.0003)
+    else:
+        solid = extrude(outline - holes, proud + 0.0006, axis=Y).at(0.0, (0.0006 - proud) / 2.0, 0.0)
+    return detail(solid, label, finish or MATERIALS["black_glass"])
+
+
+def button_holes(
+    shape: ButtonShape, width: Scalar, height: Scalar, at: Sequence[Scalar], *, level: Scalar = 0.0
+) -> Profile:
+    """Make the holes of a row of buttons, to be cut out of an `inlay` with gaps around the caps.
+
+    Args:
+        shape: Form of the caps.
+        width: Width of a cap [m].
+        height: Height of a cap [m].
+        at: The middles of the caps along x [m].
+        level: Their height on the face [m].
+    """
+    hole = button_outline(shape, width + 2.0 * PLAY, height + 2.0 * PLAY)
+    holes = hole.at(at[0], level)
+    for place in at[1:]:
+        holes = holes | hole.at(place, level)
+    return holes
+
+
+def icon_row(
+    icons: Sequence[str],
+    at: Sequence[Scalar],
+    *,
+    height: Scalar = 0.007,
+    level: Scalar = 0.0,
+    ink: Material = LIGHT_INK,
+    proud: Scalar = PANE,
+) -> Body:
+    """Print a row of icons as one film.
+
+    Args:
+        icons: Their names, known while building; `""` leaves a place out.
+        at: Their middles along x [m].
+        height: Of an icon [m].
+        level: Their height on the face [m].
+        ink: The print.
+        proud: How far the face that they are printed on stands out of y = 0 [m].
+    """
+    found = [
+        details.icon(name, height).at(place, level) for name, place in zip(icons, at, strict=False) if name
+    ]
+    film = found[0]
+    for one in found[1:]:
+        film = film | one
+    return details.printed(film, (0.0, -proud, 0.0), material=ink, proud=_FILM)
+
+
+def lamp_row(
+    at: Sequence[Scalar],
+    *,
+    level: Scalar = 0.0,
+    lit: int = 0,
+    color: Literal["white", "green", "blue", "amber", "red"] = "white",
+    proud: Scalar = PANE,
+) -> Body:
+    """Make a row of small lamps, one of which shines.
+
+    Args:
+        at: Their middles along x [m].
+        level: Their height on the face [m].
+        lit: Which one shines; any other number leaves all dark.
+        color: In which colour.
+        proud: How far the face stands out of y = 0 [m].
+    """
+    dark = MATERIALS["abs"].with_(name="lamp_dark", base_color=(0.10, 0.10, 0.10), texture="", tile=None)
+    groups = [
+        ([place for index, place in enumerate(at) if (index == lit) == shines], each)
+        for shines, each in ((True, MATERIALS[f"led_{color}"]), (False, dark))
+    ]
+    bodies = []
+    for found, finish in groups:
+        if found:
+            film = circle(_LAMP).at(found[0], level)
+            for place in found[1:]:
+                film = film | circle(_LAMP).at(place, level)
+            solid = details.relief(film, (0.0, -proud, 0.0), proud=0.0003)
+            bodies.append(detail(solid, "print", finish))
+    return weld(*bodies)
+
+
+def control_panel(
+    width: Scalar,
+    height: Scalar,
+    *,
+    icons: Sequence[str] = (),
+    pitch: Scalar = 0.022,
+    icon_height: Scalar = 0.008,
+    show: str = "",
+    screen: tuple[Scalar, Scalar] = (0.05, 0.018),
+    color: Color = "white",
+    style: Literal["seven_segment", "dot_matrix"] = "seven_segment",
+    upright: bool = False,
+    finish: Material | None = None,
+    ink: Material | None = None,
+    radius: Scalar = 0.004,
+) -> Body:
+    """Make a touch panel about the origin: a pane with a display and a row of icons, each with a lamp.
+
+    The display is in the middle with half of the icons at either side, or above the icons of an upright one.
+
+    Args:
+        width: Its width [m].
+        height: Its height [m].
+        icons: Their names, known while building.
+        pitch: Distance between icons [m].
+        icon_height: [m].
+        show: What the display shows; `""` leaves it out.
+        screen: Width and height of the display [m].
+        color: Of the figures.
+        style: Of the figures.
+        upright: Whether display and icons stand in a column.
+        finish: Of the pane; by default black glass.
+        ink: Of the icons; by default what shows on the pane.
+        radius: Of the corners of the pane [m].
+    """
+    face = finish or MATERIALS["black_glass"]
+    print_ = ink or ink_on(face)
+    bodies = [inlay(width, height, finish=face, radius=radius)]
+    if show:
+        top = 0.5 * height - 0.9 * screen[1]
+        at = (0.0, -PANE, top if upright and icons else 0.0)
+        bodies.append(details.display(show, *screen, at=at, color=color, style=style))
+    if icons and upright:
+        bodies.append(_column(icons, pitch, icon_height, -0.5 * screen[1] if show else 0.0, print_))
+    elif icons:
+        aside = 0.5 * screen[0] + 0.4 * pitch if show else 0.0
+        row = _beside(len(icons), pitch, aside) if show else places(len(icons), pitch)
+        bodies.append(icon_row(icons, row, height=icon_height, ink=print_))
+        bodies.append(lamp_row(row, level=-0.85 * icon_height))
+    return weld(*bodies)
+
+
+def _beside(count: int, pitch: Scalar, aside: Scalar) -> list[Scalar]:
+    """Return places at both sides of a display, which leaves `aside` free at either side of x = 0 [m]."""
+    half = (count + 1) // 2
+    left = [-aside - (half - index - 0.5) * pitch for index in range(half)]
+    return [*left, *(aside + (index + 0.5) * pitch for index in range(count - half))]
+
+
+def _column(icons: Sequence[str], pitch: Scalar, height: Scalar, middle: Scalar, ink: Material) -> Body:
+    """Print icons below each other."""
+    rows = [middle + ((len(icons) - 1) / 2.0 - index) * pitch for index in range(len(icons))]
+    return weld(
+        *(
+            icon_row([name], [0.0], height=height, level=level, ink=ink)
+            for name, level in zip(icons, rows, strict=True)
+        )
+    )

@@ -1,0 +1,1 @@
+"""Parts of cooktops, built in or on an oven: burners, grates, plans."""

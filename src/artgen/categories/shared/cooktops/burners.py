@@ -1,0 +1,274 @@
+"""Burners of cooktops and ranges: gas, coils of tube, and what is printed on glass over hidden ones.
+
+Each is made about the origin, its plate's upper face being z = 0.
+"""
+
+import math
+from collections.abc import Sequence
+from functools import cache
+
+from artgen import (
+    Body,
+    Material,
+    Profile,
+    Scalar,
+    Solid,
+    VectorLike,
+    Z,
+    box_between,
+    circle,
+    cylinder,
+    detail,
+    details,
+    ellipse,
+    extrude,
+    frustum,
+    half_section,
+    material,
+    part,
+    polygon,
+    rectangle,
+    revolve,
+    ring,
+    spline,
+    sweep,
+    weld,
+)
+from artgen.categories.shared.cooktops.plan import BurnerSize, Place
+
+GAS_RADIUS: dict[BurnerSize, float] = {"small": 0.025, "medium": 0.034, "large": 0.045, "wok": 0.060}
+"""Radius of a spreader: burners of 1.0, 1.75, 3.0 and 4-5 kW [m]."""
+
+GAS_TOP = 0.0235
+"""Height of a gas burner with its cap [m]."""
+
+ZONE_RADIUS: dict[BurnerSize, float] = {"small": 0.0725, "medium": 0.090, "large": 0.105, "wok": 0.135}
+"""Zones of 145, 180, 210 and 270 mm, as makers name them [m]."""
+
+COIL_RADIUS: dict[BurnerSize, float] = {"small": 0.076, "medium": 0.076, "large": 0.1015, "wok": 0.1015}
+"""Coils of 6 and 8 inches [m]."""
+
+COIL_TOP = 0.006
+"""How high a coil stands above its plate [m]."""
+
+BOWL = 0.011
+"""How deep a drip bowl is set into the plate [m]."""
+
+# castings of cups and spreaders are hollow
+ALUMINIUM = material("aluminium").with_(
+    name="burner_aluminium", base_color=(0.56, 0.55, 0.53), specular_roughness=0.45, density=1300.0
+)
+BRASS = material("brass").with_(name="burner_brass", specular_roughness=0.35, density=3200.0)
+_SOOT = material("cast_iron").with_(name="burner_slots", base_color=(0.03, 0.028, 0.026), density=2000.0)
+_ELEMENT = material("black_steel").with_(
+    name="heating_tube", base_color=(0.045, 0.043, 0.042), specular_roughness=0.55
+)
+_TEETH = 24
+_RUN = math.tau / 20.0  # between two points of a spiral [rad]
+_GAP = 0.0045  # between two turns of a coil [m]
+_TUBE = 0.0042  # half the width of the flattened tube of a coil [m]
+
+
+@cache
+def _toothed() -> Profile:
+    """Make the outline of a spreader of radius 1: teeth, and the slots between them for the flames."""
+    points = []
+    for tooth in range(_TEETH):
+        for turn, share in ((0.0, 1.0), (0.62, 1.0), (0.62, 0.9), (1.0, 0.9)):
+            angle = math.tau * (tooth + turn) / _TEETH
+            points.append((share * math.cos(angle), share * math.sin(angle)))
+    return polygon(points)
+
+
+def gas_burner(size: BurnerSize, *, spreader: Material = ALUMINIUM, cap: Material, igniter: int = 1) -> Body:
+    """Make a gas burner: its cup, the spreader with slots all around, the cap, the igniter, the thermocouple.
+
+    Args:
+        size: How large it is; a wok's has an outer and an inner ring of flames.
+        spreader: Its metal.
+        cap: What the cap on it is enamelled with.
+        igniter: On which side of it the igniter is, -1 or 1.
+    """
+    radius = GAS_RADIUS[size]
+    edge = 1.34 * radius
+    well = revolve(polygon([(0.0, -0.0004), (edge, -0.0004), (edge - 0.0015, 0.0009), (0.0, 0.0012)]))
+    bodies = [detail(well, "burner", ALUMINIUM)]
+    # a dark drum, seen between the teeth, weighs what cup, spreader and cap weigh; they are only seen
+    heavy = _drum_density(spreader, cap)
+    dark = _SOOT.with_(
+        name=f"{_SOOT.name}_{size}_{spreader.name}",
+        density=round(heavy * (GAS_RADIUS["medium"] / radius) ** 2),
+    )
+    if size == "wok":
+        drum = cylinder(0.90 * radius, 0.017).align((0.0, 0.0, -0.0005), z=-1)
+        inner = cylinder(0.021, 0.0070).align((0.0, 0.0, 0.0155), z=-1)
+        cup = cylinder(radius, 0.0125, bevel=0.001).align((0.0, 0.0, -0.0005), z=-1)
+        rim = revolve(rectangle(0.021, 0.0035, radius=0.0014).at(0.8 * radius, 0.018))
+        bodies += [
+            part(drum, "burner", dark),
+            part(inner, "burner", spreader),
+            detail(cup, "burner", spreader),
+        ]
+        bodies += [_teeth(0.98 * radius, 0.012, 0.0165, spreader), detail(rim, "burner_cap", cap)]
+        bodies += _cap(0.024, 0.0185, GAS_TOP, cap)
+    else:
+        high = GAS_TOP - 0.001
+        drum = cylinder(0.92 * radius, high - 0.0005).align((0.0, 0.0, -0.0005), z=-1)
+        cup = frustum(1.14 * radius, 0.97 * radius, 0.0105, bevel=0.0008)
+        bodies.append(part(drum, "burner", dark))
+        bodies.append(detail(cup.align((0.0, 0.0, -0.0005), z=-1), "burner", spreader))
+        bodies += [_teeth(radius, 0.0095, 0.0165, spreader), *_cap(0.93 * radius, 0.016, high, cap)]
+    pin, tip = cylinder(0.0026, 0.0125, bevel=0.0008), cylinder(0.0009, 0.004)
+    at = (0.74 * igniter * 1.24 * radius, -0.68 * 1.24 * radius, 0.0)
+    bodies.append(detail(pin.at(at[0], at[1], 0.006), "igniter", material("ceramic")))
+    bodies.append(detail(tip.at(at[0], at[1], 0.0138), "igniter", material("steel")))
+    couple = cylinder(0.0021, 0.015, bevel=0.001)
+    bodies.append(detail(couple.at(-at[0], at[1], 0.0072), "igniter", material("copper")))
+    return weld(*bodies)
+
+
+def _drum_density(spreader: Material, cap: Material) -> float:
+    """Return what the drum of a medium burner weighs by its volume, for what is seen around it [kg/m3].
+
+    The shares are the volumes of spreader with cup and of the cap in that of the drum, which is 22 mm high.
+    Other sizes weigh the same, as castings of larger ones are thinner: a top that is as heavy at its left as
+    at its right has its principal axes along its edges, and simulators lay their boxes along these.
+    """
+    return round(700.0 + 0.6 * spreader.density + 0.3 * cap.density)
+
+
+def _teeth(radius: Scalar, low: Scalar, high: Scalar, metal: Material) -> Body:
+    """Make the teeth between the slots for the flames, from one height to another."""
+    teeth = extrude(_toothed().scale(radius), high - low).align((0.0, 0.0, low), z=-1)
+    return detail(teeth, "burner", metal)
+
+
+def _cap(radius: Scalar, low: Scalar, high: Scalar, finish: Material) -> list[Body]:
+    """Make a cap between two heights, slightly domed."""
+    edge = cylinder(radius, high - low, bevel=0.0018).align((0.0, 0.0, low), z=-1)
+    crown = revolve(
+        half_section(
+            spline(
+                [
+                    (0.86 * radius, 0.0, high - 0.0006),
+                    (0.5 * radius, 0.0, high + 0.0007),
+                    (0.0, 0.0, high + 0.001),
+                ]
+            )
+        )
+    )
+    return [detail(edge, "burner_cap", finish), detail(crown, "burner_cap", finish)]
+
+
+def coil_hole(radius: Scalar) -> Profile:
+    """Return the outline of the hole for the drip bowl of a coil: an octagon under the lip of the bowl."""
+    corners = [math.tau * (side + 0.5) / 8.0 for side in range(8)]
+    wide = (radius + 0.008) / math.cos(math.pi / 8.0)
+    return polygon([(math.cos(turn), math.sin(turn)) for turn in corners]).scale(wide)
+
+
+def coil_burner(radius: float, *, bowl: Material, turn: float = 0.0) -> Body:
+    """Make a coil on three bars in its drip bowl, which reaches 11 mm down into the plate.
+
+    The bars carry a pot; the coil, half a millimetre higher, is only seen.
+
+    Args:
+        radius: Outer radius of the coil [m].
+        bowl: What the bowl is made of.
+        turn: Where the ends of the tube leave, from the back on [rad].
+    """
+    lip = radius + 0.008
+    line: list[VectorLike] = [
+        (0.012, 0.0, -BOWL + 0.0006),
+        (0.30 * lip, 0.0, -BOWL + 0.0008),
+        (0.86 * lip, 0.0, -0.006),
+        (0.98 * lip, 0.0, 0.0012),
+        (1.065 * lip, 0.0, 0.0016),
+        (1.08 * lip, 0.0, 0.0002),
+    ]
+    dish = revolve(half_section(spline(line), wall=0.0007))
+    hole = cylinder(0.0125, 0.0008).at(0.0, 0.0, -BOWL + 0.0002)
+    bar = box_between((0.010, -0.0012, -BOWL - 0.0005), (0.97 * radius, 0.0012, COIL_TOP - 0.0085))
+    tread = box_between((0.012, -0.0012, COIL_TOP - 0.009), (0.99 * radius, 0.0012, COIL_TOP - 0.0005))
+    spokes = [each.rotate(Z, turn + math.tau * arm / 3.0) for arm in range(3) for each in (bar, tread)]
+    boss = cylinder(0.0115, COIL_TOP + BOWL - 0.0012, bevel=0.0008).align((0.0, 0.0, -BOWL - 0.0004), z=-1)
+    steel = material("stainless").with_(name="coil_bars", specular_roughness=0.4)
+    return weld(
+        *(part(each, "burner", steel) for each in spokes),
+        part(boss, "burner", steel),
+        detail(_spiral(radius).rotate(Z, turn), "coil", _ELEMENT),
+        detail(dish, "drip_bowl", bowl),
+        detail(hole, "drip_bowl", _SOOT),
+    )
+
+
+def _spiral(radius: float) -> Solid:
+    """Make a flattened tube that winds outward, with the tail that goes down into the bowl."""
+    first, last = 0.019, radius - _TUBE
+    pitch = 2.0 * _TUBE + _GAP
+    sweep_ = math.tau * (last - first) / pitch
+    steps = round(sweep_ / _RUN)
+    level = COIL_TOP - 0.003
+    # its ends go down into the bowl
+    course = [(-0.9, first, -0.006), (-0.45, first, -0.0015)]
+    for step in range(steps + 1):
+        angle = sweep_ * step / steps
+        course.append((angle, first + pitch * angle / math.tau, 0.0))
+    course += [(sweep_ + 0.22, last, -0.0015), (sweep_ + 0.40, last, -0.006)]
+    points: list[VectorLike] = [
+        (out * math.cos(angle), out * math.sin(angle), level + drop) for angle, out, drop in course
+    ]
+    return sweep(ellipse(_TUBE, 0.003), spline(points))
+
+
+def radiant_zone(radius: Scalar, *, dual: bool) -> Profile:
+    """Make what is printed over a radiant heater: a fine circle, its band, and one more inside of dual ones.
+
+    Args:
+        radius: Of the heater [m].
+        dual: Whether an inner part of it can be heated alone.
+    """
+    zone = ring(radius, radius - 0.0011) | ring(radius - 0.0030, radius - 0.0036)
+    if dual:
+        zone = zone | ring(0.62 * radius, 0.62 * radius - 0.0011)
+    return zone
+
+
+def induction_zone(radius: Scalar, *, style: str) -> Profile:
+    """Make what is printed over an induction coil.
+
+    Args:
+        radius: Of the coil [m].
+        style: `cross`, a cross in the middle with four arcs; `corners` of a square; `dots` on a circle.
+    """
+    arm = rectangle(0.030, 0.0011) | rectangle(0.0011, 0.030)
+    if style == "cross":
+        gap = rectangle(3.0 * radius, 0.55 * radius) | rectangle(0.55 * radius, 3.0 * radius)
+        return arm | (ring(radius, radius - 0.0011) - gap.rotate(math.pi / 4.0))
+    side = 0.93 * radius
+    if style == "corners":
+        outer = rectangle(2 * side, 2 * side, radius=0.006) - rectangle(
+            2 * side - 0.0022, 2 * side - 0.0022, radius=0.005
+        )
+        gap = rectangle(3.0 * side, 1.3 * side) | rectangle(1.3 * side, 3.0 * side)
+        return (outer - gap) | arm.scale(0.5)
+    dots = arm.scale(0.6)
+    for step in range(12):
+        angle = math.tau * step / 12.0
+        dots = dots | circle(0.0016).at(radius * math.cos(angle), radius * math.sin(angle))
+    return dots
+
+
+def printed_zones(zones: Sequence[tuple[Place, Profile]], top: Scalar, ink: Material) -> Body:
+    """Print zones on a glass whose upper face is at a height, as one film.
+
+    Args:
+        zones: Where they are, and their outlines.
+        top: Height of the face [m].
+        ink: The print.
+    """
+    place, film = zones[0]
+    whole = film.at(place.x, place.y)
+    for place, film in zones[1:]:
+        whole = whole | film.at(place.x, place.y)
+    return details.printed(whole, (0.0, 0.0, top), material=ink, facing=Z, label="zone")

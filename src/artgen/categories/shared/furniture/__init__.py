@@ -1,0 +1,1 @@
+"""Parts of furniture and doors: carcasses, fronts, slabs, shelves."""

@@ -1,0 +1,97 @@
+"""Fronts of furniture: flat, shaker, ramped or glazed, as doors of cabinets and as fronts of drawers."""
+
+from dataclasses import dataclass
+from typing import Literal
+
+from artgen import Body, Material, Scalar, Solid, Y, box, detail, extrude, min_, part, rectangle
+from artgen.categories.shared.furniture.door_slab import EASED
+from artgen.categories.shared.furniture.infill import Opening, Sticking, panels_in, panes_in
+
+FrontStyle = Literal["flat", "beaded", "shaker", "ramped", "fielded", "glazed"]
+"""A slab; one with a bead around it; a frame around a flat panel, plain or moulded; one whose frame slopes
+down to the panel; one whose panel rises to a field; one with a pane."""
+
+
+@dataclass(frozen=True)
+class FrontLook:
+    """How fronts look.
+
+    Attributes:
+        style: Their build.
+        finish: What they are made of.
+        rail: Width of stiles and rails [m].
+        moulding: Of the edge of the frame around a shaker panel.
+        slope: Width of the slope of a ramped front [m].
+        glass: Of the pane of a glazed one.
+        panes: Panes side by side, and above each other.
+    """
+
+    style: FrontStyle
+    finish: Material
+    rail: Scalar
+    moulding: Sticking
+    slope: Scalar
+    glass: Material
+    panes: tuple[int, int] = (1, 1)
+
+    @property
+    def framed(self) -> bool:
+        """Whether handles stand on a panel that lies behind rails and stiles."""
+        return self.style in ("shaker", "ramped")
+
+    def sunk(self, thickness: Scalar) -> Scalar:
+        """Return how far behind its face the middle of a front lies, where handles stand [m]."""
+        return 0.375 * thickness if self.framed else 0.0
+
+
+def front(
+    look: FrontLook, width: Scalar, height: Scalar, thickness: Scalar, *, label: str, name: str | None = None
+) -> list[Body]:
+    """Make a front about the origin in the X-Z plane, its faces half of its thickness before and behind it.
+
+    Args:
+        look: How it looks.
+        width: [m].
+        height: [m].
+        thickness: [m].
+        label: Semantic label.
+        name: Name of the link; by default the label.
+    """
+    if look.style in ("flat", "beaded"):
+        slab = part(box(width, thickness, height, bevel=0.0014), label, look.finish, name=name)
+        return (
+            [slab, detail(_bead(width, height, thickness), label, look.finish)]
+            if look.style == "beaded"
+            else [slab]
+        )
+    rail = look.rail
+    narrow = min_(rail, 0.27 * height)  # rails of a low drawer leave room for its panel
+    stile = box(rail, thickness, height, bevel=EASED)
+    beam = box(width - 2 * rail, thickness, narrow, bevel=EASED)
+    boards: list[Solid] = [
+        *(stile.at(way * (width - rail) / 2, 0.0, 0.0) for way in (-1, 1)),
+        *(beam.at(0.0, 0.0, way * (height - narrow) / 2) for way in (-1, 1)),
+    ]
+    first, *others = boards
+    opening = Opening(width - 2 * rail, height - 2 * narrow, [(0.0, 0.0, 0.0)], 1, look.finish, label)
+    match look.style:
+        case "glazed":
+            filling = panes_in(opening, thickness, *look.panes, look.glass)
+        case "ramped":
+            slope = min_(look.slope, 0.3 * min_(opening.width, opening.height))
+            filling = panels_in(opening, thickness, "recessed", slope, "ramp")
+        case "fielded":
+            filling = panels_in(opening, thickness, "raised", 0.008, "ovolo")
+        case _:
+            filling = panels_in(opening, thickness, "recessed", 0.009, look.moulding)
+    return [
+        part(first, label, look.finish, name=name),
+        *(part(each, label, look.finish) for each in others),
+        *filling,
+    ]
+
+
+def _bead(width: Scalar, height: Scalar, thickness: Scalar) -> Solid:
+    """Make a half-round bead around the face of a slab, which stands out by 2 mm."""
+    ring = rectangle(width - 0.004, height - 0.004) - rectangle(width - 0.018, height - 0.018)
+    return extrude(ring, 0.006, axis=Y, bevel=0.0028).at(0.0, 0.001 - thickness / 2, 0.0)

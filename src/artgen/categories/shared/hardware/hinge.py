@@ -1,0 +1,151 @@
+"""Butt hinges: knuckles that alternate on one pin, tabs in the gap, plates on the leaf and on the jamb.
+
+The origin is on the pin's axis (along Z) half way up the hinge. The leaf is at x > 0, the jamb at x < 0, each
+half a gap away; both faces that look at the reader are at y = `offset`, behind the pin. The leaf swings
+towards -y, about -Z.
+"""
+
+import math
+from collections.abc import Sequence
+
+from artgen import (
+    Body,
+    Material,
+    Scalar,
+    X,
+    Z,
+    array,
+    box,
+    circle,
+    cylinder,
+    detail,
+    dome,
+    enclosed,
+    extrude,
+    part,
+    rectangle,
+    weld,
+)
+from artgen.categories.shared.hardware.screws import screws
+
+KNUCKLE_CLEARANCE = 0.001
+"""Distance from the knuckles to the face of the leaf [m]."""
+
+_AXIAL_GAP = 0.0004  # between knuckles [m]
+_PLATE = 0.0026  # thickness of plates: what shows in the gap, and what is let into the wood [m]
+_FACE = 0.0008  # of which this much is only seen: it has the holes of the screws [m]
+_SCREW = 0.0034  # radius of their heads [m]
+_CENTER = 0.00025  # plates stay away from the middle of the gap by this much [m]
+
+
+def hinge_offset(radius: Scalar) -> Scalar:
+    """Return the distance from the pin's axis to the face of the leaf [m]."""
+    return radius + KNUCKLE_CLEARANCE
+
+
+def _half(
+    height: Scalar,
+    radius: Scalar,
+    depth: Scalar,
+    count: int,
+    side: int,
+    finish: Material,
+    *,
+    sheets: bool,
+) -> list[Body]:
+    """Make the knuckles, tabs, plates and screws of one half; `side` is 1 for the leaf, -1 for the frame."""
+    sheet, inner = _PLATE - _CENTER, side * _CENTER
+    pitch = height / count
+    tall = pitch - _AXIAL_GAP
+    knuckle = cylinder(radius, tall, axis=Z)  # sharp rims: with its tab one hull of less than 64 corners
+    tab = box(sheet, radius + 0.0006, tall).align((inner, 0.0, 0.0), x=-side, y=-1.0)
+    middles = [pitch * (index + 0.5) - height / 2 for index in range(0 if side < 0 else 1, count, 2)]
+    # the plate runs past the other half's knuckles, 0.5 mm behind them; its face has holes for screws
+    deep = depth + KNUCKLE_CLEARANCE - 0.0005
+    plate = box(sheet - _FACE, deep, height)
+    plate = plate.align((inner + side * _FACE, radius + 0.0005, 0.0), x=-side, y=-1.0)
+    rows = ((-0.36, 0.65), (0.0, 0.40), (0.36, 0.65))
+    screws_at = [(hinge_offset(radius) + row * depth, level * height) for level, row in rows]
+    face = rectangle(deep, height).at(radius + 0.0005 + deep / 2.0)
+    for at in screws_at:
+        face = face - circle(_SCREW + 0.0003).at(*at)
+    skin = extrude(face, _FACE + 0.0003, axis=X).at(inner + side * (_FACE + 0.0003) / 2.0, 0.0, 0.0)
+    places = [(0.0, 0.0, z) for z in middles]
+    if sheets:
+        # a knuckle and its tab nearly are their own hull
+        made = [
+            part(array(enclosed(knuckle | tab), at=places), "hinge", finish),
+            part(plate, "hinge", finish),
+        ]
+    else:
+        alone = part(array(knuckle, at=places), "hinge", finish, separate="its tab joins it to the plate")
+        made = [alone, detail(array(tab, at=places), "hinge", finish), detail(plate, "hinge", finish)]
+    return [
+        *made,
+        detail(skin, "hinge", finish),
+        *screws(
+            [(inner, y, z) for y, z in screws_at],
+            facing="-x" if side > 0 else "+x",
+            radius=_SCREW,
+            finish=finish,
+            sunk=0.0005,
+        ),
+    ]
+
+
+def _stacked(bodies: Sequence[Body], levels: Sequence[Scalar]) -> Body:
+    """Put copies of a half hinge at several heights."""
+    half = weld(*bodies)
+    return weld(*(half.at(0.0, 0.0, level) for level in levels))
+
+
+def hinge_leaf(
+    *,
+    height: Scalar,
+    radius: Scalar,
+    depth: Scalar,
+    finish: Material,
+    knuckles: int = 5,
+    levels: Sequence[Scalar] = (0.0,),
+    sheets: bool = True,
+) -> Body:
+    """Make the half of a butt hinge that turns with the leaf.
+
+    Args:
+        height: Height of the hinge, 0.076-0.102 in houses [m].
+        radius: Radius of the knuckles, 0.005-0.007 [m].
+        depth: How far the plate reaches along the edge of the leaf, 0.028-0.034 [m].
+        finish: Its metal.
+        knuckles: 3 or 5, those of both halves together.
+        levels: Heights of the middles of all hinges of the door [m].
+        sheets: Whether tabs and plates have mass and collide; those of small hinges only are seen, since
+            simulators look closely at what is so near.
+    """
+    return _stacked(_half(height, radius, depth, knuckles, 1, finish, sheets=sheets), levels)
+
+
+def hinge_frame(
+    *,
+    height: Scalar,
+    radius: Scalar,
+    depth: Scalar,
+    finish: Material,
+    knuckles: int = 5,
+    levels: Sequence[Scalar] = (0.0,),
+    sheets: bool = True,
+) -> Body:
+    """Make the half of a butt hinge that stays on the jamb, with the heads of its pin.
+
+    Args:
+        height: Height of the hinge, 0.076-0.102 in houses [m].
+        radius: Radius of the knuckles, 0.005-0.007 [m].
+        depth: How far the plate reaches along the jamb [m].
+        finish: Its metal.
+        knuckles: 3 or 5, those of both halves together.
+        levels: Heights of the middles of all hinges of the door [m].
+        sheets: Whether tabs and plates have mass and collide; those of small hinges only are seen, since
+            simulators look closely at what is so near.
+    """
+    head = dome(radius * 0.92, height=radius * 0.55).at(0.0, 0.0, height / 2 - 0.0003)
+    heads = [detail(each, "hinge", finish) for each in (head, head.rotate(X, math.pi))]
+    return _stacked([*_half(height, radius, depth, knuckles, -1, finish, sheets=sheets), *heads], levels)

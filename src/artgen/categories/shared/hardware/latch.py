@@ -1,0 +1,231 @@
+"""Latch bolts: the bolt, the pocket it slides in, its faceplate on the leaf, and the strike in the jamb.
+
+All are drawn about the spindle of a closed leaf whose lock edge is at x = backset, and which closes towards
++y (it opens towards -y). Tubular latches and mortise locks of common make have bolts 11-13 mm wide with a
+throw of 10-12.7 mm (ANSI/BHMA A156.2, EN 12209).
+"""
+
+from dataclasses import dataclass
+from typing import Literal
+
+from artgen import (
+    Body,
+    Joint,
+    Material,
+    Prismatic,
+    Profile,
+    Scalar,
+    Solid,
+    X,
+    Z,
+    box,
+    circle,
+    detail,
+    details,
+    extrude,
+    part,
+    polygon,
+    rectangle,
+    weld,
+)
+from artgen.categories.shared.hardware.screws import Way, screws
+
+PLAY = 0.0004
+"""Clearance around a sliding bolt [m]."""
+
+
+BoltName = Literal["latch", "deadbolt"]
+
+
+@dataclass(frozen=True)
+class Bolt:
+    """The section of a bolt.
+
+    Attributes:
+        width: Across the leaf, along Y [m].
+        height: Along Z [m].
+    """
+
+    width: float
+    height: float
+
+
+LATCH = Bolt(0.012, 0.018)
+DEADBOLT = Bolt(0.0145, 0.025)
+
+LATCH_HOLE = LATCH.height + 2 * PLAY
+"""Height of the hole of a spindle that meets the pocket of a latch [m]."""
+
+_TAIL = 0.022  # what stays in the leaf behind the throw [m]
+_OVERTRAVEL = 1.6  # a handle turns further than the latch needs: the pocket is that many throws deep
+_OPENING_PLAY = 0.0007  # a closed door rattles by this much [m]
+_EASY = 0.002  # play of the strike where nothing has to hold [m]
+_SKIN = 0.0008  # thickness of what is seen of a strike [m]
+_SCREW = 0.0036  # radius of the heads of screws [m]
+_PROUD = 0.0003  # plates stand out of the wood by this much, so that they are seen [m]
+
+
+def latch_bolt(*, backset: Scalar, throw: Scalar, finish: Material) -> Body:
+    """Make a sprung bolt: flat towards -y, where it holds the door, slanted towards +y, where it closes.
+
+    Args:
+        backset: Distance from the spindle to the lock edge of the leaf [m].
+        throw: How far the bolt stands out of the edge at rest [m].
+        finish: Metal of the bolt.
+    """
+    half = LATCH.width / 2
+    section = polygon(
+        [
+            (backset - _TAIL, -half),
+            (backset + throw, -half),
+            (backset + throw, -half + 0.003),  # a blunt nose
+            (backset + 0.0015, half),
+            (backset - _TAIL, half),
+        ]
+    )
+    return part(extrude(section, LATCH.height, axis=Z, bevel=0.0006), "latch", finish)
+
+
+def latch_slide(leader: Joint, *, throw: Scalar, release: Scalar, name: str = "latch_slide") -> Joint:
+    """Make the joint of a latch bolt that a handle draws into the leaf; positive is drawn back.
+
+    Args:
+        leader: Joint of the handle, which turns or slides from 0 upwards.
+        throw: How far the bolt stands out at rest [m].
+        release: Position of the handle at which the bolt is flush with the edge [rad or m].
+        name: Name of the joint.
+    """
+    return Prismatic(name, axis=-X, follows=(throw / release) * leader, damping=2.0, friction=0.2)
+
+
+def latch_pocket(*, backset: Scalar, throw: Scalar, through: bool = False) -> Solid:
+    """Make the tool that cuts the bolt's pocket into the lock edge of the leaf.
+
+    Args:
+        backset: Distance from the spindle to the lock edge [m].
+        throw: How far the bolt stands out at rest [m].
+        through: Whether it reaches to the spindle, as the case of a mortise lock does.
+    """
+    deep = backset if through else _TAIL + _OVERTRAVEL * throw + 0.005
+    return _slot(LATCH, deep + 0.005, backset + 0.005)  # 5 mm past the edge, through the faceplate
+
+
+def _slot(bolt: Bolt, length: Scalar, end: Scalar) -> Solid:
+    """Make a box around a bolt with play, which ends at x = end."""
+    return box(length, bolt.width + 2 * PLAY, bolt.height + 2 * PLAY).align((end, 0.0, 0.0), x=1.0)
+
+
+def faceplate(*, backset: Scalar, finish: Material, bolt: BoltName = "latch", mark: str = "") -> Body:
+    """Make the plate on the lock edge through which a bolt comes out, 23 by 57 mm as is common, with screws.
+
+    Args:
+        backset: Distance from the axis of the lock to the lock edge [m].
+        finish: Metal of the plate.
+        bolt: `latch` or `deadbolt`.
+        mark: The maker's name, engraved below the bolt; empty for none.
+    """
+    section = LATCH if bolt == "latch" else DEADBOLT
+    width, height, thick = 0.0235, 0.057, 0.0024
+    face, level = backset + _PROUD, section.height / 2 + 0.0095
+    outline = rectangle(width, height, radius=0.0045)
+    # 0.1 mm inside the walls of the pocket, whose faces would fight its own for a pixel
+    outline = outline - rectangle(section.width + 1.5 * PLAY, section.height + 1.5 * PLAY)
+    bodies = [
+        detail(_pierced(outline, level, thick).at(face - thick / 2, 0.0, 0.0), "faceplate", finish),
+        *_plate_screws(face, "+x", level, finish),
+    ]
+    if mark:
+        name = details.lettering([mark.upper()], 0.0016, tracking=0.12, fineness="coarse")
+        bodies.append(
+            details.engraved(
+                name, (face, 0.0, -height / 2 + 0.0026), facing=X, label="faceplate", material=finish
+            )
+        )
+    return weld(*bodies)
+
+
+def _pierced(outline: Profile, level: Scalar, thick: Scalar) -> Solid:
+    """Make a plate that looks along X, with holes for screws above and below its middle."""
+    hole = circle(_SCREW + 0.0003)
+    return extrude(outline - hole.at(0.0, level) - hole.at(0.0, -level), thick, axis=X)
+
+
+def _plate_screws(x: Scalar, facing: Way, height: Scalar, finish: Material) -> list[Body]:
+    """Make countersunk heads above and below a bolt on a plate at x."""
+    return screws(
+        [(x, 0.0, -height), (x, 0.0, height)], facing=facing, radius=_SCREW, finish=finish, sunk=0.0005
+    )
+
+
+def strike_pocket(*, backset: Scalar, gap: Scalar, throw: Scalar, bolt: Bolt = LATCH) -> Solid:
+    """Make the tool that cuts the hole for a thrown bolt into the jamb.
+
+    Args:
+        backset: Distance from the axis to the lock edge [m].
+        gap: Gap between the leaf and the jamb [m].
+        throw: How far the bolt comes out of the leaf [m].
+        bolt: Its section.
+    """
+    front = backset + gap - 0.002
+    back = backset + throw + 0.004
+    low, high = -bolt.width / 2 - _OPENING_PLAY, bolt.width / 2 + _EASY
+    solid = box(back - front, high - low, bolt.height + 2 * _EASY)
+    return solid.align((front, low, 0.0), x=-1.0, y=-1.0)
+
+
+def strike_plate(
+    *,
+    backset: Scalar,
+    gap: Scalar,
+    throw: Scalar,
+    thickness: Scalar,
+    finish: Material,
+    bolt: BoltName = "latch",
+) -> Body:
+    """Make the plate on the jamb that a bolt enters, to be welded to a jamb cut with `strike_pocket`.
+
+    Args:
+        backset: Distance from the axis to the lock edge [m].
+        gap: Gap between the leaf and the jamb [m].
+        throw: How far the bolt comes out of the leaf [m].
+        thickness: Thickness of the leaf; the plate reaches to the front of the jamb, level with the leaf [m].
+        finish: Metal of the plate.
+        bolt: `latch` or `deadbolt`.
+    """
+    section = LATCH if bolt == "latch" else DEADBOLT
+    face = backset + gap - _PROUD
+    low, high = -thickness / 2 + 0.0005, section.width / 2 + 0.008
+    hole = strike_pocket(backset=backset, gap=gap, throw=throw, bolt=section)
+    # what collides lies behind what is seen, which has the holes of the screws
+    plate = box(0.0018 - _SKIN, high - low, 0.060).align((face + _SKIN, low, 0.0), x=-1.0, y=-1.0)
+    wide = section.width + _OPENING_PLAY + _EASY
+    opening = rectangle(wide, section.height + 2 * _EASY).at((_EASY - _OPENING_PLAY) / 2)
+    skin = rectangle(high - low, 0.060, radius=0.0045).at((low + high) / 2)
+    level = section.height / 2 + 0.0105
+    bodies = [
+        part(plate - hole, "strike", finish),
+        detail(
+            _pierced(skin - opening, level, _SKIN + 0.0003).at(face + (_SKIN + 0.0003) / 2, 0.0, 0.0),
+            "strike",
+            finish,
+        ),
+        *_plate_screws(face, "-x", level, finish),
+    ]
+    if bolt == "latch":
+        # the lip, which guides the latch in, curls around the front of the jamb
+        curl = polygon([(0.0, 0.0), (0.0, -0.0006), (0.0020, -0.0029), (0.0030, -0.0024), (0.0012, 0.0)])
+        lip = extrude(curl, section.height + 0.012, axis=Z, bevel=0.0003)
+        bodies.append(detail(lip.at(face, -thickness / 2 + 0.0006, 0.0), "strike", finish))
+    return weld(*bodies)
+
+
+def clear_angle(*, thickness: Scalar, reach: Scalar, bolt: Bolt = LATCH) -> Scalar:
+    """Return the angle of a door at which its thrown latch has left the strike, 2 mm to spare [rad].
+
+    Args:
+        thickness: Thickness of the leaf, level with the front of the jamb [m].
+        reach: Distance from the hinge's pin to the lock edge [m].
+        bolt: Section of the latch.
+    """
+    # small angles: the bolt moves by angle * reach, a little more at its nose
+    return (thickness / 2 + bolt.width / 2 + 0.002) / reach * 1.02

@@ -1,0 +1,180 @@
+"""Roses and plates: the fixed covers of the hole that a spindle passes.
+
+A rose hides a square hole, as a square spindle has; the neck of the handle stands in front of the rose and
+covers it, so that nothing of the hole is seen.
+"""
+
+import math
+from typing import Literal
+
+from artgen import (
+    Body,
+    Material,
+    Scalar,
+    Solid,
+    Y,
+    Z,
+    bore,
+    box,
+    circle,
+    cylinder,
+    detail,
+    details,
+    extrude,
+    part,
+    rectangle,
+    weld,
+)
+from artgen.categories.shared.finish import casting, recess
+from artgen.categories.shared.hardware.cylinders import key_cylinder
+from artgen.categories.shared.hardware.screws import Drive, Way, screws
+
+Faces = Literal["both", "front", "back"]
+"""The faces of a leaf on which something sits; the front faces -y."""
+
+Fixing = Literal["hidden", "slot", "phillips"]
+"""How a rose is held: by a set screw in its rim, or by two screws through its face."""
+
+SIDES: dict[str, tuple[int, ...]] = {"both": (-1, 1), "front": (-1,), "back": (1,)}
+"""The signs of y that belong to `Faces`."""
+
+SPINDLE = 0.0045
+"""Radius of a spindle: a square one of 8 mm, its edges turned off [m]."""
+
+NECK_GAP = 0.0005
+"""Gap between a rose and the neck of a handle [m]."""
+
+PIN_BELOW = 0.0215
+"""How far below the spindle a privacy pin passes the rose [m]."""
+
+PIN = 0.0034
+"""Radius of a privacy pin [m]."""
+
+_KEY_BELOW = 0.060  # a key cylinder is this far below the spindle [m]
+_HOLE = 0.0105  # side of the hole [m]
+_SUNK = 0.0005  # how deep a rose is let into the leaf [m]
+
+
+def spindle_hole(thickness: Scalar, *, height: Scalar = _HOLE) -> Solid:
+    """Make the tool that cuts the hole for a spindle through a leaf (4 mm past either face).
+
+    Args:
+        thickness: Thickness of the leaf [m].
+        height: Height of the hole: that of a bolt's pocket lets both end in the same planes [m].
+    """
+    return box(_HOLE, thickness + 0.008, height)
+
+
+def rose(
+    *,
+    thickness: Scalar,
+    depth: Scalar,
+    across: Scalar,
+    finish: Material,
+    style: Literal["round", "square", "plate"] = "round",
+    height: Scalar = 0.2,
+    faces: Faces = "both",
+    pin: bool = False,
+    pin_side: int = -1,
+    fixing: Fixing = "hidden",
+    keyed: bool = False,
+) -> Body:
+    """Make the roses of a handle on the faces of a leaf, to be welded to it.
+
+    Args:
+        thickness: Thickness of the leaf [m].
+        depth: How far a rose stands out of the leaf, 0.007-0.012 [m].
+        across: Diameter of a round rose, side of a square one, width of a plate [m].
+        finish: Its metal.
+        style: A round or square rose, or a long plate.
+        height: Height of a plate [m].
+        faces: Which faces have one.
+        pin: Whether there is a hole for the pin of a privacy lock, `PIN_BELOW` the spindle.
+        pin_side: The face with that hole, -1 for the front.
+        fixing: Whether screws hold a round or square rose through its face; they always hold a plate.
+        keyed: Whether a plate has a key cylinder.
+    """
+    if faces == "both" and not pin:
+        front = weld(
+            *_one_rose(thickness, depth, across, finish, style, height, -1, fixing, pin=False, keyed=keyed)
+        )
+        return weld(front, front.rotate(Z, math.pi))
+    bodies: list[Body] = []
+    for side in SIDES[faces]:
+        bodies += _one_rose(
+            thickness,
+            depth,
+            across,
+            finish,
+            style,
+            height,
+            side,
+            fixing,
+            pin=pin and side == pin_side,
+            keyed=keyed,
+        )
+    return weld(*bodies)
+
+
+def _one_rose(
+    thickness: Scalar,
+    depth: Scalar,
+    across: Scalar,
+    finish: Material,
+    style: str,
+    height: Scalar,
+    side: int,
+    fixing: Fixing,
+    *,
+    pin: bool,
+    keyed: bool,
+) -> list[Body]:
+    middle = side * (thickness / 2 + (depth - _SUNK) / 2)
+    face = side * (thickness / 2 + depth)
+    deep = depth + _SUNK
+    if style == "round":
+        cover = cylinder(across / 2, deep, axis=Y, bevel=0.0022)
+    elif style == "square":
+        cover = box(across, deep, across, bevel=0.0022)
+    else:
+        cover = extrude(rectangle(across, height, radius=0.006), deep, axis=Y, bevel=0.0015)
+    cover = cover.at(0.0, middle, 0.0) - box(_HOLE, deep + 0.004, _HOLE).at(0.0, middle, 0.0)
+    if pin:
+        cover = cover - bore(PIN + 0.0004, deep + 0.004, axis=Y).at(0.0, middle, -PIN_BELOW)
+    bodies = [part(cover, "rose", casting(finish))]
+    facing: Way = "-y" if side < 0 else "+y"
+    drive: Drive = "phillips" if fixing == "phillips" else "slot"
+    if style == "plate":
+        places = [(0.0, face, end * (height / 2 - 0.0125)) for end in (-1, 1)]
+        bodies += screws(places, facing=facing, radius=0.0042, finish=finish, drive=drive)
+        if keyed:
+            below = _KEY_BELOW
+            bodies += key_cylinder(face=thickness / 2 + depth, side=side, finish=finish, below=below)
+        return bodies
+    if fixing == "hidden":
+        # the set screw sits in the rim, where it is not seen from the front
+        socket = extrude(circle(0.0021) - details.drive_recess(0.00125, "hex"), 0.0008).at(
+            0.0, middle, -across / 2
+        )
+        dark = cylinder(0.0019, 0.0008).at(0.0, middle, -across / 2 + 0.0003)
+        return [*bodies, detail(socket, "screw", finish), detail(dark, "screw", recess(finish))]
+    aside = across / 2 - 0.0056  # outside of the collar of a knob
+    # beside the hole of a pin, or above and below the spindle
+    spots = [(end * aside, face, 0.0) if pin else (0.0, face, end * aside) for end in (-1, 1)]
+    return bodies + screws(spots, facing=facing, radius=0.0028, finish=finish, drive=drive, head="pan")
+
+
+def spindle(thickness: Scalar, rose_depth: Scalar, faces: Faces = "both") -> Solid:
+    """Make the spindle that joins the handles on both faces, or ends in the middle of the leaf.
+
+    Args:
+        thickness: Thickness of the leaf [m].
+        rose_depth: How far the roses stand out [m].
+        faces: Which faces have a handle.
+    """
+    reach = thickness / 2 + rose_depth + 0.006  # 6 mm into the neck of the handle
+    if faces == "both":
+        return cylinder(SPINDLE, 2 * reach, axis=Y)
+    side = SIDES[faces][0]
+    # a one-sided spindle ends behind the follower of the lock, 5 mm past the middle
+    return cylinder(SPINDLE, reach + 0.005, axis=Y).at(0.0, side * (reach - 0.005) / 2, 0.0)

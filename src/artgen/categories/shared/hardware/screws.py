@@ -1,0 +1,60 @@
+"""Rows of screws as they are seen: heads with a recess, in places on a face; they only are details."""
+
+from collections.abc import Sequence
+from typing import Literal
+
+from artgen import Body, Material, Scalar, VectorLike, array, detail, details
+from artgen.categories.shared.finish import recess
+
+Drive = Literal["slot", "phillips", "hex"]
+"""What turns a screw."""
+
+Head = Literal["pan", "countersunk"]
+"""A low dome on a face, or a disc that is let into it."""
+
+Way = Literal["+x", "-x", "+y", "-y"]
+"""The way that a face looks."""
+
+FACING: dict[Way, tuple[float, float, float]] = {
+    "+x": (1.0, 0.0, 0.0),
+    "-x": (-1.0, 0.0, 0.0),
+    "+y": (0.0, 1.0, 0.0),
+    "-y": (0.0, -1.0, 0.0),
+}
+"""Unit vectors of the ways."""
+
+_TURN = 0.5  # how far recesses are turned [rad]
+_FLOOR = {"pan": (0.54, 0.26), "countersunk": (0.60, 0.09)}  # reach and height of what is dark, in radii
+
+
+def screws(
+    at: Sequence[VectorLike],
+    *,
+    facing: Way,
+    radius: Scalar,
+    finish: Material,
+    drive: Drive = "phillips",
+    head: Head = "countersunk",
+    sunk: Scalar = 0.0,
+) -> list[Body]:
+    """Make heads of screws on a face, each with a recess whose floor lies in the dark.
+
+    Args:
+        at: Their middles, on the face [m].
+        facing: The way that the face looks.
+        radius: Of a head [m].
+        finish: Their metal.
+        drive: What turns them.
+        head: A countersunk one stands out of its seat by a sixth of its radius.
+        sunk: How far below the face they are seated [m].
+    """
+    out = FACING[facing]
+    seat = tuple(-sunk * each for each in out)
+    reach, high = _FLOOR[head]
+    solid = details.screw_head(radius, seat, facing=out, drive=drive, head=head, turn=_TURN)
+    bottom = details.drive_recess(reach * radius, drive).rotate(_TURN)
+    floor = details.relief(bottom, seat, facing=out, proud=high * radius, sunk=0.02 * radius)
+    return [
+        detail(array(solid, at=at), "screw", finish),
+        detail(array(floor, at=at), "screw", recess(finish)),
+    ]

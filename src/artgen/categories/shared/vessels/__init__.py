@@ -1,0 +1,1 @@
+"""Turned and blown bodies that hold something."""

@@ -1,0 +1,267 @@
+"""Bottles of soap dispensers, by the outline of their bodies: thrown, blown, pressed or drawn.
+
+A bottle stands on z = 0 about the z axis; its pump sits on its shoulder. Opaque ones are of one piece with
+what is in them; clear ones are hollow, with soap up to a level and the tube that the pump draws it through.
+"""
+
+import math
+from dataclasses import dataclass
+from typing import Literal
+
+from artgen import (
+    Body,
+    Material,
+    Path,
+    Profile,
+    Scalar,
+    Solid,
+    cylinder,
+    cylinder_between,
+    detail,
+    ellipse,
+    extrude,
+    loft,
+    min_,
+    part,
+    polygon,
+    polyline,
+    rectangle,
+    regular_polygon,
+    weld,
+)
+from artgen.categories.shared.vessels.turned import Drawn, Run, blown, drawn, filled, turned
+
+Shape = Literal[
+    "round",
+    "square",
+    "cube",
+    "oval",
+    "hexagonal",
+    "amphora",
+    "cone",
+    "bell",
+    "apothecary",
+    "ribbed",
+    "beehive",
+]
+"""The outline of a bottle's body."""
+
+NECK = 0.0150
+"""Radius of the upper end of a shoulder, on which the collar of a pump sits [m]."""
+
+_FORMS: dict[str, list[list[Drawn]]] = {
+    "round": [
+        [(0.95, 0.0, 0.0), (1.0, 0.0, 0.05)],
+        [(1.0, 0.0, 0.05), (1.0, 1.0, -0.16)],
+        [(1.0, 1.0, -0.16), (0.97, 1.0, -0.06), (0.88, 1.0, 0.0)],
+    ],
+    "amphora": [
+        [(0.54, 0.0, 0.0), (0.58, 0.0, 0.04), (0.56, 0.0, 0.10)],
+        [
+            (0.52, 0.0, 0.10),
+            (0.66, 0.16, 0.05),
+            (0.90, 0.40, 0.0),
+            (1.0, 0.62, 0.0),
+            (0.92, 0.82, 0.0),
+            (0.66, 0.95, 0.0),
+            (0.46, 1.0, 0.0),
+        ],
+    ],
+    "cone": [
+        [(0.96, 0.0, 0.0), (1.0, 0.0, 0.05)],
+        [(1.0, 0.0, 0.05), (0.56, 1.0, -0.10)],
+        [(0.56, 1.0, -0.10), (0.53, 1.0, -0.03), (0.46, 1.0, 0.0)],
+    ],
+    "bell": [
+        [(0.96, 0.0, 0.0), (1.0, 0.0, 0.06), (0.98, 0.0, 0.16)],
+        [(0.95, 0.0, 0.16), (0.86, 0.28, 0.06), (0.80, 0.60, 0.0), (0.70, 0.85, 0.0), (0.46, 1.0, 0.0)],
+    ],
+    "apothecary": [
+        [(0.95, 0.0, 0.0), (1.0, 0.0, 0.06)],
+        [(1.0, 0.0, 0.06), (1.0, 1.0, -0.80)],
+        [(1.0, 1.0, -0.80), (0.96, 1.0, -0.54), (0.80, 1.0, -0.30), (0.56, 1.0, -0.14), (0.46, 1.0, 0.0)],
+    ],
+    "beehive": [
+        [(0.90, 0.0, 0.0), (0.96, 0.06, 0.0), (0.90, 0.15, 0.0)],
+        *([(0.90, low, 0.0), (1.0, low + 0.08, 0.0), (0.90, low + 0.16, 0.0)] for low in (0.15, 0.31, 0.47)),
+        [(0.88, 0.63, 0.0), (0.92, 0.71, 0.0), (0.80, 0.79, 0.0)],
+        [(0.78, 0.79, 0.0), (0.74, 0.88, 0.0), (0.60, 0.96, 0.0), (0.46, 1.0, 0.0)],
+    ],
+}
+
+_EDGE = 0.0035  # chamfer of the foot of a blown bottle [m]
+_BLOWN: dict[str, tuple[list[Drawn], float]] = {
+    # corners of the same in glass, above the foot, and the radius that rounds them; straight slopes need few
+    # colliders
+    "round": ([(1.0, 1.0, -0.14)], 0.0040),
+    "apothecary": ([(1.0, 1.0, -0.60)], 0.0095),
+    "cone": ([(0.56, 1.0, -0.16)], 0.0040),
+    "bell": ([(0.84, 1.0, -0.42)], 0.0090),
+}
+
+_WIDEST = 0.087  # of a blown bottle with bends, whose colliders follow it within a millimetre [m]
+_TOO_WIDE = (
+    "colliders do not follow the bends of so wide a bottle of glass: "
+    f"take a width of {_WIDEST:g} at most, shape=cone or another build"
+)
+_GLASS = 0.0028  # wall of blown and pressed glass [m]
+_FLUTES = 22
+_PUMP = 0.0068  # radius of the pump's housing in the neck [m]
+_DEEP = 0.030  # how far it reaches below the shoulder [m]
+_TUBE = 0.0023  # radius of the dip tube [m]
+
+
+@dataclass(frozen=True)
+class Sizes:
+    """Sizes of a bottle.
+
+    Attributes:
+        width: Its width [m].
+        depth: Its depth over its width, of an oval or rectangular one.
+        height: From the table to its shoulder [m].
+    """
+
+    width: Scalar
+    depth: Scalar
+    height: Scalar
+
+
+def is_turned(shape: Shape) -> bool:
+    """Tell whether a bottle is round about its axis."""
+    return shape in _FORMS or shape == "ribbed"
+
+
+def bottle_runs(shape: Shape, sizes: Sizes) -> list[Run]:
+    """Return the outline of a turned bottle."""
+    if shape == "ribbed":
+        return drawn(_FORMS["round"], sizes.width / 2.0, 0.0, sizes.height)
+    return drawn(_FORMS[shape], sizes.width / 2.0, 0.0, sizes.height)
+
+
+def outline(shape: Shape, sizes: Sizes, inset: Scalar = 0.0) -> Profile:
+    """Return the outline of the plan of a bottle with flat or oval sides, moved inward."""
+    wide = sizes.width - 2.0 * inset
+    deep = sizes.width * sizes.depth - 2.0 * inset
+    match shape:
+        case "hexagonal":
+            return regular_polygon(6, wide / 2.0)
+        case "oval":
+            return ellipse(wide / 2.0, deep / 2.0)
+        case _:
+            return rectangle(wide, deep)
+
+
+def opaque(shape: Shape, sizes: Sizes, finish: Material) -> Body:
+    """Make a bottle that hides what is in it: the link `body`.
+
+    Args:
+        shape: Its outline.
+        sizes: Its sizes.
+        finish: Its material, of the density that it has with its content.
+    """
+    height = sizes.height
+    if shape in _FORMS:
+        return turned(bottle_runs(shape, sizes), "body", finish, sides=24)  # bottles are wide
+    if shape == "ribbed":
+        return _ribbed(sizes, finish)
+    if shape == "oval":
+        return part(_oval(sizes), "body", finish)
+    wide, deep = sizes.width, sizes.width * sizes.depth
+    edge = 0.13 * wide if shape == "cube" else 0.10 * wide
+    plan = regular_polygon(6, wide / 2.0) if shape == "hexagonal" else rectangle(wide, deep, radius=edge)
+    bevel = 0.004
+    return part(extrude(plan, height, bevel=bevel).at(0.0, 0.0, height / 2.0), "body", finish)
+
+
+def _ribbed(sizes: Sizes, finish: Material) -> Body:
+    """Make a cylinder with upright flutes, which are only seen."""
+    radius, height = sizes.width / 2.0, sizes.height
+    steps = 6 * _FLUTES
+    angles = [math.tau * step / steps for step in range(steps)]
+    radii = [1.0 - 0.045 * (0.5 - 0.5 * math.cos(_FLUTES * angle)) ** 2 for angle in angles]
+    plan = polygon([(r * math.cos(a), r * math.sin(a)) for r, a in zip(radii, angles, strict=True)])
+    skin = extrude(plan.scale(radius), height - 0.010, bevel=0.0008).at(0.0, 0.0, height / 2.0 - 0.001)
+    core = cylinder(0.955 * radius, height, bevel=0.003).at(0.0, 0.0, height / 2.0)
+    return weld(part(core, "body", finish), detail(skin, "body", finish))
+
+
+def _oval(sizes: Sizes) -> Solid:
+    """Make an oval bottle whose shoulders slope to the neck."""
+    wide, deep, height = sizes.width / 2.0, sizes.width * sizes.depth / 2.0, sizes.height
+    levels: list[tuple[float, Scalar]] = [
+        (0.95, 0.0),
+        (1.0, 0.003),
+        (1.0, 0.74 * height),
+        (0.98, 0.82 * height),
+        (0.92, 0.89 * height),
+        (0.80, 0.945 * height),
+        (0.62, 0.985 * height),
+    ]
+    plans = [ellipse(share * wide, (0.35 + 0.65 * share) * deep) for share, _ in levels]
+    plans.append(ellipse(0.46 * wide, NECK + 0.001))
+    return loft(plans, [*(level for _, level in levels), height])
+
+
+def clear(
+    shape: Shape, sizes: Sizes, glass: Material, soap: Material, *, fill: Scalar, plastic: Material
+) -> Body:
+    """Make a bottle that shows its soap, with the pump's housing and tube in it: the link `body`.
+
+    Args:
+        shape: Its outline.
+        sizes: Its sizes.
+        glass: Its glass or clear plastic.
+        soap: What is in it.
+        fill: To which share of its height.
+        plastic: Of housing and tube.
+    """
+    height = sizes.height
+    level = fill * height
+    tube = plastic.with_(name=f"{plastic.name}_tube", density=420.0)
+    inside = weld(
+        part(
+            cylinder_between((0.0, 0.0, height - _DEEP), (0.0, 0.0, height), _PUMP, bevel=0.001),
+            "pump",
+            plastic,
+        ),
+        part(
+            cylinder_between((0.0, 0.0, 0.0075), (0.0, 0.0, height - _DEEP + 0.001), _TUBE), "dip_tube", tube
+        ),
+    )
+    if shape in _BLOWN:
+        path, foot = blown_path(shape, sizes), sizes.width / 2.0 - _EDGE
+        solid_to = min_(level, _straight(shape, sizes))
+        vessel = blown(path, "body", glass, foot=foot, wall=_GLASS, level=solid_to)
+        content = filled(path, wall=_GLASS, level=level - 0.0003)
+        if shape != "cone":
+            vessel = vessel.require(sizes.width <= _WIDEST, _TOO_WIDE)
+    else:
+        floor = 2.0 * _GLASS
+        outer = outline(shape, sizes) if shape == "hexagonal" else _rounded(sizes)
+        hollow = extrude(outline(shape, sizes, _GLASS), height - 0.004 - floor)
+        block = extrude(outer, height, bevel=0.003).at(0.0, 0.0, height / 2.0)
+        vessel = part(block - hollow.at(0.0, 0.0, (height - 0.004 + floor) / 2.0), "body", glass)
+        content = extrude(outline(shape, sizes, _GLASS + 0.0002), level - floor - 0.0002)
+        content = content.at(0.0, 0.0, (level + floor + 0.0002) / 2.0)
+    # the first part gives the link its name; of what overlaps, the first part counts
+    return weld(vessel, inside, part(content, "soap", soap))
+
+
+def blown_path(shape: Shape, sizes: Sizes) -> Path:
+    """Return the outline of a blown bottle, from the edge of its floor to its neck."""
+    corners, fillet = _BLOWN[shape]
+    radius = sizes.width / 2.0
+    (slope,) = drawn([corners], radius, 0.0, sizes.height)
+    points = [(radius - _EDGE, 0.0), (radius, _EDGE), *slope, (NECK, sizes.height)]
+    return polyline([(r, 0.0, z) for r, z in points], fillet=fillet)
+
+
+def _straight(shape: Shape, sizes: Sizes) -> Scalar:
+    """Return up to which height a blown bottle has no bends [m]."""
+    corners, fillet = _BLOWN[shape]
+    _, share, rest = corners[0]
+    return share * sizes.height + rest * sizes.width / 2.0 - fillet
+
+
+def _rounded(sizes: Sizes) -> Profile:
+    return rectangle(sizes.width, sizes.width * sizes.depth, radius=0.005)

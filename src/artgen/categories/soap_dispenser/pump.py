@@ -1,0 +1,339 @@
+"""Pumps of soap dispensers: the collar on a bottle, and the nozzle that is pressed down and turned.
+
+A pump stands about the z axis. Its nozzle is drawn with its underside at z = 0, and points to the front.
+"""
+
+import math
+from dataclasses import dataclass
+from typing import Literal
+
+from artgen import (
+    Body,
+    Joint,
+    Material,
+    Prismatic,
+    Profile,
+    Revolute,
+    Scalar,
+    Solid,
+    X,
+    Z,
+    box_between,
+    circle,
+    cylinder_between,
+    detail,
+    details,
+    extrude,
+    grasp_on,
+    loft,
+    part,
+    polygon,
+    push_on,
+    rectangle,
+    ring,
+    spline,
+    sweep,
+    weld,
+)
+from artgen.categories.shared.vessels.turned import Run, core, turned
+
+Nozzle = Literal["saddle", "beak", "gooseneck", "bar", "swan", "foamer"]
+"""The form of a nozzle: a moulded saddle; a beak under a cap; a bent tube; a square bar; a thin tube from a
+post with a cap; or the wide cap of a foam pump with its short beak."""
+
+HEAD = {
+    "saddle": 0.0110,
+    "beak": 0.0140,
+    "gooseneck": 0.0340,
+    "bar": 0.0125,
+    "swan": 0.0290,
+    "foamer": 0.0250,
+}
+"""Height of each nozzle above its underside [m]."""
+
+COLLAR = 0.0245
+"""Height of a collar with the sleeve on it [m]."""
+
+GAP = 0.0012
+"""Between a nozzle that is pressed home and the sleeve [m]."""
+
+_STEM = 0.0038  # radius of the stem [m]
+_PLAY = 0.0004  # around it [m]
+_ENGAGED = 0.0042  # how deep the stem is in the sleeve when the nozzle is up [m]
+_RIBS = 36
+_WIDE = {"foamer": 0.0200}  # radius of the collar; others have 28 mm threads
+_THREAD = 0.0165
+
+
+@dataclass(frozen=True)
+class PumpLooks:
+    """How a pump is made.
+
+    Attributes:
+        finish: Of collar and nozzle.
+        stem: Of the stem.
+        ribbed: Whether the collar has ribs for fingers.
+        ink: Of what is printed on it; None prints nothing.
+    """
+
+    finish: Material
+    stem: Material
+    ribbed: bool
+    ink: Material | None = None
+
+
+def collar(nozzle: Nozzle, low: Scalar, looks: PumpLooks) -> Body:
+    """Make the collar that is screwed on a neck, with the sleeve in which the stem slides.
+
+    Args:
+        nozzle: Form of the nozzle.
+        low: Height of the shoulder on which it sits [m].
+        looks: How it is made.
+    """
+    radius = _WIDE.get(nozzle, _THREAD)
+    neck = 0.0105 if nozzle != "foamer" else 0.0150
+    top = low + COLLAR
+    runs: list[Run] = [
+        [(radius - 0.0005, low), (radius, low + 0.0008)],
+        [(radius, low + 0.0008), (radius, low + 0.0160)],
+        [(radius, low + 0.0160), (radius - 0.0006, low + 0.0178), (radius - 0.0022, low + 0.0186)],
+        [(neck, low + 0.0186), (neck - 0.0006, top - 0.0008)],
+        [(neck - 0.0006, top - 0.0008), (neck - 0.0014, top)],
+    ]
+    half = _STEM + _PLAY
+    hole = box_between((-half, -half, low - 0.001), (half, half, top + 0.001))
+    body = turned(runs, "collar", looks.finish, hole=hole, bore=half)
+    if not looks.ribbed:
+        return body
+    ribs = extrude(_fluted().scale(radius + 0.0007) - circle(radius - 0.0015), 0.0140, bevel=0.0003)
+    return weld(body, detail(ribs.at(0.0, 0.0, low + 0.0085), "collar", looks.finish))
+
+
+def _fluted() -> Profile:
+    steps = 4 * _RIBS
+    angles = [math.tau * step / steps for step in range(steps)]
+    radii = [1.0 - 0.018 * (1.0 - math.cos(_RIBS * angle)) for angle in angles]
+    return polygon([(r * math.cos(a), r * math.sin(a)) for r, a in zip(radii, angles, strict=True)])
+
+
+def nozzle_body(kind: Nozzle, *, reach: Scalar, travel: Scalar, looks: PumpLooks) -> Body:
+    """Make a nozzle with its stem: the link `nozzle`.
+
+    Args:
+        kind: Its form.
+        reach: From the axis to its mouth [m].
+        travel: How far it is pressed down [m].
+        looks: How it is made.
+    """
+    low = -(travel + GAP + _ENGAGED)
+    stem = cylinder_between((0.0, 0.0, low), (0.0, 0.0, 0.004), _STEM)
+    make = {
+        "saddle": _saddle,
+        "beak": _beak,
+        "gooseneck": _gooseneck,
+        "bar": _bar,
+        "swan": _swan,
+        "foamer": _foamer,
+    }[kind]
+    return weld(*make(reach, looks), part(stem, "stem", looks.stem))
+
+
+def _spout(stations: list[tuple[Scalar, float, float, float]]) -> Solid:
+    """Make a spout to the front of rounded sections: distance before the axis, width, height, middle's z."""
+    plans = [
+        rectangle(wide, high, radius=0.42 * min(wide, high)).at(0.0, level)
+        for _, wide, high, level in stations
+    ]
+    return loft(plans, [far for far, *_ in stations], axis=(0.0, -1.0, 0.0))
+
+
+def _mouth(at: tuple[Scalar, Scalar], radius: float, finish: Material, long: float = 0.004) -> Body:
+    """Make the short pipe at the end of a spout, that looks down."""
+    y, z = at
+    return part(cylinder_between((0.0, y, z - long), (0.0, y, z), radius, bevel=0.0004), "nozzle", finish)
+
+
+def _saddle(reach: Scalar, looks: PumpLooks) -> list[Body]:
+    spout = _spout(
+        [
+            (-0.0130, 0.0120, 0.0060, 0.0078),
+            (-0.0085, 0.0190, 0.0076, 0.0070),
+            (0.0085, 0.0200, 0.0086, 0.0060),
+            (0.45 * reach, 0.0130, 0.0080, 0.0066),
+            (0.75 * reach, 0.0085, 0.0068, 0.0060),
+            (reach, 0.0070, 0.0056, 0.0036),
+        ]
+    )
+    hub = cylinder_between((0.0, 0.0, 0.0), (0.0, 0.0, 0.006), 0.0088, bevel=0.0008)
+    push = push_on(spout, direction=-Z, at=(0.0, 0.0, 0.005))
+    hold = grasp_on(spout, approach=-Z, closing=X, at=(0.0, -0.001, 0.005), depth=0.006)
+    bodies = [
+        part(spout, "nozzle", looks.finish, push=push, grasp=hold),
+        part(hub, "nozzle", looks.finish),
+        _mouth((-reach + 0.0032, 0.0016), 0.0027, looks.finish, 0.003),
+    ]
+    if looks.ink is not None:  # which way it is locked
+        arrow = details.icon("repeat", 0.0065)
+        bodies.append(details.printed(arrow, (0.0, 0.0, 0.0104), material=looks.ink, facing=Z))
+    return bodies
+
+
+def _cap_runs(radius: float, low: float, high: float) -> list[Run]:
+    """Return the outline of a round cap with soft edges and a top that is a little domed."""
+    return [
+        [(radius - 0.0006, low), (radius, low + 0.0008)],
+        [(radius, low + 0.0008), (radius, high - 0.0024)],
+        [(radius, high - 0.0024), (radius - 0.0008, high - 0.0008), (0.72 * radius, high)],
+    ]
+
+
+def _beak(reach: Scalar, looks: PumpLooks) -> list[Body]:
+    top = HEAD["beak"]
+    spout = _spout(
+        [
+            (0.0040, 0.0100, 0.0080, 0.0066),
+            (0.55 * reach, 0.0088, 0.0072, 0.0068),
+            (0.86 * reach, 0.0074, 0.0064, 0.0062),
+            (reach, 0.0066, 0.0050, 0.0048),
+        ]
+    )
+    runs = _cap_runs(0.0125, 0.0, top)
+    cap = turned(runs, "cap", looks.finish)
+    block = cylinder_between((0.0, 0.0, 0.004), (0.0, 0.0, top), 0.010)
+    hold = grasp_on(spout, approach=-Z, closing=X, at=(0.0, -0.72 * reach, 0.0066), depth=0.006)
+    return [
+        part(spout, "nozzle", looks.finish, grasp=hold, push=push_on(block, direction=-Z)),
+        cap,
+        _mouth((-reach + 0.0030, 0.0030), 0.0025, looks.finish, 0.003),
+    ]
+
+
+def _tube(points: list[tuple[Scalar, Scalar]], radius: float) -> Solid:
+    """Make a bent tube in the plane x = 0: y and z of its points."""
+    return sweep(circle(radius), spline([(0.0, y, z) for y, z in points]))
+
+
+def _gooseneck(reach: Scalar, looks: PumpLooks) -> list[Body]:
+    rise = HEAD["gooseneck"] - 0.0042
+    tube = _tube(
+        [
+            (0.0, 0.003),
+            (0.0, 0.014),
+            (-0.0075, rise - 0.005),
+            (-0.42 * reach, rise),
+            (-0.78 * reach, rise - 0.006),
+            (-reach, rise - 0.020),
+        ],
+        0.0042,
+    )
+    runs: list[Run] = [
+        [(0.0086, 0.0), (0.0090, 0.0008)],
+        [(0.0090, 0.0008), (0.0090, 0.0070)],
+        [(0.0090, 0.0070), (0.0076, 0.0098), (0.0050, 0.0110)],
+    ]
+    at = (0.0, -0.42 * reach, rise)
+    hold = grasp_on(tube, approach=-Z, closing=X, at=at, depth=0.006)
+    lip = ring(0.0050, 0.0030)
+    mouth = extrude(lip, 0.003, axis=(0.0, -0.35, -1.0)).at(0.0, -reach, rise - 0.020)
+    return [
+        part(tube, "nozzle", looks.finish, grasp=hold, push=push_on(tube, direction=-Z, at=at)),
+        turned(runs, "nozzle", looks.finish, sides=16),
+        detail(mouth, "nozzle", looks.finish),
+    ]
+
+
+def _bar(reach: Scalar, looks: PumpLooks) -> list[Body]:
+    top = HEAD["bar"]
+    bar = box_between((-0.0056, -reach, 0.0025), (0.0056, 0.0085, top), bevel=0.0012)
+    hub = cylinder_between((0.0, 0.0, 0.0), (0.0, 0.0, 0.004), 0.0080, bevel=0.0006)
+    hold = grasp_on(bar, approach=-Z, closing=X, at=(0.0, -0.6 * reach, 0.007), depth=0.008)
+    push = push_on(bar, direction=-Z, at=(0.0, 0.0, 0.007))
+    return [
+        part(bar, "nozzle", looks.finish, grasp=hold, push=push),
+        part(hub, "nozzle", looks.finish),
+        _mouth((-reach + 0.0056, 0.0040), 0.0034, looks.finish, 0.0040),
+    ]
+
+
+def _swan(reach: Scalar, looks: PumpLooks) -> list[Body]:
+    top = HEAD["swan"]
+    post: list[Run] = [
+        [(0.0078, 0.0), (0.0084, 0.0010)],
+        [(0.0084, 0.0010), (0.0072, 0.0060), (0.0068, top - 0.0090)],
+        [(0.0100, top - 0.0090), (0.0108, top - 0.0070)],
+        [(0.0108, top - 0.0070), (0.0096, top - 0.0025), (0.0050, top - 0.0003), (0.0030, top)],
+    ]
+    tube = _tube(
+        [
+            (-0.002, 0.0105),
+            (-0.30 * reach, 0.0150),
+            (-0.62 * reach, 0.0162),
+            (-0.88 * reach, 0.0110),
+            (-reach, 0.0030),
+        ],
+        0.0036,
+    )
+    hold = grasp_on(tube, approach=-Z, closing=X, at=(0.0, -0.62 * reach, 0.0162), depth=0.005)
+    block = cylinder_between((0.0, 0.0, 0.010), (0.0, 0.0, top), 0.006)
+    return [
+        part(tube, "nozzle", looks.finish, grasp=hold, push=push_on(block, direction=-Z)),
+        turned(post[:2], "nozzle", looks.finish, sides=16),
+        turned(post[2:], "cap", looks.finish, sides=16),
+    ]
+
+
+def _foamer(reach: Scalar, looks: PumpLooks) -> list[Body]:
+    top, radius = HEAD["foamer"], 0.0178
+    spout = _spout(
+        [
+            (0.0100, 0.0160, 0.0100, 0.0185),
+            (0.6 * reach, 0.0130, 0.0090, 0.0185),
+            (reach, 0.0110, 0.0070, 0.0165),
+        ]
+    )
+    runs = _cap_runs(radius, 0.0, top)
+    hold = grasp_on(core(runs), approach=-Z, closing=X, depth=0.012)
+    cap = turned(runs, "cap", looks.finish, grasp=hold)
+    block = cylinder_between((0.0, 0.0, 0.0), (0.0, 0.0, top), radius - 0.002)
+    return [
+        part(spout, "nozzle", looks.finish, push=push_on(block, direction=-Z)),
+        cap,
+        _mouth((-reach + 0.0046, 0.0150), 0.0040, looks.finish, 0.004),
+    ]
+
+
+def pump_slide(
+    name: str = "nozzle_slide",
+    *,
+    travel: Scalar,
+    force: Scalar,
+    damping: Scalar,
+    axis: tuple[float, float, float] = (0.0, 0.0, -1.0),
+) -> Joint:
+    """Make the joint of what is pressed against the spring of a pump.
+
+    Args:
+        name: Name of the joint.
+        travel: How far it is pressed [m].
+        force: Of the spring when it is pressed home [N].
+        damping: Of the soap that is drawn in [N s/m].
+        axis: Which way it is pressed.
+    """
+    preload = 0.35 * force  # the spring of a lotion pump starts at a third of its force
+    stiffness = (force - preload) / travel
+    return Prismatic(
+        name,
+        axis=axis,
+        limits=(0.0, travel),
+        stiffness=stiffness,
+        rest=-preload / stiffness,
+        damping=damping,
+        friction=0.5,  # of the piston's lips
+        armature=0.03,  # the soap in the pump
+        effort=40.0,
+    )
+
+
+def nozzle_turn(friction: Scalar) -> Joint:
+    """Make the joint by which a nozzle turns on its stem, without end."""
+    return Revolute("nozzle_turn", axis=Z, friction=friction, damping=0.001, armature=0.00001, effort=0.6)

@@ -1,0 +1,290 @@
+"""A toaster: its lever takes the bread down on a carriage, against a spring.
+
+The body is built with its slots along y and its controls at the end that looks to the viewer; with the
+controls on a broad side it is turned by a quarter.
+
+Links: `body`; `lever`, or `lever_left` and `lever_right`, each one with its carriage in the slots;
+`crumb_tray`; `button`, or `button_0`, `button_1`, ...; `knob`, or `knob_left` and `knob_right`. Joints:
+`lever_slide`, `crumb_tray_slide`, `button_slide`, `knob_turn`, with the same endings. A toaster has one or
+two long slots, or one, two or four short ones.
+
+No magnet holds a lever down, since there is no power: it comes up again. Sizes are those of household
+toasters: slots 25-40 mm wide, 14-16 cm long for one slice or 24 cm for two.
+"""
+
+import math
+from typing import Literal
+
+from artgen import (
+    Body,
+    Float,
+    Material,
+    Z,
+    by,
+    category,
+    choice,
+    details,
+    material,
+    require,
+    uniform,
+    weld,
+)
+from artgen.categories.shared.appliances.cords import cord_stub, mains_cord
+from artgen.categories.shared.controls.buttons import ButtonShape
+from artgen.categories.shared.controls.dials import DialStyle
+from artgen.categories.shared.hardware.feet import corner_feet
+from artgen.categories.toaster.carriage import LeverStyle, arm, carriage, lever, lever_slide
+from artgen.categories.toaster.chamber import chamber
+from artgen.categories.toaster.controls import (
+    Layout,
+    Panel,
+    PanelLooks,
+    Scale,
+    end_site,
+    side_site,
+)
+from artgen.categories.toaster.finish import (
+    ENDS,
+    GRIPS,
+    KEYS,
+    METALS,
+    SLEEVES,
+    hollow,
+    ink_on,
+    sheet,
+)
+from artgen.categories.toaster.plan import BodyStyle, Plan
+from artgen.categories.toaster.shell import Cuts, ShellLooks, back_print, shell, underside
+from artgen.categories.toaster.tray import Tray, TrayWay
+
+_QUARTER = math.pi / 2.0
+_NO_ROOM = "controls have no room: raise height or shoulder, or lower buttons"
+_ENDS_APART: tuple[BodyStyle, ...] = ("steel", "classic")  # whose ends are of another material
+_FLAT_SIDES: tuple[BodyStyle, ...] = ("box", "steel")  # which may have controls
+
+
+@category(
+    labels=(
+        "body",
+        "control_panel",
+        "trim",
+        "chamber",
+        "heating_element",
+        "guide_wire",
+        "lever",
+        "carriage",
+        "button",
+        "knob",
+        "crumb_tray",
+        "foot",
+        "cord",
+        "base",
+        "cord_wrap",
+        "bezel",
+        "display",
+        "print",
+        "vent",
+        "screw",
+        "rating_plate",
+    ),
+    joints=(3, 9),
+)
+def toaster(
+    *,
+    style: BodyStyle = choice(
+        "box", "rounded", "retro", "steel", "classic", weights=(0.14, 0.24, 0.20, 0.24, 0.18)
+    ),
+    slots: int = by(
+        "style",
+        rounded=choice(1, 2, 4, weights=(0.14, 0.46, 0.40)),
+        retro=choice(1, 2, 4, weights=(0.06, 0.52, 0.42)),
+        classic=choice(1, 2, 4, weights=(0.06, 0.42, 0.52)),  # which cafes have
+        otherwise=choice(1, 2, 4, weights=(0.18, 0.40, 0.42)),
+    ),
+    slot_size: Literal["short", "long"] = by(
+        "slots",
+        {
+            1: choice("short", "long", weights=(0.35, 0.65)),
+            2: choice("short", "long", weights=(0.75, 0.25)),
+            4: "short",
+        },
+        doc="for one slice, or for two in a row",
+    ),
+    levers: int = by(
+        "slots",
+        {1: 1, 2: by("slot_size", short=1, long=choice(1, 2)), 4: choice(1, 2, weights=(0.3, 0.7))},
+        doc="two lift one half of the slots each",
+    ),
+    controls: Literal["end", "side"] = by(
+        "levers",
+        {
+            1: by(
+                "style",
+                box=choice("end", "side", weights=(0.7, 0.3)),
+                steel=choice("end", "side", weights=(0.7, 0.3)),
+                otherwise="end",
+            ),
+            2: "end",
+        },
+        doc="the face with the controls, which looks to the front: a narrow end or a broad side",
+    ),
+    layout: Layout = by(
+        "levers",
+        {1: by("controls", end=choice("beside", "below", weights=(0.6, 0.4)), side="beside"), 2: "below"},
+    ),
+    hand: Literal["left", "right"] = choice("left", "right", doc="side of a lever that has dials beside it"),
+    length: Float = by(
+        "slot_size",
+        short=uniform(0.256, 0.29),
+        long=uniform(0.345, 0.375),
+        unit="m",
+        within=(0.25, 0.42),
+        doc="of the body along the slots",
+    ),
+    height: Float = by(
+        "layout", below=uniform(0.199, 0.22), beside=uniform(0.18, 0.215), unit="m", within=(0.178, 0.25)
+    ),
+    slot_length: Float = by(
+        "slot_size", short=uniform(0.14, 0.158), long=uniform(0.235, 0.25), unit="m", within=(0.12, 0.28)
+    ),
+    slot_width: Float = by(
+        "slots", {4: uniform(0.0255, 0.033)}, otherwise=uniform(0.025, 0.040), unit="m", within=(0.024, 0.045)
+    ),
+    bridge: Float = uniform(0.026, 0.032, "m", doc="between two slots", within=(0.024, 0.05)),
+    shoulder: Float = by(
+        "slots",
+        {1: uniform(0.064, 0.072), 2: uniform(0.040, 0.048), 4: uniform(0.036, 0.042)},
+        unit="m",
+        within=(0.034, 0.08),
+        doc="from the outer slots to the sides",
+    ),
+    foot: Float = uniform(0.008, 0.011, "m", doc="height of the feet", within=(0.007, 0.02)),
+    finish: Material = SLEEVES,
+    ends: Material = ENDS,
+    metal: Material = METALS,
+    grip: Material = GRIPS,
+    keys: Material = KEYS,
+    panel: Literal["same", "black", "steel"] = by(
+        "style",
+        box=choice("same", "black", "steel", weights=(0.4, 0.35, 0.25)),
+        rounded=choice("same", "black", "steel", weights=(0.35, 0.35, 0.3)),
+        retro=choice("same", "black", "steel", weights=(0.45, 0.1, 0.45)),
+        steel=choice("same", "black", "steel", weights=(0.3, 0.3, 0.4)),
+        classic=choice("same", "black", "steel", weights=(0.6, 0.2, 0.2)),
+        doc="finish of the control panel",
+    ),
+    lever_style: LeverStyle = by(
+        "style",
+        retro=choice("tab", "bar", "ball", "tee", "paddle", weights=(0.1, 0.35, 0.4, 0.1, 0.05)),
+        otherwise=choice("tab", "bar", "ball", "tee", "paddle", weights=(0.25, 0.17, 0.08, 0.22, 0.28)),
+    ),
+    lever_travel: Float = by(
+        "layout", below=uniform(0.060, 0.068), beside=uniform(0.062, 0.090), unit="m", within=(0.05, 0.092)
+    ),
+    lever_force: Float = uniform(12.0, 24.0, "N", doc="of the spring at the bottom", within=(8.0, 40.0)),
+    lever_damping: Float = uniform(10.0, 16.0, "N s/m"),
+    knobs: int = by("levers", {1: choice(0, 1, weights=(0.18, 0.82)), 2: choice(0, 2, weights=(0.12, 0.88))}),
+    buttons: int = by(
+        "knobs",
+        {0: choice(2, 3, 4)},  # which choose the browning
+        otherwise=choice(0, 1, 2, 3, 4, weights=(0.12, 0.2, 0.18, 0.28, 0.22)),
+    ),
+    button_shape: ButtonShape = choice("round", "square", "pill", "bar", weights=(0.45, 0.25, 0.15, 0.15)),
+    button_force: Float = uniform(2.0, 4.0, "N", within=(1.0, 8.0)),
+    knob_style: DialStyle = choice("round", "fluted", "bar", "skirted", "capped"),
+    knob_radius: Float = uniform(0.0135, 0.0165, "m", within=(0.012, 0.017)),
+    knob_friction: Float = uniform(0.03, 0.06, "N m", doc="of its detents"),
+    scale: Scale = choice("numbers", "ticks", "band", weights=(0.5, 0.25, 0.25)),
+    tray: TrayWay = by("style", retro="back", otherwise=choice("back", "side", weights=(0.75, 0.25))),
+    tray_friction: Float = uniform(1.0, 3.0, "N"),
+    cord_side: Literal["left", "right"] = choice("left", "right"),
+    maker: str = choice(*details.BRANDS),
+    watts: int = by("slots", {1: choice(850, 1000), 2: choice(850, 950, 1100), 4: choice(1500, 1750, 1800)}),
+) -> Body:
+    """Make a toaster with its levers up: carriages, buttons, knobs, crumb tray."""
+    require(levers == 1 or controls == "end", "two levers stand side by side on an end")
+    require(controls == "end" or style in _FLAT_SIDES, "the sides of this body are not flat")
+    require(style != "retro" or tray == "back", "the sides of style=retro are round: tray must be back")
+    length = require(
+        length,
+        length - slot_length >= 0.05,
+        "a slot is shorter than the body: length 0.05 m over slot_length",
+    )
+    plan = Plan(
+        style, slots, slot_size == "long", slot_width, slot_length, bridge, shoulder, length, height, foot
+    )
+    is_side, apart = controls == "side", style in _ENDS_APART
+    around = ends if apart and not is_side else finish
+    plate = {"same": around, "black": material("glossy_plastic_black"), "steel": material("stainless")}[panel]
+    panel_looks = PanelLooks(
+        plate=hollow(plate),
+        ink=ink_on(plate),
+        button=keys,
+        button_ink=ink_on(keys),
+        dial=hollow(grip),
+        mark=ink_on(grip),
+        metal=metal,
+        shape=button_shape,
+        style=knob_style,
+        scale=scale,
+        maker=maker,
+    )
+    site = side_site(plan) if is_side else end_site(plan, levers, layout, 1 if hand == "left" else -1)
+    front = Panel(site, lever_travel, knobs, buttons, knob_radius, panel_looks)
+    drawer = Tray(plan, tray)
+    looks = ShellLooks(
+        sleeve=sheet(finish, plan.solidity),
+        ends=hollow(ends if apart else finish),
+        trim=metal,
+        piping=metal if style == "retro" else None,
+    )
+    # the shell lies with its slots along y until it is turned
+    opening = front.opening().rotate(Z, -_QUARTER) if is_side else front.opening()
+    cuts = Cuts(
+        front=None if is_side else opening,
+        side=((opening,) if is_side else ()) + ((drawer.opening(),) if tray == "side" else ()),
+        back=(drawer.opening(),) if tray == "back" else (),
+    )
+    base = weld(
+        shell(plan, looks, cuts),
+        chamber(plan),
+        corner_feet(plan.width, plan.length, inset=0.028, height=foot + plan.inset),
+        underside(plan),
+        back_print(plan, (f"{maker.upper()} T{slots}{watts // 50}", f"220-240 V~ 50/60 Hz {watts} W")),
+        _cord(plan, controls, cord_side, tray),
+    )
+    base = base.attach(drawer.body(hollow(grip)), drawer.slide(tray_friction))
+    body = weld(base.rotate(Z, _QUARTER) if is_side else base, front.plate())
+
+    share = slots // levers  # of the slots, for each lever
+    for number, at in enumerate(site.arms):
+        middles = plan.middles[number * share : (number + 1) * share]
+        tail = ("_left", "_right")[number] if levers > 1 else ""
+        post = middles[0] if is_side else at.x
+        rack = carriage(plan, middles, post=post, height=site.rest, travel=lever_travel)
+        reach = (middles[0] if is_side else plan.bay) - site.plane
+        pressed = weld(
+            lever(lever_style, finish=grip, accent=metal, slim=levers == slots, name=f"lever{tail}").at(at),
+            arm(reach).at(at),
+            rack.rotate(Z, _QUARTER) if is_side else rack,
+        )
+        slide = lever_slide(
+            f"lever_slide{tail}", travel=lever_travel, force=lever_force, damping=lever_damping
+        )
+        body = body.attach(pressed, slide)
+    return front.attached(body, button_force, knob_friction).require(front.fits(), _NO_ROOM)
+
+
+def _cord(
+    plan: Plan, controls: Literal["end", "side"], cord_side: Literal["left", "right"], tray: TrayWay
+) -> Body:
+    """Make the cord, which leaves at the back and lies behind the body, with the slots along y."""
+    height, length = plan.foot + 0.032, 0.125
+    if controls == "side":  # a quarter turn takes the wall at x to the back, and the bay to the right
+        cord = mains_cord(height=height, length=length, side=-1).rotate(Z, -_QUARTER)
+        return cord.at(plan.width / 2 - plan.inset, plan.bay, height)
+    way = 1 if cord_side == "right" else -1
+    # a plug on the floor would lie in the way of a tray at the back
+    plugged = tray != "back"
+    cord = mains_cord(height=height, length=length, side=-way) if plugged else cord_stub(height=height)
+    return cord.at(way * (plan.width / 2 - 0.018), plan.length / 2, height)

@@ -1,0 +1,318 @@
+"""The control panel of a toaster: a plate with slits for levers, holes for buttons, and dials on it.
+
+It stands in the finished toaster, looking to -y. Its controls are named by heights and by x from its middle.
+"""
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Literal
+
+from artgen import (
+    Body,
+    Bool,
+    Material,
+    Profile,
+    Scalar,
+    Solid,
+    Vector,
+    array,
+    box,
+    detail,
+    details,
+    min_,
+    part,
+    rectangle,
+    vector,
+    weld,
+)
+from artgen.categories.shared.controls.buttons import (
+    PLAY,
+    ButtonShape,
+    button_plate,
+    button_press,
+    push_button,
+)
+from artgen.categories.shared.controls.dials import DialStyle, dial, dial_print, dial_turn
+from artgen.categories.shared.finish import recess
+from artgen.categories.toaster.carriage import ARM, slit
+from artgen.categories.toaster.plan import Plan
+
+Layout = Literal["beside", "below"]
+"""Whether dials and buttons are beside the lever, or dials below levers with buttons about them."""
+
+Scale = Literal["numbers", "ticks", "band"]
+"""What is printed around a dial."""
+
+_RECESS = 0.001  # how far the panel lies behind the face of the shell [m]
+_CAP = 0.012  # width of a button [m]
+_TRAVEL = 0.003  # how far a button is pressed [m]
+_THICK = 0.005  # of the panel [m]
+_LAP = 0.001  # how far its rim reaches into the shell [m]
+_PITCH = 0.0168  # of buttons: a finger of 18 mm stays clear of the next one [m]
+_OVER = 0.012  # from the lower edge to a dial, room for its print [m]
+_UNDER = 0.014  # from the upper edge to the arm of a lever at rest [m]
+_FINGERS = 0.020  # around a dial, for fingers that turn it [m]
+_NEAREST = 0.045  # how far from the middle a lever stands at most that has controls beside it [m]
+_BESIDE = 0.045  # between the arm of a lever and what stands beside it [m]
+_ICONS = ("cross", "bagel", "defrost", "steam")  # cancel, one side only, frozen bread, reheat
+
+
+@dataclass(frozen=True)
+class Site:
+    """Where a panel is.
+
+    Attributes:
+        middle: Where its middle is along x [m].
+        plane: Where its face is along y [m].
+        low: Height of its lower edge [m].
+        high: Height of its upper edge [m].
+        half: Half of its width [m].
+        deep: How deep its opening is cut into the shell [m].
+        layout: How its controls are arranged.
+        levers: Where the arms of levers are, along x from its middle [m].
+        lean: 1 where what stands beside a lever is right of it, -1 where it is left.
+    """
+
+    middle: Scalar
+    plane: Scalar
+    low: Scalar
+    high: Scalar
+    half: Scalar
+    deep: Scalar
+    layout: Layout
+    levers: tuple[Scalar, ...]
+    lean: int
+
+    @cached_property
+    def rest(self) -> Scalar:
+        """Height of the arms of levers at rest [m]."""
+        return self.high - _UNDER
+
+    @cached_property
+    def arms(self) -> list[Vector]:
+        """Where the arms of levers pass through the face."""
+        return [vector(self.middle + x, self.plane, self.rest) for x in self.levers]
+
+
+def end_site(plan: Plan, levers: int, layout: Layout, lean: int) -> Site:
+    """Place the panel on a narrow end."""
+    half = plan.width / 2 - plan.border
+    at: tuple[Scalar, ...] = (0.0,)
+    if levers > 1:
+        aside = plan.pitch * plan.slots / 4
+        at = (-aside, aside)
+    elif layout == "beside":
+        half = min_(half, _NEAREST + 0.030)
+        at = (-lean * min_(half - 0.022, _NEAREST),)
+    return Site(
+        middle=0.0,
+        plane=_RECESS - plan.length / 2,
+        low=plan.foot + plan.under_panel,
+        high=plan.height - plan.over_panel,
+        half=half,
+        deep=plan.cap + 0.002,
+        layout=layout,
+        levers=at,
+        lean=lean,
+    )
+
+
+def side_site(plan: Plan) -> Site:
+    """Place the panel on a broad side, so that its lever, on the right, is before the bay."""
+    half = 0.060
+    lever = half - 0.022
+    return Site(
+        middle=-plan.bay - lever,
+        plane=_RECESS + plan.inset - plan.width / 2,
+        low=plan.foot + 0.021,  # between the rounded corners of the sleeve
+        high=plan.height - 0.021,
+        half=half,
+        deep=0.005,
+        layout="beside",
+        levers=(lever,),
+        lean=-1,
+    )
+
+
+@dataclass(frozen=True)
+class PanelLooks:
+    """What the panel and its controls are made of.
+
+    Attributes:
+        plate: The panel.
+        ink: What is printed on it.
+        button: The buttons.
+        button_ink: What is printed on them.
+        dial: The dials.
+        mark: The marks of dials.
+        metal: Caps of dials and plates around buttons.
+        shape: Form of the buttons.
+        style: Form of the dials.
+        scale: What is printed around them.
+        maker: Whose name is on the panel.
+    """
+
+    plate: Material
+    ink: Material
+    button: Material
+    button_ink: Material
+    dial: Material
+    mark: Material
+    metal: Material
+    shape: ButtonShape
+    style: DialStyle
+    scale: Scale
+    maker: str
+
+
+@dataclass(frozen=True)
+class Panel:
+    """What is on the panel.
+
+    Attributes:
+        site: Where it is.
+        travel: How far levers go down [m].
+        knobs: How many dials there are.
+        buttons: How many buttons there are.
+        radius: Of the dials [m].
+        looks: What it is made of.
+    """
+
+    site: Site
+    travel: Scalar
+    knobs: int
+    buttons: int
+    radius: Scalar
+    looks: PanelLooks
+
+    @cached_property
+    def _aside(self) -> Scalar:
+        """Where dials and buttons are that stand beside a lever."""
+        return self.site.lean * (min_(self.site.half, _NEAREST + 0.030) - self.radius - 0.010)
+
+    @cached_property
+    def _dial(self) -> Scalar:
+        """Height of the dials."""
+        return self.site.low + self.radius + _OVER
+
+    def _dials(self) -> list[tuple[Scalar, Scalar]]:
+        """Return where the dials are, or the display that stands for them."""
+        if self.site.layout == "beside":
+            return [(self._aside, self._dial)]
+        return [(x, self._dial) for x in self.site.levers]
+
+    @cached_property
+    def _keys(self) -> list[tuple[Scalar, Scalar]]:
+        """Where the buttons are."""
+        numbers = range(self.buttons)
+        if self.site.layout == "beside":
+            first = self._dial + self.radius + _FINGERS
+            return [(self._aside, first + number * _PITCH) for number in numbers]
+        if len(self.site.levers) > 1:  # a column between them
+            first = self._dial + 0.030
+            return [(0.0, first + number * _PITCH) for number in numbers]
+        aside = self.radius + 0.022  # at both sides of the dial
+        rows = [self._dial + row * (_PITCH + 0.001) for row in (0, 1)]
+        return [((2 * (number % 2) - 1) * aside, rows[number // 2]) for number in numbers]
+
+    def fits(self) -> Bool | bool:
+        """Tell whether buttons end below the upper edge, within the sides, and clear of a lever beside."""
+        site, top = self.site, self._keys[-1][1] if self._keys else self._dial
+        below = top + _CAP / 2 < site.high
+        if site.layout != "beside":
+            out = -self._keys[0][0] if self._keys else 0.0  # the first one is at the left
+            return below & (out + _CAP / 2 + PLAY < site.half)
+        return below & (site.lean * (self._aside - site.levers[0]) > _BESIDE)
+
+    def _at(self, place: tuple[Scalar, Scalar]) -> Vector:
+        return vector(self.site.middle + place[0], self.site.plane, place[1])
+
+    def opening(self) -> Solid:
+        """Return the tool that cuts the panel's opening into the shell."""
+        site = self.site
+        front, back = site.plane - 0.005, site.plane + site.deep
+        tool = box(2 * site.half, back - front, site.high - site.low)
+        return tool.at(site.middle, 0.5 * (front + back), 0.5 * (site.low + site.high))
+
+    def _outline(self) -> Profile:
+        """Return the outline of the plate, about its middle, at its heights."""
+        site = self.site
+        tall = site.high - site.low + 2 * _LAP
+        plate = rectangle(2 * (site.half + _LAP), tall).at(0.0, 0.5 * (site.low + site.high))
+        for x in site.levers:
+            plate = plate - slit(self.travel).at(x, site.rest)
+        hole = rectangle(_CAP + 2 * PLAY, _CAP + 2 * PLAY)
+        for x, z in self._keys:
+            plate = plate - hole.at(x, z)
+        return plate
+
+    def plate(self) -> Body:
+        """Make the panel with its print, to be welded to the shell."""
+        looks, site = self.looks, self.site
+        at = vector(site.middle, site.plane + _THICK / 2, 0.0)
+        solid = details.relief(self._outline(), at, proud=_THICK / 2, sunk=_THICK / 2)
+        bodies = [part(solid, "control_panel", looks.plate), self._shields()]
+        for key in self._keys:
+            rim = button_plate(finish=looks.metal, shape=looks.shape, width=_CAP, height=_CAP)
+            bodies.append(rim.at(self._at(key)))
+        if self.knobs:
+            for place in self._dials():
+                scale = dial_print(self.radius, ink=looks.ink, style=looks.scale, sweep=4.8, height=0.0030)
+                bodies.append(scale.at(self._at(place)))
+        else:
+            shown = self._dials()[0] if len(site.levers) == 1 else (0.0, self._dial)
+            bodies.append(details.display("3", 0.024, 0.017, at=self._at(shown), color="amber"))
+        if site.layout == "beside" and self.buttons < 4:
+            name = details.logo(self.looks.maker.upper(), 0.0036, tracking=0.2)
+            bodies.append(
+                details.printed(name, self._at((self._aside, site.high - 0.010)), material=looks.ink)
+            )
+        return weld(*bodies)
+
+    def _shields(self) -> Body:
+        """Make the dark brushes behind slits, at both sides of the arms that pass; only seen."""
+        wide = 0.0063
+        strip = box(wide, 0.001, self.travel + 0.022)
+        level, out = self.site.rest - self.travel / 2, ARM[0] / 2 + 0.0002 + wide / 2
+        at = [
+            (self.site.middle + x + side * out, self.site.plane + _THICK, level)
+            for x in self.site.levers
+            for side in (-1, 1)
+        ]
+        return detail(array(strip, at=at), "control_panel", recess(self.looks.plate))
+
+    def attached(self, body: Body, force: Scalar, friction: Scalar) -> Body:
+        """Attach buttons and dials to a body that has the panel.
+
+        Args:
+            body: The toaster.
+            force: Of the springs of buttons pressed home [N].
+            friction: Of the detents of dials [N m].
+        """
+        looks = self.looks
+        for number, key in enumerate(self._keys):
+            tail, at = f"_{number}" if self.buttons > 1 else "", self._at(key)
+            cap = push_button(
+                finish=looks.button,
+                shape=looks.shape,
+                width=_CAP,
+                height=_CAP,
+                icon=_ICONS[number],
+                ink=looks.button_ink,
+                name=f"button{tail}",
+            )
+            slide = button_press(f"button_slide{tail}", travel=_TRAVEL, force=force, pivot=at)
+            body = body.attach(cap.at(at), slide)
+        tails = ("_left", "_right") if self.knobs > 1 else ("",)
+        for tail, place in zip(tails, self._dials() if self.knobs else [], strict=False):
+            at = self._at(place)
+            knob = dial(
+                finish=looks.dial,
+                style=looks.style,
+                radius=self.radius,
+                mark=looks.mark,
+                cap=looks.metal,
+                name=f"knob{tail}",
+            )
+            body = body.attach(knob.at(at), dial_turn(f"knob_turn{tail}", friction=friction, pivot=at))
+        return body

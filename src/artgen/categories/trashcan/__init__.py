@@ -1,0 +1,296 @@
+"""A waste bin: with a pedal, a lid to lift, a lid that swings, rolls or flips, two flaps, a catch, or open.
+
+Links: `body`; `lid`, or `lid_left` and `lid_right` of a butterfly bin; `pedal` and the `rod` that it lifts;
+`button` of a touch bin; `hood` under a lid that turns, which lifts off to change the bag; `bucket` with its
+`handle`; the `ring` that holds the bag of an open bin. Joints: `lid_hinge` (with `_left` and `_right` for two
+flaps), `pedal_hinge`, `rod_slide`, `button_slide`, `hood_lift`, `ring_lift`, `bucket_slide`, `handle_hinge`.
+
+A pedal turns the lid by its levers: foot plate to pin, pin to rod, rod to the lid's axis; the ratio of the
+coupling is theirs. A foot presses with 15 to 60 N: the lid's weight by that ratio, and a spring that keeps
+the pedal up. Buckets lift out where the lid is out of their way, an angle that follows from its hinge.
+
+Sizes are those of household bins of 3 to 50 litres (EKO, Brabantia, simplehuman and Rotho catalogues):
+0.17-0.21 m wide and 0.25-0.31 m high for 3-5 l, to 0.34 m wide and 0.72 m high for 40-50 l.
+"""
+
+from typing import Literal
+
+from artgen import (
+    Body,
+    Float,
+    Material,
+    Scalar,
+    by,
+    category,
+    choice,
+    count,
+    details,
+    material,
+    min_,
+    require,
+    shades,
+    uniform,
+    weld,
+)
+from artgen.categories.trashcan.bins import Can, Plan
+from artgen.categories.trashcan.finish import (
+    BUCKET_WEIGHTS,
+    BUCKETS,
+    COATED,
+    COATED_WEIGHTS,
+    PLASTIC_WEIGHTS,
+    PLASTICS,
+    STEEL_WEIGHTS,
+    STEELS,
+    TRIMS,
+    WALL,
+    WEAVES,
+    lid_of,
+)
+from artgen.categories.trashcan.kinds import (
+    THICK,
+    Carry,
+    Draft,
+    Foot,
+    Lid,
+    butterfly_bin,
+    hooded_bin,
+    lift_bin,
+    open_bin,
+    pedal_bin,
+    touch_bin,
+)
+from artgen.categories.trashcan.lids import GAP, Grip, LidStyle
+from artgen.categories.trashcan.marks import Sort, maker_mark, sort_mark
+from artgen.categories.trashcan.shells import Dress, Looks
+
+Style = Literal["pedal", "lift", "swing", "ball", "disc", "butterfly", "touch", "open"]
+
+_TAPERED = ("lift", "swing", "disc", "open")
+_PLANS: dict[str, tuple[str, ...]] = {
+    "swing": ("round", "square", "rectangle"),
+    "ball": ("round",),
+    "disc": ("round", "square", "rectangle"),
+    "butterfly": ("square", "rectangle"),  # flaps hinge at straight sides
+    "open": ("round", "square", "rectangle"),
+}
+_DARK = material("black_abs")
+
+
+@category(
+    labels=(
+        "body",
+        "base",
+        "rim",
+        "foot",
+        "hinge",
+        "hood",
+        "lid",
+        "pedal",
+        "rod",
+        "button",
+        "bucket",
+        "handle",
+        "ring",
+        "bag",
+        "screw",
+        "print",
+        "rating_plate",
+    ),
+    joints=(1, 5),
+)
+def trashcan(
+    *,
+    style: Style = choice(
+        "ball",
+        "touch",
+        "lift",
+        "swing",
+        "butterfly",
+        "disc",
+        "pedal",
+        "open",
+        weights=(0.06, 0.09, 0.13, 0.13, 0.11, 0.07, 0.28, 0.13),
+    ),
+    size: Literal["small", "medium", "large"] = by(
+        "style",
+        pedal=choice("small", "medium", "large", weights=(0.25, 0.35, 0.4)),
+        lift=choice("small", "medium", "large", weights=(0.3, 0.4, 0.3)),
+        open=choice("small", "medium", weights=(0.4, 0.6)),
+        ball="large",
+        otherwise=choice("medium", "large", weights=(0.5, 0.5)),
+        doc="3-5, 10-20 or 30-50 litres",
+    ),
+    plan: Plan = by(
+        "style",
+        pedal=choice("round", "square", "rectangle", "half_round", weights=(0.4, 0.15, 0.25, 0.2)),
+        lift=choice("round", "square", "rectangle", "half_round", weights=(0.4, 0.2, 0.2, 0.2)),
+        swing=choice("round", "square", "rectangle", weights=(0.3, 0.3, 0.4)),
+        ball="round",
+        disc=choice("round", "square", weights=(0.65, 0.35)),
+        butterfly=choice("square", "rectangle", weights=(0.3, 0.7)),
+        touch=choice("round", "square", "rectangle", weights=(0.55, 0.2, 0.25)),
+        open=choice("round", "square", "rectangle", weights=(0.55, 0.25, 0.2)),
+    ),
+    width: Float = by(
+        "size",
+        small=uniform(0.175, 0.215),
+        medium=uniform(0.235, 0.285),
+        large=uniform(0.285, 0.330),
+        unit="m",
+        within=(0.15, 0.45),
+        doc="at the rim; a rectangular bin is narrower than others of its volume",
+    ),
+    aspect: Float = by(
+        "plan",
+        rectangle=uniform(1.18, 1.36),
+        half_round=uniform(0.84, 0.96),
+        otherwise=1.0,
+        doc="depth over width",
+        within=(0.8, 1.6),
+    ),
+    height: Float = by(
+        "size",
+        small=uniform(0.26, 0.32),
+        medium=uniform(0.36, 0.50),
+        large=uniform(0.58, 0.74),
+        unit="m",
+        doc="over all, closed",
+        within=(0.24, 0.85),
+    ),
+    corner: Float = uniform(0.020, 0.045, "m", doc="of square and rectangular bins", within=(0.008, 0.06)),
+    taper: Float = by(
+        "style",
+        lift=uniform(0.0, 0.12),
+        swing=uniform(0.04, 0.16),
+        disc=uniform(0.0, 0.12),
+        open=uniform(0.06, 0.24),
+        otherwise=0.0,
+        doc="share by which the foot is smaller than the rim; others than these stand straight",
+        within=(0.0, 0.35),
+    ),
+    skin: Literal["steel", "coated", "plastic", "wicker", "mesh"] = by(
+        "style",
+        pedal=choice("steel", "coated", "plastic", weights=(0.45, 0.38, 0.17)),
+        lift=choice("steel", "coated", "plastic", weights=(0.2, 0.4, 0.4)),
+        swing=choice("steel", "coated", "plastic", weights=(0.2, 0.2, 0.6)),
+        ball=choice("steel", "coated", weights=(0.5, 0.5)),
+        disc=choice("steel", "coated", "plastic", weights=(0.4, 0.35, 0.25)),
+        butterfly=choice("steel", "coated", weights=(0.7, 0.3)),
+        touch=choice("steel", "coated", weights=(0.5, 0.5)),
+        open=choice("coated", "plastic", "wicker", "mesh", weights=(0.2, 0.3, 0.25, 0.25)),
+    ),
+    finish: Material = by(
+        "skin",
+        steel=shades(*STEELS, weights=STEEL_WEIGHTS, color=0.04),
+        coated=shades(*COATED, weights=COATED_WEIGHTS),
+        plastic=shades(*PLASTICS, weights=PLASTIC_WEIGHTS),
+        wicker=shades(*WEAVES[:2]),
+        mesh=shades(*WEAVES[2:], color=0.04),
+    ),
+    lid_finish: Literal["same", "plastic", "steel"] = by(
+        "skin",
+        steel=choice("same", "plastic", weights=(0.7, 0.3)),
+        coated=choice("same", "plastic", "steel", weights=(0.6, 0.15, 0.25)),
+        otherwise=choice("same", "plastic", weights=(0.7, 0.3)),
+    ),
+    trim: Material = choice(*TRIMS, weights=(0.55, 0.2, 0.1, 0.15)),
+    dress: Dress = choice("plain", "base_band", "beads", "ring", weights=(0.3, 0.35, 0.15, 0.2)),
+    lid_style: LidStyle = by(
+        "plan",
+        half_round=choice("flat", "stepped"),
+        otherwise=choice("flat", "domed", "stepped", weights=(0.4, 0.35, 0.25)),
+    ),
+    lid_open: Float = by(
+        "style",
+        pedal=uniform(1.46, 1.56),
+        lift=uniform(1.44, 1.62),
+        swing=uniform(1.05, 1.2),
+        ball=uniform(0.9, 1.0),
+        disc=uniform(1.45, 1.57),
+        butterfly=uniform(1.42, 1.5),
+        touch=uniform(1.44, 1.54),
+        otherwise=0.0,
+        unit="rad",
+        doc="how far the lid opens; those that turn in a hood do so both ways",
+    ),
+    grip: Grip = by(
+        "style", lift=by("lid_style", domed="lip", otherwise=choice("lip", "bar", "knob")), otherwise="none"
+    ),
+    stepped_on: bool = by("style", butterfly=choice(False, True, weights=(0.3, 0.7)), otherwise=False),
+    crank: Float = uniform(0.014, 0.018, "m", doc="of the lid, which the rod lifts", within=(0.013, 0.022)),
+    pedal_travel: Float = uniform(0.034, 0.046, "m", doc="of the foot plate", within=(0.025, 0.06)),
+    pedal_width: Float = uniform(0.062, 0.092, "m", within=(0.045, 0.14)),
+    pedal_preload: Float = uniform(9.5, 11.5, "N", doc="of its spring, at the foot plate"),
+    pedal_force: Float = uniform(13.0, 16.0, "N", doc="of its spring, pressed down"),
+    soft_close: bool = choice(False, True),
+    hinge_friction: Float = uniform(0.015, 0.04, "N m"),
+    carry: Carry = by(
+        "style",
+        pedal=choice("loop", "bail", weights=(0.4, 0.6)),
+        lift=choice("none", "loop", "bail", weights=(0.2, 0.4, 0.4)),
+        touch=choice("loop", "bail"),
+        butterfly="loop",
+        open=by("skin", wicker="bail", otherwise="none"),
+        otherwise="none",
+        doc="by what an inner bucket is carried; none has no bucket",
+    ),
+    bucket_finish: Material = shades(*BUCKETS, weights=BUCKET_WEIGHTS),
+    bagged: bool = by("style", open=by("skin", wicker=False, otherwise=choice(False, True)), otherwise=False),
+    sort: Sort = by(
+        "style",
+        swing=choice("none", "recycling", "paper", "plastic", "glass", weights=(0.5, 0.2, 0.1, 0.1, 0.1)),
+        open=choice("none", "recycling", "paper", weights=(0.6, 0.25, 0.15)),
+        otherwise="none",
+    ),
+    maker: str = choice(*details.BRANDS),
+    model: int = count(100, 989),
+) -> Body:
+    """Make a waste bin: lid, flaps or none, pedal, button, inner bucket."""
+    require(
+        plan in _PLANS.get(style, ("round", "square", "rectangle", "half_round")),
+        f"a {style} bin is no {plan} one; choose plan= of {', '.join(_PLANS.get(style, ()))}",
+    )
+    across = width * 0.86 if plan == "rectangle" else width
+    depth = across if plan == "round" else across * aspect
+    crown: dict[str, Scalar] = {
+        "swing": 0.28 * across,
+        "ball": 0.5 * across + 0.055,
+        "disc": 0.026,
+        "open": 0.016,
+    }
+    can = Can(
+        plan,
+        across,
+        depth,
+        height - crown.get(style, GAP + THICK),
+        corner=min_(corner, 0.4 * min_(across, depth)),
+        sheet=WALL,
+        taper=taper if style in _TAPERED else 0.0,
+    )
+    require(style != "butterfly" or carry != "bail", "the flaps of a butterfly bin strike a bail: carry=loop")
+    plastic = _DARK if trim.base_metalness > 0.5 else trim
+    shown = {"same": finish, "plastic": plastic, "steel": STEELS[0]}[lid_finish]
+    looks = Looks(finish, lid_of(shown), trim, material("chrome"), plastic)
+    draft = Draft(can, looks, dress, carry, bucket_finish, maker, model)
+    lid = Lid(lid_style, lid_open, hinge_friction, 0.16 if soft_close else 0.05)
+    foot = Foot(crank, pedal_travel, pedal_width, pedal_preload, pedal_force)
+    match style:
+        case "pedal":
+            body = pedal_bin(draft, lid, foot)
+        case "lift":
+            body = lift_bin(draft, lid, grip)
+        case "touch":
+            body = touch_bin(draft, lid)
+        case "butterfly":
+            body = butterfly_bin(draft, lid, foot if stepped_on else None)
+        case "open":
+            body = open_bin(draft, bagged=bagged)
+        case _:
+            body = hooded_bin(
+                draft, style, opening=lid_open, rise=0.17 * across if style == "swing" else 0.024
+            )
+    marks = sort_mark(can, sort, z=0.55 * can.top, finish=finish)
+    if skin not in ("wicker", "mesh"):
+        marks.append(maker_mark(can, maker, z=0.09, finish=finish))
+    return weld(body, *marks)

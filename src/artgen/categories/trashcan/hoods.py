@@ -1,0 +1,296 @@
+"""Hoods of bins: they sit over the rim, lift off to change the bag, and carry a lid that turns in them.
+
+A swing lid tips on its middle and springs back; a disc turns in its rim; a ball, half of one that is closed
+below, rolls under its collar. All three turn about an axis along X over the middle of the bin.
+"""
+
+from dataclasses import dataclass
+from typing import Literal
+
+from artgen import (
+    Body,
+    Float,
+    Frame,
+    Joint,
+    Material,
+    Prismatic,
+    Profile,
+    Revolute,
+    Scalar,
+    Solid,
+    X,
+    Z,
+    box,
+    circle,
+    coarse,
+    cylinder,
+    detail,
+    dome,
+    extrude,
+    grasp_on,
+    mass,
+    max_,
+    min_,
+    part,
+    push_on,
+    rectangle,
+    sin,
+    sqrt,
+    weld,
+)
+from artgen.categories.trashcan.bins import Can
+
+Turning = Literal["swing", "disc", "ball", "ring"]
+"""What a hood carries; a ring carries nothing, and holds a bag."""
+
+_SHEET = 0.003  # thickness of the plate around a lid [m]
+_SKIN = 0.003  # how far hoods stand out around the rim, beside the gap [m]
+_OVER = 0.0026  # between the rim and the skirt around it [m]
+_SKIRT = 0.014  # how far the skirt reaches down over the rim [m]
+_ON = 0.0022  # between the rim and what rests on it [m]
+_EDGE = 0.0030  # between a lid and the edge of its opening [m]
+_BALL_EDGE = 0.0052  # around a ball, whose colliders stand off by up to 2 mm [m]
+_EAR = 0.020  # how far the ears stand out, by which a hood is lifted [m]
+_WIDEST = 0.425  # round collar: a wider one collides as 64 pieces and not as 32 [m]
+_TOO_WIDE = "the collar of a round bin this wide would collide as too many pieces: take a smaller width"
+_GRAVITY = 9.81  # [m/s2]
+
+
+@dataclass(frozen=True)
+class Hood:
+    """A hood over the rim of a bin.
+
+    Attributes:
+        can: The bin.
+        kind: What turns in it.
+        rise: How high its slope is [m].
+        lean: Share by which its top is smaller than its skirt.
+        finish: Its material.
+    """
+
+    can: Can
+    kind: Turning
+    rise: Scalar
+    lean: float
+    finish: Material
+
+    @property
+    def label(self) -> str:
+        """Its label, and the name of its link."""
+        return "ring" if self.kind == "ring" else "hood"
+
+    @property
+    def _level(self) -> Can:
+        can = self.can
+        return Can(can.plan, can.width, can.depth, can.top, can.foot, can.corner, can.sheet)
+
+    @property
+    def low(self) -> Scalar:
+        """Height of its underside, just over the rim [m]."""
+        return self.can.top + _ON
+
+    @property
+    def top(self) -> Scalar:
+        """Height of its upper face [m]."""
+        return self.low + self.rise
+
+    @property
+    def axis(self) -> Scalar:
+        """Height of the axis of its lid [m]."""
+        return self.top - (0.003 if self.kind == "ball" else 0.005)
+
+    @property
+    def _opening(self) -> tuple[Scalar, Scalar]:
+        """Width and depth of the opening; of a round one, its diameter twice [m]."""
+        share = 1.0 - self.lean
+        if self.kind == "ball":
+            across = self.can.width - 2.0 * (self.can.wall + 0.004)
+            return across, across
+        if self.kind == "disc":
+            return self.can.width - 0.030, self.can.depth - 0.030
+        if self.kind == "ring":
+            return self.can.width - 0.012, self.can.depth - 0.012
+        if self.can.plan == "round":
+            side = 0.66 * share * self.can.width
+            return 1.06 * side, side
+        return share * self.can.width - 0.042, share * self.can.depth - 0.042
+
+    def _hole(self, gap: Scalar) -> Profile:
+        """Make the opening, smaller by a gap all round."""
+        across, along = self._opening
+        if self.kind == "ball" or (self.kind != "swing" and self.can.plan == "round"):
+            return circle(across / 2.0 - gap)
+        border = (1.0 - self.lean) * self.can.corner - (self.can.width - across) / 2.0
+        radius = max_(border, 0.006)
+        if self.kind == "swing":
+            radius = min_(radius, 0.008)  # its lid has no round corners
+        return rectangle(across - 2.0 * gap, along - 2.0 * gap, radius=radius)
+
+    def body(self, trim: Material) -> Body:
+        """Make the hood: the link `hood`."""
+        level = self._level
+        out = -(_OVER + _SKIN)
+        skirt = level.band(self.can.top - _SKIRT, self.low + 0.004, outer=out, inner=-_OVER)
+        if self.kind == "swing":
+            ring = level.outline(out) - level.outline(0.0015)
+            slope = coarse(extrude(ring, self.top - self.low, taper=self.lean), 0.0008)
+            sheet = level.outline(out).scale(1.0 - self.lean) - self._hole(0.0)
+            plate = coarse(extrude(sheet, _SHEET, bevel=0.0006), 0.0005).at(
+                0.0, 0.0, self.top - _SHEET / 2.0 + 0.0008
+            )
+            solids = [slope.at(0.0, 0.0, (self.low + self.top) / 2.0), plate]
+        else:
+            ring = level.outline(out) - self._hole(0.0)
+            collar = extrude(ring, self.top - self.low, bevel=0.0010)
+            if self.can.plan == "round":
+                collar = collar.require(self.can.width < _WIDEST, _TOO_WIDE)
+            solids = [coarse(collar, 0.0007).at(0.0, 0.0, (self.low + self.top) / 2.0)]
+        bearings: list[Body] = []
+        if self.kind != "ring":
+            bearings = self._bosses(trim) if self.kind == "ball" else self._lugs(trim)
+        return weld(
+            *(part(each, self.label, self.finish) for each in solids),
+            detail(skirt, self.label, self.finish),
+            *bearings,
+            *self._ears(),
+        )
+
+    def _ears(self) -> list[Body]:
+        """Make the tabs at both sides, by which hands lift the hood."""
+        bodies = []
+        x = self.can.width / 2.0 + _OVER + _SKIN
+        z = self.low + 0.0045
+        ear = box(_EAR + 0.003, 0.055, 0.005, bevel=0.0016)
+        for side in (-1, 1):
+            solid = ear.at(side * (x + _EAR / 2.0 - 0.0015), 0.0, z)
+            hold = grasp_on(
+                solid,
+                approach=(-side, 0.0, 0.0),
+                closing=Z,
+                at=(side * (x + 0.012), 0.0, z),
+                depth=0.016,
+            )
+            name = f"{self.label}_ear_{'left' if side < 0 else 'right'}"
+            bodies.append(part(solid, self.label, self.finish, name=name, grasp=hold))
+        return bodies
+
+    def _lugs(self, trim: Material) -> list[Body]:
+        """Make the bearings under the plate beside the lid, with the pins in them."""
+        x = self._opening[0] / 2.0
+        bodies = []
+        for side in (-1, 1):
+            lug = box(0.007, 0.016, 0.014, bevel=0.0012)
+            bodies.append(part(lug.at(side * (x + 0.0036), 0.0, self.top - 0.009), self.label, self.finish))
+            pin = cylinder(0.003, 0.0063, axis=X).at(side * (x + 0.00035), 0.0, self.axis)  # up to the lid
+            bodies.append(detail(pin, self.label, trim))
+        return bodies
+
+    def _bosses(self, trim: Material) -> list[Body]:
+        """Make the caps over the pins of a ball."""
+        x = self._opening[0] / 2.0
+        bodies = []
+        for side in (-1, 1):
+            low = box(0.010, 0.030, 0.018, bevel=0.003)
+            bodies.append(part(low.at(side * (x + 0.0052), 0.0, self.top + 0.006), self.label, self.finish))
+            screw = cylinder(0.0045, 0.003, axis=X, bevel=0.0008)
+            bodies.append(detail(screw.at(side * (x + 0.0102), 0.0, self.top + 0.006), "screw", trim))
+        return bodies
+
+    def lift(self, body: Body, *, travel: Scalar) -> Joint:
+        """Make the joint by which a hood is lifted off."""
+        return Prismatic(
+            f"{self.label}_lift",
+            axis=Z,
+            limits=(0.0, travel),
+            friction=1.0,  # the skirt grips the rim a little
+            damping=4.0,
+            effort=1.4 * _GRAVITY * mass(body) + 3.0,
+            velocity=1.0,
+        )
+
+    def lid(self, *, finish: Material, dark: Material) -> Body:
+        """Make what turns in the hood: the link `lid`."""
+        if self.kind == "ball":
+            return self._ball(finish, dark)
+        across, along = self._opening
+        if self.kind == "disc":
+            shape = extrude(self._hole(_EDGE), 0.006, bevel=0.0022).at(0.0, 0.0, self.axis)
+            bottom = extrude(self._hole(_EDGE + 0.006), 0.001).at(0.0, 0.0, self.axis - 0.003)
+        else:
+            length, rise = along - 2.0 * _EDGE, 0.11 * along
+            radius = (length * length / 4.0 + rise * rise) / (2.0 * rise)
+            section = circle(radius).at(0.0, rise - radius) & rectangle(length, rise + 0.004).at(
+                0.0, rise / 2.0 - 0.002
+            )
+            shape = extrude(section, across - 2.0 * _EDGE, axis=X, bevel=0.0012).at(0.0, 0.0, self.axis)
+            bottom = box(across - 0.02, length - 0.014, 0.001).at(0.0, 0.0, self.axis - 0.004)
+        at = (0.0, -0.33 * along, 0.0)
+        far = (0.0, 0.33 * along, 0.0)
+        down = [
+            push_on(shape, direction=-Z, at=point) for point in ((at, far) if self.kind == "disc" else ())
+        ]
+        if self.kind == "swing":
+            down = [self._push(shape, -0.33 * along), self._push(shape, 0.33 * along)]
+        body = part(shape, "lid", finish, push=down)
+        return weld(body, detail(bottom, "lid", dark))
+
+    def _push(self, shape: Solid, y: Scalar) -> Frame:
+        """Find where a finger pushes an arched lid, square to it."""
+        along = self._opening[1]
+        length, rise = along - 2.0 * _EDGE, 0.11 * along
+        radius = (length * length / 4.0 + rise * rise) / (2.0 * rise)
+        height = (radius * radius - y * y) ** 0.5
+        return push_on(
+            shape,
+            direction=(0.0, -y, -height),
+            at=(0.0, y, self.axis + rise - radius + height - 0.004),
+        )
+
+    def _ball(self, finish: Material, dark: Material) -> Body:
+        radius = self._opening[0] / 2.0 - _BALL_EDGE
+        half = dome(radius).at(0.0, 0.0, self.axis)
+        bar = box(0.090, 0.011, 0.009, bevel=0.003).at(0.0, 0.0, self.axis + radius + 0.026)
+        falls = radius - sqrt(radius * radius - 0.040**2)  # the ball, from its top to under a post
+        longer = max_(falls - 0.0065, 0.0)
+        posts = [
+            box(0.009, 0.011, 0.036 + longer, bevel=0.002).at(
+                side * 0.040, 0.0, self.axis + radius + 0.010 - longer / 2.0
+            )
+            for side in (-1, 1)
+        ]
+        hold = grasp_on(bar, approach=-Z, closing=(0.0, 1.0, 0.0))
+        below = cylinder(radius - 0.006, 0.001).at(0.0, 0.0, self.axis)
+        return weld(
+            part(half, "lid", finish),
+            part(bar, "lid", dark, grasp=hold),
+            *(part(each, "lid", dark) for each in posts),
+            detail(below, "lid", dark),
+        )
+
+    def dip(self, opening: Scalar) -> Float:
+        """Return the height to which the edge of the lid turns down [m]."""
+        return self.axis - 0.5 * self._opening[1] * sin(opening)
+
+    def turn(self, body: Body, *, opening: Scalar) -> Joint:
+        """Make the joint of the lid, which turns both ways."""
+        if self.kind == "swing":
+            stiffness, friction, damping = 0.16, 0.003, 0.012
+        elif self.kind == "disc":
+            stiffness, friction, damping = 0.0, 0.05, 0.02
+        else:
+            stiffness, friction, damping = 0.0, 0.0, 0.04
+        held = (
+            friction if self.kind != "ball" else 1.5 * _GRAVITY * mass(body) * 0.45 * self._opening[0] / 2.0
+        )
+        return Revolute(
+            "lid_hinge",
+            axis=X,
+            pivot=(0.0, 0.0, self.axis),
+            limits=(-opening, opening),
+            stiffness=stiffness,
+            friction=held,
+            damping=damping,
+            armature=0.0003,
+            effort=6.0,
+            velocity=10.0,
+        )

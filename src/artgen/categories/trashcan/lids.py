@@ -1,0 +1,289 @@
+"""Lids that hinge at the back of a bin: their panels, the block with the pin behind the rim, and the joint.
+
+The hinge's axis runs along X behind the rim, below the underside of the lid: whatever the lid has before and
+above the axis stays above it until the lid stands upright.
+"""
+
+import math
+from dataclasses import dataclass, replace
+from typing import Literal
+
+from artgen import (
+    Body,
+    Float,
+    Frame,
+    Joint,
+    Material,
+    Revolute,
+    Scalar,
+    Solid,
+    X,
+    Y,
+    Z,
+    atan2,
+    board,
+    box,
+    cylinder,
+    detail,
+    dome,
+    extrude,
+    grasp_on,
+    material,
+    max_,
+    min_,
+    part,
+    polygon,
+    rectangle,
+    revolve,
+    union,
+    weld,
+)
+from artgen.categories.shared.finish import casting
+from artgen.categories.trashcan.bins import Can, Plan
+from artgen.categories.trashcan.pedals import Linkage
+
+LidStyle = Literal["flat", "domed", "stepped"]
+"""A slab with soft edges, a cushion, or a slab with a smaller one on it."""
+
+Grip = Literal["none", "lip", "bar", "knob"]
+"""By what a hand lifts a lid: nothing, a lip in front, a bar or a knob on it."""
+
+GAP = 0.0023
+"""Between the rim and the lid [m]."""
+
+PROUD = 0.0012
+"""How far the band of the rim stands out [m]."""
+
+STEP = 0.006
+"""How much higher the middle of a stepped lid is [m]."""
+
+SPARE = 0.004
+"""What an open lid keeps from what rises before it [m]."""
+
+_HUB = 0.0062  # radius of the lid's hub [m]
+_HALF = 0.013  # half the length of the hub [m]
+_CHEEK = 0.0034  # thickness of the cheeks beside it [m]
+_ROUND = 0.0082  # radius of the cheeks about the pin [m]
+_SHELL = 0.4  # what a moulding of 1.3 mm walls weighs of a solid one
+_CUSHION = 90.0  # sheet of 0.4 mm around air, 2-3 kg/m2 where it is 25-35 mm high [kg/m3]
+_LEAST_ROUND = 0.012  # corner of a cushion [m]
+_SLOPE = 2.25  # how far a cushion leans inward over its rise, at most: its lower edge stays fit to round
+_BELOW = 0.006  # the axis under the rim [m]
+_SOFT = 0.0032  # bevel of a slab [m]
+_WITHIN = 0.0003  # how far facets lie below what is seen of them [m]
+_LIP = 0.020  # how far a lip stands out in front [m]
+
+
+@dataclass(frozen=True)
+class Hinge:
+    """The hinge at the back of a bin.
+
+    Attributes:
+        can: The bin.
+        behind: How far the axis is behind the rim's wall [m].
+        foot: Where the housing ends below [m].
+    """
+
+    can: Can
+    behind: Scalar
+    foot: Scalar
+
+    @property
+    def axis(self) -> tuple[Scalar, Scalar]:
+        """The axis, y and z [m]."""
+        return self.can.back + self.behind, self.can.top - _BELOW
+
+    def housing(
+        self, finish: Material, *, sill: bool = True, damper: bool = False, label: str = "hinge"
+    ) -> Body:
+        """Make the block behind the rim that carries the pin: two cheeks, and the cover between them.
+
+        Args:
+            finish: Its plastic or metal.
+            sill: Whether it is closed below; a lever comes in there otherwise.
+            damper: Whether a rotary damper sits beside it, only seen.
+            label: Semantic label.
+        """
+        y, z = self.axis
+        finish = casting(finish, _SHELL)
+        near, far = self.can.back - 0.004, y + 0.008
+        round_ = cylinder(_ROUND, _CHEEK, axis=X, bevel=0.0012)
+        parts: list[Body] = []
+        cheek = board((-_CHEEK / 2.0, _CHEEK / 2.0), (near, far), (self.foot, z), bevel=0.0012)
+        for side in (-1, 1):
+            x = side * (_HALF + 0.0005 + _CHEEK / 2.0)
+            parts.append(part(cheek.at(x, 0.0, 0.0), label, finish))
+            parts.append(part(round_.at(x, y, z), label, finish))
+        half = _HALF + _CHEEK
+        cover = board((-half, half), (far - 0.0027, far + 0.0003), (self.foot, z - 0.010), bevel=0.0012)
+        parts.append(part(cover, label, finish))
+        if sill:
+            plate = board((-half, half), (near, far), (self.foot, self.foot + 0.003), bevel=0.001)
+            parts.append(part(plate, label, finish))
+        head = cylinder(0.0034, _CHEEK, axis=X, bevel=0.0008)
+        for side in (-1, 1):
+            out = _HALF + _CHEEK / 2.0 + 0.0012
+            parts.append(detail(head.at(side * out, y, z), "screw", material("stainless")))
+        if damper:
+            disc = cylinder(0.0075, 0.006, axis=X, bevel=0.001).at(_HALF + _CHEEK + 0.003, y, z)
+            parts.append(detail(disc, label, material("glossy_plastic_black")))
+        return weld(*parts)
+
+    def arm(self, low: Scalar, thick: Scalar) -> list[Solid]:
+        """Make the hub of the lid and the arm from it to a lid whose underside is at a height."""
+        y, z = self.axis
+        hub = cylinder(_HUB, 2.0 * _HALF, axis=X, bevel=0.0008).at(0.0, y, z)
+        top = low + 0.7 * thick
+        rise = top - 0.001 - z
+        neck = box(2.0 * _HALF - 0.002, 0.010, rise, bevel=0.0015).at(0.0, y - 0.0015, z + rise / 2.0)
+        bridge = board((-_HALF, _HALF), (self.can.back - 0.010, y + 0.004), (low, top), bevel=0.0015)
+        return [hub, neck, bridge]
+
+    def turn(
+        self,
+        *,
+        opening: Scalar | None = None,
+        linkage: Linkage | None = None,
+        pedal: Joint | None = None,
+        friction: Scalar = 0.03,
+        damping: Scalar = 0.05,
+        name: str = "lid_hinge",
+    ) -> Joint:
+        """Make the joint of the lid; positive opens it.
+
+        Args:
+            opening: How far it opens, where no pedal lifts it [rad].
+            linkage: The levers that lift it.
+            pedal: The joint of the pedal.
+            friction: Of the pin, and of what brakes it [N m].
+            damping: Of the soft-close damper [N m s/rad].
+            name: Name of the joint.
+        """
+        y, z = self.axis
+        follows = None
+        if linkage is not None and pedal is not None:
+            follows = pedal * (linkage.opening / linkage.angle)
+        return Revolute(
+            name,
+            axis=-X,
+            pivot=(0.0, y, z),
+            limits=None if opening is None else (0.0, opening),
+            follows=follows,
+            friction=friction,
+            damping=damping,
+            armature=0.001,  # the rotor of its damper, geared up
+            effort=12.0,
+            velocity=8.0,
+        )
+
+    @property
+    def far(self) -> Scalar:
+        """Where the cover behind it ends, along y [m]."""
+        return self.axis[0] + 0.0083
+
+    def clear(self, height: Scalar, before: Scalar) -> Float:
+        """Return the angle at which the lid leaves free what rises from the bin [rad].
+
+        Args:
+            height: How far that rises above the axis [m].
+            before: How far its rear is before the wall's outer face [m].
+        """
+        return atan2(height, self.behind + before - SPARE)
+
+
+def lid_panel(
+    can: Can, *, low: Scalar, thick: Scalar, style: LidStyle, finish: Material, overhang: Scalar = 0.0015
+) -> Body:
+    """Make the panel of a lid from its underside at a height: the link `lid`.
+
+    Args:
+        can: The bin, whose outline it follows.
+        low: Height of its underside [m].
+        thick: Thickness of the slab [m].
+        style: Its form.
+        finish: Its material, of an effective density: lids are hollow.
+        overhang: How far it reaches over the wall [m].
+    """
+    level = Can(can.plan, can.width, can.depth, low + thick, low, can.corner, can.sheet)
+    slab = extrude(level.outline(-overhang), thick, bevel=_SOFT).at(0.0, 0.0, low + thick / 2.0)
+    radius = can.width / 2.0 + overhang
+    bodies = _faceted(slab, _disc(radius, thick).at(0.0, 0.0, low), finish, can.plan)
+    top = low + thick
+    hollow = finish.with_(name=f"{finish.name}_cushion", density=_CUSHION)
+    if style == "domed" and can.plan == "round":
+        radius = radius - 0.004
+        rise = 0.16 * can.width
+        cushion = dome(radius, height=rise).at(0.0, 0.0, top - 0.001)
+        bodies += _faceted(cushion, _cap(radius, rise).at(0.0, 0.0, top - 0.001), hollow, can.plan)
+    elif style == "domed":
+        rise = 0.016
+        soft = replace(level, corner=max_(can.corner, _LEAST_ROUND))
+        taper = min_(0.16, _SLOPE * rise / soft.diagonal)
+        slope = extrude(soft.outline(0.003 - overhang), rise, taper=taper, bevel=0.005)
+        bodies.append(part(slope.at(0.0, 0.0, top - 0.002 + rise / 2.0), "lid", hollow))
+    elif style == "stepped":
+        step = level.block(top - 0.001, top + STEP, inset=0.014, bevel=0.0025)
+        bodies.append(part(step, "lid", finish))
+    liner = extrude(level.outline(can.wall + 0.006), 0.0016).at(0.0, 0.0, low)
+    bodies.append(detail(liner, "lid", material("black_abs")))
+    return weld(*bodies)
+
+
+def _faceted(seen: Solid, met: Solid, finish: Material, plan: Plan) -> list[Body]:
+    """Make one piece of a lid; of a round one what is seen is only that, and what is met has few facets.
+
+    A round slab of its own would collide as four pieces of many vertices, a cushion as eight; simulators find
+    the contacts with the flat side of so wide a cylinder only roughly.
+    """
+    if plan != "round":
+        return [part(seen, "lid", finish)]
+    return [part(met, "lid", finish), detail(seen, "lid", finish)]
+
+
+def _disc(radius: Scalar, thick: Scalar) -> Solid:
+    """Make a disc of few facets within a slab whose underside is at z = 0.
+
+    It is four quarters: what a lid falls on, such as a raised bucket, then meets it at points all around.
+    """
+    wide, high = radius - 0.8 * _SOFT, thick - 2.0 * _WITHIN
+    quarter = revolve(rectangle(wide, high).at(wide / 2.0, thick / 2.0), angle=math.pi / 2.0, sides=32)
+    return union(*(quarter.rotate(Z, number * math.pi / 2.0) for number in range(4)))
+
+
+def _cap(radius: Scalar, rise: Scalar) -> Solid:
+    """Make half of an ellipsoid of few facets within one that is smooth."""
+    turns = (0.0, 0.36, 0.78)
+    wide, high = radius - _WITHIN, rise - _WITHIN
+    line = [(wide * math.cos(turn), high * math.sin(turn)) for turn in turns]
+    flat = 0.22  # of the radius: on top
+    return revolve(polygon([(0.0, 0.0), *line, (flat * wide, 0.975 * high), (0.0, 0.975 * high)]), sides=15)
+
+
+def lid_grip(
+    can: Can, *, low: Scalar, thick: Scalar, style: Grip, lid: LidStyle
+) -> tuple[list[Solid], list[Frame]]:
+    """Make what a hand lifts a lid by, to be part of it, and the frames at which it does.
+
+    Args:
+        can: The bin.
+        low: Height of the lid's underside [m].
+        thick: Thickness of its slab [m].
+        style: The grip.
+        lid: Form of the lid; a bar or a knob stands on its slab, in front of its middle.
+    """
+    if style == "lip" or lid == "domed":
+        wide = 0.34 * can.width
+        lip = box(wide, _LIP + 0.012, 0.008, bevel=0.003)
+        lip = lip.at(0.0, can.front - _LIP / 2.0 + 0.006, low + thick / 2.0)
+        hold = grasp_on(lip, at=(0.0, can.front - _LIP + 0.008, low + thick / 2.0), depth=0.015)
+        return [lip], [hold]
+    y, top = can.front + 0.30 * can.depth, low + thick + (STEP if lid == "stepped" else 0.0)
+    if style == "bar":
+        wide = 0.10
+        bar = box(wide, 0.012, 0.008, bevel=0.003).at(0.0, y, top + 0.030)
+        post = box(0.010, 0.012, 0.032, bevel=0.002)
+        posts = [post.at(side * (wide / 2.0 - 0.005), y, top + 0.015) for side in (-1, 1)]
+        return [bar, *posts], [grasp_on(bar, approach=-Z, closing=Y)]
+    knob = cylinder(0.017, 0.014, bevel=0.004).at(0.0, y, top + 0.024)
+    post = cylinder(0.007, 0.022).at(0.0, y, top + 0.008)
+    return [knob, post], [grasp_on(knob, approach=-Z, closing=Y, depth=0.013)]

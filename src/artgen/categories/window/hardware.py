@@ -1,0 +1,303 @@
+"""Hardware of hinged sashes: barrel hinges, and levers that drive cams in the edge of a sash.
+
+Hinged sashes are drawn about the middle of their opening with their hinges at the left; they open to -y. The
+front plane of the frame is y = 0.
+"""
+
+from typing import Literal, NamedTuple
+
+from artgen import (
+    Body,
+    Float,
+    Joint,
+    Material,
+    Prismatic,
+    Revolute,
+    Scalar,
+    Solid,
+    X,
+    Y,
+    Z,
+    array,
+    board,
+    box,
+    box_between,
+    cylinder,
+    cylinder_between,
+    detail,
+    details,
+    extrude,
+    grasp_on,
+    hull,
+    part,
+    polygon,
+    polyline,
+    rectangle,
+    regular_polygon,
+    sweep,
+    union,
+    weld,
+)
+from artgen.categories.shared.hardware.furniture_pulls import bar_pull
+from artgen.categories.window.plan import LIP, REBATE, SEALED, Section
+
+BARREL = 0.0065
+"""Radius of hinges [m]."""
+
+_BESIDE = 0.0020  # from a barrel to the lip beside it [m]
+_APART = 0.0005  # between the halves of a hinge [m]
+
+_TRAVEL = 0.016  # of the cams for a quarter turn of the lever [m]
+QUARTER = 1.57
+RELEASED = 1.30
+"""Angle of the lever at which the cams have left their keeps [rad]."""
+
+_CAM = (0.008, 0.010)  # of a cam: along y, along z [m]
+_KEEP = (0.009, 0.012)
+_KEEP_OUT, _KEEP_BEVEL = 0.0066, 0.0015  # how far keeps stand out of the frame, and their bevels [m]
+_PLAY = 0.0009  # a closed window rattles by this much [m]
+_EDGE_GAP = 0.0003
+
+LEVER_OUT = 0.046
+"""How far a lever stands out from the face that it is on [m]."""
+
+LeverStyle = Literal["straight", "tapered", "bent"]
+
+
+class Pin(NamedTuple):
+    """The axis of the hinges of a sash, parallel to Z.
+
+    Attributes:
+        x: [m].
+        y: [m].
+    """
+
+    x: Scalar
+    y: Scalar
+
+    @staticmethod
+    def beside(width: Scalar, section: Section) -> "Pin":
+        """Put the axis beside the lip of a sash in an opening of some width."""
+        return Pin(-width / 2.0 - LIP - _BESIDE - BARREL, -SEALED - section.lip / 2.0)
+
+
+def barrel_hinges(
+    pin: Pin,
+    levels: list[Scalar],
+    *,
+    tall: float,
+    to: Scalar,
+    face: Scalar,
+    finish: Material,
+    solid: bool = True,
+) -> tuple[Body, Body]:
+    """Make barrel hinges: the upper half turns with the sash, the lower one stands on the frame.
+
+    Args:
+        pin: Their axis.
+        levels: Heights of their middles [m].
+        tall: Height of one [m].
+        to: Where the sash begins beside the axis, x [m].
+        face: Where the frame begins behind the axis, y [m].
+        finish: Their metal.
+        solid: Whether they have mass and collide, or only are seen.
+
+    Returns:
+        What is welded to the frame, and what is welded to the sash.
+    """
+    half = tall / 2.0 - _APART
+    up, down = _APART + half / 2.0, -_APART - half / 2.0
+    barrel = cylinder(BARREL, half, axis=Z, bevel=0.001)
+    # a post within the barrel collides, in one piece with the arm or the foot
+    core = extrude(regular_polygon(8, BARREL - 0.0001), half - 0.0002)
+    arm = box_between((0.0, -0.0025, -0.4 * half), (to - pin.x + 0.001, 0.0025, 0.4 * half))
+    foot = box_between((-0.004, 0.0, -0.4 * half), (0.004, face - pin.y + 0.001, 0.4 * half))
+    tip = cylinder(0.55 * BARREL, 0.003, axis=Z, bevel=0.001)
+    places = [(pin.x, pin.y, level) for level in levels]
+    made = []
+    for middle, holds, end in ((down, foot, -1.0), (up, arm, 1.0)):
+        seen = union(barrel, tip.at(0.0, 0.0, end * (half / 2.0 + 0.001))).at(0.0, 0.0, middle)
+        met = array(hull(core, holds).at(0.0, 0.0, middle), at=places)
+        skin = detail(array(seen, at=places), "hinge", finish)
+        made.append(weld(part(met, "hinge", finish) if solid else detail(met, "hinge", finish), skin))
+    return made[0], made[1]
+
+
+def lever_turn(name: str, *, pivot: tuple[Scalar, Scalar, Scalar], limit: Scalar, friction: Scalar) -> Joint:
+    """Make the joint of a lever that hangs down while it locks, held by the detents of its gear.
+
+    Args:
+        name: Of the joint.
+        pivot: A point on its axis [m].
+        limit: How far it turns: a quarter, or half a turn with a position for airing [rad].
+        friction: Of gear, cams and detents; EN 13115 allows 10 N m for handles of class 1 [N m].
+    """
+    return Revolute(
+        name,
+        axis=Y,
+        pivot=pivot,
+        limits=(0.0, limit),
+        friction=friction,
+        damping=0.05,
+        armature=0.0008,
+        effort=12.0,
+    )
+
+
+def window_lever(
+    at: tuple[Scalar, Scalar, Scalar], *, side: int, style: LeverStyle, length: Scalar, finish: Material
+) -> tuple[Body, Body]:
+    """Make a lever and its rose on a stile.
+
+    Args:
+        at: Where its axis meets the face of the stile [m].
+        side: -1 for a face that looks to -y.
+        style: A straight bar, one that grows wider, or one whose end returns to the sash.
+        length: From the axis to the end [m].
+        finish: Their metal.
+
+    Returns:
+        The rose, to be welded to the sash, and the lever: the link `handle`.
+    """
+    x, face, z = at
+    rose = box(0.028, 0.0115, 0.066, bevel=0.0045).at(x, face + side * 0.0055, z)
+    caps = [
+        details.screw(
+            0.0032, (x, face + side * 0.0112, z + up), facing=(0.0, side, 0.0), material=finish, label="screw"
+        )
+        for up in (-0.022, 0.022)
+    ]
+    start, out = face + side * 0.0117, face + side * (LEVER_OUT - 0.006)
+    neck = cylinder_between((x, start, z), (x, face + side * LEVER_OUT, z), 0.0088, bevel=0.0015)
+    low = z - length
+    seen: list[Body] = []
+    match style:
+        case "straight":
+            grip = box(0.018, 0.012, length - 0.004, bevel=0.0045).at(x, out, (z + low) / 2.0 + 0.002)
+        case "tapered":
+            top = box(0.014, 0.010, 0.012, bevel=0.004).at(x, out, z - 0.002)
+            end = box(0.023, 0.011, 0.014, bevel=0.005).at(x, out, low + 0.007)
+            seen.append(detail(hull(top, end), "handle", finish))
+            # of few corners, just under that skin
+            upper = _octagonal(0.0136, 0.0096, 0.0060, cut=0.0026).at(x, out, z - 0.002)
+            lower = _octagonal(0.0222, 0.0104, 0.0090, cut=0.0032).at(x, out, low + 0.007)
+            grip = hull(upper, lower)
+        case "bent":
+            course = polyline(
+                [(x, out, z - 0.001), (x, out, low + 0.006), (x, out - side * 0.016, low + 0.006)],
+                fillet=0.009,
+            )
+            seen.append(detail(sweep(rectangle(0.017, 0.011, radius=0.004), course), "handle", finish))
+            # within that skin: a bar, and a piece for the bend
+            grip = board((x - 0.008, x + 0.008), (out - 0.005, out + 0.005), (low + 0.0145, z - 0.0015))
+            end = box(0.0156, 0.0067, 0.0070).at(x, out - side * 0.01235, low + 0.0045)
+            bend = board((x - 0.0078, x + 0.0078), (out - 0.005, out + 0.005), (low + 0.0145, low + 0.0155))
+            seen.append(part(hull(bend, end), "handle", finish))
+    hold = grasp_on(grip, approach=(0.0, -side, 0.0), closing=X, at=(x, out, z - 0.62 * length))
+    lever = weld(part(union(neck, grip), "handle", finish, grasp=hold), *seen)
+    return weld(part(rose, "handle", finish), *caps), lever
+
+
+def _octagonal(wide: float, deep: float, tall: float, *, cut: float) -> Solid:
+    """Make an upright bar about the origin whose edges are cut off."""
+    x, y = wide / 2.0, deep / 2.0
+    right = [(x, cut - y), (x, y - cut), (x - cut, y)]
+    corners = [(x - cut, -y), *right, *((-a, -b) for a, b in [(x - cut, -y), *right])]
+    return extrude(polygon(corners), tall)
+
+
+def bow_pull(*, length: Scalar, girth: float, finish: Material, name: str) -> Body:
+    """Make an upright bow on the face y = 0, standing out to -y, with round flanges under its ends.
+
+    Args:
+        length: Over all [m].
+        girth: Radius of the rod [m].
+        finish: Its metal.
+        name: Of its grasp.
+    """
+    bow: Body = bar_pull(
+        finish=finish, name=name, level=False, style="bow", length=length, projection=0.034, girth=girth
+    )
+    flange = cylinder(girth + 0.004, 0.005, axis=Y, bevel=0.0012)
+    ends = [(0.0, -0.002, end * (length / 2.0 - girth)) for end in (-1, 1)]
+    return weld(bow, detail(array(flange, at=ends), "handle", finish))
+
+
+def swings_out(arm: Scalar, back: Scalar, past: Scalar) -> Scalar:
+    """Return how far from the axis of a sash a corner comes before it has passed something beside it [m].
+
+    Args:
+        arm: From the axis to the corner across the sash [m].
+        back: From the axis to the corner in depth [m].
+        past: How far it has to come forward [m].
+    """
+    return past * (back - past / 2.0) / arm
+
+
+class CamLock(NamedTuple):
+    """Cams in the edge of a sash, which a lever slides behind keeps on the frame.
+
+    Attributes:
+        rod: What slides: the link `bolt`.
+        keeps: To be welded to the frame.
+        slide: The joint of the rod.
+        passed: Angle of the pane at which the cams are out of the keeps' way [rad].
+        nears: How far a rod swings towards the keeps until it has passed them [m].
+        room: From the rod to the keeps [m].
+    """
+
+    rod: Body
+    keeps: Body
+    slide: Joint
+    passed: Float | Scalar
+    nears: Scalar
+    room: float
+
+
+def cam_lock(
+    turn: Joint, pin: Pin, width: Scalar, level: Scalar, reach: Scalar, *, name: str, finish: Material
+) -> CamLock:
+    """Make cams at the lock edge of a sash, in the groove between it and the frame.
+
+    Args:
+        turn: The joint of the lever.
+        pin: Axis of the sash.
+        width: Of the opening [m].
+        level: Height of the lever [m].
+        reach: From the lever to the cams above and below [m].
+        name: Of the joint.
+        finish: Their metal.
+    """
+    edge = width / 2.0 - REBATE
+    middle = 0.029  # of the cams, in depth [m]
+    deep, tall = _CAM
+    out = REBATE - 0.0034
+    cam = box_between(
+        (edge + _EDGE_GAP, middle - deep / 2.0, -tall / 2.0),
+        (edge + out, middle + deep / 2.0, tall / 2.0),
+        bevel=0.0012,
+    )
+    wide, thick = 0.006, _EDGE_GAP + 0.0022
+    rail = box_between(
+        (edge + _EDGE_GAP, middle - wide, level - reach - 0.012),
+        (edge + thick, middle + wide, level + reach + 0.012),
+    )
+    heights = [level - reach, level + reach]
+    rod = part(union(rail, *(cam.at(0.0, 0.0, z) for z in heights)), "lock", finish, name="bolt")
+    front = middle - deep / 2.0 - _PLAY
+    keep = box_between(
+        (width / 2.0 - _KEEP_OUT, front - _KEEP[0], -_KEEP[1] / 2.0),
+        (width / 2.0 + 0.001, front, _KEEP[1] / 2.0),
+        bevel=_KEEP_BEVEL,
+    )
+    plate = box(0.0012, 0.024, 0.046, bevel=0.0004).at(width / 2.0 - 0.0005, middle - 0.004, 0.0)
+    places = [(0.0, 0.0, z) for z in heights]
+    keeps = weld(
+        part(array(keep, at=places), "keep", finish), detail(array(plate, at=places), "keep", finish)
+    )
+    slide = Prismatic(name, axis=Z, follows=(_TRAVEL / QUARTER) * turn, damping=2.0)
+    # until the back of the cam has passed the front of the keep
+    passed = 1.05 * (deep + _PLAY + _KEEP[0] + 0.003) / (edge - pin.x)
+    past = middle + wide - (front - _KEEP[0] + _KEEP_BEVEL)
+    nears = swings_out(edge + thick - pin.x, middle + wide - pin.y, past)
+    return CamLock(rod, keeps, slide, passed, nears, REBATE - thick - _KEEP_OUT)

@@ -1,0 +1,268 @@
+"""Windows whose sashes hang in a rebated frame: casements and awnings; and what every window has.
+
+All are drawn about the middle of their opening. Sashes open to -y, so that those that open inwards are
+mirrored.
+"""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from itertools import pairwise
+from typing import Literal
+
+from artgen import (
+    Body,
+    Float,
+    Joint,
+    Material,
+    Revolute,
+    Scalar,
+    X,
+    Y,
+    Z,
+    atan2,
+    center_of_mass,
+    cos,
+    mass,
+    min_,
+    require,
+    sin,
+    sqrt,
+    weld,
+)
+from artgen.categories.window.frame import (
+    cells,
+    rebated_frame,
+)
+from artgen.categories.window.hardware import (
+    LEVER_OUT,
+    RELEASED,
+    CamLock,
+    LeverStyle,
+    Pin,
+    barrel_hinges,
+    cam_lock,
+    lever_turn,
+    swings_out,
+    window_lever,
+)
+from artgen.categories.window.plan import LIP, REBATE, SEALED, STOP, Section
+from artgen.categories.window.sashes import Glazing, lipped_sash
+
+_GRAVITY = 9.81  # [m/s^2]
+_HOLDS = 1.15  # friction of a stay that holds a sash anywhere, over what its weight asks for
+_LIFTS = 52.0  # what a hand lifts an awning with at most [N]
+_LEVERS_MEET = (
+    "the levers of two sashes that open towards each other would meet: take a smaller swing, a shorter "
+    "lever_length, a larger width or hands=same"
+)
+_HINGED = 0.288  # side of a sash on which its two hinges have room [m]
+_LOCKED = 0.228  # the same of one whose hinges only are seen: its two keeps have room [m]
+_TOO_SHORT = (
+    "a sash has no room for its hinges and for two keeps: raise height, or width of an awning, or upper of a "
+    "cross"
+)
+_LEVER_LONG = (
+    "the end of a lever would strike the frame as its sash opens outwards: take a shorter lever_length, or "
+    "raise height, or width of an awning, or upper of a cross"
+)
+_LEVER_NEAR = (
+    "the lever of so narrow a sash would strike the frame as it opens outwards: raise width, or height of an "
+    "awning"
+)
+_LOCK_MEETS = (
+    "the lock of so narrow a sash would strike its keeps as it opens: raise width, or height of an awning"
+)
+
+
+@dataclass(frozen=True)
+class Draft:
+    """What every window has.
+
+    Attributes:
+        width: Of the opening in the frame [m].
+        height: [m].
+        section: Of the system.
+        glazing: What fills the sashes.
+        finish: Of the frame.
+        metal: Of levers, locks and hinges.
+        friction: Of the gear or detent of a lock [N m; N for a latch].
+    """
+
+    width: Float
+    height: Float
+    section: Section
+    glazing: Glazing
+    finish: Material
+    metal: Material
+    friction: Float
+
+
+@dataclass(frozen=True)
+class Swing:
+    """How hinged sashes hang.
+
+    Attributes:
+        limit: How far they open [rad].
+        friction: Of the hinges of a casement [N m].
+        damping: [N m s/rad].
+        lever: Style of the lever.
+        length: Of the lever [m].
+        turn: How far it turns [rad].
+        stay: What holds an awning: a friction stay, or nothing.
+        solid: Whether hinges and stops have mass and collide; those of many leaves only are seen, since
+            simulators look at all pairs of what is near.
+    """
+
+    limit: Float
+    friction: Float
+    damping: Float
+    lever: LeverStyle
+    length: Float
+    turn: float
+    stay: Literal["friction", "none"]
+    solid: bool
+
+
+def casement(
+    draft: Draft, swing: Swing, hands: tuple[int, ...], rows: Sequence[Scalar], *, inward: bool
+) -> Body:
+    """Make casements beside and above each other, hung at their sides.
+
+    Args:
+        draft: What every window has.
+        swing: How they hang.
+        hands: For each column from the left, 1 for hinges at the left and -1 at the right.
+        rows: Shares of the height, from the bottom up.
+        inward: Whether they open to the inside.
+    """
+    places = cells(draft.width, draft.height, len(hands), rows)
+    body = rebated_frame(draft.width, draft.height, places, draft.section, draft.finish, solid=swing.solid)
+    for number, cell in enumerate(places):
+        hung = _Hung(draft, swing, cell.width, cell.height, inward).body()
+        hung = hung.mirror(X) if hands[cell.column] < 0 else hung
+        hung = hung.suffixed(f"_{number}") if len(places) > 1 else hung
+        body = weld(body, hung.at(cell.x, 0.0, cell.z))
+    if inward:
+        for left, right in pairwise(places[: len(hands)]):
+            if hands[left.column] < hands[right.column]:  # both hang on what is between them
+                pin = Pin.beside(left.width, draft.section).x
+                reach = left.width / 2.0 - _seen(draft.section, inward=True) / 2.0 - pin - swing.length
+                out = LEVER_OUT + draft.section.lip / 2.0
+                tip = out * sin(swing.limit) - reach * cos(swing.limit)  # past the axis, once turned to it
+                body = body.require(tip <= (right.x - left.x) / 2.0 + pin - 0.001, _LEVERS_MEET)
+    return body.mirror(Y) if inward else body
+
+
+def awning(draft: Draft, swing: Swing) -> Body:
+    """Make one sash that hangs at its top and opens to the outside."""
+    places = cells(draft.width, draft.height, 1, (1.0,))
+    body = rebated_frame(draft.width, draft.height, places, draft.section, draft.finish, solid=swing.solid)
+    glazing = replace(draft.glazing, columns=draft.glazing.rows, rows=draft.glazing.columns)
+    # a casement laid on its side: its hinges at the left come to the top
+    hung = _Hung(replace(draft, glazing=glazing), swing, draft.height, draft.width, False, falls=True)
+    return weld(body, hung.body().rotate(Y, math.pi / 2.0))
+
+
+def _seen(section: Section, *, inward: bool) -> Scalar:
+    """Return how wide the lock stile is that a lever is in the middle of [m]."""
+    return REBATE + section.sash + (0.0 if inward else STOP)
+
+
+@dataclass(frozen=True)
+class _Hung:
+    """A sash in an opening about the origin, with hinges at its left.
+
+    Attributes:
+        draft: What every window has.
+        swing: How it hangs.
+        width: Of the opening [m].
+        height: [m].
+        inward: Whether its lever is in front, where it opens to, or at its back.
+        falls: Whether its hinges are to be level.
+    """
+
+    draft: Draft
+    swing: Swing
+    width: Scalar
+    height: Scalar
+    inward: bool
+    falls: bool = False
+
+    def body(self) -> Body:
+        """Make what belongs to the frame, with the sash on it."""
+        draft, swing, section, metal = self.draft, self.swing, self.draft.section, self.draft.metal
+        pin = Pin.beside(self.width, section)
+        tall = require(self.height, self.height > (_HINGED if swing.solid else _LOCKED), _TOO_SHORT)
+        low, high = -tall / 2.0 + 0.11, tall / 2.0 - 0.11
+        on_frame, on_sash = barrel_hinges(
+            pin,
+            [low, high],
+            tall=0.066,
+            to=-self.width / 2.0 - LIP,
+            face=0.0,
+            finish=metal,
+            solid=swing.solid,
+        )
+        face = -SEALED - section.lip if self.inward else section.depth
+        # in the middle of what the stop leaves of the lock stile
+        at = (self.width / 2.0 - _seen(section, inward=self.inward) / 2.0, face, 0.0)
+        rose, lever = window_lever(
+            at, side=-1 if self.inward else 1, style=swing.lever, length=swing.length, finish=metal
+        )
+        turn = lever_turn("handle_turn", pivot=at, limit=swing.turn, friction=draft.friction)
+        lock = cam_lock(
+            turn, pin, self.width, 0.0, min_(0.30, tall / 2.0 - 0.09), name="bolt_slide", finish=metal
+        )
+        sash = lipped_sash(self.width, tall, section, draft.glazing)
+        sash = weld(sash, on_sash, rose).attach(lever, turn).attach(lock.rod, lock.slide)
+        hinge = self._falling(sash, pin, turn, lock) if self.falls else self._upright(pin, turn, lock)
+        thick = section.depth + SEALED + section.lip / 2.0  # behind the axis
+        body = weld(on_frame, lock.keeps).attach(sash, hinge)
+        if not self.inward:
+            body = self._lever_passes(body, at[0], tall)
+        body = body.require(lock.nears < lock.room - 0.0001, _LOCK_MEETS)
+        return body.require(
+            thick * thick / (2.0 * self.width) < REBATE - 0.001,
+            "the far edge of the sash would strike the frame",
+        )
+
+    def _lever_passes(self, body: Body, x: Scalar, tall: Scalar) -> Body:
+        """Demand that the lever at `x`, behind a sash so tall, passes the opening of the frame with it."""
+        swing, section = self.swing, self.draft.section
+        pin = Pin.beside(self.width, section)
+        stop = STOP if swing.solid else 0.0
+        body = body.require(swing.length <= tall / 2.0 - stop, _LEVER_LONG)
+        wide, out = (0.0111, 0.0420) if swing.lever == "tapered" else (0.0088, 0.0445)  # of its end, or neck
+        edge, behind = x + wide, section.depth + out
+        nears = swings_out(edge - pin.x, behind - pin.y, behind - section.stop)
+        return body.require(nears < self.width / 2.0 - stop - edge - 0.0002, _LEVER_NEAR)
+
+    def _upright(self, pin: Pin, turn: Joint, lock: CamLock) -> Joint:
+        swing = self.swing
+        return self._joint(pin, turn, lock, swing.limit, swing.friction)
+
+    def _falling(self, sash: Body, pin: Pin, turn: Joint, lock: CamLock) -> Joint:
+        """Make a level hinge, which a hand lifts: a friction stay holds the sash, or it falls shut."""
+        swing, weight = self.swing, _GRAVITY * mass(sash)
+        arm = center_of_mass(sash).x - pin.x
+        holds = swing.stay == "friction"
+        # a hand at the lever lifts the weight, and overcomes the friction that holds it
+        most = _LIFTS * (self.width - 0.05) / (weight * arm * (1.0 + _HOLDS if holds else 1.0))
+        sine = min_(most, 0.97)
+        limit = min_(swing.limit, atan2(sine, sqrt(1.0 - sine * sine)))
+        friction = _HOLDS * weight * arm * sin(limit) if holds else 0.15
+        return self._joint(pin, turn, lock, limit, friction)
+
+    def _joint(self, pin: Pin, turn: Joint, lock: CamLock, limit: Scalar, friction: Scalar) -> Joint:
+        return Revolute(
+            "pane_hinge",
+            axis=-Z,
+            pivot=(pin.x, pin.y, 0.0),
+            limits=(0.0, limit),
+            friction=friction,
+            damping=self.swing.damping,
+            effort=100.0,
+            velocity=6.0,
+            needs=(turn > RELEASED).until(lock.passed),
+        )

@@ -1,0 +1,202 @@
+"""What all windows share: the sections of frames and sashes, their finishes, and rings of these sections.
+
+A window is drawn about the middle of its opening: x to the right, z up, and y = 0 in the plane of the frame
+that looks to the side to which sashes open (-y). `Section` is one line of a maker's catalogue.
+"""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Literal, NamedTuple
+
+from artgen import (
+    Body,
+    Frame,
+    Material,
+    Profile,
+    Scalar,
+    Solid,
+    X,
+    Z,
+    box_between,
+    coloured,
+    detail,
+    material,
+    part,
+    polyline,
+    sweep,
+    weld,
+)
+from artgen.categories.shared.finish import OUTDOORS, known, paints, weighing
+
+Kind = Literal["wood", "pvc", "aluminium"]
+"""What frames are made of."""
+
+SEAM = 0.00003
+"""Boards that meet stay apart by this much [m]."""
+
+LIP = 0.0075
+"""How far the lip of a sash covers the frame around it [m]."""
+
+REBATE = 0.0115
+"""Between the edge of a sash and its frame, for cams and keeps: 12 mm in the eurogroove [m]."""
+
+SEALED = 0.0035
+"""Between the lip of a sash and the frame: a seal fills it [m]."""
+
+
+@dataclass(frozen=True)
+class Section:
+    """The sections of a system of windows.
+
+    Attributes:
+        frame: Face of the frame [m].
+        sash: Face of a sash, from its edge to the glass [m].
+        depth: From the front plane of the frame to the back of a sash in it [m].
+        lip: Thickness of the lip of a sash, in front of the frame [m].
+        slide: Thickness of a sash that slides [m].
+        eased: Radius of edges [m].
+    """
+
+    frame: float
+    sash: float
+    depth: float
+    lip: float
+    slide: float
+    eased: float
+
+    @property
+    def stop(self) -> float:
+        """Where the stop behind a closed sash begins [m]."""
+        return self.depth + 0.004
+
+    @property
+    def back(self) -> float:
+        """Where the frame of hinged sashes ends [m]."""
+        return self.stop + 0.014
+
+
+SECTIONS: dict[Kind, Section] = {
+    "wood": Section(0.056, 0.054, 0.052, 0.0140, 0.042, 0.0025),  # 68 mm timber of IV68
+    "pvc": Section(0.060, 0.056, 0.054, 0.0160, 0.044, 0.0035),  # 70 mm five-chamber systems
+    "aluminium": Section(0.048, 0.046, 0.046, 0.0120, 0.036, 0.0010),  # slim thermally broken ones
+}
+"""By what they are made of."""
+
+STOP = 0.018
+"""How far stops stand out into an opening [m]."""
+
+
+def _hollow(made: Material, density: float) -> Material:
+    """Return a profile with chambers: 2.0-2.4 kg/m of PVC with steel in it, 1.7 kg/m of aluminium."""
+    return made.with_(name=f"{made.name}_profile", density=density)
+
+
+_TIMBER = known("oak", "pine", "mahogany", "ash", "walnut")
+
+WOODS = (*_TIMBER, *paints(500.0, "window_paint"))
+"""Timber, clear and painted."""
+
+WOOD_WEIGHTS = (*(1.6,) * len(_TIMBER), *(0.7 * each for each in OUTDOORS))
+
+PLASTICS = tuple(
+    _hollow(coloured("abs", color), 560.0)
+    for color in ("white", "cream", "anthracite", "light_grey", "brown")
+)
+"""White PVC, and PVC under a coloured foil."""
+
+PLASTIC_WEIGHTS = (4.0, 1.0, 1.6, 0.8, 1.0)
+
+METALS = (
+    *(
+        _hollow(coloured("powder_coat", c), 640.0)
+        for c in ("anthracite", "black", "white", "slate", "forest", "burgundy")
+    ),
+    _hollow(material("brushed_aluminium"), 640.0),
+    _hollow(material("aged_bronze"), 640.0),
+)
+"""Aluminium, coated or anodised."""
+
+METAL_WEIGHTS = (4.0, 2.0, 1.5, 1.0, 0.5, 0.3, 1.5, 0.7)
+
+_SHEETS = tuple(_hollow(coloured("powder_coat", color), 640.0) for color in ("silver", "white", "anthracite"))
+
+SILLS = (*weighing(known("granite", "marble"), 2700.0, "sill"), *_SHEETS)
+"""Stone, and folded sheet."""
+
+SILL_WEIGHTS = (1.0, 0.7, 1.2, 1.5, 1.0)
+
+
+def ring_along(section: Profile, width: Scalar, height: Scalar) -> Solid:
+    """Draw a section around a rectangle about the origin, mitred at its corners.
+
+    Args:
+        section: x leads from the rectangle to its middle, y to the front.
+        width: Of the rectangle [m].
+        height: [m].
+    """
+    x, z = width / 2.0, height / 2.0
+    course = polyline([(-x, -z, 0.0), (x, -z, 0.0), (x, z, 0.0), (-x, z, 0.0)], closed=True)
+    # swept on the floor, where the section's y is up, then stood up: up becomes the front
+    return sweep(section, course).rotate(X, math.pi / 2.0)
+
+
+class Rect(NamedTuple):
+    """A rectangle of a section, from the edge of a ring to its middle, and from the back to the front [m]."""
+
+    outer: Scalar
+    inner: Scalar
+    back: Scalar
+    front: Scalar
+
+
+_THINNER = 0.0001  # [m]
+
+
+def under(eased: float) -> float:
+    """Return how far boards lie under the surface of a ring whose edges are eased by a radius [m]."""
+    return 0.3 * eased + 0.0002
+
+
+def ring_of(
+    section: Profile,
+    filled: Sequence[Rect],
+    width: Scalar,
+    height: Scalar,
+    label: str,
+    finish: Material,
+    *,
+    eased: float,
+    name: str | None = None,
+    push: Frame | None = None,
+) -> Body:
+    """Make a mitred ring as it is seen, over boards that weigh and collide as boxes, just under its surface.
+
+    Args:
+        section: See `ring_along`.
+        filled: What the boards fill of it, in the same axes.
+        width: Of the rectangle [m].
+        height: [m].
+        label: Semantic label.
+        finish: What it is made of.
+        eased: Radius of the edges of the section; boards stay inside of them [m].
+        name: Of the link; by default the label.
+        push: Where a hand pushes it.
+    """
+    inside = under(eased)
+    boards = []
+    for rect in filled:
+        outer, inner = rect.outer + inside, rect.inner - inside
+        back, front = -rect.back - inside, -rect.front + inside
+        x, z = width / 2.0, height / 2.0
+        # rails stand between the stiles, a little thinner: boards must not share corners
+        stile = box_between((outer - x, front, outer - z), (inner - x, back, z - outer))
+        rail = box_between(
+            (inner - x + SEAM, front + _THINNER, outer - z + _THINNER),
+            (x - inner - SEAM, back - _THINNER, inner - z),
+        )
+        boards += [stile, stile.mirror(X), rail.mirror(Z), rail]
+    first = part(boards[0], label, finish, name=name)
+    rest = [part(board, label, finish) for board in boards[1:-1]]
+    last = part(boards[-1], label, finish, push=() if push is None else push)
+    return weld(first, *rest, last, detail(ring_along(section, width, height), label, finish))

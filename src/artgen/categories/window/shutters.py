@@ -1,0 +1,129 @@
+"""Shutters: pairs of louvred or boarded leaves in front of a window, hung beside it.
+
+They hang in front of the frame and open to -y.
+"""
+
+from typing import Literal, NamedTuple
+
+from artgen import Body, Joint, Material, Revolute, Scalar, X, Z, array, box, max_, part, sqrt, union, weld
+from artgen.categories.shared.furniture.infill import Opening, slats_in
+from artgen.categories.window.hardware import BARREL, Pin, barrel_hinges, bow_pull
+from artgen.categories.window.plan import SEAM
+
+ShutterStyle = Literal["none", "louvred", "boarded"]
+
+_THICK = 0.032  # of a leaf [m]
+_OFF = 0.012  # from a leaf to the frame behind it [m]
+_STILE, _RAIL = 0.048, 0.062  # faces of their boards [m]
+_MEETING = 0.004  # between two leaves, where they are wide [m]
+_PIN_IN = 0.004  # from the face of a leaf to its pin [m]
+_LEDGE = 0.016  # thickness of the ledges that hold boards together [m]
+
+
+def _edge(reach: Scalar) -> Scalar:
+    """Return how far before the middle a leaf ends, so that its back corner swings past the other leaf [m].
+
+    Args:
+        reach: From its pin to the middle [m].
+    """
+    behind, free = _THICK - _PIN_IN, reach - 0.0003
+    return max_(_MEETING / 2.0, reach - sqrt(free * free - behind * behind))
+
+
+class Shutters(NamedTuple):
+    """What a pair of shutters is like.
+
+    Attributes:
+        style: Louvres, or boards on ledges.
+        finish: Their paint.
+        metal: Of their hinges and pulls.
+        slats: Louvres in each half of a leaf, or twice the boards.
+        swing: How far they open [rad].
+        friction: Of the hinges of a leaf [N m].
+        solid: Whether these have mass and collide, or only are seen.
+    """
+
+    style: ShutterStyle
+    finish: Material
+    metal: Material
+    slats: int
+    swing: Scalar
+    friction: Scalar
+    solid: bool
+
+    def hung(self, body: Body, *, front: Scalar, width: Scalar, low: Scalar, high: Scalar) -> Body:
+        """Hang a pair in front of a frame.
+
+        Args:
+            body: The frame.
+            front: Its front plane, y [m].
+            width: Over both leaves with their hinges [m].
+            low: Height of their lower edges [m].
+            high: Height of their upper edges [m].
+        """
+        pin = Pin(BARREL - width / 2.0, front - _OFF - _THICK + _PIN_IN)
+        start = pin.x + BARREL + 0.002
+        wide, tall = -_edge(-pin.x) - start, high - low
+        levels = [low + 0.16 * tall, low + 0.84 * tall]
+        on_frame, on_leaf = barrel_hinges(
+            pin, levels, tall=0.075, to=start, face=front, finish=self.metal, solid=self.solid
+        )
+        middle = (start + wide / 2.0, front - _OFF - _THICK / 2.0, (low + high) / 2.0)
+        pull = bow_pull(length=0.12, girth=0.0048, finish=self.metal, name="handle_front")
+        boards = self._louvred(wide, tall) if self.style == "louvred" else self._boarded(wide, tall)
+        leaf = weld(*boards, pull.at((wide - _STILE) / 2.0, -_THICK / 2.0, 0.0)).at(middle)
+        leaf = weld(leaf, on_leaf)
+        for side, name in ((1, "left"), (-1, "right")):
+            hinge = self._hinge(f"shutter_hinge_{name}", pin, side)
+            turned = leaf if side > 0 else leaf.mirror(X)
+            body = weld(body, on_frame if side > 0 else on_frame.mirror(X))
+            body = body.attach(turned.suffixed(f"_{name}"), hinge)
+        return body
+
+    def _hinge(self, name: str, pin: Pin, side: int) -> Joint:
+        return Revolute(
+            name,
+            axis=-side * Z,
+            pivot=(side * pin.x, pin.y, 0.0),
+            limits=(0.0, self.swing),
+            friction=self.friction,
+            damping=0.4,
+            effort=60.0,
+            velocity=6.0,
+        )
+
+    def _louvred(self, wide: Scalar, tall: Scalar) -> list[Body]:
+        """Make stiles, three rails and two fields of louvres, about the origin."""
+        inner = wide - 2.0 * _STILE
+        free = (tall - 3.0 * _RAIL) / 2.0
+        stile = box(_STILE, _THICK, tall, bevel=0.0025)
+        rail = box(inner - SEAM, _THICK - 0.0004, _RAIL, bevel=0.0015)
+        side, up = (wide - _STILE) / 2.0, (tall - _RAIL) / 2.0
+        bodies = [
+            part(stile.at(-side, 0.0, 0.0), "shutter", self.finish, name="shutter"),
+            part(stile.at(side, 0.0, 0.0), "shutter", self.finish),
+            *(part(rail.at(0.0, 0.0, z), "shutter", self.finish) for z in (-up, 0.0, up)),
+        ]
+        for z in (-(free + _RAIL) / 2.0, (free + _RAIL) / 2.0):
+            opening = Opening(inner + 0.002, free, [(0.0, 0.0, z)], 1, self.finish, "shutter")
+            bodies += slats_in(opening, _THICK, self.slats, joined=True)
+        return bodies
+
+    def _boarded(self, wide: Scalar, tall: Scalar) -> list[Body]:
+        """Make upright boards with a V in every joint, on two ledges behind them, about the origin."""
+        boards = max(3, self.slats // 3)
+        each = wide / boards
+        thin = _THICK - _LEDGE
+        board = box(each, thin, tall, bevel=0.003)
+        ledge = box(wide - 0.030, _LEDGE + 0.0005, 0.085, bevel=0.003).at(0.0, (_THICK - _LEDGE) / 2.0, 0.0)
+        bodies = [
+            part(
+                board.at((index - (boards - 1) / 2.0) * each, (thin - _THICK) / 2.0, 0.0),
+                "shutter",
+                self.finish,
+                name="shutter" if index == 0 else None,
+            )
+            for index in range(boards)
+        ]
+        ledges = array(ledge, at=[(0.0, 0.0, -0.34 * tall), (0.0, 0.0, 0.34 * tall)])
+        return [*bodies, part(union(ledges), "shutter", self.finish)]

@@ -1,1 +1,0 @@
-"""Checks of assets: the certificate of their joint ranges, and everything that files can get wrong."""

@@ -1,0 +1,167 @@
+"""GLB: one file with the meshes, materials, maps, movable nodes and animations of an asset.
+
+The nodes are the links, named like them, in the tree of the joints; where several joints join two links there
+is a node between them for each. A node has its origin at the link's own and is parallel to the asset's axes
+where every joint stands at 0, so that a joint moves the node of its child along or about `axis`: a revolute
+one sets its rotation, a prismatic one its translation to `origin + position * axis`. The root node turns the
+asset, whose z is up, to glTF's y up.
+"""
+
+import math
+from collections.abc import Collection, Sequence
+
+import numpy as np
+
+from artgen.asset import Asset, Joint, Link
+from artgen.asset.record import rounded
+from artgen.export.frames import (
+    Frame,
+    Segment,
+    base_frame,
+    chain,
+    coupling,
+    joint_type,
+    quaternion,
+    unused,
+)
+from artgen.export.glb.animations import animations, local_motion
+from artgen.export.glb.buffer import Buffer, Json
+from artgen.export.glb.materials import Looks
+from artgen.export.glb.meshes import primitive
+from artgen.export.losses import Loss, Written, joints_where, look_losses, loss
+
+_UPRIGHT = [-math.sqrt(0.5), 0.0, 0.0, math.sqrt(0.5)]  # takes z up to y up
+_ROOT, _BASE = 0, 1  # numbers of nodes
+
+
+def write_glb(asset: Asset, textures: int = 0) -> Written:
+    """Write an asset as one GLB file.
+
+    Args:
+        asset: The asset.
+        textures: Texels on a side of the materials' maps; 0 for colours alone.
+
+    Returns:
+        The file, and what GLB cannot say.
+
+    Raises:
+        ParameterError: Maps cannot have that many texels.
+    """
+    buffer = Buffer()
+    looks = Looks(buffer, textures)
+    segments = chain(asset)
+    frames = [base_frame(asset), *(segment.child for segment in segments)]
+    numbers = {frame.name: number for number, frame in enumerate(frames, _BASE)}
+    nodes = [_root(asset, segments, numbers), *(_node(frame) for frame in frames)]
+    for segment in segments:
+        _place(asset, segment, nodes[numbers[segment.child.name]])
+        parent = nodes[numbers[segment.parent.name]]
+        parent.setdefault("children", []).append(numbers[segment.child.name])
+    meshes: list[Json] = []
+    for frame in frames:
+        if frame.link is not None:
+            nodes[numbers[frame.name]]["mesh"] = len(meshes)
+            meshes.append(_mesh(frame, frame.link, buffer, looks, numbers))
+    moved, held = animations(asset, segments, numbers, buffer)
+    scene = {
+        "asset": {"version": "2.0", "generator": f"artgen {asset.version}".strip()},
+        "scene": 0,
+        "scenes": [{"name": asset.name, "nodes": [_ROOT]}],
+        "nodes": nodes,
+        "meshes": meshes,
+        **looks.to_data(),
+        **({"animations": moved} if moved else {}),
+    }
+    return Written({f"{asset.name}.glb": buffer.glb(scene)}, _losses(asset, textures, held))
+
+
+def _root(asset: Asset, segments: Sequence[Segment], taken: Collection[str]) -> Json:
+    """Return the node that turns the asset upright and says what it is."""
+    data = {
+        "name": asset.name,
+        "category": asset.category,
+        "seed": asset.seed,
+        "version": asset.version,
+        "base": asset.base,
+        "joints": [_joint(asset, segment) for segment in segments],
+    }
+    return {
+        "name": unused(asset.name, taken),
+        "rotation": _UPRIGHT,
+        "children": [_BASE],
+        "extras": {"artgen": rounded(data)},
+    }
+
+
+def _joint(asset: Asset, segment: Segment) -> Json:
+    """Return a joint as a viewer with a slider wants it."""
+    joint, follows = segment.joint, coupling(asset, segment.joint)
+    lower, upper = joint.limits or (None, None)
+    mimic = None
+    if follows is not None:
+        mimic = {"joint": follows.leader, "multiplier": follows.ratio, "offset": follows.offset}
+    return {
+        "name": joint.name,
+        "type": joint_type(joint),
+        "parent": joint.parent,
+        "child": joint.child,
+        "node": segment.child.name,
+        "origin": segment.origin[:3, 3].tolist(),
+        "axis": joint.axis.tolist(),
+        "lower": lower,
+        "upper": upper,
+        "position": asset.positions()[joint.name],
+        "mimic": mimic,
+        "needs": None if joint.needs is None else {**joint.needs.to_data(), "text": str(joint.needs)},
+    }
+
+
+def _node(frame: Frame) -> Json:
+    """Return the node of a frame, not yet placed in its parent."""
+    node: Json = {"name": frame.name}
+    if frame.link is not None:
+        node["extras"] = {"label": frame.link.label, "labels": list(frame.link.labels)}
+    return node
+
+
+def _place(asset: Asset, segment: Segment, node: Json) -> None:
+    """Place the node of a segment's child as the asset stands."""
+    joint = segment.joint
+    if joint.locked:
+        w, x, y, z = quaternion(segment.origin)
+        move, turn = segment.origin[:3, 3], np.array([x, y, z, w])
+    else:
+        moves, turns = local_motion(segment, np.array([asset.positions()[joint.name]]))
+        move, turn = moves[0], turns[0]
+    if np.any(move):
+        node["translation"] = rounded(move.tolist())
+    if turn[3] != 1.0:
+        node["rotation"] = rounded(turn.tolist())
+
+
+def _mesh(frame: Frame, link: Link, buffer: Buffer, looks: Looks, taken: Collection[str]) -> Json:
+    """Return the mesh of a link; it must not be named like a node, which readers would name anew."""
+    primitives = []
+    for surface in link.surfaces:
+        shown = primitive(buffer, surface, frame.origin, looks.maps(surface.material))
+        primitives.append({**shown, "material": looks.number(surface.material)})
+    return {"name": unused(f"{link.name}_mesh", taken), "primitives": primitives}
+
+
+def _losses(asset: Asset, textures: int, held: Sequence[str]) -> tuple[Loss, ...]:
+    names = [link.name for link in asset.links]
+    recorded = "nothing; asset.json has it"
+    return (
+        *loss("mass and inertia", names, recorded),
+        *loss("colliders", names, recorded),
+        *loss("joints", joints_where(asset, lambda joint: True), "data of the root node and animations"),
+        *loss("joint dynamics", joints_where(asset, _is_driven), recorded),
+        *loss("animation", held, "nothing: no way was found that its dependencies allow"),
+        *loss("grasp frame", [each.name for each in asset.affordances if each.kind == "grasp"], recorded),
+        *loss("push frame", [each.name for each in asset.affordances if each.kind == "push"], recorded),
+        *look_losses(asset, textures),
+    )
+
+
+def _is_driven(joint: Joint) -> bool:
+    return any((joint.stiffness, joint.damping, joint.friction, joint.armature))

@@ -1,0 +1,130 @@
+"""Animations of a GLB file: each free joint opens and closes, after those that it waits for."""
+
+import itertools
+import math
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from artgen.asset import Asset
+from artgen.asset.regions import leader_of
+from artgen.export.frames import Segment
+from artgen.export.glb.buffer import Buffer, Json
+from artgen.export.glb.motion import Stop, opening
+
+Array = NDArray[np.float64]
+
+_OPENS = 1.0  # how long a joint opens [s]
+_PREPARES = 0.5  # how long another one moves, for which it waits [s]
+_PAUSES = 0.2  # between two movements [s]
+_FASTEST = math.pi  # mean speed of a turn [rad/s]
+_FEWEST_STEPS = 8  # of a movement; between them readers interpolate linearly
+_WIDEST_STEP = math.radians(25.0)
+
+
+def animations(
+    asset: Asset, segments: Sequence[Segment], nodes: Mapping[str, int], buffer: Buffer
+) -> tuple[list[Json], list[str]]:
+    """Add an animation for each free joint, named like it.
+
+    Args:
+        asset: The asset.
+        segments: Its joints with the frames that they join.
+        nodes: Number of each frame's node by name.
+        buffer: Takes the keys.
+
+    Returns:
+        The animations as JSON data, and the joints that dependencies hold at rest.
+    """
+    result, held = [], []
+    for joint in asset.free_joints:
+        stops = opening(asset, joint)
+        if stops is None:
+            held.append(joint.name)
+            continue
+        moving = _moving(asset, segments, stops)
+        times, positions = _keys(joint.name, stops, _turns(asset, moving))
+        result.append({"name": joint.name, **_channels(asset, moving, nodes, buffer, (times, positions))})
+    return result, held
+
+
+def local_motion(segment: Segment, positions: Array) -> tuple[Array, Array]:
+    """Return where a segment's child stands in its parent's frame at positions of the joint, shape (k,).
+
+    Returns:
+        Translations, shape (k, 3) [m], and rotations as quaternions (x, y, z, w), shape (k, 4), which change
+        steadily with the position.
+    """
+    joint, origin = segment.joint, segment.origin[:3, 3]
+    if joint.kind == "prismatic":
+        still = np.tile([0.0, 0.0, 0.0, 1.0], (len(positions), 1))
+        return origin + positions[:, None] * joint.axis, still
+    half = positions[:, None] / 2.0
+    return np.tile(origin, (len(positions), 1)), np.hstack([np.sin(half) * joint.axis, np.cos(half)])
+
+
+def _moving(asset: Asset, segments: Sequence[Segment], stops: Sequence[Stop]) -> list[Segment]:
+    """Return the segments whose joints move between stops."""
+    moved = {name for name in stops[0] if len({stop[name] for stop in stops}) > 1}
+    return [
+        segment
+        for segment in segments
+        if not segment.joint.locked and leader_of(asset, segment.joint)[0] in moved
+    ]
+
+
+def _turns(asset: Asset, moving: Sequence[Segment]) -> dict[str, float]:
+    """Return by how much anything turns at most when a free joint moves by 1, by the joint's name."""
+    result: dict[str, float] = {}
+    for segment in moving:
+        if segment.joint.kind == "revolute":
+            name, ratio, _ = leader_of(asset, segment.joint)
+            result[name] = max(result.get(name, 0.0), abs(ratio))
+    return result
+
+
+def _keys(joint: str, stops: Sequence[Stop], turns: Mapping[str, float]) -> tuple[Array, dict[str, Array]]:
+    """Return times, shape (k,) [s], and the positions of the free joints at them, each of shape (k,)."""
+    times, shares, legs = [np.zeros(1)], [np.zeros(1)], [0]
+    for number, (start, end) in enumerate(itertools.pairwise(stops)):
+        turned = max(abs(end[name] - start[name]) * turns.get(name, 0.0) for name in start)
+        # eased like this, a movement is half pi times as fast in the middle as on average
+        steps = max(_FEWEST_STEPS, math.ceil(turned * math.pi / 2.0 / _WIDEST_STEP))
+        share = np.arange(steps + 1) / steps
+        begins = times[-1][-1] + (_PAUSES if number else 0.0)
+        own = start[joint] != end[joint]
+        leg = begins + share * max(_OPENS if own else _PREPARES, turned / _FASTEST)
+        times.append(leg if number else leg[1:])
+        shares.append((0.5 - 0.5 * np.cos(math.pi * share))[0 if number else 1 :])
+        legs += [number] * len(times[-1])
+    first, share = np.array(legs), np.concatenate(shares)
+    table = {name: np.array([stop[name] for stop in stops]) for name in stops[0]}
+    positions = {
+        name: column[first] + share * (column[first + 1] - column[first]) for name, column in table.items()
+    }
+    return np.concatenate(times), positions
+
+
+def _channels(
+    asset: Asset,
+    moving: Sequence[Segment],
+    nodes: Mapping[str, int],
+    buffer: Buffer,
+    keys: tuple[Array, Mapping[str, Array]],
+) -> Json:
+    """Return the channels and samplers of an animation, one of each for each node that moves."""
+    channels: list[Json] = []
+    samplers: list[Json] = []
+    times = buffer.array("times", keys[0])
+    for segment in moving:
+        leader, ratio, offset = leader_of(asset, segment.joint)
+        moves, rotations = local_motion(segment, ratio * keys[1][leader] + offset)
+        slides = segment.joint.kind == "prismatic"
+        output = buffer.array("moves", moves) if slides else buffer.array("rotations", rotations)
+        path = "translation" if slides else "rotation"
+        channels.append(
+            {"sampler": len(samplers), "target": {"node": nodes[segment.child.name], "path": path}}
+        )
+        samplers.append({"input": times, "output": output})
+    return {"channels": channels, "samplers": samplers}

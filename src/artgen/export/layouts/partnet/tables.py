@@ -1,0 +1,152 @@
+"""The tables of the PartNet-Mobility layout: what parts are called, how they move, which files they have."""
+
+import math
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from artgen.asset import Asset, Joint, Link
+from artgen.asset.record import json_text, rounded
+from artgen.export.layouts.partnet.names import NAMES_FILE, UPRIGHT, Naming, kind_of, semantic
+
+Array = NDArray[np.float64]
+
+CATEGORIES: Mapping[str, str] = {
+    "cabinet": "StorageFurniture",
+    "drawer": "StorageFurniture",
+    "plier": "Pliers",
+    "soap_dispenser": "Dispenser",
+    "trash": "TrashCan",
+    "trash_can": "TrashCan",
+    "trashcan": "TrashCan",
+}
+"""The dataset's categories that are not artgen's names in camel case."""
+
+_FRONT = np.array([[0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])  # asset to `base`: the front to -x
+
+
+def tables(asset: Asset, named: Naming, surfaces: Mapping[str, Sequence[str]]) -> dict[str, bytes]:
+    """Return the tables by file name.
+
+    Args:
+        asset: The asset.
+        named: Its names in the dataset.
+        surfaces: File names of the surfaces of each link.
+    """
+    base, *moving = asset.links
+    links = (*moving, base)
+    lines = [" ".join(row) for row in _semantics(asset, named, links)]
+    data = {
+        "meta.json": _meta(asset),
+        "bounding_box.json": _box(asset.bounds() @ UPRIGHT.T),
+        "mobility_v2.json": [_mobility(asset, named, link) for link in links],
+        "result.json": [_hierarchy(asset, named, links, surfaces)],
+        "maniskill.json": _maniskill(asset, named, links),
+        NAMES_FILE: named.to_data(),
+    }
+    return {
+        "semantics.txt": "".join(f"{line}\n" for line in lines).encode(),
+        **{name: json_text(rounded(content)).encode() for name, content in data.items()},
+    }
+
+
+def _joints(named: Naming, link: Link) -> list[Joint]:
+    return [step.segment.joint for step in named.of_link(link.name)]
+
+
+def _semantics(asset: Asset, named: Naming, links: Sequence[Link]) -> list[list[str]]:
+    result = []
+    for link in links:
+        joints = _joints(named, link)
+        row = [named.body(link.name), kind_of(joints, asset.base), semantic(asset, link, joints)]
+        result.append([word.replace(" ", "_") for word in row])
+    return result
+
+
+def _meta(asset: Asset) -> dict[str, str]:
+    camel = "".join(word.capitalize() for word in asset.category.split("_"))
+    return {
+        "user_id": "artgen",
+        "model_cat": CATEGORIES.get(asset.category, camel),
+        "model_id": asset.name,
+        "version": asset.version,
+        "anno_id": "" if asset.seed is None else str(asset.seed),
+        "time_in_sec": "0",
+    }
+
+
+def _box(corners: Array) -> dict[str, list[float]]:
+    """Return the box of two opposite corners, shape (2, 3) [m]."""
+    corners = np.round(corners, 6) + 0.0
+    return {"min": corners.min(axis=0).tolist(), "max": corners.max(axis=0).tolist()}
+
+
+def _mobility(asset: Asset, named: Naming, link: Link) -> dict[str, Any]:
+    """Describe a link and its joint; degrees for hinges."""
+    joints = _joints(named, link)
+    kind = kind_of(joints, asset.base)
+    moved = {"slider+": "slider", "static": "fixed" if joints else "static"}.get(kind, kind)
+    parts = [{"id": part.number, "name": part.name, "children": []} for part in named.parts[link.name]]
+    return {
+        "id": named.links[link.name],
+        "parent": named.links[joints[0].parent] if joints else -1,
+        "joint": moved,
+        "name": semantic(asset, link, joints),
+        "parts": parts,
+        "jointData": _joint_data(named, link, kind),
+    }
+
+
+def _joint_data(named: Naming, link: Link, kind: str) -> dict[str, Any]:
+    steps = [step for step in named.of_link(link.name) if not step.segment.joint.locked]
+    if not steps:
+        return {}
+    slides = [step for step in steps if step.segment.joint.kind == "prismatic"]
+    turns = [step for step in steps if step.segment.joint.kind == "revolute"]
+    step = slides[-1] if kind == "slider+" else steps[-1]
+    degrees = math.degrees(1.0) if step.segment.joint.kind == "revolute" else 1.0
+    low, high = step.limits or (0.0, 0.0)
+    limit: dict[str, Any] = {
+        "a": low * degrees,
+        "b": high * degrees,
+        "noLimit": step.limits is None,
+        "rotates": kind == "slider+",
+        "noRotationLimit": kind == "slider+" and turns[-1].limits is None,
+        "rotationLimit": 0.0,
+    }
+    if kind == "slider+":
+        limit["rotationLimit"] = math.degrees(max(map(abs, turns[-1].limits or (0.0,))))
+    origin = np.round(UPRIGHT @ step.segment.joint.pivot, 12) + 0.0
+    direction = np.round(step.axis, 12) + 0.0
+    return {"axis": {"origin": origin.tolist(), "direction": direction.tolist()}, "limit": limit}
+
+
+def _hierarchy(
+    asset: Asset, named: Naming, links: Sequence[Link], surfaces: Mapping[str, Sequence[str]]
+) -> dict[str, Any]:
+    """Return the tree of parts with the stems of their files in `textured_objs`."""
+    leaves = []
+    for link in links:
+        for part in named.parts[link.name]:
+            files = zip(link.surfaces, surfaces[link.name], strict=True)
+            stems = [file.removesuffix(".obj") for surface, file in files if surface.label == part.label]
+            leaves.append({"text": part.name, "name": part.name, "id": part.number, "objs": stems})
+    category = _meta(asset)["model_cat"]
+    return {"text": category, "name": category, "id": 0, "children": leaves}
+
+
+def _maniskill(asset: Asset, named: Naming, links: Sequence[Link]) -> dict[str, Any]:
+    """Return what ManiSkill keeps of a model in its own `info_..._train.json`: the asset is in metres."""
+    box = _box(asset.bounds() @ _FRONT.T)
+    moved = [link for link in links if kind_of(_joints(named, link)) not in ("static", "free")]
+    held = [link for link in moved if any("handle" in part.name for part in named.parts[link.name])]
+    return {
+        "partnet_mobility_id": asset.name,
+        "scale": 1.0,
+        "num_target_links": len(held),
+        "bbox": box,
+        "offset": [-value + 0.0 for value in box["min"]],
+        "semantics": _semantics(asset, named, links),
+    }

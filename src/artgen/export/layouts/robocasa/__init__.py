@@ -1,0 +1,163 @@
+"""The layout of RoboCasa and robosuite: one `model.xml` of an object that their scenes are put together of.
+
+Both read the XML themselves and take the file apart: they know only default classes that are not nested,
+files relative to the model, colliders by group 0 and what is seen by group 1. The links are below a body
+`object`, beside which three sites tell the size; RoboCasa reads geoms whose names begin with `reg_`, and its
+first version sites such as `ext_p0` and `int_px`, all boxes in the frame of the object.
+
+An object must not be given the name of one of its links: robosuite puts `<name>_` before all names, but not
+before those that begin with it already.
+"""
+
+import xml.etree.ElementTree as ET
+
+import numpy as np
+from numpy.typing import NDArray
+
+from artgen.asset import Asset
+from artgen.errors import ExportError
+from artgen.export.frames import seen_box
+from artgen.export.layouts.layout import Layout
+from artgen.export.layouts.robocasa.regions import interiors
+from artgen.export.losses import Loss, Written, loss
+from artgen.export.meshes import mesh_files
+from artgen.export.mjcf import mjcf_losses, mjcf_text, mjcf_tree
+from artgen.export.mjcf.materials import numbers
+
+Array = NDArray[np.float64]
+
+FILE = "model.xml"
+"""What RoboCasa opens in the directory of an object."""
+
+_OBJECT = "object"
+_RESERVED = (_OBJECT, "main")  # the second is what robosuite calls the first
+_CLASSES = {
+    "visual": {"type": "mesh", "group": "1", "contype": "0", "conaffinity": "0", "mass": "0"},
+    "collision": {"group": "0", "rgba": "0.5 0 0 0.5"},
+    "region": {
+        "type": "box", "group": "1", "contype": "0", "conaffinity": "0", "mass": "0", "rgba": "0 1 0 0",
+    },
+}  # fmt: skip
+_UNSEEN = {"size": "0.005", "rgba": "0 0 0 0"}
+_CORNERS = {"p0": (0, 0, 0), "px": (1, 0, 0), "py": (0, 1, 0), "pz": (0, 0, 1)}
+
+
+def write_robocasa(asset: Asset, name: str, textures: int) -> Written:
+    """Write an asset as an object of RoboCasa; see `Layout.write`.
+
+    Raises:
+        ExportError: A link has a name that robosuite or RoboCasa gives to something else.
+    """
+    assert name == "mjcf"
+    for link in asset.links:
+        if link.name in _RESERVED or link.name.startswith("reg_"):
+            raise ExportError(
+                f"the layout 'robocasa' cannot hold a link named {link.name!r}: robosuite calls the whole "
+                f"object so ({', '.join(_RESERVED)}), and RoboCasa its regions (reg_...); give the part "
+                "another label or name"
+            )
+    meshes = mesh_files(asset, textures)
+    root = mjcf_tree(asset, meshes)
+    _spell_defaults(root)
+    _wrap(root, asset)
+    return Written(
+        {FILE: mjcf_text(root), **meshes.files}, (*mjcf_losses(asset, textures), *_losses(asset)), FILE
+    )
+
+
+def _spell_defaults(root: ET.Element) -> None:
+    """Put the defaults of all but geoms at their elements, and those of geoms into classes of one level."""
+    defaults = _found(root, "default")
+    outer = _found(defaults, "default")
+    prefix = f"{outer.get('class')}_"
+    everywhere = {element.tag: element.attrib for element in outer if element.tag != "default"}
+    classes = dict(_CLASSES)
+    for inner in outer.iterfind("default"):
+        name = str(inner.get("class")).removeprefix(prefix)
+        classes[name] = {**_found(inner, "geom").attrib, **_CLASSES[name]}
+    defaults.clear()
+    for name, attributes in classes.items():
+        ET.SubElement(ET.SubElement(defaults, "default", {"class": name}), "geom", attributes)
+    for element in _found(root, "worldbody").iter():
+        element.attrib.pop("childclass", None)
+        if element.tag == "geom":
+            element.set("class", str(element.get("class")).removeprefix(prefix))
+            if element.get("type") == "sphere":
+                element.set(
+                    "size", " ".join([element.attrib["size"]] * 3)
+                )  # RoboCasa scales no single number
+        for key, value in everywhere.get(element.tag, {}).items():
+            element.attrib.setdefault(key, value)
+
+
+def _wrap(root: ET.Element, asset: Asset) -> None:
+    """Put the links into the body that the readers look for, with its sites and regions."""
+    world = _found(root, "worldbody")
+    base = _found(world, "body")
+    world.remove(base)
+    outer = ET.SubElement(world, "body")
+    for joint in base.findall("freejoint"):
+        base.remove(joint)
+        outer.append(joint)  # which the readers leave behind, for they give the object a joint themselves
+    inner = ET.SubElement(outer, "body", name=_OBJECT)
+    inner.append(base)
+    box, rooms = seen_box(asset), interiors(asset)
+    regions = {"main": box, "bbox": box, "int": rooms[0]} if rooms else {"main": box, "bbox": box}
+    regions |= {f"int_{number}": room for number, room in enumerate(rooms[1:], start=1)}
+    for name, region in regions.items():
+        ET.SubElement(inner, "geom", {"name": f"reg_{name}", "class": "region", **_box(region)})
+    for prefix, name in (("ext", "main"), ("int", "int")):
+        for corner, where in _CORNERS.items() if name in regions else ():
+            position = np.where(where, regions[name][1], regions[name][0])
+            ET.SubElement(inner, "site", {"name": f"{prefix}_{corner}", "pos": numbers(position), **_UNSEEN})
+    bodies = {str(body.get("name")): body for body in base.iter("body")}
+    for link in asset.links:
+        site = {"name": f"reg_{link.name}", **_box(link.bounds() - asset.origin(link.name))}
+        ET.SubElement(bodies[link.name], "site", {**site, "type": "box", "group": "4", "rgba": "0 1 0 0"})
+    for name, position in _extent(box).items():
+        ET.SubElement(outer, "site", {"name": f"{name}_site", "pos": numbers(position), **_UNSEEN})
+
+
+def _extent(box: Array) -> dict[str, Array]:
+    """Return where the sites are that tell robosuite the size, as the origin sees it."""
+    low, high = box[:, 2]
+    radii = np.abs(box[:, :2]).max(axis=0)
+    return {
+        "bottom": np.array([0.0, 0.0, low]),
+        "top": np.array([0.0, 0.0, high]),
+        "horizontal_radius": np.array([*radii, (low + high) / 2.0]),
+    }
+
+
+def _box(corners: Array) -> dict[str, str]:
+    """Return middle and half lengths of a box."""
+    corners = np.round(corners, 6)
+    return {"pos": numbers(corners.mean(axis=0).round(7)), "size": numbers((corners[1] - corners[0]) / 2.0)}
+
+
+def _found(parent: ET.Element, tag: str) -> ET.Element:
+    element = parent.find(tag)
+    assert element is not None
+    return element
+
+
+def _losses(asset: Asset) -> tuple[Loss, ...]:
+    follows = [joint.name for joint in asset.joints if joint.follows is not None and not joint.locked]
+    return (
+        *loss(
+            "joint coupling in robosuite",
+            follows,
+            "an equality that robosuite leaves behind: append each element of the object's `equality` to "
+            "that of the task",
+        ),
+    )
+
+
+ROBOCASA = Layout(
+    "robocasa",
+    "model.xml of an object or fixture, for robosuite and RoboCasa",
+    ("mjcf",),
+    1,
+    write_robocasa,
+)
+"""One MJCF object in a directory of its own."""

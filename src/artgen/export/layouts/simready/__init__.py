@@ -1,0 +1,23 @@
+"""The layout of NVIDIA's SimReady profile: a light interface before the asset, a variant per simulator."""
+
+from artgen.asset import Asset
+from artgen.export.layouts.layout import Layout
+from artgen.export.losses import Written
+
+
+def write_simready(asset: Asset, name: str, textures: int) -> Written:
+    """Write one format of an asset; see `Layout.write` and `artgen.export.layouts.simready.usd`."""
+    from artgen.export.layouts.simready.usd import write_package
+
+    del name  # USD is its only format
+    return write_package(asset, textures)
+
+
+SIMREADY = Layout(
+    "simready",
+    "USD for Isaac Sim and Omniverse, as NVIDIA's profile Robotics-Prop wants it",
+    ("usd",),
+    1,
+    write_simready,
+)
+"""One folder that is named as the asset; see `artgen.export.layouts.simready.usd`."""

@@ -1,0 +1,251 @@
+"""The picture of an asset that goes with a package: drawn without a graphics library, the same everywhere."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from artgen.asset import Asset
+from artgen.export.layouts.simready.raster import NOTHING, Seen, rasterize, weights
+from artgen.materials import Material
+from artgen.materials.textures.bake import displayed
+
+Array = NDArray[np.float64]
+Indices = NDArray[np.int64]
+
+SIZE = 256
+"""Pixels on a side."""
+
+_FINE = 2  # samples in a pixel, in each direction
+_FILLED = 0.84  # share of the picture that the asset fills
+_SHADOW = 384  # samples on a side of the key light's view
+_FLOOR = 0.80  # linear grey
+_SOFT = 5  # samples on a side of which the edge of a shadow is made
+
+
+def thumbnail(asset: Asset) -> NDArray[np.uint8]:
+    """Draw an asset as it stands, from its front, its right and above, shape (256, 256, 3)."""
+    scene = _scene(asset)
+    size = SIZE * _FINE
+    camera = _fitted(_View.along((-0.62, 1.0, -0.42)), scene.corners, size)
+    light = _fitted(_View.along((0.45, 0.62, -1.0)), scene.corners, _SHADOW)
+    shadow = rasterize(light.project(scene.corners), _SHADOW)
+    picture = _floor(scene, camera, light, shadow, size)
+    for clear in (False, True):
+        _draw(picture, scene, camera, light, shadow, clear=clear)
+    fine = picture.light.reshape(SIZE, _FINE, SIZE, _FINE, 3).mean(axis=(1, 3))
+    pixels: NDArray[np.uint8] = np.rint(displayed(fine) * 255.0).astype(np.uint8)[::-1]
+    return np.ascontiguousarray(pixels)
+
+
+@dataclass(frozen=True, eq=False)
+class _Scene:
+    """The triangles of an asset.
+
+    Attributes:
+        corners: Where their corners are, shape (n, 3, 3) [m].
+        normals: Normals at their corners, shape (n, 3, 3).
+        stuff: Number of the material of each, shape (n,).
+        materials: The materials.
+    """
+
+    corners: Array
+    normals: Array
+    stuff: Indices
+    materials: tuple[Material, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class _View:
+    """A parallel projection.
+
+    Attributes:
+        axes: Right, up and the view in asset coordinates, in rows, shape (3, 3).
+        scale: Pixels a metre.
+        shift: Pixels to the right and upwards at which the asset's origin is.
+    """
+
+    axes: Array
+    scale: float = 1.0
+    shift: tuple[float, float] = (0.0, 0.0)
+
+    @staticmethod
+    def along(direction: tuple[float, float, float]) -> "_View":
+        forward = _unit(np.array(direction))
+        right = _unit(np.array([forward[1], -forward[0], 0.0]))
+        up = np.array(
+            [
+                right[1] * forward[2] - right[2] * forward[1],
+                right[2] * forward[0] - right[0] * forward[2],
+                right[0] * forward[1] - right[1] * forward[0],
+            ]
+        )
+        return _View(np.array([right, up, forward]))
+
+    def project(self, points: Array) -> Array:
+        """Return pixels to the right and upwards and the depth of points, shape (..., 3)."""
+        right, up, depth = (_dot(points, axis) for axis in self.axes)
+        return np.stack([right * self.scale + self.shift[0], up * self.scale + self.shift[1], depth], axis=-1)
+
+    def place(self, column: Array, row: Array, depth: Array) -> Array:
+        """Return the points in asset coordinates that are seen at pixels, shape (n, 3)."""
+        right = (column - self.shift[0]) / self.scale
+        up = (row - self.shift[1]) / self.scale
+        parts = (right, up, depth)
+        return np.asarray(sum(part[:, None] * axis for part, axis in zip(parts, self.axes, strict=True)))
+
+
+@dataclass(frozen=True, eq=False)
+class _Picture:
+    """A picture while it is drawn, with its lowest row first.
+
+    Attributes:
+        light: Linear RGB, shape (size, size, 3).
+        depth: How far what is drawn already is, shape (size, size) [m].
+    """
+
+    light: Array
+    depth: Array
+
+
+def _scene(asset: Asset) -> _Scene:
+    pose = asset.pose()
+    corners, normals, stuff = [], [], []
+    materials: dict[Material, int] = {}
+    for link in asset.links:
+        turn, offset = pose[link.name][:3, :3], pose[link.name][:3, 3]
+        for surface in link.surfaces:
+            mesh = surface.mesh
+            # sums of products one by one: matrix products round differently on other machines
+            vertices = np.stack([_dot(mesh.vertices, row) for row in turn], axis=-1) + offset
+            turned = np.stack([_dot(mesh.normals, row) for row in turn], axis=-1)
+            corners.append(np.round(vertices, 7)[mesh.triangles])
+            normals.append(turned[mesh.triangles])
+            number = materials.setdefault(surface.material, len(materials))
+            stuff.append(np.full(len(mesh.triangles), number))
+    return _Scene(np.concatenate(corners), np.concatenate(normals), np.concatenate(stuff), tuple(materials))
+
+
+def _fitted(view: _View, corners: Array, size: int) -> _View:
+    """Return a view in which the asset fills the picture."""
+    flat = view.project(corners)[..., :2].reshape(-1, 2)
+    low, high = flat.min(axis=0), flat.max(axis=0)
+    scale = _FILLED * size / max(float((high - low).max()), 1e-6)
+    right, up = (0.5 * size - 0.5 * (low + high) * scale).tolist()
+    return _View(view.axes, scale, (right, up))
+
+
+def _floor(scene: _Scene, camera: _View, light: _View, shadow: Seen, size: int) -> _Picture:
+    """Return a picture of a bright floor with the asset's shadow."""
+    column, row = _pixels(np.ones((size, size), bool))
+    flat = camera.place(column, row, np.zeros(len(column)))
+    level = float(scene.corners[..., 2].min())
+    depth = (level - flat[:, 2]) / camera.axes[2, 2]
+    lit = _lit(camera.place(column, row, depth), light, shadow)
+    grey = _FLOOR * (0.62 + 0.38 * lit) * (0.94 + 0.12 * row / size)
+    colors = grey[:, None] * np.array([1.0, 1.0, 1.01])
+    return _Picture(colors.reshape(size, size, 3), depth.reshape(size, size))
+
+
+def _draw(
+    picture: _Picture, scene: _Scene, camera: _View, light: _View, shadow: Seen, *, clear: bool
+) -> None:
+    """Draw what is opaque, or what is clear, over a picture."""
+    opacity = np.array([material.opacity for material in scene.materials])[scene.stuff]
+    chosen = np.flatnonzero((opacity < 1.0) == clear)
+    corners = camera.project(scene.corners[chosen])
+    seen = rasterize(corners, len(picture.depth))
+    # a floor hides nothing: what stands on it may reach below by rounding
+    nearer = (seen.owner != NOTHING) & ((seen.depth < picture.depth) | (not clear))
+    column, row = _pixels(nearer)
+    owner = seen.owner[nearer]
+    share = weights(corners[owner], column - 0.5, row - 0.5)
+    normals = _unit(np.sum(scene.normals[chosen][owner] * share[:, :, None], axis=1))
+    points = camera.place(column, row, seen.depth[nearer])
+    lit = _lit(points + (2.0 / light.scale) * normals, light, shadow)
+    stuff = scene.stuff[chosen][owner]
+    colors = _shaded(scene, stuff, normals, camera.axes[2], -light.axes[2], lit)
+    if clear:
+        cover = opacity[chosen][owner][:, None]
+        colors = cover * colors + (1.0 - cover) * picture.light[nearer]
+    else:
+        colors *= _openness(np.where(nearer, seen.depth, picture.depth), camera)[nearer][:, None]
+        picture.depth[nearer] = seen.depth[nearer]
+    picture.light[nearer] = colors
+
+
+def _shaded(scene: _Scene, stuff: Indices, normals: Array, view: Array, light: Array, lit: Array) -> Array:
+    """Return the light that surfaces send to the viewer, shape (n, 3)."""
+    color, emission = (
+        np.array([getattr(material, name) for material in scene.materials])[stuff]
+        for name in ("base_color", "emission")
+    )
+    metal, rough = (
+        np.array([getattr(material, name) for material in scene.materials])[stuff]
+        for name in ("base_metalness", "specular_roughness")
+    )
+    sky = 0.5 + 0.5 * normals[:, 2]
+    key = np.maximum(_dot(normals, light), 0.0) * lit
+    fill = np.maximum(_dot(normals, _unit(np.array([0.9, -0.5, 0.2]))), 0.0)
+    diffuse = 0.30 + 0.28 * sky + 0.55 * key + 0.10 * fill
+    facing = np.clip(-_dot(normals, view), 0.0, 1.0)
+    mirrored = view + 2.0 * facing[:, None] * normals
+    glow = _studio(mirrored, light, rough) * (0.55 + 0.45 * lit)
+    edge = (1.0 - facing) ** 5 * (1.0 - rough)
+    mirror = metal[:, None] * color + (1.0 - metal[:, None]) * 0.04
+    mirror = mirror + (1.0 - mirror) * edge[:, None]
+    body = (1.0 - metal[:, None]) * color * diffuse[:, None]
+    return np.asarray(body + mirror * glow[:, None] + emission)
+
+
+def _studio(direction: Array, light: Array, rough: Array) -> Array:
+    """Return the light that comes from a direction: a bright ceiling, a lamp, a grey floor."""
+    rise = direction[:, 2]
+    sharp = np.clip(0.5 + rise / (0.25 + rough), 0.0, 1.0)
+    smooth = sharp * sharp * (3.0 - 2.0 * sharp)
+    lamp = np.clip(_dot(direction, light), 0.0, 1.0) ** 8
+    return np.asarray(0.30 + 0.75 * smooth + 0.9 * lamp * (1.0 - 0.6 * rough))
+
+
+def _lit(points: Array, light: _View, shadow: Seen) -> Array:
+    """Return which share of the key light reaches points, shape (n,)."""
+    size = len(shadow.depth)
+    place = light.project(points)
+    column, row = (np.floor(place[:, axis]).astype(np.int64) for axis in (0, 1))
+    bias = 3.0 / light.scale  # soft edges look beside the point
+    reach = range(-(_SOFT // 2), _SOFT // 2 + 1)
+    total = np.zeros(len(points))
+    for right in reach:
+        for up in reach:
+            x, y = column + right, row + up
+            inside = (x >= 0) & (x < size) & (y >= 0) & (y < size)
+            depth = shadow.depth[np.clip(y, 0, size - 1), np.clip(x, 0, size - 1)]
+            total += ~inside | (place[:, 2] < depth + bias)
+    return total / (_SOFT * _SOFT)
+
+
+def _openness(depth: Array, camera: _View) -> Array:
+    """Return how open the surroundings of pixels are: less in corners and gaps, shape (size, size)."""
+    from scipy.ndimage import uniform_filter
+
+    result = np.ones_like(depth)
+    for width, strength in ((9, 0.5), (31, 0.35)):
+        reach = width / camera.scale
+        around = uniform_filter(depth, width, mode="nearest")
+        result *= 1.0 - strength * np.clip((depth - around) / reach, 0.0, 1.0)
+    return result
+
+
+def _pixels(mask: NDArray[np.bool_]) -> tuple[Array, Array]:
+    """Return the middles of the pixels of a mask: to the right and upwards."""
+    row, column = np.nonzero(mask)
+    return np.asarray(column + 0.5, float), np.asarray(row + 0.5, float)
+
+
+def _dot(points: Array, axis: Array) -> Array:
+    return np.asarray(points[..., 0] * axis[0] + points[..., 1] * axis[1] + points[..., 2] * axis[2])
+
+
+def _unit(vectors: Array) -> Array:
+    length = np.sqrt(np.sum(vectors * vectors, axis=-1, keepdims=True))
+    return np.asarray(vectors / np.where(length > 0.0, length, 1.0))

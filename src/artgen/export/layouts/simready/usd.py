@@ -1,0 +1,79 @@
+"""The files of the SimReady layout.
+
+    <asset>/usd/<asset>.usda                       interface: metadata, the variants of the simulators
+    <asset>/usd/.thumbs/256x256/<asset>.usda.png   picture
+    <asset>/usd/payloads/<asset>_base.usda         bodies, labels, where hands act
+    <asset>/usd/payloads/<asset>_physics.usda      what every simulator knows
+    <asset>/usd/payloads/<asset>_meshes.usdc       meshes and materials
+    <asset>/usd/payloads/textures/                 maps of the materials
+    <asset>/usd/runnables/physics/                 what PhysX, Newton and MuJoCo alone know: physx.usda, ...
+
+The interface is neutral until one of its variants `PhysX`, `Newton` and `MuJoCo` is set to `Enabled`.
+"""
+
+from collections.abc import Mapping
+
+from pxr import Sdf
+
+from artgen.asset import Asset
+from artgen.export.layouts.simready.metadata import metadata
+from artgen.export.layouts.simready.thumbnail import thumbnail
+from artgen.export.losses import Written
+from artgen.export.usd import author
+from artgen.export.usd.layer import RUNTIMES, Layers, Runtime, binary, define, new_layer, text
+from artgen.materials.textures.png import png
+
+VARIANTS: Mapping[Runtime, str] = {"physx": "PhysX", "newton": "Newton", "mujoco": "MuJoCo"}
+"""Name of the variant set of each simulator."""
+
+_RUNNABLES = "runnables/physics"
+_TEXTURES = "textures"
+
+
+def write_package(asset: Asset, textures: int) -> Written:
+    """Write an asset in the SimReady layout.
+
+    Args:
+        asset: The asset.
+        textures: Texels on a side of the materials' maps; 0 for colours alone.
+
+    Returns:
+        All files, and what USD cannot say.
+    """
+    name = asset.name
+    base, physics, meshes = (new_layer(kind, name) for kind in (".usda", ".usda", ".usdc"))
+    runtimes = {runtime: new_layer(".usda", name) for runtime in RUNTIMES}
+    layers = Layers(
+        base, meshes, meshes, physics, runtimes, scope="Looks", maps=f"./{_TEXTURES}", openpbr=True
+    )
+    written = author(asset, layers, textures)
+    base.subLayerPaths = [f"./{name}_physics.usda", f"./{name}_meshes.usdc"]
+    usd = f"{name}/usd"
+    files = {
+        f"{usd}/{name}.usda": text(_interface(asset)),
+        f"{usd}/.thumbs/256x256/{name}.usda.png": png(thumbnail(asset)),
+        f"{usd}/payloads/{name}_base.usda": text(base),
+        f"{usd}/payloads/{name}_physics.usda": text(physics),
+        f"{usd}/payloads/{name}_meshes.usdc": binary(meshes),
+        **{f"{usd}/{_RUNNABLES}/{runtime}.usda": text(layer) for runtime, layer in runtimes.items()},
+    }
+    for path, content in written.files.items():
+        files[f"{usd}/payloads/{_TEXTURES}/{path.rpartition('/')[2]}"] = content
+    return Written(files, written.losses, f"{usd}/{name}.usda")
+
+
+def _interface(asset: Asset) -> Sdf.Layer:
+    """Return the layer that is opened: it refers to the base and offers each simulator's own words."""
+    layer = new_layer(".usda", asset.name)
+    prim = define(layer, asset.name, "Xform")
+    prim.SetInfo("kind", "component")
+    prim.referenceList.prependedItems = [Sdf.Reference(f"./payloads/{asset.name}_base.usda")]
+    for runtime, name in VARIANTS.items():
+        variants = Sdf.VariantSetSpec(prim, name)
+        Sdf.VariantSpec(variants, "Disabled")
+        enabled = Sdf.VariantSpec(variants, "Enabled").primSpec
+        enabled.payloadList.prependedItems = [Sdf.Payload(f"./{_RUNNABLES}/{runtime}.usda")]
+        prim.variantSelections[name] = "Disabled"
+    prim.variantSetNameList.prependedItems = list(VARIANTS.values())
+    layer.customLayerData = metadata(asset, tuple(VARIANTS.values()))
+    return layer

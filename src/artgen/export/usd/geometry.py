@@ -1,0 +1,163 @@
+"""What a link looks like and what it collides with, as USD prims."""
+
+import numpy as np
+from numpy.typing import NDArray
+from pxr import Sdf, Vt
+
+from artgen.asset import Surface
+from artgen.asset.surface import texture_coordinates
+from artgen.colliders import Convex
+from artgen.export.frames import translation
+from artgen.export.hulls import Hull
+from artgen.export.usd.layer import (
+    TYPES,
+    Layers,
+    apply,
+    define,
+    int_array,
+    place,
+    relate,
+    vec3,
+    vec3_array,
+    write,
+)
+from artgen.export.usd.runtimes import write_runtime_collider
+
+Array = NDArray[np.float64]
+
+PART_LABEL = "SemanticsLabelsAPI:part"
+
+
+def write_surface(scope: Sdf.PrimSpec, surface: Surface, origin: Array, material: Sdf.Path) -> None:
+    """Add the mesh of a surface.
+
+    Args:
+        scope: The prim that it belongs to.
+        surface: The faces, in asset coordinates.
+        origin: The origin of the link's frame, shape (3,) [m].
+        material: The prim of its material.
+    """
+    prim = define(scope, surface.name, "Mesh", ["MaterialBindingAPI", PART_LABEL])
+    _label(prim, surface.label)
+    relate(prim, "material:binding", material)
+    mesh = surface.mesh
+    _mesh(prim, mesh.vertices - origin, mesh.triangles)
+    write(prim, TYPES.Normal3fArray, {"normals": vec3_array(mesh.normals)}, interpolation="vertex")
+    values, indices = _indexed(texture_coordinates(mesh, surface.material))
+    write(prim, TYPES.TexCoord2fArray, {"primvars:st": values}, interpolation="vertex")
+    write(prim, TYPES.IntArray, {"primvars:st:indices": indices})
+    # for viewers that read no materials
+    color = Vt.Vec3fArray([vec3(surface.material.base_color)])
+    write(prim, TYPES.Color3fArray, {"primvars:displayColor": color}, interpolation="constant")
+    if surface.material.opacity < 1.0:
+        opacity = Vt.FloatArray([surface.material.opacity])
+        write(prim, TYPES.FloatArray, {"primvars:displayOpacity": opacity}, interpolation="constant")
+
+
+def write_hull(layers: Layers, scope: Sdf.PrimSpec, name: str, hull: Hull, material: Sdf.Path) -> None:
+    """Add a hull that simulators collide with, unseen by cameras.
+
+    Args:
+        layers: Where its physics is written.
+        scope: The prim that it belongs to.
+        name: Its name.
+        hull: Its surface.
+        material: The prim of its material, for friction.
+    """
+    prim = define(scope, name, "Mesh")
+    _mesh(prim, hull.vertices, hull.triangles)
+    place(prim, translation(hull.middle))
+    write(prim, TYPES.Normal3fArray, {"normals": vec3_array(hull.normals)}, interpolation="uniform")
+    _collide(layers, prim, material, hull=True)
+
+
+def write_primitive(
+    layers: Layers, scope: Sdf.PrimSpec, name: str, convex: Convex, origin: Array, material: Sdf.Path
+) -> None:
+    """Add a box or round piece that simulators collide with, unseen by cameras.
+
+    Args:
+        layers: Where its physics is written.
+        scope: The prim that it belongs to.
+        name: Its name.
+        convex: The piece, in asset coordinates.
+        origin: The origin of the link's frame, shape (3,) [m].
+        material: The prim of its material, for friction.
+    """
+    prim = define(scope, name, _PRIMITIVES[convex.kind])
+    _primitive(prim, convex, origin)
+    _collide(layers, prim, material, hull=False)
+
+
+def write_label(prim: Sdf.PrimSpec, taxonomy: str, labels: list[str]) -> None:
+    """Add the semantic labels of a prim that has `SemanticsLabelsAPI:<taxonomy>`."""
+    write(prim, TYPES.TokenArray, {f"semantics:labels:{taxonomy}": Vt.TokenArray(labels)})
+
+
+_PRIMITIVES = {"box": "Cube", "cylinder": "Cylinder", "sphere": "Sphere", "capsule": "Capsule"}
+
+
+def _label(prim: Sdf.PrimSpec, label: str) -> None:
+    write_label(prim, "part", [label])
+
+
+def _collide(layers: Layers, prim: Sdf.PrimSpec, material: Sdf.Path, *, hull: bool) -> None:
+    write(prim, TYPES.Token, {"purpose": "guide"}, uniform=True)
+    physics = layers.physical(prim)
+    apply(physics, *(_HULL if hull else _COLLISION))
+    if hull:
+        write(physics, TYPES.Token, {"physics:approximation": "convexHull"}, uniform=True)
+    relate(physics, "material:binding:physics", material)
+    write_runtime_collider(layers, prim, hull=hull)
+
+
+_COLLISION = ("PhysicsCollisionAPI", "MaterialBindingAPI")
+
+_HULL = (*_COLLISION, "PhysicsMeshCollisionAPI")
+
+
+def _primitive(prim: Sdf.PrimSpec, convex: Convex, origin: Array) -> None:
+    size = convex.size
+    pose = translation(-origin) @ convex.pose
+    if convex.kind == "box":
+        # a cube has one size only, so a box is a scaled unit cube; the body above it stays unscaled
+        write(prim, TYPES.Double, {"size": 1.0})
+        _extent(prim, np.array([[-0.5] * 3, [0.5] * 3]))
+        place(prim, pose, size)
+        return
+    write(prim, TYPES.Double, {"radius": size[0]})
+    half = np.full(3, size[0])
+    if convex.kind != "sphere":
+        write(prim, TYPES.Double, {"height": size[1]})
+        write(prim, TYPES.Token, {"axis": "Z"}, uniform=True)
+        half[2] = 0.5 * size[1] + (size[0] if convex.kind == "capsule" else 0.0)
+    _extent(prim, np.array([-half, half]))
+    place(prim, pose)
+
+
+def _mesh(prim: Sdf.PrimSpec, points: Array, triangles: NDArray[np.int64]) -> None:
+    corners = triangles.ravel()
+    write(prim, TYPES.Point3fArray, {"points": vec3_array(points)})
+    _extent(prim, np.array([points.min(axis=0), points.max(axis=0)]))
+    write(
+        prim,
+        TYPES.IntArray,
+        {
+            "faceVertexCounts": int_array(np.full(len(triangles), 3)),
+            "faceVertexIndices": int_array(corners),
+        },
+    )
+    write(prim, TYPES.Token, {"subdivisionScheme": "none"}, uniform=True)
+
+
+def _extent(prim: Sdf.PrimSpec, corners: Array) -> None:
+    write(prim, TYPES.Float3Array, {"extent": vec3_array(corners)})
+
+
+def _indexed(uvs: Array) -> tuple[Vt.Vec2fArray, Vt.IntArray]:
+    """Return the distinct texture coordinates and the number of each vertex' own."""
+    single = np.ascontiguousarray(uvs, np.float32) + np.float32(0.0)
+    # a pair of singles is one 64-bit key: sorting keys is many times faster than sorting rows
+    keys, indices = np.unique(single.view(np.int64).ravel(), return_inverse=True)
+    values = keys.view(np.float32).reshape(-1, 2)
+    return Vt.Vec2fArray.FromNumpy(np.ascontiguousarray(values)), int_array(indices)

@@ -1,0 +1,136 @@
+"""Materials as USD prims: surfaces for cameras, friction for contacts, and what other sensors see."""
+
+from collections.abc import Mapping
+
+from pxr import Gf, Sdf, Vt
+
+from artgen.export.usd.layer import TYPES, Layers, apply, connect, define, vec3, write
+from artgen.export.usd.openpbr import write_openpbr
+from artgen.materials import Material
+from artgen.materials.substance import coating_of, substance_of
+from artgen.materials.textures import Kind
+
+_INPUTS: dict[Kind, str] = {
+    "albedo": "diffuseColor", "roughness": "roughness", "metalness": "metallic", "normal": "normal",
+}  # fmt: skip
+
+
+def write_material(
+    layers: Layers, scope: Sdf.PrimSpec, material: Material, maps: Mapping[Kind, str], *, seen: bool
+) -> None:
+    """Add a material.
+
+    Args:
+        layers: Where its physics is written, and where its maps lie.
+        scope: The prim that it belongs to.
+        material: The material.
+        maps: File name of each of its maps.
+        seen: Whether it is on a surface, and not on colliders alone.
+    """
+    prim = define(scope, material.name, "Material", ["SemanticsLabelsAPI:material"])
+    substance = substance_of(material)
+    write(
+        prim, TYPES.TokenArray, {"semantics:labels:material": Vt.TokenArray([substance.name, substance.code])}
+    )
+    physics = layers.physical(prim)
+    apply(physics, "PhysicsMaterialAPI")
+    friction = material.friction
+    write(
+        physics,
+        TYPES.Float,
+        {"physics:dynamicFriction": friction, "physics:restitution": 0.0, "physics:staticFriction": friction},
+    )
+    if seen:
+        _sensed(prim, material)
+    files = {kind: f"{layers.maps}/{name}" for kind, name in maps.items()}
+    _preview(prim, material, files)
+    if layers.openpbr:
+        write_openpbr(prim, material, files)
+
+
+def _sensed(prim: Sdf.PrimSpec, material: Material) -> None:
+    """Write what lidar, radar and sonar models need to know, in SimReady's words."""
+    attributes = ["emissive"] if any(material.emission) else []
+    if material.transmission_weight >= 0.5 or material.opacity < 0.9:
+        attributes.append("visually_transparent")
+    prefix = "omni:simready:nonvisual:"
+    write(prim, TYPES.TokenArray, {prefix + "attributes": Vt.TokenArray(attributes or ["none"])})
+    write(
+        prim,
+        TYPES.Token,
+        {prefix + "base": substance_of(material).sensed, prefix + "coating": coating_of(material)},
+    )
+
+
+def _preview(prim: Sdf.PrimSpec, material: Material, maps: Mapping[Kind, str]) -> None:
+    """Add the surface that every reader of USD knows."""
+    shader = define(prim, "surface", "Shader")
+    write(shader, TYPES.Token, {"info:id": "UsdPreviewSurface"}, uniform=True)
+    colors = {"diffuseColor": material.base_color, "emissiveColor": material.emission}
+    shares = {
+        "clearcoat": material.coat_weight,
+        "clearcoatRoughness": material.coat_roughness,
+        "ior": 1.5,
+        "metallic": material.base_metalness,
+        "opacity": material.opacity,
+        "roughness": material.specular_roughness,
+    }
+    mapped = {_INPUTS[kind] for kind in maps}
+    for name, color in colors.items():
+        if name not in mapped:
+            write(shader, TYPES.Color3f, {f"inputs:{name}": vec3(color)})
+    write(
+        shader,
+        TYPES.Float,
+        {f"inputs:{name}": share for name, share in shares.items() if name not in mapped},
+    )
+    if maps:
+        _write_maps(prim, shader, material, maps)
+    Sdf.AttributeSpec(shader, "outputs:surface", TYPES.Token)
+    connect(prim, "outputs:surface", shader.path.AppendProperty("outputs:surface"))
+
+
+def _write_maps(
+    prim: Sdf.PrimSpec, shader: Sdf.PrimSpec, material: Material, maps: Mapping[Kind, str]
+) -> None:
+    """Add the readers of the maps, and of the texture coordinates, and connect the surface to them."""
+    coordinates = define(prim, "coordinates", "Shader")
+    write(coordinates, TYPES.Token, {"info:id": "UsdPrimvarReader_float2"}, uniform=True)
+    write(coordinates, TYPES.String, {"inputs:varname": "st"})
+    st = Sdf.AttributeSpec(coordinates, "outputs:result", TYPES.Float2)
+    for kind, file in maps.items():
+        reader = define(prim, kind, "Shader")
+        write(reader, TYPES.Token, {"info:id": "UsdUVTexture"}, uniform=True)
+        write(reader, TYPES.Asset, {"inputs:file": Sdf.AssetPath(file)})
+        connect(reader, "inputs:st", st.path, TYPES.Float2)
+        space = "sRGB" if kind == "albedo" else "raw"
+        write(
+            reader,
+            TYPES.Token,
+            {"inputs:sourceColorSpace": space, "inputs:wrapS": "repeat", "inputs:wrapT": "repeat"},
+        )
+        write(reader, TYPES.Float4, {"inputs:fallback": _fallback(kind, material)})
+        if kind == "normal":
+            # from 0..1 to -1..1
+            scale, bias = Gf.Vec4f(2.0, 2.0, 2.0, 1.0), Gf.Vec4f(-1.0, -1.0, -1.0, 0.0)
+            write(reader, TYPES.Float4, {"inputs:bias": bias, "inputs:scale": scale})
+        single = kind in ("roughness", "metalness")
+        output = "outputs:r" if single else "outputs:rgb"
+        Sdf.AttributeSpec(reader, output, TYPES.Float if single else TYPES.Float3)
+        types = {"albedo": TYPES.Color3f, "normal": TYPES.Normal3f}
+        connect(
+            shader,
+            f"inputs:{_INPUTS[kind]}",
+            reader.path.AppendProperty(output),
+            types.get(kind, TYPES.Float),
+        )
+
+
+def _fallback(kind: Kind, material: Material) -> Gf.Vec4f:
+    """Return what a renderer shows that cannot read the map; it scales and biases no fallback."""
+    if kind == "albedo":
+        return Gf.Vec4f(*material.base_color, 1.0)
+    if kind == "normal":
+        return Gf.Vec4f(0.0, 0.0, 1.0, 1.0)
+    value = material.specular_roughness if kind == "roughness" else material.base_metalness
+    return Gf.Vec4f(value, value, value, 1.0)

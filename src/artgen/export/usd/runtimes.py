@@ -1,0 +1,189 @@
+"""What one simulator alone reads of a USD: the words of PhysX, Newton and MuJoCo, as plain attributes.
+
+None of their packages is needed to write them, and who does not know a schema passes over it. The numbers are
+those of the MJCF.
+"""
+
+import math
+
+from pxr import Sdf, Vt
+
+from artgen.asset import Asset, Coupling, Joint
+from artgen.export.usd.layer import TYPES, Layers, apply, relate, write
+
+# as in the MJCF, where the reasons stand
+_STIFF = Vt.DoubleArray([0.005, 1.0])
+_CONTACT_IMPEDANCE = Vt.DoubleArray([0.95, 0.99, 0.0005, 0.5, 2.0])
+_COUPLING_IMPEDANCE = Vt.DoubleArray([0.99, 0.9999, 0.0001, 0.5, 2.0])
+_FRICTION_IMPEDANCE = Vt.DoubleArray([0.9999, 0.9999, 0.001, 0.5, 2.0])
+
+_ITERATIONS = 32
+"""Of PhysX on the positions of an articulation: couplings and heavy doors need more than single bodies."""
+
+
+def driven(joint: Joint) -> bool:
+    """Tell whether a joint has a drive: a coupled one has none but for a spring or damper of its own."""
+    return joint.follows is None or joint.stiffness > 0.0 or joint.damping > 0.0
+
+
+def instance_of(joint: Joint) -> str:
+    """Return the name of the drive, axis and state of a joint's only degree of freedom."""
+    return "angular" if joint.kind == "revolute" else "linear"
+
+
+def units_of(joint: Joint) -> float:
+    """Return USD units per SI unit of the joint's position: degrees, or metres."""
+    return 180.0 / math.pi if joint.kind == "revolute" else 1.0
+
+
+def write_runtime_root(layers: Layers, prim: Sdf.PrimSpec) -> None:
+    """Write how each simulator treats the articulation whose root a prim is.
+
+    Its parts collide with each other, as in MJCF: what joins a bolt and its strike is their contact.
+    """
+    physx = layers.runtime("physx", prim)
+    apply(physx, "PhysxArticulationAPI")
+    write(physx, TYPES.Bool, {"physxArticulation:enabledSelfCollisions": True})
+    iterations = {"physxArticulation:solverPositionIterationCount": _ITERATIONS}
+    write(physx, TYPES.Int, iterations)
+    newton = layers.runtime("newton", prim)
+    apply(newton, "NewtonArticulationRootAPI")
+    write(newton, TYPES.Bool, {"newton:selfCollisionEnabled": True})
+
+
+def write_runtime_body(layers: Layers, prim: Sdf.PrimSpec) -> None:
+    """Write that nothing but its joints slows a body: PhysX would damp its rotation."""
+    physx = layers.runtime("physx", prim)
+    apply(physx, "PhysxRigidBodyAPI")
+    write(physx, TYPES.Float, {"physxRigidBody:angularDamping": 0.0})
+
+
+def write_runtime_collider(layers: Layers, prim: Sdf.PrimSpec, *, hull: bool) -> None:
+    """Write how stiff MuJoCo makes a collider's contacts, and that Newton takes a hull for one."""
+    if hull:
+        apply(layers.runtime("newton", prim), "NewtonMeshCollisionAPI")
+    mujoco = layers.runtime("mujoco", prim)
+    apply(mujoco, "MjcCollisionAPI")
+    values = {"mjc:solimp": _CONTACT_IMPEDANCE, "mjc:solref": _STIFF}
+    write(mujoco, TYPES.DoubleArray, values, uniform=True)
+
+
+def write_runtime_joint(
+    layers: Layers, prim: Sdf.PrimSpec, asset: Asset, joint: Joint, position: float
+) -> None:
+    """Write friction, armature, largest speed and coupling of a joint, and where it stands.
+
+    Args:
+        layers: Where the words of each simulator are written.
+        prim: The prim of the joint.
+        asset: The asset.
+        joint: The joint, which can move.
+        position: Where it stands [rad or m].
+    """
+    physx = layers.runtime("physx", prim)
+    _physx_joint(physx, joint)
+    if position != 0.0:
+        _state(physx, joint, position)
+    _newton_joint(layers.runtime("newton", prim), joint)
+    _mujoco_joint(layers, prim, joint, position)
+    if joint.follows is not None:
+        _couple(layers, prim, (joint, asset.joint(joint.follows.leader)), joint.follows)
+
+
+def _physx_joint(prim: Sdf.PrimSpec, joint: Joint) -> None:
+    apply(prim, f"PhysxJointAxisAPI:{instance_of(joint)}")
+    prefix = f"physxJointAxis:{instance_of(joint)}:"
+    values = {
+        "armature": joint.armature,
+        "dynamicFrictionEffort": joint.friction,
+        "staticFrictionEffort": joint.friction,
+    }
+    # a coupled joint has its leader's speed: a bound of its own would fight the coupling
+    if joint.follows is None:
+        values["maxJointVelocity"] = joint.velocity * units_of(joint)
+    write(prim, TYPES.Float, {prefix + name: values[name] for name in sorted(values)})
+
+
+def _newton_joint(prim: Sdf.PrimSpec, joint: Joint) -> None:
+    apply(prim, "NewtonJointAPI")
+    values = {"newton:armature": joint.armature, "newton:friction": joint.friction}
+    if joint.follows is None:
+        values["newton:velocityLimit"] = joint.velocity * units_of(joint)
+    write(prim, TYPES.Float, values)
+
+
+def _mujoco_joint(layers: Layers, prim: Sdf.PrimSpec, joint: Joint, position: float) -> None:
+    """Write what MJCF says of a joint.
+
+    MuJoCo reads no drives, so that its variant has the spring and the damper as its own words, and none in
+    the drive. Newton adds both, so that they are in the drive alone where all stand together.
+    """
+    mujoco = layers.runtime("mujoco", prim)
+    apply(mujoco, "MjcJointAPI")
+    values = {
+        "mjc:actuatorfrcrange:max": joint.effort,
+        "mjc:actuatorfrcrange:min": -joint.effort,
+        "mjc:armature": joint.armature,
+        "mjc:frictionloss": joint.friction,
+    }
+    if layers.apart:
+        values |= {"mjc:damping": joint.damping, "mjc:stiffness": joint.stiffness}
+        if joint.stiffness:
+            values["mjc:springref"] = joint.rest * units_of(joint)
+        if position != 0.0:
+            values["mjc:ref"] = position * units_of(joint)
+        if driven(joint):
+            drive = f"drive:{instance_of(joint)}:physics:"
+            write(mujoco, TYPES.Float, {drive + "damping": 0.0, drive + "stiffness": 0.0})
+    write(mujoco, TYPES.Double, values, uniform=True)
+    solver = {
+        "mjc:solimpfriction": _FRICTION_IMPEDANCE,
+        "mjc:solreffriction": _STIFF,
+        "mjc:solreflimit": _STIFF,
+    }
+    write(mujoco, TYPES.DoubleArray, solver, uniform=True)
+
+
+def _state(prim: Sdf.PrimSpec, joint: Joint, position: float) -> None:
+    """Write where the joint stands: PhysX takes 0 unless it is told otherwise, wherever the bodies are."""
+    apply(prim, f"PhysicsJointStateAPI:{instance_of(joint)}")
+    write(prim, TYPES.Float, {f"state:{instance_of(joint)}:physics:position": units_of(joint) * position})
+
+
+def _couple(layers: Layers, prim: Sdf.PrimSpec, pair: tuple[Joint, Joint], coupling: Coupling) -> None:
+    """Write the coupling for each simulator.
+
+    PhysX holds `position + gearing * leader + offset = 0` in degrees and metres, and does the same for
+    `NewtonMimicAPI`, `position = coef0 + coef1 * leader`. Newton takes coef1 in radians and metres. The two
+    agree on joints of one kind only: between a rotation and a slide Newton is told by a schema that PhysX
+    passes over, MuJoCo's equality in radians and metres, unless PhysX does not see Newton's words.
+    """
+    joint, leader = pair
+    leader_path = prim.path.ReplaceName(leader.name)
+    newton, mujoco = layers.runtime("newton", prim), layers.runtime("mujoco", prim)
+    if layers.apart or joint.kind == leader.kind:
+        apply(newton, "NewtonMimicAPI")
+        relate(newton, "newton:mimicJoint", leader_path)
+        offset = coupling.offset * units_of(joint)
+        write(newton, TYPES.Float, {"newton:mimicCoef0": offset, "newton:mimicCoef1": coupling.ratio})
+    if layers.apart or joint.kind != leader.kind:
+        apply(mujoco, "MjcEqualityJointAPI")
+        relate(mujoco, "mjc:target", leader_path)
+        # MuJoCo counts from where the joints stand, in which the coupling holds; Newton counts from 0
+        offset = 0.0 if layers.apart else coupling.offset
+        write(mujoco, TYPES.Double, {"mjc:coef0": offset, "mjc:coef1": coupling.ratio}, uniform=True)
+        solver = {"mjc:solimp": _COUPLING_IMPEDANCE, "mjc:solref": _STIFF}
+        write(mujoco, TYPES.DoubleArray, solver, uniform=True)
+    _physx_coupling(layers.runtime("physx", prim), pair, coupling)
+
+
+def _physx_coupling(prim: Sdf.PrimSpec, pair: tuple[Joint, Joint], coupling: Coupling) -> None:
+    joint, leader = pair
+    # PhysX wants the name of a rotation axis for slides as well
+    apply(prim, "PhysxMimicJointAPI:rotX")
+    prefix = "physxMimicJoint:rotX:"
+    gearing = coupling.ratio * units_of(joint) / units_of(leader)
+    relate(prim, prefix + "referenceJoint", prim.path.ReplaceName(leader.name))
+    write(prim, TYPES.Token, {prefix + "referenceJointAxis": "rotX"}, uniform=True)
+    offset = coupling.offset * units_of(joint)
+    write(prim, TYPES.Float, {prefix + "gearing": -gearing, prefix + "offset": -offset})

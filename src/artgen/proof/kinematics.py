@@ -1,0 +1,193 @@
+"""The joints between links as batches of motions, and where they take the frames along a path."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from artgen.asset.joint import JointKind
+from artgen.colliders.triangles import cross
+from artgen.proof.bounds import Motion
+from artgen.proof.items import NONE, Items
+from artgen.proof.paths import Way
+
+Array = NDArray[np.float64]
+Indices = NDArray[np.int64]
+Mask = NDArray[np.bool_]
+
+BEYOND = 1e-9
+"""By how much the proof goes beyond each end of a range, so that it holds for rounded limits [rad or m]."""
+
+_WIDEST_START = 1.6  # cells start no wider where arcs have to be enclosed [rad]
+_ROUNDING = 1e-9  # of points on an axis [m]
+
+
+@dataclass(eq=False)
+class Layout:
+    """Ways whose joints are of the same kinds, in the order from A to B.
+
+    Attributes:
+        kinds: Kind of each joint.
+        origin: Pivots, shape (ways, m, 3) [m].
+        axis: Axes, turned round where the joint is crossed towards the root, shape (ways, m, 3).
+        away: Whether the joint leads away from the root, shape (ways, m).
+        variable: Number of the variable, shape (ways, m); -1 for a joint that stands still.
+        ratio: Position over variable, shape (ways, m).
+        offset: Position where the variable is 0, shape (ways, m) [rad or m].
+    """
+
+    kinds: tuple[JointKind, ...]
+    origin: Array
+    axis: Array
+    away: Mask
+    variable: Indices
+    ratio: Array
+    offset: Array
+
+    @staticmethod
+    def of(kinds: tuple[JointKind, ...], ways: Sequence[Way]) -> "Layout":
+        """Collect the numbers of some ways."""
+        signs = np.array([way.signs for way in ways], float)
+        numbers = [
+            [way.variables.index(each.variable) if each.variable else NONE for each in way.followers]
+            for way in ways
+        ]
+        return Layout(
+            kinds,
+            np.array([[joint.pivot for joint in way.steps] for way in ways]),
+            np.array([[joint.axis for joint in way.steps] for way in ways]) * signs[:, :, None],
+            signs > 0.0,
+            np.array(numbers),
+            np.array([[each.ratio for each in way.followers] for way in ways]),
+            np.array([[each.offset for each in way.followers] for way in ways]),
+        )
+
+    def path(self, ways: Indices, low: Array, high: Array) -> list[Motion]:
+        """Return the motions of items in their cells."""
+        middle, half = (low + high) / 2.0, (high - low) / 2.0
+        rows = np.arange(len(ways))
+        result = []
+        for step, kind in enumerate(self.kinds):
+            variable, ratio = self.variable[ways, step], self.ratio[ways, step]
+            centre = ratio * middle[rows, variable] + self.offset[ways, step]
+            width = np.abs(ratio) * half[rows, variable]
+            result.append(Motion(kind, self.origin[ways, step], self.axis[ways, step], centre, width))
+        return result
+
+    def motion(
+        self, ways: Indices, items: Items, first: tuple[Array, Array], second: tuple[Array, Array]
+    ) -> Array:
+        """Return how far each variable moves nodes of these middles and radii, shape (N, v) [m]."""
+        result = np.zeros_like(items.low)
+        half = (items.high - items.low) / 2.0
+        rows = np.arange(len(ways))
+        for step, kind in enumerate(self.kinds):
+            variable = self.variable[ways, step]
+            width = np.abs(self.ratio[ways, step]) * half[rows, variable]
+            if kind == "revolute":
+                away = self.away[ways, step]
+                centre = np.where(away[:, None], second[0], first[0])
+                radius = np.where(away, second[1], first[1])
+                axis = self.axis[ways, step]
+                arm = cross(axis, centre - self.origin[ways, step])
+                reach = np.sqrt(np.sum(arm * arm, axis=1)) + radius
+                width = 2.0 * np.sin(np.minimum(width, np.pi) / 2.0) * reach
+            result[rows, variable] += width
+        return result
+
+
+@dataclass(eq=False)
+class Frames:
+    """Where the frames along a path are in the middle of the cells.
+
+    Attributes:
+        rotations: From each frame to frame 0, m + 1 of shape (N, 3, 3).
+        offset: Of the last frame, shape (N, 3) [m].
+    """
+
+    rotations: list[Array]
+    offset: Array
+
+    def moved(self, points: Array) -> Array:
+        """Return points of link B in link A's frame, shape (N, 3) [m]."""
+        result: Array = np.matmul(self.rotations[-1], points[:, :, None])[:, :, 0] + self.offset
+        return result
+
+    def seen(self, directions: Array, frame: int, rows: Indices | None = None) -> Array:
+        """Return directions of frame 0 in another frame, shape (n, 3)."""
+        if frame == 0:
+            return directions
+        rotation = self.rotations[frame] if rows is None else self.rotations[frame][rows]
+        result: Array = np.matmul(directions[:, None, :], rotation)[:, 0, :]
+        return result
+
+
+def frames(path: Sequence[Motion]) -> Frames:
+    """Compose the motions of a path in the middle of the cells."""
+    count = len(path[0].centre)
+    rotation = np.broadcast_to(np.eye(3), (count, 3, 3))
+    rotations, offset = [rotation], np.zeros((count, 3))
+    for motion in path:
+        if motion.kind == "prismatic":
+            shift, turned = motion.axis * motion.centre[:, None], rotation
+        else:
+            turn = _rotations(motion.axis, motion.centre)
+            shift = motion.origin - np.matmul(turn, motion.origin[:, :, None])[:, :, 0]
+            turned = np.matmul(rotation, turn)
+        offset = offset + np.matmul(rotation, shift[:, :, None])[:, :, 0]
+        rotation = turned
+        rotations.append(rotation)
+    return Frames(rotations, offset)
+
+
+def _rotations(axis: Array, angle: Array) -> Array:
+    """Return rotations about unit axes, shape (N, 3, 3) (Rodrigues' formula)."""
+    x, y, z = axis.T
+    matrix = np.zeros((len(axis), 3, 3))
+    matrix[:, 0, 1], matrix[:, 0, 2], matrix[:, 1, 2] = -z, y, -x
+    matrix -= matrix.transpose(0, 2, 1).copy()
+    sine, cosine = np.sin(angle)[:, None, None], np.cos(angle)[:, None, None]
+    result: Array = np.eye(3) + sine * matrix + (1.0 - cosine) * np.matmul(matrix, matrix)
+    return result
+
+
+def is_coaxial(way: Way) -> bool:
+    """Tell whether all joints of a way turn about, or slide along, one axis."""
+    first = way.steps[0]
+    turning = [joint for joint in way.steps if joint.kind == "revolute"]
+    if first.kind != "revolute" or not turning:
+        return False
+    for joint in way.steps:
+        if np.abs(np.cross(joint.axis, first.axis)).max() > _ROUNDING:
+            return False
+        away = joint.pivot - first.pivot
+        if joint.kind == "revolute" and np.abs(np.cross(away, first.axis)).max() > _ROUNDING:
+            return False
+    return True
+
+
+def nearest_zero(box: Array) -> Array:
+    """Return the point of a box, shape (v, 2), that is nearest to 0, shape (v,)."""
+    nearest: Array = np.clip(0.0, box[:, 0], box[:, 1])
+    return nearest
+
+
+def starting_cells(way: Way) -> list[tuple[int, tuple[Array, Array]]]:
+    """Return the cells in which the search of a way starts, with the number of their box."""
+    result = []
+    for index, box in enumerate(way.boxes):
+        parts = np.ones(len(box), np.int64)
+        if len(way.steps) > 2:
+            for joint, follower in zip(way.steps, way.followers, strict=True):
+                if joint.kind == "revolute" and follower.variable:
+                    number = way.variables.index(follower.variable)
+                    width = abs(follower.ratio) * (box[number, 1] - box[number, 0])
+                    parts[number] = max(parts[number], int(np.ceil(width / _WIDEST_START)))
+        grown = box + (-BEYOND, BEYOND)
+        edges = [np.linspace(low, high, part + 1) for (low, high), part in zip(grown, parts, strict=True)]
+        for cell in np.ndindex(*parts):
+            low = np.array([edge[at] for edge, at in zip(edges, cell, strict=True)])
+            high = np.array([edge[at + 1] for edge, at in zip(edges, cell, strict=True)])
+            result.append((index, (low, high)))
+    return result

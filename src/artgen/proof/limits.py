@@ -1,0 +1,140 @@
+"""Numbers that help to mend a design: safe joint limits, and clearances at one pose."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from artgen.asset import Asset, Joint
+from artgen.asset.collision import Part
+from artgen.proof.certify import certify
+from artgen.proof.overlap import Links, allowed_at
+from artgen.proof.paths import Space
+
+Array = NDArray[np.float64]
+
+_BISECTIONS = 9
+_BREATH = 1e-6  # [rad or m]
+_FARTHEST = 10.0  # clearances are searched for up to this [m]
+
+
+def safe_limits(asset: Asset) -> dict[str, tuple[float, float]]:
+    """Return for each free joint the largest range around rest in which no pair that it moves collides.
+
+    The other joints have their whole ranges, or stand at rest where that leaves nothing: a joint that is
+    not to blame keeps its limits. Ends are found by bisection and are proven, to 1/512 of the range.
+
+    Returns:
+        Lowest and highest position of each free joint [rad or m]; both at rest where the links overlap there.
+    """
+    ranges = Space(asset).ranges
+    result = {}
+    for joint in asset.free_joints:
+        limits = ranges[joint.name]
+        if _is_safe(asset, joint.name, limits):
+            result[joint.name] = limits
+            continue
+        others = asset
+        rest = joint.closed
+        if not _is_safe(asset, joint.name, (rest, rest)):
+            others = _at_rest(asset, joint.name)
+        if not _is_safe(others, joint.name, (rest, rest)):
+            result[joint.name] = (rest, rest)
+            continue
+        low, high = (_end(others, joint.name, rest, end) for end in limits)
+        result[joint.name] = (low, high)
+    return result
+
+
+def _end(asset: Asset, joint: str, rest: float, end: float) -> float:
+    """Return the safe position nearest to an end of a joint's range."""
+    if _is_safe(asset, joint, (min(rest, end), max(rest, end))):
+        return end
+    safe, unsafe = rest, end
+    for _ in range(_BISECTIONS):
+        middle = (safe + unsafe) / 2.0
+        if _is_safe(asset, joint, (min(rest, middle), max(rest, middle))):
+            safe = middle
+        else:
+            unsafe = middle
+    return safe
+
+
+def _is_safe(asset: Asset, joint: str, limits: tuple[float, float]) -> bool:
+    """Tell whether the pairs that a joint moves are proven apart while it stays within limits."""
+    led = {other.name for other in asset.joints if joint in (other.name, *_leaders(asset, other))}
+    moved = {way.links for way in Space(asset).ways() if not led.isdisjoint(step.name for step in way.steps)}
+    low, high = limits
+    if low == high:
+        low, high = low - _BREATH, high + _BREATH  # a locked joint would move no pair
+    return certify(_narrowed(asset, {joint: (low, high)}), only=lambda way: way.links in moved).proven
+
+
+def _leaders(asset: Asset, joint: Joint) -> Iterator[str]:
+    while joint.follows is not None:
+        yield joint.follows.leader
+        joint = asset.joint(joint.follows.leader)
+
+
+def _at_rest(asset: Asset, joint: str) -> Asset:
+    """Return the asset with every other free joint locked at rest."""
+    locked = {other.name: (other.closed, other.closed) for other in asset.free_joints if other.name != joint}
+    return _narrowed(asset, locked)
+
+
+def _narrowed(asset: Asset, limits: Mapping[str, tuple[float, float]]) -> Asset:
+    joints = tuple(
+        replace(joint, limits=limits[joint.name]) if joint.name in limits else joint for joint in asset.joints
+    )
+    return replace(asset, joints=joints)
+
+
+def clearance(asset: Asset, q: Mapping[str, float] | None = None) -> dict[tuple[str, str], float]:
+    """Return how far the solids of each pair of links are apart at one pose.
+
+    Args:
+        asset: The asset.
+        q: Positions by joint name; those not given stand nearest to 0, coupled ones follow [rad or m].
+
+    Returns:
+        The distance by the names of the two links, for links that can move against each other, contacts by
+        design apart [m]. Where two links overlap it is minus the cube root of the volume that they share, a
+        measure of how much they do.
+
+    Raises:
+        AssetError: A joint is unknown, coupled to another, or beyond its limits.
+    """
+    poses, positions = asset.pose(q), asset.positions(q)
+    solids = Links(asset.links)
+    result: dict[tuple[str, str], float] = {}
+    for way in Space(asset).ways():
+        at = np.array([positions[name] for name in way.variables])
+        overlap = solids.overlap(way, at, allowed_at(way, at))
+        if overlap is not None:
+            result[way.links] = -float(np.cbrt(overlap.volume))
+            continue
+        a, b = way.links
+        result[a, b] = _distance(solids.parts(a), solids.parts(b), np.linalg.inv(poses[a]) @ poses[b])
+    return result
+
+
+def _distance(first: Sequence[Part], second: Sequence[Part], matrix: Array) -> float:
+    """Return the distance between the solids of two links, the second one moved [m]."""
+    moved = [part.solid.transform(matrix[:3]) for part in second]
+    boxes = [
+        np.array([solid.bounding_box() for solid in solids]).reshape(-1, 2, 3)
+        for solids in ([part.solid for part in first], moved)
+    ]
+    low, high = (
+        np.maximum(boxes[0][:, None, 0] - boxes[1][None, :, 1], 0.0),
+        np.maximum(boxes[1][None, :, 0] - boxes[0][:, None, 1], 0.0),
+    )
+    apart = np.sqrt(np.sum((low + high) ** 2, axis=2))
+    best = _FARTHEST
+    for flat in np.argsort(apart, axis=None, kind="stable"):  # the nearest boxes first
+        a, b = np.unravel_index(flat, apart.shape)
+        if apart[a, b] >= best:
+            break
+        best = min(best, first[a].solid.min_gap(moved[b], best))
+    return best

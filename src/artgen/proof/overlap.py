@@ -1,0 +1,183 @@
+"""A close look at one pose: what two links have in common, exactly, and where they first touch."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from manifold3d import Manifold
+from numpy.typing import NDArray
+
+from artgen.asset import Link
+from artgen.asset.collision import Part
+from artgen.asset.contact import AllowedContact
+from artgen.asset.stored_solids import link_parts
+from artgen.colliders.triangles import cross
+from artgen.proof.paths import Way
+
+Array = NDArray[np.float64]
+
+LEAST_VOLUME = 1e-13
+"""Volume from which two solids count as overlapping [m^3]."""
+
+PRESSED = 1e-5
+"""Depth beyond what is allowed from which pieces count as overlapping [m]."""
+
+_MARCH = 48  # steps in which the way from rest is searched for a first contact
+_BISECTIONS = 16
+_PARALLEL = 1e-6
+_MOST_EDGES = 24  # directions of edges of a piece that are crossed with those of the other
+
+
+@dataclass(frozen=True, eq=False)
+class Overlap:
+    """What two links have in common at a pose.
+
+    Attributes:
+        volume: [m^3].
+        place: Middle of the largest common part, in link A's frame at rest, shape (3,) [m].
+        labels: Labels of the two solids that share it.
+    """
+
+    volume: float
+    place: Array
+    labels: tuple[str, str]
+
+
+class Links:
+    """The exact solids of links, each made when it is first asked for."""
+
+    def __init__(self, links: Sequence[Link]) -> None:
+        self._links = {link.name: link for link in links}
+        self._parts: dict[str, tuple[Part, ...]] = {}
+        self._boxes: dict[str, Array] = {}
+
+    def parts(self, link: str) -> tuple[Part, ...]:
+        """Return the solids of a link at rest."""
+        if link not in self._parts:
+            self._parts[link] = link_parts(self._links[link])
+            boxes = [part.solid.bounding_box() for part in self._parts[link]]
+            self._boxes[link] = np.array(boxes).reshape(-1, 2, 3)
+        return self._parts[link]
+
+    def overlap(self, way: Way, positions: Array, allowed: Sequence[AllowedContact] = ()) -> Overlap | None:
+        """Return what the links of a way have in common beyond contacts by design; None if nothing."""
+        (a, b), matrix = way.links, displacement(way, positions)
+        first, second = self.parts(a), self.parts(b)
+        low, high = self._boxes[a][:, 0], self._boxes[a][:, 1]
+        volume, largest, result = 0.0, 0.0, None
+        for part, box in zip(second, self._boxes[b], strict=True):
+            lower, upper = _moved_box(box, matrix)
+            near = np.flatnonzero((low < upper).all(axis=1) & (high > lower).all(axis=1))
+            if not len(near):
+                continue
+            moved = part.solid.transform(matrix[:3])
+            for index in near:
+                labels = first[index].label, part.label
+                common = first[index].solid ^ moved
+                size = common.volume()
+                if size <= LEAST_VOLUME:
+                    continue
+                depths = [contact.depth for contact in allowed if allows(contact, way.links, labels)]
+                if depths:
+                    thick = [each for each in common.decompose() if _width(each) > max(depths) + PRESSED]
+                    size = sum(each.volume() for each in thick)
+                    if size <= LEAST_VOLUME:
+                        continue
+                    common = Manifold.compose(thick)
+                volume += size
+                if size > largest:
+                    largest = size
+                    place = np.array(common.bounding_box()).reshape(2, 3).mean(axis=0)
+                    result = Overlap(volume, place, labels)
+        return None if result is None else Overlap(volume, result.place, result.labels)
+
+
+def allows(contact: AllowedContact, links: tuple[str, str], labels: tuple[str, str]) -> bool:
+    """Tell whether a contact speaks of pieces with these labels on these links."""
+    (a, b), (first, second) = links, labels
+    return (contact.links, contact.labels) in (((a, b), (first, second)), ((b, a), (second, first)))
+
+
+def allowed_at(way: Way, positions: Array) -> tuple[AllowedContact, ...]:
+    """Return the contacts that are allowed at a position of a way's variables, shape (v,)."""
+    found = [
+        contact
+        for box, contacts in zip(way.boxes, way.allowed, strict=True)
+        if (box[:, 0] <= positions).all() and (positions <= box[:, 1]).all()
+        for contact in contacts
+    ]
+    return tuple(dict.fromkeys(found))
+
+
+def displacement(way: Way, positions: Array) -> Array:
+    """Return the transform that takes link B from rest to a pose in link A's frame, shape (4, 4)."""
+    matrix = np.eye(4)
+    values = dict(zip(way.variables, positions.tolist(), strict=True))
+    for joint, sign, follower in zip(way.steps, way.signs, way.followers, strict=True):
+        position = follower.ratio * values.get(follower.variable, 0.0) + follower.offset
+        matrix = matrix @ joint.motion(sign * position)
+    return matrix
+
+
+def penetration(first: Manifold, second: Manifold) -> float:
+    """Return how far two convex pieces press into each other: the shortest way apart, or a bit more [m]."""
+    (a, faces, edges), (b, more_faces, more_edges) = _features(first), _features(second)
+    crossed = cross(edges[:, None, :], more_edges[None, :, :]).reshape(-1, 3)
+    length = np.sqrt(np.sum(crossed * crossed, axis=1))
+    crossed = crossed[length > _PARALLEL] / length[length > _PARALLEL][:, None]
+    normals = np.concatenate((faces, -more_faces, crossed, -crossed))
+    gaps = (b @ normals.T).min(axis=0) - (a @ normals.T).max(axis=0)
+    return float(-gaps.max())
+
+
+def first_contact(touch: Callable[[Array], bool], start: Array, end: Array) -> float:
+    """Return the share of the straight way from start to end at which links first touch.
+
+    Args:
+        touch: Tells of positions, shape (v,), whether they do.
+        start: Positions at rest, shape (v,) [rad or m].
+        end: Positions at which they do, shape (v,) [rad or m].
+    """
+    shares = np.linspace(0.0, 1.0, _MARCH + 1)
+    way = end - start
+    high = next((index for index, share in enumerate(shares) if touch(start + share * way)), _MARCH)
+    if high == 0:
+        return 0.0
+    low, up = float(shares[high - 1]), float(shares[high])
+    for _ in range(_BISECTIONS):
+        middle = (low + up) / 2.0
+        low, up = (low, middle) if touch(start + middle * way) else (middle, up)
+    return up
+
+
+def _moved_box(box: Array, matrix: Array) -> tuple[Array, Array]:
+    centre, half = box.mean(axis=0), (box[1] - box[0]) / 2.0
+    middle = matrix[:3, :3] @ centre + matrix[:3, 3]
+    reach = np.abs(matrix[:3, :3]) @ half
+    return middle - reach, middle + reach
+
+
+def _features(piece: Manifold) -> tuple[Array, Array, Array]:
+    """Return vertices, unit outward normals of faces and unit directions of edges of a convex piece."""
+    mesh = piece.to_mesh64()
+    corners = np.asarray(mesh.vert_properties)[:, :3]
+    triangles = np.asarray(mesh.tri_verts).astype(np.int64)
+    a, b, c = corners[triangles.T]
+    normals = _unit(cross(b - a, c - a))
+    sides = np.concatenate((b - a, c - b, a - c))
+    longest = np.argsort(-np.round(np.sum(sides * sides, axis=1), 12), kind="stable")
+    edges = _unit(sides[longest])
+    _, index = np.unique(np.round(np.abs(edges), 6), axis=0, return_index=True)
+    return corners, normals, edges[np.sort(index)[:_MOST_EDGES]]
+
+
+def _width(solid: Manifold) -> float:
+    """Return the least extent of a solid across the faces of its hull [m]."""
+    corners, normals, _ = _features(solid.hull())
+    return float(np.ptp(corners @ normals.T, axis=0).min())
+
+
+def _unit(vectors: Array) -> Array:
+    length = np.sqrt(np.sum(vectors * vectors, axis=1))
+    kept: Array = vectors[length > 0.0] / length[length > 0.0][:, None]
+    return kept

@@ -1,0 +1,232 @@
+"""Verification of a stored proof, without the search that found it and without FCL.
+
+Each leaf says that a plane keeps some pieces of two links apart in a cell of their joint space. Verified is
+that each plane does so, by the closed-form bounds; that the leaves of a pair cover all pieces and all of its
+joint space; and that the pieces contain the solids.
+"""
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from artgen.asset import Asset
+from artgen.asset.certificate import AXIS_FRAME, PROOF_FORMAT, Certificate, PairResult
+from artgen.errors import AssetError
+from artgen.proof.bounds import Motion, around_axis, axis_gap, gap
+from artgen.proof.cover import Cover, stored_cover
+from artgen.proof.overlap import allows
+from artgen.proof.paths import Space, Way
+from artgen.validate.report import Finding
+
+Array = NDArray[np.float64]
+
+_CHECK = "certificate"
+_BEYOND = 2e-9  # by which cells may reach over the ends of a range [rad or m]
+_TOUCHING = 2e-8  # by which pieces that are to touch may miss the depth that is allowed [m]
+_ROUNDING = 1e-9  # what numbers lose in files [m]
+_HINT = "certify the asset again and export it"
+
+
+def recheck(asset: Asset, certificate: Certificate) -> list[Finding]:
+    """Verify the proof that a certificate carries; return what does not hold.
+
+    Raises:
+        AssetError: A dependency of the asset can never be met, or its meshes are missing.
+    """
+    space = Space(asset)
+    space.check()
+    ways = {way.links: way for way in space.ways()}
+    findings = [
+        Finding(
+            _CHECK,
+            "the certificate says nothing of this pair, which can move",
+            link=", ".join(links),
+            hint=_HINT,
+        )
+        for links in ways
+        if links not in {pair.links for pair in certificate.pairs}
+    ]
+    proof = certificate.leaves
+    if proof is None or proof.get("format") != PROOF_FORMAT:
+        marked = None if proof is None else proof.get("format")
+        found = "is missing" if proof is None else f"has format {marked!r} instead of {PROOF_FORMAT!r}"
+        return [*findings, Finding(_CHECK, f"the proof in certificate.json {found}", hint=_HINT)]
+    if not certificate.tolerance >= 0.0:
+        return [*findings, Finding(_CHECK, f"its tolerance is {certificate.tolerance!r} m", hint=_HINT)]
+    try:
+        for pair in certificate.pairs:
+            for stored in _stored(pair, proof):
+                findings += _recheck_pair(asset, certificate.tolerance, pair, ways[pair.links], stored, proof)
+    except AssetError:
+        raise
+    except (KeyError, ValueError, TypeError, IndexError) as error:
+        findings.append(Finding(_CHECK, f"the proof in certificate.json is damaged ({error!r})", hint=_HINT))
+    return findings
+
+
+def _stored(pair: PairResult, proof: Mapping[str, Any]) -> Iterator[Mapping[str, Any] | None]:
+    """Yield the proofs that a pair needs: of its solids, and of its colliders where those are others."""
+    found = [item for item in proof["pairs"] if tuple(item["links"]) == pair.links]
+    of_colliders = [item for item in found if _on_colliders(item, pair, proof)]
+    solids = found[0] if found else None
+    if pair.verdict == "proven":
+        yield solids
+    if pair.colliders == "proven" and (pair.verdict != "proven" or (found and solids not in of_colliders)):
+        yield of_colliders[0] if of_colliders else None
+
+
+def _on_colliders(item: Mapping[str, Any], pair: PairResult, proof: Mapping[str, Any]) -> bool:
+    return all(proof["pieces"][item["pieces"]][name]["points"] is None for name in pair.links)
+
+
+def _recheck_pair(
+    asset: Asset,
+    tolerance: float,
+    pair: PairResult,
+    way: Way,
+    stored: Mapping[str, Any] | None,
+    proof: Mapping[str, Any],
+) -> Iterator[Finding]:
+    links = ", ".join(pair.links)
+    if stored is None:
+        yield Finding(_CHECK, "there is no proof of this pair", link=links, hint=_HINT)
+        return
+    covers = [_cover(asset, name, proof["pieces"][stored["pieces"]][name]) for name in pair.links]
+    solids = pair.verdict == "proven" and (
+        pair.colliders != "proven" or not _on_colliders(stored, pair, proof) or _only(pair, proof)
+    )
+    for name, (cover, _) in zip(pair.links, covers, strict=True):
+        if cover.excess is None and solids:
+            yield Finding(_CHECK, "its solids stick out of the pieces of the proof", link=name, hint=_HINT)
+    least = max(tolerance, pair.guaranteed or 0.0) if solids else tolerance
+    wanted = least + sum(cover.excess or 0.0 for cover, _ in covers) - _ROUNDING
+    table = np.array(stored["leaves"], float).reshape(-1, 8 + 2 * len(way.variables))
+    for row in table:
+        apart = _gap(way, covers, row)
+        limit = _limit(way, covers, row, wanted)
+        if not apart > limit:
+            yield Finding(
+                _CHECK,
+                f"a plane of the proof leaves a gap of {1e3 * apart:.6f} mm instead of {1e3 * limit:.6f} mm",
+                link=links,
+                value=apart,
+                unit="m",
+                hint=_HINT,
+            )
+            return
+    cells = np.concatenate((table[:, :4].reshape(-1, 2, 2), table[:, 8:].reshape(len(table), -1, 2)), axis=1)
+    pieces = np.array([[0, len(cover.points)] for cover, _ in covers], float)
+    for box in way.boxes:
+        missed = uncovered(cells, np.concatenate((pieces, box)))
+        if missed is not None:
+            pose = dict(zip(way.variables, missed[2:].mean(axis=1).tolist(), strict=True))
+            yield Finding(
+                _CHECK, "the proof does not cover all of the joint space", link=links, pose=pose, hint=_HINT
+            )
+
+
+def _only(pair: PairResult, proof: Mapping[str, Any]) -> bool:
+    return sum(tuple(item["links"]) == pair.links for item in proof["pairs"]) == 1
+
+
+def _cover(asset: Asset, link: str, stored: Mapping[str, Any]) -> tuple[Cover, list[int]]:
+    """Return the pieces of a link and the order in which leaves count them."""
+    body, order = asset.link(link), [int(index) for index in stored["order"]]
+    cover = stored_cover(body, stored)
+    if sorted(order) != list(range(len(cover.points))):
+        raise ValueError(
+            f"the order of the pieces of {link!r} is no permutation of its {len(cover.points)} pieces"
+        )
+    return cover, order
+
+
+def _gap(way: Way, covers: list[tuple[Cover, list[int]]], row: Array) -> float:
+    """Return the bound of a leaf's gap over its cell [m]."""
+    ranges, frame, normal = row[:4].astype(int), int(row[4]), row[5:8]
+    low, high = row[8::2], row[9::2]
+    first, second = (
+        [cover.points[index] for index in order[start:stop]]
+        for (cover, order), start, stop in zip(covers, ranges[::2], ranges[1::2], strict=True)
+    )
+    if min(ranges) < 0 or (frame != AXIS_FRAME and not 0 <= frame <= len(way.steps)):
+        raise ValueError(f"the leaf {row.tolist()} counts from below 0 or beyond the joints")
+    path = []
+    for joint, sign, follower in zip(way.steps, way.signs, way.followers, strict=True):
+        number = way.variables.index(follower.variable) if follower.variable else 0
+        centre = follower.ratio * (low[number] + high[number]) / 2.0 + follower.offset
+        half = abs(follower.ratio) * (high[number] - low[number]) / 2.0
+        axis = (sign * joint.axis)[None]
+        path.append(Motion(joint.kind, joint.pivot[None], axis, np.array([centre]), np.array([half])))
+    if frame == AXIS_FRAME:
+        return _axis_gap(way, first, second, path)
+    length = float(np.sqrt(normal @ normal))
+    if not length > _ROUNDING:
+        return -np.inf
+    a, b = (np.concatenate(points)[None] for points in (first, second))
+    return float(gap(a, b, path, frame, normal[None, None] / length)[0, 0])
+
+
+def _axis_gap(way: Way, first: list[Array], second: list[Array], path: list[Motion]) -> float:
+    axis, origin = way.steps[0].axis, way.steps[0].pivot
+    for joint in way.steps:  # they must have one axis
+        away = (joint.pivot - origin) if joint.kind == "revolute" else np.zeros(3)
+        if max(np.abs(np.cross(joint.axis, axis)).max(), np.abs(np.cross(away, axis)).max()) > _ROUNDING:
+            return -np.inf
+    slides = [motion for motion in path if motion.kind == "prismatic"]
+    shift = sum((float(motion.axis[0] @ axis) * motion.centre for motion in slides), np.zeros(1))
+    half = sum((motion.half for motion in slides), np.zeros(1))
+    about = [[around_axis(points[None], origin, axis) for points in side] for side in (first, second)]
+    return min(float(axis_gap(a, b, shift, half)[0]) for a in about[0] for b in about[1])
+
+
+def _limit(way: Way, covers: list[tuple[Cover, list[int]]], row: Array, wanted: float) -> float:
+    """Return the gap that a leaf has to prove: less than nothing for two pieces that may touch there [m]."""
+    ranges = row[:4].astype(int)
+    if ranges[1] - ranges[0] != 1 or ranges[3] - ranges[2] != 1:
+        return wanted
+    a, b = (cover.labels[order[start]] for (cover, order), start in zip(covers, ranges[::2], strict=True))
+    cell = row[8:].reshape(-1, 2)
+    inside = [
+        (box[:, 0] - _BEYOND <= cell[:, 0]).all() and (cell[:, 1] <= box[:, 1] + _BEYOND).all()
+        for box in way.boxes
+    ]
+    depths = [
+        contact.depth
+        for within, allowed in zip(inside, way.allowed, strict=True)
+        for contact in allowed
+        if within and allows(contact, way.links, (a, b))
+    ]
+    return -max(depths) - _TOUCHING if depths else wanted
+
+
+def uncovered(cells: Array, region: Array) -> Array | None:
+    """Return a part of a region that cells do not cover; None if they cover it.
+
+    Args:
+        cells: Lowest and highest coordinates of each cell, shape (n, d, 2).
+        region: The same of the region, shape (d, 2).
+    """
+    todo = [(np.arange(len(cells)), region)]
+    while todo:
+        rows, part = todo.pop()
+        low, high = cells[rows, :, 0], cells[rows, :, 1]
+        flat = part[:, 0] == part[:, 1]
+        meets = np.where(
+            flat, (low <= part[:, 0]) & (high >= part[:, 1]), (low < part[:, 1]) & (high > part[:, 0])
+        )
+        rows = rows[meets.all(axis=1)]
+        if not len(rows):
+            return part
+        low, high = cells[rows, :, 0], cells[rows, :, 1]
+        if ((low <= part[:, 0]) & (high >= part[:, 1])).all(axis=1).any():
+            continue
+        inner = np.concatenate((low, high))
+        candidate, dimension = np.nonzero((inner > part[:, 0]) & (inner < part[:, 1]))
+        place = float(inner[candidate[0], dimension[0]])
+        for end in (0, 1):
+            half = part.copy()
+            half[dimension[0], 1 - end] = place
+            todo.append((rows, half))
+    return None

@@ -1,0 +1,1 @@
+"""Checks of exported assets: solids, tree, colliders, files, formats, hands, behavior, simulators."""

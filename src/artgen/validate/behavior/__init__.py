@@ -1,0 +1,115 @@
+"""Whether an asset stays, moves, springs back and is blocked in MuJoCo as it says that it does."""
+
+import math
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+import numpy as np
+
+from artgen.asset import Asset
+from artgen.asset.files import main_files
+from artgen.validate.behavior.dependencies import block
+from artgen.validate.behavior.drive import conditions, drive, release
+from artgen.validate.behavior.load import collected_warnings, fixed_model, standing_model
+from artgen.validate.behavior.model import CHECK, Simulation
+from artgen.validate.behavior.settle import Settled, settle
+from artgen.validate.report import CheckResult, Finding
+
+
+def check_behaviour(asset: Asset, directory: str | Path | None = None) -> CheckResult:
+    """Simulate an asset's MJCF in MuJoCo, and compare what happens with what the asset says.
+
+    It is let go when it is closed, halfway and open; each free joint is driven from end to end by its own
+    effort; sprung joints are let go at both ends; and joints that depend on others are pushed while the
+    condition does not hold. A free base stands on a floor while it settles, and is fixed while joints move.
+
+    Args:
+        asset: The asset.
+        directory: Where it was exported to; None exports it to a temporary directory.
+
+    Returns:
+        The findings; skipped where MuJoCo is not installed, or where the directory has no MJCF.
+    """
+    try:
+        import mujoco  # noqa: F401 - only whether it is there
+    except ImportError:
+        return CheckResult(CHECK, skipped="needs artgen[sim]")
+    if directory is None:
+        with TemporaryDirectory() as folder:
+            return _check(asset, asset.export(Path(folder) / asset.name, formats=("mjcf",)))
+    return _check(asset, Path(directory))
+
+
+def _check(asset: Asset, directory: Path) -> CheckResult:
+    path = main_files(directory).get("mjcf")
+    if path is None:
+        return CheckResult(CHECK, skipped="there is no MJCF; export with 'mjcf' among the formats")
+    with collected_warnings() as warnings:
+        try:
+            simulation = Simulation(asset, fixed_model(path), warnings)
+            standing = Simulation(asset, standing_model(path), warnings) if asset.base == "free" else None
+        except (KeyError, ValueError) as error:
+            # MuJoCo names the element at fault; a joint or link that is not in the file is a KeyError
+            reason = " ".join(str(error.args[0] if error.args else error).split())
+            return CheckResult(
+                CHECK, (Finding(CHECK, f"MuJoCo cannot use {path.name}: {reason}", hint="export it again"),)
+            )
+        wrong = _disagreements(simulation)
+        return CheckResult(CHECK, wrong) if wrong else _simulate(simulation, standing)
+
+
+def _disagreements(simulation: Simulation) -> tuple[Finding, ...]:
+    """Return the joints to which the file gives other limits than the asset does."""
+    findings = []
+    model = simulation.model
+    for joint in simulation.asset.joints:
+        if joint.locked:
+            continue
+        number = model.joint(joint.name).id
+        low, high = model.jnt_range[number] if model.jnt_limited[number] else (-math.inf, math.inf)
+        expected = joint.limits or (-math.inf, math.inf)
+        if not np.allclose((low, high), expected, rtol=1e-6, atol=1e-9):
+            findings.append(
+                Finding(
+                    CHECK,
+                    f"has the range {low:.6g} to {high:.6g} in the file, and {expected[0]:.6g} to "
+                    f"{expected[1]:.6g} in the asset",
+                    link=joint.child,
+                    joint=joint.name,
+                    hint="export it again",
+                )
+            )
+    return tuple(findings)
+
+
+def _simulate(simulation: Simulation, standing: Simulation | None) -> CheckResult:
+    settled = settle(simulation) if standing is None else settle(standing, stands=True)
+    findings = list(settled.findings.values())
+    motions = list(simulation.motions.values())
+    for motion in motions:
+        findings += drive(simulation, motion)
+        findings += release(simulation, motion)
+        findings += block(simulation, motion)
+    findings += simulation.findings()
+    findings += standing.findings() if standing is not None else []
+    return CheckResult(CHECK, tuple(findings), _detail(simulation, settled))
+
+
+def _detail(simulation: Simulation, settled: Settled) -> str:
+    motions = list(simulation.motions.values())
+    sprung = sum(motion.stiffness > 0.0 for motion in motions)
+    depend = sum(bool(conditions(motion)) for motion in motions)
+    coupled = sum(len(motion.members) - 1 for motion in motions)
+    parts = [f"let go in {settled.poses} poses", f"{len(motions)} joints driven"]
+    parts += [
+        text
+        for number, text in (
+            (sprung, f"{sprung} sprung back"),
+            (depend, f"{depend} pushed while blocked"),
+            (coupled, f"{coupled} couplings watched"),
+        )
+        if number
+    ]
+    if settled.movers:
+        parts.append(f"moved by gravity or springs: {', '.join(sorted(settled.movers))}")
+    return "; ".join(parts)

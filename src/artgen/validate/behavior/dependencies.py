@@ -1,0 +1,246 @@
+"""Dependencies: while its condition does not hold, a part has to stand in the way of a joint."""
+
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+from artgen.asset import Condition, Dependency, Joint
+from artgen.validate.behavior.conditions import isolated, state_for
+from artgen.validate.behavior.drive import Held
+from artgen.validate.behavior.model import CHECK, Simulation, UnstableError
+from artgen.validate.behavior.motion import Motion, force, length, place, unit
+from artgen.validate.report import Finding
+
+_PUSHES = {"revolute": 20.0, "prismatic": 50.0}  # [N m or N]
+_PUSH_TIME, _RAMP_TIME = 1.0, 0.25  # of the whole push, and in which it grows [s]
+_GIVES = 0.02  # share of the range by which a blocked joint may move
+_PLAYS = {"revolute": math.radians(1.0), "prismatic": 0.003}  # that every lock has [rad or m]
+_MOST_PLAY = 0.1  # share of the range that is no longer play
+
+
+def block(simulation: Simulation, motion: Motion) -> list[Finding]:
+    """Push a joint, and what follows it, where each part of its condition fails."""
+    findings = []
+    for member in motion.members:
+        if member.needs is not None:
+            findings += _block(simulation, motion, member, member.needs)
+    return findings
+
+
+def _block(simulation: Simulation, motion: Motion, joint: Joint, needs: Dependency) -> list[Finding]:
+    tried = [
+        _Push(simulation, motion, joint, needs, state, broken)
+        for state, broken in _states(simulation, motion, needs.condition)
+    ]
+    for push in tried:
+        for way in _ways(motion):
+            found = push.run(way)
+            if found is not None:
+                return [found]
+    if tried:
+        return []
+    return [
+        Finding(
+            CHECK,
+            f"needs {needs.condition}, which holds wherever the other joints stand",
+            link=joint.child,
+            joint=joint.name,
+            hint="leave the dependency out, or turn its comparison round",
+        )
+    ]
+
+
+def _ways(motion: Motion) -> list[int]:
+    """Return the directions in which a joint can leave its closed position."""
+    closed, limits = motion.joint.closed, motion.joint.limits
+    if limits is None:
+        return [1, -1]
+    return [way for way, room in ((1, limits[1] - closed), (-1, closed - limits[0])) if room > 1e-9]
+
+
+def _states(
+    simulation: Simulation, motion: Motion, condition: Condition
+) -> Iterator[tuple[dict[str, float], frozenset[str]]]:
+    """Yield where a condition fails, and the joints to blame: all closed, then one part at a time."""
+    seen = []
+    closed = simulation.asset.positions()
+    if not condition.holds(closed):
+        seen.append(closed)
+        yield {}, frozenset(condition.joints())
+    for comparison, region in isolated(condition):
+        if comparison.joint in {member.name for member in motion.members}:
+            continue
+        state = state_for(simulation.asset, [region], ignore=motion.name, extreme=(comparison.joint,))
+        if state is None:
+            continue
+        positions = simulation.asset.positions(state)
+        if positions not in seen and not condition.holds(positions):
+            seen.append(positions)
+            yield state, frozenset({comparison.joint})
+
+
+@dataclass(frozen=True)
+class _Push:
+    """One push, where a condition fails.
+
+    Attributes:
+        simulation: The asset.
+        motion: The free joint that is pushed.
+        joint: The joint that depends: the same, or one that follows it.
+        needs: On what it depends.
+        state: Where the other joints stand.
+        broken: The joints for which the condition fails: nothing but the asset itself holds them.
+    """
+
+    simulation: Simulation
+    motion: Motion
+    joint: Joint
+    needs: Dependency
+    state: Mapping[str, float]
+    broken: frozenset[str]
+
+    def run(self, way: int) -> Finding | None:
+        """Push in one direction; return by how much the joint gives way, if it is too much."""
+        allowed = self._play()
+        # springs have to hold what blocks by themselves; for what has none, that it gives way is worth a note
+        loose = self._loose()
+        try:
+            furthest = self._pushed(way, {})
+            if furthest <= allowed:
+                return None
+            finding = self._fault(furthest)
+            along = [name for name, start in loose.items() if self._has_moved(name, start)]
+            if along and self._pushed(way, loose) <= allowed:
+                return self._note(furthest, along)
+        except UnstableError:
+            return None
+        return finding
+
+    def _loose(self) -> dict[str, float]:
+        """Return where the joints stand that the condition is broken by, and that no spring holds there."""
+        positions = self.simulation.asset.positions(self.state)
+        return {
+            name: positions[name]
+            for name, other in self.simulation.motions.items()
+            if self._breaks(other) and not self._returns(other, positions[name])
+        }
+
+    def _returns(self, motion: Motion, position: float) -> bool:
+        """Tell whether a spring brings a joint back to a position from all of its range, as that of a latch.
+
+        One that only balances the weight of a door does not.
+        """
+        if motion.stiffness == 0.0:
+            return False
+        low, high = motion.limits
+        if abs(min(max(motion.rest, low), high) - position) > _GIVES * motion.range:
+            return False  # it is at ease elsewhere, as a flap that springs half open
+        far = high if high - position >= position - low else low
+        for share in (0.5, 1.0):
+            away = position + share * (far - position)
+            self.simulation.begin({**self.state, motion.name: away}, "", jammed=True)
+            pull = self.simulation.load(motion) * math.copysign(1.0, position - away)
+            if pull <= motion.friction:
+                return False
+        return True
+
+    def _breaks(self, motion: Motion) -> bool:
+        return bool(self.broken & {member.name for member in motion.members})
+
+    def _has_moved(self, name: str, start: float) -> bool:
+        motion = self.simulation.motions[name]
+        return abs(self.simulation.position(motion) - start) > min(
+            _PLAYS[motion.joint.kind], 0.01 * motion.range
+        )
+
+    def _pushed(self, way: int, loose: Mapping[str, float]) -> float:
+        """Return how far the joint moves at most [rad or m].
+
+        Raises:
+            UnstableError: The simulation exploded.
+        """
+        simulation, motions = self.simulation, self.simulation.motions
+        begun = {**self.state, **self._end_of_slack(way)}
+        simulation.begin(begun, f"{self.joint.name} is pushed", jammed=True)
+        kept = {name: at for name, at in self.state.items() if not self._breaks(motions[name])}
+        held = Held(simulation, {**kept, **loose})
+        at = simulation.model.joint(self.joint.name).qposadr[0]
+        start, furthest = float(simulation.data.qpos[at]), 0.0
+        # from the end of its slack a joint may first fall back, while the push grows
+        sense = math.copysign(way, way * float(self.motion.ratios[self.motion.members.index(self.joint)]))
+        low, high = self.joint.limits or (-math.inf, math.inf)
+        for _ in range(round(_PUSH_TIME / simulation.step_time)):
+            held.step()
+            grown = min(1.0, float(simulation.data.time) / _RAMP_TIME)
+            simulation.applied[self.motion.dof] = way * grown * self._force
+            simulation.step()
+            position = min(max(float(simulation.data.qpos[at]), low), high)
+            furthest = max(furthest, sense * (position - start))
+        return furthest
+
+    def _end_of_slack(self, way: int) -> dict[str, float]:
+        """Return where the free joint is pushed from: where its slack ends, if it has some [rad or m]."""
+        motion, slack = self.motion, self.needs.beyond
+        if slack is None:
+            return {}
+        number = motion.members.index(self.joint)
+        ratio, offset = float(motion.ratios[number]), float(motion.offsets[number])
+        closed = motion.joint.closed
+        ends = [way * ((side * slack - offset) / ratio - closed) for side in (-1.0, 1.0)]
+        low, high = motion.joint.limits or (-math.inf, math.inf)
+        end = closed + way * min((end for end in ends if end > 0.0), default=0.0)
+        return {motion.name: min(max(end, low), high)}
+
+    @property
+    def _force(self) -> float:
+        return min(self.motion.joint.effort, _PUSHES[self.motion.joint.kind])
+
+    def _play(self) -> float:
+        """Return how far a blocked joint may move, from the end of its slack on [rad or m]."""
+        joint = self.joint
+        if joint.limits is None:
+            return _PLAYS[joint.kind]
+        most = joint.limits[1] - joint.limits[0]
+        play = max(_GIVES * most, min(_PLAYS[joint.kind], _MOST_PLAY * most))
+        if self.needs.until is None:
+            return play
+        return min(play, self.needs.until - (self.needs.beyond or 0.0))
+
+    def _fault(self, furthest: float) -> Finding:
+        simulation, joint = self.simulation, self.joint
+        touching = simulation.touching(self.motion)
+        message = f"{self._moves(furthest)}, though it needs {self.needs}"
+        message += f"; {touching[0]} touch, and give way" if touching else "; nothing touches it"
+        return Finding(
+            CHECK,
+            message,
+            link=joint.child,
+            joint=joint.name,
+            value=furthest,
+            unit=unit(joint),
+            pose=simulation.pose(),
+            hint="no file format knows dependencies: a part, such as a latch, has to stand in its way",
+        )
+
+    def _note(self, furthest: float, along: list[str]) -> Finding:
+        others = " and ".join(along)
+        return Finding(
+            CHECK,
+            f"is blocked only if somebody holds {others}: {self._moves(furthest)}, and takes {others} along",
+            link=self.joint.child,
+            joint=self.joint.name,
+            value=furthest,
+            unit=unit(self.joint),
+            pose=self.simulation.asset.positions(self.state),
+            hint=f"where they move together, {self.needs} does not hold and nothing is proven",
+            severity="note",
+        )
+
+    def _moves(self, furthest: float) -> str:
+        states = ", ".join(f"{name} at {position:.4g}" for name, position in self.state.items())
+        slack = self.needs.beyond
+        start = "" if slack is None else f"from {place(self.joint, slack)} on "
+        return (
+            f"moves {start}by {length(self.joint, furthest)} under {force(self.motion.joint, self._force)} "
+            f"with {states or 'all closed'}"
+        )

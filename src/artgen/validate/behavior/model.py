@@ -1,0 +1,294 @@
+"""An exported asset in MuJoCo: joints by name, couplings resolved, contacts named."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from artgen.asset import Asset, Condition
+from artgen.validate.behavior.motion import Motion, length, motions_of, unit
+from artgen.validate.report import Finding
+
+Array = NDArray[np.float64]
+
+CHECK = "behaviour"
+
+Pieces = tuple[tuple[str, str], tuple[str, str]]
+"""Link and label of the two pieces of a contact."""
+
+_COUPLING_SHARE = 0.01  # how far a follower may be off, as a share of its range
+_BRIEF = 0.05  # a blow may push it off farther for less than this [s]
+_BLOW = 5.0  # and by so many times as much at most
+_FLOOR = "the floor"
+
+
+class UnstableError(Exception):
+    """The simulation exploded; what was found is on record."""
+
+
+class Simulation:
+    """A model of an asset with its state, and what was noticed while it moved.
+
+    Attributes:
+        asset: The asset.
+        model: MuJoCo's model.
+        data: MuJoCo's state.
+        motions: The free joints by name.
+        doing: What is being tried, for messages.
+        step_time: Length of a time step [s].
+        applied: Forces that act in the next time step, shape (nv,) [N m or N].
+        warnings: What MuJoCo has warned of since `collected_warnings` began.
+    """
+
+    def __init__(self, asset: Asset, model: Any, warnings: list[str]) -> None:
+        import mujoco
+
+        self.asset, self.model, self.data = asset, model, mujoco.MjData(model)
+        self.doing = ""
+        self.warnings = warnings
+        self.motions = motions_of(asset, model)
+        self._step = mujoco.mj_step
+        self._mujoco = mujoco
+        self.step_time = float(model.opt.timestep)
+        # views of the state, which stay: asking for them takes as long as a small asset's time step
+        self._qpos, self._qvel = self.data.qpos, self.data.qvel
+        self._passive, self._bias = self.data.qfrc_passive, self.data.qfrc_bias
+        self.applied = self.data.qfrc_applied
+        self._warned = self.data.warning.number
+        self._followers = _Followers.of(self.motions)
+        self._watching = True
+        self._noticed = 0
+        self._findings: dict[tuple[str, str], Finding] = {}
+        self._start: dict[str, float] = {}
+
+    def begin(self, q: Mapping[str, float], doing: str, *, jammed: bool = False) -> None:
+        """Put all at rest at positions of free joints; those not given are closed.
+
+        Where parts are jammed on purpose, couplings are not watched: one of them may be what gives way.
+        """
+        self._watching = not jammed
+        self._mujoco.mj_resetData(self.model, self.data)
+        for name, position in self.asset.positions(q).items():
+            if not self.asset.joint(name).locked:
+                self.data.qpos[self.model.joint(name).qposadr[0]] = position
+        self.doing = doing
+        self._followers.lasting[:] = 0.0
+        self._start = self.pose()
+        self._mujoco.mj_forward(self.model, self.data)
+
+    def step(self) -> None:
+        """Make one time step.
+
+        Raises:
+            UnstableError: The state is no longer finite.
+        """
+        self._step(self.model, self.data)
+        if len(self.warnings) > self._noticed or self._warned.any():
+            self._notice_warnings()
+        followers = self._followers
+        if followers.names and self._watching:
+            qpos = self._qpos
+            off = np.abs(qpos[followers.at] - followers.ratios * qpos[followers.leaders] - followers.offsets)
+            beyond = off > followers.allowed
+            if not beyond.any():
+                followers.lasting[:] = 0.0
+                return
+            followers.lasting = np.where(beyond, followers.lasting + self.step_time, 0.0)
+            loose = beyond & ((followers.lasting >= _BRIEF) | (off > _BLOW * followers.allowed))
+            worse = loose & (off > followers.worst)
+            if worse.any():
+                followers.worst[worse] = off[worse]
+                self._notice_couplings(off, worse)
+
+    def position(self, motion: Motion) -> float:
+        """Return where a free joint stands [rad or m]."""
+        return float(self._qpos[motion.at])
+
+    def speed(self, motion: Motion) -> float:
+        """Return how fast a free joint moves [rad/s or m/s]."""
+        return float(self._qvel[motion.dof])
+
+    def pose(self) -> dict[str, float]:
+        """Return where the free joints stand [rad or m]."""
+        return {name: self.position(motion) for name, motion in self.motions.items()}
+
+    def all_positions(self) -> dict[str, float]:
+        """Return where every joint stands [rad or m]."""
+        return {
+            joint.name: joint.closed
+            if joint.locked
+            else float(self.data.qpos[self.model.joint(joint.name).qposadr[0]])
+            for joint in self.asset.joints
+        }
+
+    def holds(self, condition: Condition) -> bool:
+        """Tell whether the joints stand in a region."""
+        return condition.holds(self.all_positions())
+
+    def load(self, motion: Motion) -> float:
+        """Return the force of gravity, springs and damping at a free joint, without friction [N m or N]."""
+        if len(motion.members) == 1:
+            return float(self._passive[motion.dof] - self._bias[motion.dof])
+        return float(motion.ratios @ (self._passive - self._bias)[motion.speeds])
+
+    def weight(self, motion: Motion) -> float:
+        """Return the force of gravity alone at a free joint that is at rest [N m or N]."""
+        return -float(motion.ratios @ self.data.qfrc_bias[motion.speeds])
+
+    def pull(self, motion: Motion) -> float:
+        """Return `load` and what the accelerations of other joints add to it [N m or N]."""
+        others = self.data.qacc.copy()
+        others[motion.speeds] = 0.0
+        result = np.zeros(self.model.nv)
+        self._mujoco.mj_mulM(self.model, self.data, result, others)
+        return self.load(motion) - float(motion.ratios @ result[motion.speeds])
+
+    def inertia(self, motion: Motion) -> float:
+        """Return the inertia that a force at a free joint moves while the others are free [kg m^2 or kg]."""
+        full, columns = np.zeros((self.model.nv, self.model.nv)), self._columns
+        self._mujoco.mj_fullM(self.model, self.data, full)
+        index = list(self.motions).index(motion.name)
+        alone = np.zeros(columns.shape[1])
+        alone[index] = 1.0
+        return 1.0 / float(np.linalg.solve(columns.T @ full @ columns, alone)[index])
+
+    @cached_property
+    def _columns(self) -> Array:
+        """What moves with each free joint, and then with each other degree of freedom, shape (nv, n)."""
+        free = list(self.motions.values())
+        moved = {int(dof) for motion in free for dof in motion.speeds}
+        fixed = [dof for dof in range(self.model.nv) if dof not in moved]
+        columns = np.zeros((self.model.nv, len(free) + len(fixed)))
+        for number, each in enumerate(free):
+            columns[each.speeds, number] = each.ratios
+        columns[fixed, np.arange(len(free), columns.shape[1])] = 1.0
+        return columns
+
+    def geom(self, number: int) -> tuple[str, str]:
+        """Return link and label of a collider; the label is empty where the file says nothing of it."""
+        name = self.model.geom(number).name
+        body = int(self.model.geom_bodyid[number])
+        if body == 0:
+            return _FLOOR, ""
+        link = self.model.body(body).name
+        prefix = f"{link}_collider_"
+        index = name.removeprefix(prefix)
+        if name.startswith(prefix) and index.isdecimal():
+            colliders = self.asset.link(link).colliders
+            if int(index) < len(colliders):
+                return link, colliders[int(index)].label
+        return link, ""
+
+    def depths(self) -> Array:
+        """Return how deep each contact is, shape (n,) [m]."""
+        return -np.asarray(self.data.contact.dist) if self.data.ncon else np.zeros(0)
+
+    def contact(self, number: int) -> Pieces:
+        """Return link and label of the two pieces of a contact."""
+        first, second = self.data.contact[number].geom
+        return self.geom(int(first)), self.geom(int(second))
+
+    def touching(self, motion: Motion, others: frozenset[int] | None = None) -> list[str]:
+        """Name what presses on what a joint moves, the strongest contact first.
+
+        Args:
+            motion: The joint.
+            others: Only contacts with these bodies; any if None.
+        """
+        forces: dict[str, float] = {}
+        for number in range(self.data.ncon):
+            bodies = [int(self.model.geom_bodyid[geom]) for geom in self.data.contact[number].geom]
+            inside = [body in motion.bodies for body in bodies]
+            if inside[0] == inside[1]:
+                continue
+            if others is not None and bodies[inside.index(False)] not in others:
+                continue
+            wrench = np.zeros(6)
+            self._mujoco.mj_contactForce(self.model, self.data, number, wrench)
+            if wrench[0] > 0.0:
+                text = " and ".join(piece(*each) for each in self.contact(number))
+                forces[text] = forces.get(text, 0.0) + float(wrench[0])
+        return sorted(forces, key=lambda text: -forces[text])[:3]
+
+    def findings(self) -> list[Finding]:
+        """Return the warnings and loose couplings that were noticed."""
+        return list(self._findings.values())
+
+    def _notice_warnings(self) -> None:
+        new, self._noticed = self.warnings[self._noticed :], len(self.warnings)
+        for text in new:
+            kind = text.split(" at DOF")[0].split(" Time =")[0]
+            self._findings.setdefault(
+                ("warning", kind),
+                Finding(
+                    CHECK,
+                    f"MuJoCo warns while {self.doing}: {text.strip()}",
+                    pose=self._start,
+                    hint="look for parts that overlap there, or for a mass or an armature that is too small",
+                ),
+            )
+        kinds = self._mujoco.mjtWarning
+        bad = (kinds.mjWARN_BADQPOS, kinds.mjWARN_BADQVEL, kinds.mjWARN_BADQACC)
+        if any(self._warned[int(kind)] for kind in bad):
+            raise UnstableError
+
+    def _notice_couplings(self, off: Array, loose: NDArray[np.bool_]) -> None:
+        followers = self._followers
+        for number in np.flatnonzero(loose):
+            name = followers.names[number]
+            joint = self.asset.joint(name)
+            assert joint.follows is not None
+            error = float(off[number])
+            share = _COUPLING_SHARE * error / float(followers.allowed[number])
+            self._findings["coupling", name] = Finding(
+                CHECK,
+                f"is {length(joint, error)} or {100 * share:.2g} % of its range off the position that "
+                f"{joint.follows.leader} gives it, while {self.doing}",
+                link=joint.child,
+                joint=name,
+                value=error,
+                unit=unit(joint),
+                pose=self.pose(),
+                hint="a coupling gives way where a part stands in its way, or where what it moves is much "
+                "heavier than what leads it; make room, or add armature to the leader",
+            )
+
+
+@dataclass
+class _Followers:
+    """The coupled joints, as arrays with one row for each."""
+
+    names: list[str] = field(default_factory=list)
+    at: NDArray[np.int64] = field(default_factory=lambda: np.zeros(0, np.int64))
+    leaders: NDArray[np.int64] = field(default_factory=lambda: np.zeros(0, np.int64))
+    ratios: Array = field(default_factory=lambda: np.zeros(0))
+    offsets: Array = field(default_factory=lambda: np.zeros(0))
+    allowed: Array = field(default_factory=lambda: np.zeros(0))
+    worst: Array = field(default_factory=lambda: np.zeros(0))
+    lasting: Array = field(default_factory=lambda: np.zeros(0))
+
+    @staticmethod
+    def of(motions: Mapping[str, Motion]) -> "_Followers":
+        rows = [(motion, number) for motion in motions.values() for number in range(1, len(motion.members))]
+        if not rows:
+            return _Followers()
+        ratios = np.array([motion.ratios[number] for motion, number in rows])
+        ranges = np.array([motion.range for motion, _ in rows])
+        return _Followers(
+            [motion.members[number].name for motion, number in rows],
+            np.array([motion.positions[number] for motion, number in rows]),
+            np.array([motion.positions[0] for motion, _ in rows]),
+            ratios,
+            np.array([motion.offsets[number] for motion, number in rows]),
+            _COUPLING_SHARE * np.abs(ratios) * ranges,
+            np.zeros(len(rows)),
+            np.zeros(len(rows)),
+        )
+
+
+def piece(link: str, label: str) -> str:
+    """Spell a piece by its link and label."""
+    return f"{link}/{label}" if label else link

@@ -1,0 +1,311 @@
+"""Settling: an asset that is let go stays as it is, unless gravity or a spring moves it."""
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+
+from artgen.asset import Asset, Condition
+from artgen.validate.behavior.conditions import state_for
+from artgen.validate.behavior.model import CHECK, Pieces, Simulation, UnstableError, piece
+from artgen.validate.behavior.motion import Motion, force, length, unit
+from artgen.validate.report import Finding
+
+SETTLE_TIME = 5.0
+"""How long an asset is watched after it was let go [s]."""
+
+REST_SPEED = 1e-5
+"""Speed below which nothing moves by a visible amount within `SETTLE_TIME` [rad/s or m/s]."""
+
+REST_TIME = 0.25
+"""How long everything has to be at rest to be taken as settled [s]."""
+
+_BEGUN = 0.05  # share of a drift that is no more the give of contacts
+_STILL = 1e-3  # speed below which a blow is over [rad/s or m/s]
+_DRIFTS = {"revolute": math.radians(0.5), "prismatic": 0.0005}  # that need a cause [rad or m]
+_DEPTH = 0.0005  # of contacts, beyond what the asset allows [m]
+_IMPACT_TIME = 0.05  # a contact that is deep for less is that of a part which falls shut [s]
+_TILT = math.radians(2.0)  # of a base that stands on the floor
+
+
+@dataclass
+class Settled:
+    """What was seen while an asset settled.
+
+    Attributes:
+        findings: The worst of each kind, by kind and place.
+        movers: Names of the joints that gravity or a spring moves.
+        poses: How many poses it was let go from.
+    """
+
+    findings: dict[tuple[str, ...], Finding] = field(default_factory=dict)
+    movers: set[str] = field(default_factory=set)
+    poses: int = 0
+
+    def add(self, finding: Finding, *kind: str) -> None:
+        """Keep a finding if it is the worst of its kind and place."""
+        known = self.findings.get(kind)
+        if known is None or abs(finding.value or 0.0) > abs(known.value or 0.0):
+            self.findings[kind] = finding
+
+
+def settle(simulation: Simulation, *, stands: bool = False) -> Settled:
+    """Let go of an asset when it is closed, halfway and open, and watch it.
+
+    Args:
+        simulation: The asset.
+        stands: Whether its base stands free on a floor, which is part of the simulation.
+    """
+    result = Settled()
+    seen: list[dict[str, float]] = []
+    for q in start_poses(simulation.asset, simulation.motions):
+        if q in seen:
+            continue
+        seen.append(q)
+        result.poses += 1
+        try:
+            _Run(simulation, q, stands, result).watch()
+        except UnstableError:
+            continue
+    return result
+
+
+def start_poses(asset: Asset, motions: Mapping[str, Motion]) -> Iterator[dict[str, float]]:
+    """Yield where an asset is let go: closed, halfway and open.
+
+    What is blocked halfway or open stays closed; then it is also let go where that may stand there, such as
+    with racks halfway out over an open door.
+    """
+    for share in (0.0, 0.5, 1.0):
+        q = start_pose(asset, motions, share)
+        yield q
+        stays = [motion for name, motion in motions.items() if q[name] == motion.joint.closed]
+        freed = _freed(asset, stays) if share else {}
+        if freed:
+            yield start_pose(asset, motions, share, freed)
+
+
+def _freed(asset: Asset, motions: Sequence[Motion]) -> dict[str, float]:
+    """Return where others have to stand so that as many as possible of some joints may leave 0."""
+    found: dict[str, float] = {}
+    conditions: list[Condition] = []
+    for member in (member for motion in motions for member in motion.members):
+        if member.needs is not None:
+            state = state_for(asset, [*conditions, member.needs.condition])
+            if state is not None:
+                conditions.append(member.needs.condition)
+                found = state
+    return found
+
+
+def start_pose(
+    asset: Asset, motions: Mapping[str, Motion], share: float, given: Mapping[str, float] | None = None
+) -> dict[str, float]:
+    """Put each free joint at a share of its way from closed to open, but those that are blocked there.
+
+    Args:
+        asset: The asset.
+        motions: Its free joints.
+        share: 0 for closed, 0.5 for the middle of the range, 1 for open.
+        given: Where some of them stand instead, by name [rad or m].
+
+    Returns:
+        Positions by joint name [rad or m].
+    """
+    q = {}
+    for name, motion in motions.items():
+        low, high = motion.limits
+        closed = motion.joint.closed
+        far = high if high - closed >= closed - low else low
+        q[name] = {0.0: closed, 0.5: (low + high) / 2.0, 1.0: far}[share]
+    q |= given or {}
+    for _ in motions:
+        blocked = set(asset.blocked(q))
+        for name, motion in motions.items():
+            if blocked & {member.name for member in motion.members}:
+                q[name] = motion.joint.closed
+    return q
+
+
+@dataclass
+class _Drift:
+    """How one joint drifts.
+
+    Attributes:
+        motion: The joint.
+        start: Where it was let go [rad or m].
+        causes: Directions in which gravity or a spring moves it, of -1 and 1.
+        why: What moves it, or holds it.
+        furthest: How far it has moved at most [rad or m].
+        since: When it had moved too far without a cause; None if it has not [s].
+        pushed: What pushes it, or has since it lay still, of what gravity or a spring moves: a blow may be
+            over when the joint has come that far.
+        touching: What presses on it then.
+    """
+
+    motion: Motion
+    start: float
+    causes: set[int]
+    why: str
+    furthest: float = 0.0
+    since: float | None = None
+    pushed: list[str] = field(default_factory=list)
+    touching: list[str] = field(default_factory=list)
+
+    @property
+    def moved(self) -> bool:
+        """Whether it has moved by more than may go unexplained."""
+        return abs(self.furthest) > _DRIFTS[self.motion.joint.kind]
+
+
+@dataclass
+class _Run:
+    """One run from one pose."""
+
+    simulation: Simulation
+    q: dict[str, float]
+    stands: bool
+    result: Settled
+    deep: dict[Pieces, float] = field(default_factory=dict)  # since when contacts are too deep [s]
+
+    def watch(self) -> None:
+        """Step until all is at rest, or the time is over."""
+        simulation = self.simulation
+        simulation.begin(self.q, "it settles")
+        drifts = [self._drift(motion) for motion in simulation.motions.values()]
+        self._judge_contacts()
+        quiet = 0.0
+        for _ in range(round(SETTLE_TIME / simulation.step_time)):
+            simulation.step()
+            self._judge_contacts()
+            if self.stands:
+                self._judge_tilt()
+            moved = any(drift.causes for drift in drifts)
+            for drift in drifts:
+                self._judge(drift, drifts, carried=moved)
+            speeds = simulation.data.qvel
+            still = not speeds.size or np.abs(speeds).max() < REST_SPEED
+            quiet = quiet + simulation.step_time if still else 0.0
+            if quiet >= REST_TIME:
+                break
+        self.result.movers |= {drift.motion.name for drift in drifts if drift.moved and drift.since is None}
+        for drift in drifts:
+            if drift.since is not None:
+                self._blame(drift)
+
+    def _drift(self, motion: Motion) -> _Drift:
+        load = self.simulation.load(motion)
+        why = f"gravity and springs pull with {force(motion.joint, load)}"
+        if motion.friction:
+            why += f" against {force(motion.joint, motion.friction)} of friction"
+        return _Drift(motion, self.simulation.position(motion), self._directions(motion, load), why)
+
+    def _directions(self, motion: Motion, load: float) -> set[int]:
+        """Return the direction in which a load could move a joint by more than may go unexplained."""
+        excess = abs(load) - motion.friction
+        if excess <= 0.0:
+            return set()
+        way = 0.5 * excess / self.simulation.inertia(motion) * SETTLE_TIME**2
+        return {int(math.copysign(1, load))} if way > _DRIFTS[motion.joint.kind] else set()
+
+    def _judge(self, drift: _Drift, drifts: list[_Drift], *, carried: bool) -> None:
+        """Notice whether a joint moves without a cause."""
+        simulation, motion = self.simulation, drift.motion
+        way = simulation.position(motion) - drift.start
+        if abs(way) > abs(drift.furthest):
+            drift.furthest = way
+        if drift.since is not None:
+            return
+        if carried and len(drift.causes) < 2 and (not drift.causes or motion.friction):
+            # what moves elsewhere changes how gravity pulls, and carries this joint along
+            pull = simulation.pull(motion)
+            if abs(pull) > motion.friction and int(math.copysign(1, pull)) not in drift.causes:
+                drift.causes |= self._directions(motion, pull)
+        if drift.pushed and abs(simulation.speed(motion)) < _STILL:
+            drift.pushed = []  # what moves on from here was not thrown by that
+        if abs(way) > _BEGUN * _DRIFTS[motion.joint.kind] and not drift.pushed and simulation.data.ncon:
+            moving = frozenset[int]().union(*(other.motion.bodies for other in drifts if other.causes))
+            drift.pushed = simulation.touching(motion, moving - motion.bodies)
+        if abs(way) > _DRIFTS[motion.joint.kind] and int(math.copysign(1, way)) not in drift.causes:
+            drift.since = float(simulation.data.time)
+            drift.touching = simulation.touching(motion)
+
+    def _blame(self, drift: _Drift) -> None:
+        joint = drift.motion.joint
+        finding = Finding(
+            CHECK,
+            f"moves by {length(joint, drift.furthest)} though nobody touches it: {drift.why}",
+            link=joint.child,
+            joint=joint.name,
+            value=drift.furthest,
+            unit=unit(joint),
+            pose=self.q,
+        )
+        if drift.pushed:
+            message = f"is pushed by {length(joint, drift.furthest)} by what gravity or a spring moves"
+            finding = replace(finding, message=f"{message}: {drift.pushed[0]} touch", severity="note")
+        elif drift.touching:
+            hint = f"{drift.touching[0]} push each other apart: make room between them"
+            finding = replace(finding, hint=hint)
+        elif drift.motion.friction:
+            hint = "the file's friction creeps: write a harder solimpfriction and solreffriction"
+            finding = replace(finding, hint=hint)
+        self.result.add(finding, "drift", joint.name, finding.severity)
+
+    def _judge_contacts(self) -> None:
+        """Keep the deepest of the contacts that are too deep from the start, or for longer than an impact."""
+        simulation = self.simulation
+        depths = simulation.depths()
+        if not self.deep and not (depths.size and depths.max() > _DEPTH):
+            return
+        now = float(simulation.data.time)
+        deep: dict[Pieces, float] = {}
+        for number in np.flatnonzero(depths > _DEPTH):
+            pieces, depth = simulation.contact(int(number)), float(depths[number])
+            if depth <= self._allowed(pieces) + _DEPTH:
+                continue
+            since = deep[pieces] = self.deep.get(pieces, now)
+            if since > 0.0 and now - since < _IMPACT_TIME:
+                continue
+            first, second = (piece(*each) for each in pieces)
+            finding = Finding(
+                CHECK,
+                f"{first} and {second} press {1e3 * depth:.3g} mm into each other after {now:.2g} s",
+                link=", ".join(link for link, _ in pieces),
+                value=depth,
+                unit="m",
+                pose=simulation.pose(),
+                hint="make room between them, or declare the contact with allow_contact and its depth",
+            )
+            self.result.add(finding, "contact", first, second)
+        self.deep = deep
+
+    def _allowed(self, pieces: Pieces) -> float:
+        """Return how deep two pieces may press into each other [m]."""
+        allowed = 0.0
+        for contact in self.simulation.asset.contacts:
+            named = tuple(zip(contact.links, contact.labels, strict=True))
+            if named not in (pieces, pieces[::-1]):
+                continue
+            if contact.when is None or self.simulation.holds(contact.when):
+                allowed = max(allowed, contact.depth)
+        return allowed
+
+    def _judge_tilt(self) -> None:
+        simulation = self.simulation
+        base = simulation.asset.links[0].name
+        upright = float(simulation.data.body(base).xmat[8])
+        if upright >= math.cos(_TILT):
+            return
+        tilt = math.acos(max(-1.0, min(1.0, upright)))
+        finding = Finding(
+            CHECK,
+            f"tips over: after {simulation.data.time:.2g} s it leans by {math.degrees(tilt):.3g} degrees",
+            link=base,
+            value=tilt,
+            unit="rad",
+            pose=self.q,
+            hint="give it a wider or heavier base, or fix it to the world with base='fixed'",
+        )
+        self.result.add(finding, "tilt")

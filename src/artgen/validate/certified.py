@@ -1,0 +1,139 @@
+"""Check of the certificate of an exported asset: it is there, all is proven, and the proof holds."""
+
+from collections.abc import Iterator
+
+from artgen.asset import Asset
+from artgen.asset.certificate import Certificate, PairResult, spelled_region
+from artgen.asset.stored_solids import mesh_precision
+from artgen.validate.report import CheckResult, Finding
+
+_CHECK = "certificate"
+_CERTIFY = (
+    "generate with certification or asset.certify() before export; colliders of other kinds than 'exact' are "
+    "proven by artgen.Asset.load(directory).certify()"
+)
+_MEND = "shorten the limits to asset.safe_limits(), or move the pivot"
+_MEND_AT_REST = (
+    "they overlap at rest: move one of the parts, or allow the contact with body.allow_contact(...)"
+)
+_MEND_OPEN = "give the two pieces more clearance there, or shorten the limits to asset.safe_limits()"
+
+_NO_MESHES = Finding(
+    _CHECK,
+    "the proof is not verified: the export has no meshes to compare its pieces with",
+    hint="export with urdf or mjcf as well",
+    severity="note",
+)
+_COARSE = Finding(
+    _CHECK,
+    "the proof is not verified: an export with a mesh precision does not keep it",
+    hint="export with mesh_precision=0 as well",
+    severity="note",
+)
+
+
+def check_certificate(asset: Asset, *, meshes: bool = True) -> CheckResult:
+    """Check that an asset carries a certificate, that it proves all pairs, and that its proof holds.
+
+    The stored proof is verified by `artgen.proof.recheck`, which knows nothing of how it was found.
+
+    Args:
+        asset: An asset that was read from files, with the certificate that was stored.
+        meshes: Whether its meshes were exported: without them nobody can tell whether the pieces of the proof
+            contain the solids, and the proof is not verified.
+
+    Returns:
+        A fault for each pair of links that is not proven and each step of the proof that does not hold; the
+        tolerance and the contacts by design are in its detail.
+    """
+    certificate = asset.certificate
+    if certificate is None:
+        message = "there is no certificate: nothing is proven about collisions between its links"
+        return CheckResult(_CHECK, (Finding(_CHECK, message, hint=_CERTIFY),))
+    findings = [
+        *(_pair_finding(asset, pair) for pair in certificate.failures),
+        *_undeclared_contacts(asset, certificate),
+        *_verified(asset, certificate, meshes=meshes),
+    ]
+    return CheckResult(_CHECK, tuple(findings), _detail(certificate))
+
+
+def _verified(asset: Asset, certificate: Certificate, *, meshes: bool) -> list[Finding]:
+    if mesh_precision(*asset.links):
+        return [_COARSE]
+    if not meshes:
+        return [_NO_MESHES]
+    from artgen.proof.recheck import recheck
+
+    return recheck(asset, certificate)
+
+
+def _detail(certificate: Certificate) -> str:
+    count = len(certificate.pairs)
+    pairs = f"{count} pair{'' if count == 1 else 's'} of links"
+    parts = [f"{pairs}, tolerance {1e3 * certificate.tolerance:.4g} mm" if count else "nothing moves"]
+    closest = certificate.clearance
+    if closest is not None and closest.guaranteed is not None:
+        parts.append(f"{' and '.join(closest.links)} never closer than {1e3 * closest.guaranteed:.4g} mm")
+    if certificate.contacts:
+        parts.append("allowed contacts: " + "; ".join(map(str, certificate.contacts)))
+    return ", ".join(parts)
+
+
+def _pair_finding(asset: Asset, pair: PairResult) -> Finding:
+    return _collision(asset, pair) if pair.witness is not None else _open(pair)
+
+
+def _collision(asset: Asset, pair: PairResult) -> Finding:
+    witness = pair.witness
+    assert witness is not None
+    what = "they collide" if pair.verdict == "collision" else "only their colliders collide, not their solids"
+    first, second = witness.labels
+    x, y, z = witness.place
+    contact = ", ".join(f"{name}={position:.4g}" for name, position in witness.first_contact.items())
+    at_rest = all(
+        abs(position - asset.joint(name).closed) < 1e-9 for name, position in witness.first_contact.items()
+    )
+    return Finding(
+        _CHECK,
+        f"{what}: {first} presses {1e3 * witness.depth:.3f} mm into {second} "
+        f"at ({x:.3f}, {y:.3f}, {z:.3f}) m; first contact at {'rest' if at_rest else contact}",
+        link=", ".join(pair.links),
+        value=witness.depth,
+        unit="m",
+        pose=witness.pose,
+        hint=_MEND_AT_REST if at_rest else _MEND,
+    )
+
+
+def _open(pair: PairResult) -> Finding:
+    which = "not proven" if pair.verdict != "proven" else "not proven for their colliders"
+    message = f"{which} in {100 * pair.open_fraction:.3g} % of their joint space"
+    pose: dict[str, float] = {}
+    if pair.open_cells:
+        cell = pair.open_cells[0]
+        first, second = cell.labels
+        where = f"where {first} is {1e3 * cell.distance:.3f} mm from {second}"
+        message += f", such as {spelled_region(cell.region)}, {where}"
+        pose = {name: (low + high) / 2 for name, (low, high) in cell.region.items()}
+    return Finding(
+        _CHECK,
+        message,
+        link=", ".join(pair.links),
+        value=pair.open_fraction,
+        pose=pose,
+        hint=_MEND_OPEN,
+    )
+
+
+def _undeclared_contacts(asset: Asset, certificate: Certificate) -> Iterator[Finding]:
+    for contact in certificate.contacts:
+        if contact not in asset.contacts:
+            yield Finding(
+                _CHECK,
+                f"the certificate allows a contact that the asset does not declare: {contact}",
+                link=", ".join(contact.links),
+                value=contact.depth,
+                unit="m",
+                hint="certify the asset again",
+            )

@@ -1,0 +1,217 @@
+"""Asking clients what they read: each in a process of its own, with a time limit."""
+
+import json
+import os
+import tempfile
+import time
+from collections.abc import Iterator, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Any
+
+from artgen.validate.clients.client import Client
+from artgen.validate.clients.compare import differences
+from artgen.validate.clients.exported import Exported
+from artgen.validate.clients.install_location import how_to_get, interpreters
+from artgen.validate.clients.messages import joined_lines, sorted_messages
+from artgen.validate.clients.outcome import Outcome, State, Tolerated
+from artgen.validate.clients.process import Finished, run_process, stop_running
+from artgen.validate.report import Finding
+
+DRIVERS = Path(__file__).parent / "drivers"
+"""Where the drivers are."""
+
+_ABSENT = 3  # exit code of a driver whose client is not there
+_SHOWN = 5  # messages of one client
+# The folder of the drivers comes last: `newton.py` there must not hide the package. The alarm ends a driver
+# whose parent was killed before it could kill the driver.
+_START = (
+    "import os, runpy, signal, sys; getattr(signal, 'alarm', int)(int(sys.argv[1])); "
+    "sys.argv = sys.argv[2:]; sys.path[0] = os.path.dirname(sys.argv[0]); sys.path.append(sys.path.pop(0)); "
+    "runpy.run_path(sys.argv[0], run_name='__main__')"
+)
+_GLANCE = 0.1  # between two looks at what was stopped [s]
+_AFTER = 30.0  # when the alarm rings after the time is over [s]
+
+
+def ask_all(clients: Sequence[Client], exported: Exported) -> list[Outcome]:
+    """Return what clients make of an export, some of them at a time, in the order of the clients."""
+    workers = max(1, (os.cpu_count() or 2) // 2)
+    with ThreadPoolExecutor(workers) as pool:
+        started = [pool.submit(ask, client, [exported]) for client in clients]
+        try:
+            return [each.result()[0] for each in started]
+        except BaseException:  # such as Ctrl-C: leaving the pool waits for clients, which may take minutes
+            pool.shutdown(wait=False, cancel_futures=True)
+            while not all(each.done() for each in started):  # one may be about to start its client
+                stop_running()
+                time.sleep(_GLANCE)
+            raise
+
+
+def ask(client: Client, exports: Sequence[Exported]) -> list[Outcome]:
+    """Return what a client makes of each of some exports.
+
+    All are read by one process, which pays for a slow start once. Where that says something that may be of
+    any of them, or does not answer for all, halves of them are read again, until it is known of which.
+    """
+    outcomes: list[Outcome | None] = [
+        None if each.is_read_by(client) else _nothing_to_read(client, each) for each in exports
+    ]
+    rest = [number for number, outcome in enumerate(outcomes) if outcome is None]
+    for number, outcome in zip(rest, _ask(client, [exports[index] for index in rest]), strict=True):
+        outcomes[number] = outcome
+    return [outcome for outcome in outcomes if outcome is not None]
+
+
+def absent(client: Client, *, severity: str = "note") -> Outcome:
+    """Return the outcome of a client that is not there; where it was asked for by name, that is a fault."""
+    finding = Finding(client.name, "it is not installed", hint=how_to_get(client))
+    if severity == "note":
+        finding = replace(finding, severity="note")
+    return Outcome(client.name, client.format, "", "absent", (finding,))
+
+
+def _nothing_to_read(client: Client, exported: Exported) -> Outcome:
+    if client.format not in exported.mains:
+        message = f"it reads {client.format}, which the export does not have"
+    else:
+        message = f"it reads the layouts {', '.join(client.layouts)}, not {exported.layout}"
+    finding = Finding(client.name, message, severity="note")
+    return Outcome(client.name, client.format, "", "nothing to read", (finding,))
+
+
+def _ask(client: Client, exports: Sequence[Exported]) -> list[Outcome]:
+    if not exports:
+        return []
+    for program in interpreters(client):
+        session = _session(client, program, exports)
+        if session.finished.code == _ABSENT and not any(session.answers) and not session.messages:
+            continue  # a client that is there and ends so by itself says why
+        if len(exports) == 1:
+            return [_outcome(client, exports[0], session)]
+        if session.messages or session.finished.ending or None in session.answers:
+            half = len(exports) // 2
+            return _ask(client, exports[:half]) + _ask(client, exports[half:])
+        shared = replace(
+            session, finished=replace(session.finished, seconds=session.finished.seconds / len(exports))
+        )
+        return [
+            _outcome(client, each, replace(shared, answers=[answer]))
+            for each, answer in zip(exports, session.answers, strict=True)
+        ]
+    return [absent(client) for _ in exports]
+
+
+@dataclass(frozen=True)
+class _Session:
+    """One process of a client.
+
+    Attributes:
+        finished: How it ended.
+        answers: Its answer to each request; None where there is none, a text where it cannot be read.
+        messages: What it printed that is a fault.
+        tolerated: What it printed that is none.
+    """
+
+    finished: Finished
+    answers: Sequence[Mapping[str, Any] | str | None]
+    messages: tuple[str, ...] = ()
+    tolerated: tuple[Tolerated, ...] = field(default=())
+
+
+def _session(client: Client, program: Path, exports: Sequence[Exported]) -> _Session:
+    """Let a client's driver answer one request for each export."""
+    with tempfile.TemporaryDirectory(prefix="artgen_client_") as folder:
+        place = Path(folder)
+        work = place / "work"
+        work.mkdir()
+        paths = [
+            (place / f"{number}.request.json", place / f"{number}.response.json")
+            for number in range(len(exports))
+        ]
+        for (request, _), exported in zip(paths, exports, strict=True):
+            request.write_text(json.dumps(exported.request(client)), encoding="utf-8")
+        seconds = client.seconds * len(exports)
+        command: list[str | Path] = [
+            *(
+                program,
+                "-B",
+                "-c",
+                _START,
+                str(int(seconds + _AFTER)),
+                DRIVERS / f"{client.driver}.py",
+            ),
+            *(path for pair in paths for path in pair),
+        ]
+        try:
+            finished = run_process(command, work, _environment(program), seconds)
+        except OSError as error:
+            finished = Finished(1, f"{program} cannot be started: {error.strerror}", 0.0, timed_out=False)
+        answers = [_answer(response) for _, response in paths]
+    messages, tolerated = sorted_messages(client, joined_lines(finished.output))
+    return _Session(finished, answers, messages, tolerated)
+
+
+def _environment(program: Path) -> dict[str, str]:
+    """Return the environment variables of a driver: those of artgen's own packages are not for others."""
+    result = {**os.environ, "PYTHONUNBUFFERED": "1", "PYTHONUTF8": "1"}
+    for name in ("PYTHONHOME", "PYTHONWARNINGS", "PYTHONSTARTUP"):
+        result.pop(name, None)
+    if program not in interpreters(None):
+        result.pop("PYTHONPATH", None)
+    return result
+
+
+def _answer(path: Path) -> Mapping[str, Any] | str | None:
+    """Read a response: None if there is none, and why it cannot be read if it is damaged."""
+    try:
+        data = json.loads(path.read_text(encoding="utf-8"))
+    except FileNotFoundError:
+        return None
+    except (OSError, ValueError, RecursionError) as error:
+        return f"its answer is damaged: {error}"
+    return data if isinstance(data, dict) else f"its answer is damaged: it is a {type(data).__name__}"
+
+
+def _outcome(client: Client, exported: Exported, session: _Session) -> Outcome:
+    """Judge the answer of a client to one request."""
+    answer, finished = session.answers[0], session.finished
+    messages, tolerated = session.messages, session.tolerated
+    findings: list[Finding] = []
+    version, note = "", ""
+    if finished.ending:
+        last = f": {messages[-1]}" if messages else ""
+        findings.append(Finding(client.name, f"{finished.ending}{last}"))
+    elif answer is None:
+        findings.append(Finding(client.name, "it gave no answer"))
+    if isinstance(answer, str):
+        findings.append(Finding(client.name, answer))
+    elif answer is not None:
+        try:
+            version, note = str(answer.get("version", "")), str(answer.get("note", ""))
+            said, more = sorted_messages(
+                client, [" ".join(str(text).split()) for text in answer.get("said", ())]
+            )
+            messages, tolerated = (*messages, *said), (*tolerated, *more)
+            findings += differences(client, exported, answer)
+        except Exception as error:  # noqa: BLE001 - a damaged answer may hold anything
+            findings.append(Finding(client.name, f"its answer is damaged: {type(error).__name__}: {error}"))
+    if finished.ending:
+        # the end of a traceback tells the rest of it
+        messages = tuple(text for text in messages[:-1] if not text.startswith("Traceback "))
+    findings += _said(client, messages)
+    state: State = "timed out" if finished.timed_out else "failed" if findings else "passed"
+    return Outcome(
+        client.name, client.format, version, state, tuple(findings), note, finished.seconds, tolerated
+    )
+
+
+def _said(client: Client, messages: Sequence[str]) -> Iterator[Finding]:
+    distinct = list(dict.fromkeys(messages))
+    for text in distinct[:_SHOWN]:
+        yield Finding(client.name, f"it says: {text}")
+    if len(distinct) > _SHOWN:
+        more = len(distinct) - _SHOWN
+        yield Finding(client.name, f"it says {more} more things", value=float(more))

@@ -1,0 +1,160 @@
+"""The colliders of an asset beside those that other ways would give it: how faithful, and how fast."""
+
+import time
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from manifold3d import Manifold, OpType
+
+from artgen.asset import Asset
+from artgen.asset.collision import COLLISIONS, Part, collision_of, made_colliders, replace_colliders
+from artgen.asset.record import significant
+from artgen.asset.stored_solids import link_parts
+from artgen.export.mjcf import write_mjcf
+from artgen.validate.fidelity import Fidelity, fidelity
+
+_SETTLE = 1.0  # [s] of simulation before the clock starts
+_TIMED = 0.3  # [s] of wall clock, at least
+_BATCH = 50  # steps between two looks at the clock
+_DIGITS = 6  # significant digits of numbers in the table's data
+
+
+@dataclass(frozen=True)
+class ColliderRow:
+    """One way to make the colliders of an asset.
+
+    Attributes:
+        kind: `exact`, `coacd` or `hull`.
+        stored: Whether these are the colliders that the asset has; the others were made for the comparison.
+        links: How its colliders differ from the solids, by the link's name.
+        volume_error: Volume that is in colliders or solids only, as a share of the solids'.
+        surface_error: Largest distance between the surfaces of a link's solids and of its colliders [m].
+        interior_kept: Share of the empty volume inside the convex hulls of the links that stays empty.
+        steps_per_second: Steps of MuJoCo in a second of wall clock, at the time step of the file, with the
+            asset at rest; None without MuJoCo.
+    """
+
+    kind: str
+    stored: bool
+    links: Mapping[str, Fidelity]
+    volume_error: float
+    surface_error: float
+    interior_kept: float
+    steps_per_second: float | None = None
+
+    @property
+    def pieces(self) -> int:
+        """How many colliders there are."""
+        return sum(link.pieces for link in self.links.values())
+
+    @property
+    def vertices(self) -> int:
+        """How many corners they have; a round one has none."""
+        return sum(link.vertices for link in self.links.values())
+
+    def to_data(self) -> dict[str, Any]:
+        """Return the row as JSON data; of a link the same numbers."""
+        speed = self.steps_per_second
+        return {
+            "kind": self.kind,
+            "stored": self.stored,
+            "pieces": self.pieces,
+            "vertices": self.vertices,
+            "volume_error": significant(self.volume_error, _DIGITS),
+            "surface_error": significant(self.surface_error, _DIGITS),
+            "interior_kept": significant(self.interior_kept, _DIGITS),
+            "steps_per_second": None if speed is None else round(speed),
+            "links": {
+                name: {
+                    "pieces": link.pieces,
+                    "vertices": link.vertices,
+                    "volume_error": significant(link.volume_error, _DIGITS),
+                    "surface_error": significant(link.surface_error, _DIGITS),
+                    "interior_kept": significant(link.interior_kept, _DIGITS),
+                }
+                for name, link in self.links.items()
+            },
+        }
+
+
+def compare_colliders(asset: Asset, *, speed: bool = True) -> tuple[ColliderRow, ...]:
+    """Compare the colliders of an asset with those that CoACD and plain convex hulls would give it.
+
+    They are measured against the solids; of an asset that was read from files, which keep none, against the
+    closed parts of its visible meshes. Exact colliders are known where an asset is made, so they are compared
+    only where it has them.
+
+    Args:
+        asset: The asset, in memory or read back.
+        speed: Whether to measure how fast MuJoCo steps; without MuJoCo it is not measured.
+
+    Returns:
+        A row for the colliders that it has, then one for each other kind.
+
+    Raises:
+        AssetError: Its meshes are missing or do not close.
+        ExportError: CoACD is not installed.
+    """
+    parts = {link.name: link_parts(link) for link in asset.links}
+    solids = {name: _united(of_link) for name, of_link in parts.items()}
+    stored = collision_of([link.to_data() for link in asset.links])
+    variants = [(stored, asset)]
+    for kind in COLLISIONS:
+        if kind not in ("exact", stored):
+            made = {name: made_colliders(of_link, kind) for name, of_link in parts.items()}
+            variants.append((kind, replace_colliders(asset, made, kind)))
+    return tuple(
+        _row(kind, variant, solids, stored=variant is asset, speed=speed) for kind, variant in variants
+    )
+
+
+def _row(
+    kind: str, asset: Asset, solids: Mapping[str, Manifold], *, stored: bool, speed: bool
+) -> ColliderRow:
+    found = {
+        link.name: fidelity(solids[link.name], [collider.convex for collider in link.colliders])
+        for link in asset.links
+    }
+    volumes = {name: solid.volume() for name, solid in solids.items()}
+    empty = {name: max(solid.hull().volume() - volumes[name], 0.0) for name, solid in solids.items()}
+    return ColliderRow(
+        kind,
+        stored,
+        found,
+        _mean({name: item.volume_error for name, item in found.items()}, volumes),
+        max(item.surface_error for item in found.values()),
+        _mean({name: item.interior_kept for name, item in found.items()}, empty),
+        steps_per_second(asset) if speed else None,
+    )
+
+
+def steps_per_second(asset: Asset) -> float | None:
+    """Return how many steps MuJoCo makes in a second of wall clock, or None where it is not installed.
+
+    The asset first moves from its initial state for a second. The number is of this machine at this moment.
+    """
+    try:
+        import mujoco
+    except ImportError:
+        return None
+    files = dict(write_mjcf(asset).files)
+    text = files.pop(f"{asset.name}.xml").decode()
+    model = mujoco.MjModel.from_xml_string(text, files)
+    data = mujoco.MjData(model)
+    mujoco.mj_step(model, data, nstep=max(round(_SETTLE / model.opt.timestep), 1))
+    steps, start = 0, time.perf_counter()
+    while (elapsed := time.perf_counter() - start) < _TIMED:
+        mujoco.mj_step(model, data, nstep=_BATCH)
+        steps += _BATCH
+    return steps / elapsed
+
+
+def _united(parts: Sequence[Part]) -> Manifold:
+    return Manifold.batch_boolean([part.solid for part in parts], OpType.Add)
+
+
+def _mean(values: Mapping[str, float], weights: Mapping[str, float]) -> float:
+    """Return the mean of the links' values; without any weight nothing was lost: 1."""
+    total = sum(weights.values())
+    return sum(values[name] * weight for name, weight in weights.items()) / total if total else 1.0

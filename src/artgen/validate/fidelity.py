@@ -1,0 +1,129 @@
+"""How faithfully convex pieces stand for a solid."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from manifold3d import Manifold, OpType
+from numpy.typing import NDArray
+
+from artgen.asset.distance import Faces
+from artgen.asset.unique_rows import distinct_rows
+from artgen.colliders import Convex
+from artgen.colliders.hull import hull_of
+from artgen.colliders.polytope import Polytope
+
+Array = NDArray[np.float64]
+
+_FINE = 2.0e-5  # [m] to which round pieces are faceted around
+_SPREAD = 300  # points spread over the surfaces that differ, beside their corners
+_DOUBTED = 1.0e-5  # [m] by which points of a difference may miss the solids that they are of
+_EMPTY = 0.03  # of a hull's volume: less are its rounded edges, not an empty space
+
+
+@dataclass(frozen=True)
+class Fidelity:
+    """How convex pieces differ from the solid that they stand for.
+
+    Attributes:
+        volume_error: Volume that is in one but not in the other, as a share of the solid's.
+        surface_error: How far the pieces stand off the solid, or the solid sticks out of them: the largest
+            distance found at corners and at a few hundred points between them [m].
+        interior_kept: Share of the empty volume inside the solid's convex hull that the pieces leave empty.
+        pieces: How many pieces there are.
+        vertices: How many corners they have; a round piece has none.
+        added: Volume that the pieces add, as a share of the solid's.
+        sticks_out: How far the solid sticks out of the pieces [m].
+        place: Where it does so the most, shape (3,) [m].
+        surface_place: Where the surfaces differ the most, shape (3,) [m].
+    """
+
+    volume_error: float
+    surface_error: float
+    interior_kept: float
+    pieces: int
+    vertices: int
+    added: float = 0.0
+    sticks_out: float = 0.0
+    place: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    surface_place: tuple[float, float, float] = (0.0, 0.0, 0.0)
+
+
+def fidelity(solid: Manifold, convexes: Sequence[Convex]) -> Fidelity:
+    """Compare convex pieces with the solid that they stand for.
+
+    Args:
+        solid: The solid; its volume must be positive.
+        convexes: The pieces, in the same coordinates; round ones are compared as they are, to 0.02 mm.
+    """
+    polytopes = [convex.outer_polytope(_FINE) for convex in convexes]
+    cover = Manifold.batch_boolean([hull_of(polytope.points) for polytope in polytopes], OpType.Add)
+    excess, missing = cover - solid, solid - cover
+    volume, hull, faces = solid.volume(), solid.hull(), Faces.of(solid)
+    outside, place = _sticking_out(missing, polytopes, faces)
+    error, surface_place = outside, place
+    if not excess.is_empty():
+        # films along faces that solids share are excess by rounding only, and within the solid
+        points = Faces.of(excess).spread(_SPREAD)
+        points = points[_outside(polytopes, points) < _DOUBTED]
+        apart, at = faces.farthest(points, outside=True) if len(points) else (0.0, place)
+        if apart > error:
+            error, surface_place = apart, at
+    empty = hull.volume() - volume
+    kept = (hull - cover).volume() - missing.volume()
+    return Fidelity(
+        volume_error=(excess.volume() + missing.volume()) / volume,
+        surface_error=error,
+        interior_kept=min(max(kept / empty, 0.0), 1.0) if empty > _EMPTY * hull.volume() else 1.0,
+        pieces=len(convexes),
+        vertices=sum(len(convex.faces.points) for convex in convexes if convex.kind in {"box", "hull"}),
+        added=excess.volume() / volume,
+        sticks_out=outside,
+        place=_triple(place),
+        surface_place=_triple(surface_place),
+    )
+
+
+def _sticking_out(missing: Manifold, polytopes: Sequence[Polytope], faces: Faces) -> tuple[float, Array]:
+    """Return how far what pieces miss of a solid is from the nearest of them, and where.
+
+    Measured along the normals of their faces; films between pieces that share a face count as nothing.
+    """
+    if missing.is_empty():
+        return 0.0, np.zeros(3)
+    points, _, _ = distinct_rows(np.round(Faces.of(missing).spread(_SPREAD), 8))
+    outside = _outside(polytopes, points)
+    worst = int(np.argmax(outside))
+    # where many faces coincide, manifold3d may add to a difference what is in neither solid
+    while outside[worst] > _DOUBTED and faces.farthest(points[[worst]], outside=True)[0] > _DOUBTED:
+        outside[worst] = 0.0
+        worst = int(np.argmax(outside))
+    return max(float(outside[worst]), 0.0), points[worst]
+
+
+def _outside(polytopes: Sequence[Polytope], points: Array) -> Array:
+    """Return how high points are above the faces of the nearest polytope, shape (n,) [m]."""
+    outside = np.full(len(points), np.inf)
+    for polytope in polytopes:
+        near = np.flatnonzero(_least_height(polytope, points) < outside)
+        if len(near):
+            height = (polytope.planes[:, :3] @ points[near].T - polytope.planes[:, 3:]).max(axis=0)
+            outside[near] = np.minimum(outside[near], height)
+    return outside
+
+
+def _least_height(polytope: Polytope, points: Array) -> Array:
+    """Return a height above the faces that points outside a polytope have at least, shape (n,) [m].
+
+    A ray from the middle to a point leaves the polytope within the ball around it, through a face that is
+    no nearer to the middle than the ball within it. Of points inside it is 0 at most.
+    """
+    middle = polytope.points.mean(axis=0)
+    within = (polytope.planes[:, 3] - polytope.planes[:, :3] @ middle).min()
+    around = np.linalg.norm(polytope.points - middle, axis=1).max()
+    return np.asarray(within * (np.linalg.norm(points - middle, axis=1) / around - 1.0))
+
+
+def _triple(point: Array) -> tuple[float, float, float]:
+    x, y, z = (float(value) for value in point)
+    return x, y, z

@@ -1,0 +1,348 @@
+"""Whether hands can do what grasps and pushes promise: come near, take hold, and move the joints."""
+
+from collections.abc import Collection, Iterator, Mapping
+
+import numpy as np
+from numpy.typing import NDArray
+
+from artgen.asset import Asset, Condition
+from artgen.asset.affordance import Affordance
+from artgen.asset.gripper import GRIPPER
+from artgen.validate.hands.force import MOST_FORCE, hand_forces
+from artgen.validate.hands.motion import Reach, reach_of, tendency
+from artgen.validate.hands.space import HandSpace, Touch
+from artgen.validate.hands.states import Opened, openable, standing
+from artgen.validate.report import CheckResult, Finding
+
+Array = NDArray[np.float64]
+
+CHECK = "grasps"
+
+Faults = tuple[list[Finding], str]
+"""What keeps a hand from coming, and the link that it strikes; empty where it strikes none but its own."""
+
+COMES_FROM = 0.100
+"""How far away the hand starts [m]."""
+
+_PAD_GIVES = 0.0005  # rubber pads and finger tips yield by this much [m]
+_LEAST_ROOM = 0.003  # between an open finger and what it closes on [m]
+_MOST_ROOM = 0.010  # [m]
+_OFF_CENTRE = 0.002  # of what is held, along the closing direction [m]
+_HELD = 0.002  # least length of contact on a pad, along the approach and across [m]
+_FRICTION = 0.5  # rubber on metal or wood, on the safe side
+_OFF_SURFACE = 0.001  # of the point where a finger pushes [m]
+_FOOTHOLD = 0.002  # least width of contact under a pushing finger [m]
+_ALONG = 0.5  # least cosine between a push and the way that its point can go
+_LEAST_SHARE = 0.2  # of the range of a joint that a hand has to be able to move it through
+_NEARLY_ALL = 0.999
+_GRAZES = 1e-4  # how far a hand may reach below the ground [m]
+
+
+def check_grasps(asset: Asset) -> CheckResult:
+    """Check every grasp with a parallel gripper and every push with a finger, coming and as joints move.
+
+    A hand comes where its joint may move: to a drawer behind a door, when the door is open.
+
+    Args:
+        asset: The asset, in memory or read back.
+
+    Returns:
+        A fault for each grasp that a gripper cannot take, each push that does not push, and each free joint
+        that no hand can move, or not with `MOST_FORCE`; a note where each hand strikes something before a
+        joint is at its end, and where something has to be opened first without being needed. An asset
+        without grasps and pushes has one note.
+    """
+    free = [joint.name for joint in asset.free_joints if not joint.driven]
+    found = asset.affordances
+    if not found:
+        note = Finding(
+            CHECK,
+            f"no grasp or push moves {', '.join(free)}",
+            hint="give parts that hands move grasp=grasp_on(...) or push=push_on(...)",
+            severity="note",
+        )
+        return CheckResult(CHECK, (note,) if free else (), "no grasps, no pushes")
+    space = HandSpace(asset)
+    findings: list[Finding] = []
+    best = dict.fromkeys((joint.name for joint in asset.free_joints), 0.0)
+    faulty: set[str] = set()
+    for affordance in found:
+        opened, faults = _come(space, affordance)
+        findings += faults
+        if any(each.severity == "fault" for each in faults):
+            faulty |= set(affordance.joints)
+        else:
+            findings += _floor_findings(space, affordance, opened)
+            findings += _motion_findings(space, affordance, opened, best)
+    findings = [each for each in findings if not _in_vain(each, best)]
+    findings += _joint_findings(asset, best, faulty)
+    forces = hand_forces(asset)
+    findings += _force_findings(asset, forces, faulty)
+    grasps = sum(each.kind == "grasp" for each in found)
+    return CheckResult(
+        CHECK, tuple(findings), f"{grasps} grasps, {len(found) - grasps} pushes{_most(forces)}"
+    )
+
+
+def _in_vain(finding: Finding, best: Mapping[str, float]) -> bool:
+    """Tell whether a note says of a hand what is no matter: another one moves that joint all the way."""
+    return finding.severity == "note" and best.get(finding.joint, 0.0) >= _NEARLY_ALL
+
+
+def _most(forces: Mapping[str, float]) -> str:
+    name = max(forces, key=lambda joint: forces[joint], default="")
+    return f"; with at most {forces[name]:.3g} N, at {name}" if name and forces[name] >= 0.01 else ""
+
+
+def _force_findings(asset: Asset, forces: Mapping[str, float], faulty: Collection[str]) -> Iterator[Finding]:
+    for name, force in forces.items():
+        if force > MOST_FORCE and name not in faulty:
+            yield Finding(
+                CHECK,
+                f"a hand needs {force:.3g} N to move it against friction, springs and weight, more than "
+                f"{MOST_FORCE:.3g} N",
+                asset.joint(name).child,
+                name,
+                force,
+                "N",
+                hint="weaken friction or spring, balance the weight with a spring, or let the hand act "
+                "farther from the axis",
+            )
+
+
+def _come(space: HandSpace, affordance: Affordance) -> tuple[Opened, list[Finding]]:
+    """Bring a hand where its joint may move, and open what it strikes there, if it can be opened.
+
+    Returns:
+        What was opened, and a note that says so; or what keeps the hand from coming, with nothing opened.
+    """
+    opened: dict[str, Condition] = {}
+    faults, struck = _faults(space, affordance, opened)
+    first = faults
+    while faults:
+        candidates = openable(space.asset, affordance, struck) if struck else ()
+        name, where = next((each for each in candidates if each[0] not in opened), ("", None))
+        if where is None:
+            return {}, first
+        opened[name] = where
+        faults, struck = _faults(space, affordance, opened)
+    return opened, [_opened_note(affordance, opened)] if opened else []
+
+
+def _faults(space: HandSpace, affordance: Affordance, opened: Opened) -> Faults:
+    pose = _pose(space.asset, affordance, opened)
+    if pose is None:
+        return [_fault(affordance, f"{_listed(opened)} cannot be", "come from another direction")], ""
+    kind = _grasp_faults if affordance.kind == "grasp" else _push_faults
+    return kind(space, affordance, pose)
+
+
+def _pose(asset: Asset, affordance: Affordance, opened: Opened) -> dict[str, Array] | None:
+    """Return how links are displaced as a hand comes; None where what was opened cannot be."""
+    q = standing(asset, affordance.joints[0] if affordance.joints else "", opened)
+    if q is None and opened:
+        return None
+    return asset.pose(q or {})
+
+
+def _opened_note(affordance: Affordance, opened: Opened) -> Finding:
+    text = f"{affordance.kind} {affordance.name}: a hand comes to it only where {_listed(opened)}"
+    return Finding(CHECK, text, affordance.link, severity="note")
+
+
+def _listed(opened: Opened) -> str:
+    return " and ".join(str(condition) for condition in opened.values())
+
+
+def _fault(
+    affordance: Affordance, message: str, hint: str, value: float | None = None, joint: str = ""
+) -> Finding:
+    text = f"{affordance.kind} {affordance.name}: {message}"
+    unit = "" if value is None else "m"
+    return Finding(CHECK, text, affordance.link, joint, value, unit, hint=hint)
+
+
+def _struck(touch: Touch) -> str:
+    return f"{touch.link}/{touch.label}"
+
+
+def _mm(length: float) -> str:
+    return f"{1e3 * length:.3g} mm"
+
+
+def _grasp_faults(space: HandSpace, grasp: Affordance, pose: Mapping[str, Array]) -> Faults:
+    """Return what keeps an open gripper from coming and closing on the link; the first thing that does."""
+    if not 0.0 < grasp.width <= GRIPPER.stroke + 1e-9:
+        message = f"its width is {_mm(grasp.width)}, and the gripper opens to {_mm(GRIPPER.stroke)}"
+        hint = "grip it where it is thinner, or along another direction"
+        return [_fault(grasp, message, hint, grasp.width)], ""
+    half, frame = grasp.width / 2.0, pose[grasp.link] @ grasp.frame
+    for name, box in GRIPPER.blocks(-half, half, COMES_FROM).items():
+        touch = space.first_touch(box, frame, pose)
+        if touch is not None:
+            message = f"on its way to the grasp the {name} strikes {_struck(touch)}"
+            hint = "move the frame, come from another direction, or make the width what the thing needs"
+            return [_fault(grasp, message, hint)], touch.link
+    between = GRIPPER.between(half)
+    own = space.inside(between, grasp.frame, grasp.link)
+    if not len(own):
+        hint = "put its origin into the middle of what is held"
+        return [_fault(grasp, f"the fingers close on nothing of link {grasp.link}", hint)], ""
+    low, high = float(own[:, 0].min()), float(own[:, 0].max())
+    for touch, points in space.others_inside(between, frame, pose, grasp.link):
+        ahead = max(float(points[:, 0].max()) - high, low - float(points[:, 0].min()))
+        if ahead > -_PAD_GIVES / 10.0:
+            message = f"a closing finger touches {_struck(touch)} {_mm(max(ahead, 0.0))} before the link"
+            return [_fault(grasp, message, "move the frame away from it, or turn it", ahead)], touch.link
+    return [*_width_faults(grasp, low, high), *_contact_faults(space, grasp, low, high)], ""
+
+
+def _floor_findings(space: HandSpace, grasp: Affordance, opened: Opened) -> Iterator[Finding]:
+    """Yield how deep the hand reaches below the ground that the asset stands on, if it stands on any.
+
+    Whether it does is up to its user, so this is a note.
+    """
+    pose = _pose(space.asset, grasp, opened)
+    if grasp.kind == "push" or pose is None:
+        return
+    frame = pose[grasp.link] @ grasp.frame
+    for name, box in GRIPPER.blocks(-grasp.width / 2.0, grasp.width / 2.0).items():
+        corners = np.stack(np.meshgrid(*box.T), axis=-1).reshape(-1, 3)
+        below = space.lowest - float((corners @ frame[2, :3]).min() + frame[2, 3])
+        if below > _GRAZES:
+            yield Finding(
+                CHECK,
+                f"grasp {grasp.name}: the {name} reaches {_mm(below)} below the lowest point of the asset, "
+                "where the ground may be",
+                grasp.link,
+                value=below,
+                unit="m",
+                severity="note",
+            )
+            return
+
+
+def _width_faults(grasp: Affordance, low: float, high: float) -> Iterator[Finding]:
+    thickness, middle = high - low, (high + low) / 2.0
+    room = (grasp.width - thickness) / 2.0
+    if thickness + 2.0 * _LEAST_ROOM > GRIPPER.stroke + 1e-6:
+        message = f"what is held is {_mm(thickness)} thick, too thick for a gripper of {_mm(GRIPPER.stroke)}"
+        yield _fault(grasp, message, "grip it where it is thinner, or along another direction", thickness)
+    elif not _LEAST_ROOM - 1e-6 <= room <= _MOST_ROOM + 1e-6:
+        message = (
+            f"its width of {_mm(grasp.width)} leaves each finger {_mm(room)} beside what is held, "
+            f"{_mm(thickness)} thick; {_mm(_LEAST_ROOM)} to {_mm(_MOST_ROOM)} are right"
+        )
+        wanted = GRIPPER.opening(thickness)
+        yield _fault(grasp, message, f"make grasp_width {wanted:.4g}, or leave it out", grasp.width)
+    if abs(middle) > _OFF_CENTRE + 1e-6:
+        message = f"what is held is {_mm(abs(middle))} off the middle between the fingers"
+        yield _fault(
+            grasp, message, "move the frame along the closing direction, by at most 2 mm off", middle
+        )
+
+
+def _contact_faults(space: HandSpace, grasp: Affordance, low: float, high: float) -> Iterator[Finding]:
+    """Yield what is wrong with where the pads touch."""
+    patches = []
+    for side, at in ((1.0, high), (-1.0, low)):
+        corners = GRIPPER.between(0.0)
+        corners[:, 0] = sorted((at - side * _PAD_GIVES, at + side * _PAD_GIVES))
+        points = space.inside(corners, grasp.frame, grasp.link)[:, 1:]
+        patch = np.array([points.min(axis=0), points.max(axis=0)])
+        along = float(patch[1, 1]) - max(float(patch[0, 1]), -GRIPPER.pad / 2.0)
+        across = float(patch[1, 0] - patch[0, 0])
+        if min(along, across) < _HELD:
+            message = f"of a pad only {_mm(max(along, 0.0))} by {_mm(across)} touch the link"
+            hint = (
+                f"move the frame along the approach or across; at least {_mm(_HELD)} have to be on each pad"
+            )
+            yield _fault(grasp, message, hint, min(along, across))
+            return
+        patches.append(patch)
+    first, second = patches
+    gap = np.maximum(np.maximum(first[0] - second[1], second[0] - first[1]), 0.0)
+    slope = float(np.linalg.norm(gap)) / max(high - low, 1e-9)
+    if slope > _FRICTION:
+        message = f"the pads touch it {_mm(float(np.linalg.norm(gap)))} apart sideways: it turns out of them"
+        yield _fault(grasp, message, f"close on faces that look at each other (slope {slope:.2g} > 0.5)")
+
+
+def _push_faults(space: HandSpace, push: Affordance, pose: Mapping[str, Array]) -> Faults:
+    """Return what keeps a finger from coming straight to the point of a push."""
+    depths = space.finger_depths(pose[push.link] @ push.frame, pose, COMES_FROM)
+    own = depths.pop(push.link, None)
+    if own is None:
+        message = f"a finger of {_mm(GRIPPER.finger)} touches nothing of link {push.link} there"
+        return [_fault(push, message, "put its origin on the surface of the link, the approach into it")], ""
+    first = min(depths, key=lambda link: depths[link], default="")
+    if first and depths[first] < own + 1e-5:
+        message = f"the finger touches {first} {_mm(own - depths[first])} before link {push.link}"
+        return [_fault(push, message, "move the point away from it", own - depths[first])], first
+    if abs(own) > _OFF_SURFACE:
+        where = "before" if own < 0.0 else "behind"
+        message = f"the surface is {_mm(abs(own))} {where} its point"
+        return [_fault(push, message, "put its origin on the surface", abs(own))], ""
+    patch = space.finger_patch(push.frame, own, _PAD_GIVES, push.link)
+    outside = max(float(patch[0].max()), float(-patch[1].min()))
+    if outside > _OFF_SURFACE or float((patch[1] - patch[0]).min()) < _FOOTHOLD:
+        message = f"the finger touches the link beside its point, {_mm(max(outside, 0.0))} off or at an edge"
+        return [
+            _fault(push, message, "put its origin into the middle of a face that looks at the finger")
+        ], ""
+    return [], ""
+
+
+def _motion_findings(
+    space: HandSpace, affordance: Affordance, opened: Opened, best: dict[str, float]
+) -> Iterator[Finding]:
+    """Yield what happens when the hand moves each joint; `best` keeps how far some hand moves it."""
+    asset = space.asset
+    for number, name in enumerate(affordance.joints):
+        if affordance.kind == "push":
+            along = tendency(asset, affordance, name)
+            if along < _ALONG:
+                if not number:
+                    message = "it pushes to where the joint cannot go"
+                    if along > 0.0:
+                        message = f"only {along:.2g} of its force moves the joint"
+                    hint = "turn the push towards the way that the joint opens"
+                    yield _fault(affordance, message, hint, joint=name)
+                continue
+        reach = reach_of(space, affordance, name, opened)
+        best[name] = max(best[name], reach.share)
+        if reach.share < _NEARLY_ALL and reach.touch is not None:
+            yield _reach_finding(affordance, name, reach, first=not number)
+
+
+def _reach_finding(affordance: Affordance, joint: str, reach: Reach, *, first: bool) -> Finding:
+    assert reach.touch is not None
+    failed = first and reach.share < _LEAST_SHARE
+    return Finding(
+        CHECK,
+        f"{affordance.kind} {affordance.name}: the hand moves the joint through {100 * reach.share:.0f} % of "
+        f"its range, then the {reach.part} strikes {_struck(reach.touch)}",
+        affordance.link,
+        joint,
+        reach.share,
+        pose=reach.pose,
+        hint="turn or move the frame so that the hand stays clear of it" if failed else "",
+        severity="fault" if failed else "note",
+    )
+
+
+def _joint_findings(asset: Asset, best: dict[str, float], faulty: Collection[str]) -> Iterator[Finding]:
+    """Yield the free joints that no hand moves, but for those whose grasps and pushes have faults already."""
+    for name, share in best.items():
+        if asset.joint(name).driven:
+            continue
+        moving = [each.name for each in asset.affordances if name in each.joints]
+        if not moving:
+            message = "no grasp or push moves it"
+            child = asset.joint(name).child
+            hint = f"give {child} or what hangs on it a grasp or a push, or say what moves it: driven=..."
+            yield Finding(CHECK, message, joint=name, hint=hint)
+        elif share < _LEAST_SHARE and name not in faulty:
+            message = f"of {', '.join(moving)} none moves it through {100 * _LEAST_SHARE:.0f} % of its range"
+            hint = "mend one of them, or add another"
+            yield Finding(CHECK, message, joint=name, value=share, hint=hint)

@@ -1,0 +1,186 @@
+"""What a hand meets: boxes in the frame of a grasp against the exact solids of an asset."""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from manifold3d import Manifold
+from numpy.typing import NDArray
+
+from artgen.asset import Asset
+from artgen.asset.collision import Part
+from artgen.asset.gripper import GRIPPER, block, clipped
+from artgen.asset.stored_solids import link_parts
+from artgen.proof.overlap import LEAST_VOLUME
+
+Array = NDArray[np.float64]
+
+_BEHIND = 0.020  # how deep behind the point of a push its surface is looked for [m]
+_SEGMENTS = 32  # of the circle around a finger
+_SLACK = 1e-5  # a hand may graze what it passes by this much [m]
+
+
+@dataclass(frozen=True)
+class Touch:
+    """What a hand touches.
+
+    Attributes:
+        link: Name of the link.
+        label: Label of the solid.
+    """
+
+    link: str
+    label: str
+
+
+class HandSpace:
+    """The solids of an asset as hands meet them; details, which have no collider, are no obstacles.
+
+    Args:
+        asset: The asset, in memory or read back.
+    """
+
+    def __init__(self, asset: Asset) -> None:
+        self.asset = asset
+        self._parts = {link.name: link_parts(link) for link in asset.links}
+        self._boxes = {
+            name: np.array([part.solid.bounding_box() for part in parts]).reshape(-1, 2, 3)
+            for name, parts in self._parts.items()
+        }
+
+    @property
+    def lowest(self) -> float:
+        """Height of the lowest solid at rest, where the asset stands [m]."""
+        return min(float(boxes[:, 0, 2].min()) for boxes in self._boxes.values() if len(boxes))
+
+    def first_touch(
+        self,
+        corners: Array,
+        frame: Array,
+        pose: Mapping[str, Array],
+        ignore: str = "",
+    ) -> Touch | None:
+        """Return something that a box overlaps; None if it is free.
+
+        Args:
+            corners: Opposite corners of the box in the frame, shape (2, 3) [m].
+            frame: Pose of the box in asset coordinates, shape (4, 4).
+            pose: Displacement of each link from rest, shape (4, 4) each.
+            ignore: Name of a link that it may overlap.
+        """
+        shrunk = np.array([corners[0] + _SLACK, corners[1] - _SLACK])
+        return self._touch(block(shrunk, np.eye(4)), shrunk, frame, pose, ignore)
+
+    def finger_touch(
+        self, back: float, frame: Array, pose: Mapping[str, Array], ignore: str = ""
+    ) -> Touch | None:
+        """Return something that a finger with its tip at the origin overlaps; None if it is free."""
+        radius = GRIPPER.finger / 2.0 - _SLACK
+        corners = np.array([[-radius, -radius, -back], [radius, radius, -_SLACK]])
+        return self._touch(_rod(radius, -back, -_SLACK), corners, frame, pose, ignore)
+
+    def _touch(
+        self,
+        solid: Manifold,
+        corners: Array,
+        frame: Array,
+        pose: Mapping[str, Array],
+        ignore: str,
+    ) -> Touch | None:
+        for link in self._parts:
+            if link == ignore:
+                continue
+            local = _inverse(pose[link]) @ frame
+            near = self._near(link, corners, local)
+            if not len(near):
+                continue
+            moved = solid.transform(local[:3])
+            for part in near:
+                if (part.solid ^ moved).volume() > LEAST_VOLUME:
+                    return Touch(link, part.label)
+        return None
+
+    def _near(self, link: str, corners: Array, frame: Array) -> list[Part]:
+        """Return the parts of a link whose bounding boxes overlap a box, along its and along our axes."""
+        turn, half = frame[:3, :3], (corners[1] - corners[0]) / 2.0
+        middle = turn @ corners.mean(axis=0) + frame[:3, 3]
+        boxes = self._boxes[link]
+        apart, halves = boxes.mean(axis=1) - middle, (boxes[:, 1] - boxes[:, 0]) / 2.0
+        close = (np.abs(apart) < halves + np.abs(turn) @ half).all(axis=1)
+        if not close.any():
+            return []
+        close &= (np.abs(apart @ turn) < halves @ np.abs(turn) + half).all(axis=1)
+        return [self._parts[link][index] for index in np.flatnonzero(close)]
+
+    def inside(self, corners: Array, frame: Array, link: str) -> Array:
+        """Return the corners of what a link at rest has inside a box, in the frame, shape (n, 3) [m]."""
+        near = self._near(link, corners, frame)
+        return clipped([part.solid for part in near], block(corners, frame), frame)
+
+    def others_inside(
+        self, corners: Array, frame: Array, pose: Mapping[str, Array], link: str
+    ) -> Iterator[tuple[Touch, Array]]:
+        """Yield what links but one have inside a box: corners in its frame, shape (n, 3) [m].
+
+        Args:
+            corners: Opposite corners of the box in the frame, shape (2, 3) [m].
+            frame: Pose of the box in asset coordinates, shape (4, 4).
+            pose: Displacement of each link from rest, shape (4, 4) each.
+            link: Name of the link that is left out.
+        """
+        for other in self._parts:
+            if other == link:
+                continue
+            local = _inverse(pose[other]) @ frame
+            for part in self._near(other, corners, local):
+                points = clipped([part.solid], block(corners, local), local)
+                if len(points):
+                    yield Touch(other, part.label), points
+
+    def finger_depths(self, frame: Array, pose: Mapping[str, Array], back: float) -> dict[str, float]:
+        """Return where a finger that comes along z first touches each link that it would touch, z [m].
+
+        Args:
+            frame: Frame of the push in asset coordinates, shape (4, 4).
+            pose: Displacement of each link from rest, shape (4, 4) each.
+            back: How far away the finger starts [m].
+        """
+        radius = GRIPPER.finger / 2.0
+        corners = np.array([[-radius, -radius, -back], [radius, radius, _BEHIND]])
+        rod = _rod(radius, -back, _BEHIND)
+        found = {}
+        for link in self._parts:
+            local = _inverse(pose[link]) @ frame
+            near = self._near(link, corners, local)
+            if not near:
+                continue
+            points = clipped((part.solid for part in near), rod.transform(local[:3]), local)
+            if len(points):
+                found[link] = float(points[:, 2].min())
+        return found
+
+    def finger_patch(self, frame: Array, depth: float, gives: float, link: str) -> Array:
+        """Return the bounding rectangle of what a finger touches of a link, x and y, shape (2, 2) [m].
+
+        Args:
+            frame: Frame of the push, shape (4, 4).
+            depth: Where it first touches, z [m].
+            gives: How far the tip of the finger yields [m].
+            link: Name of the link.
+        """
+        radius = GRIPPER.finger / 2.0
+        corners = np.array([[-radius, -radius, depth - gives], [radius, radius, depth + gives]])
+        region = _rod(radius, depth - gives, depth + gives).transform(frame[:3])
+        points = clipped((part.solid for part in self._near(link, corners, frame)), region, frame)[:, :2]
+        return np.array([points.min(axis=0), points.max(axis=0)])
+
+
+def _rod(radius: float, low: float, high: float) -> Manifold:
+    return Manifold.cylinder(high - low, radius, radius, _SEGMENTS).translate((0.0, 0.0, low))
+
+
+def _inverse(pose: Array) -> Array:
+    result = np.eye(4)
+    result[:3, :3] = pose[:3, :3].T
+    result[:3, 3] = -pose[:3, :3].T @ pose[:3, 3]
+    return result

@@ -1,0 +1,175 @@
+"""Reading an exported URDF with yourdfpy."""
+
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from artgen.asset import Asset
+from artgen.colliders import Convex
+from artgen.validate.readback.pieces import Piece
+from artgen.validate.readback.reading import Faces, Inertial, Reading, Said, listening
+from artgen.validate.readback.renamed import read_names, translated
+
+Array = NDArray[np.float64]
+
+
+def read_urdf(asset: Asset, path: Path) -> Reading:
+    """Read a file and its meshes.
+
+    Args:
+        asset: The asset whose links are looked for.
+        path: The file.
+    """
+    import yourdfpy
+    from lxml import etree
+
+    names = read_names(path)
+    bodies = {} if names is None else names.bodies
+    tree = etree.parse(path)  # yourdfpy reads as much as it can of broken XML, and says nothing
+    with listening() as said:
+        robot = yourdfpy.URDF.load(str(path))
+        if not robot.validate():
+            said.append("yourdfpy finds it invalid")
+        own = {link.name: bodies.get(link.name, link.name) for link in asset.links}
+        links = {name: robot.link_map[body] for name, body in own.items() if body in robot.link_map}
+        colliders = {name: tuple(_colliders(link, path.parent)) for name, link in links.items()}
+
+    def frames(positions: Mapping[str, float]) -> dict[str, Array]:
+        with listening():  # it repeats what it said when it read the file
+            robot.update_cfg(
+                {name: positions[name] for name in robot.actuated_joint_names if name in positions}
+            )
+        return dict(_reached(robot, {name: own[name] for name in links}))
+
+    moving = {name: joint for name, joint in robot.joint_map.items() if joint.type != "fixed"}
+    springs = _springs(tree)
+    reading = Reading(
+        path.name,
+        frames,
+        inertials={name: _inertial(link) for name, link in links.items() if link.inertial is not None},
+        mass=sum(float(link.inertial.mass) for link in robot.link_map.values() if link.inertial is not None),
+        kinds={
+            name: "prismatic" if joint.type == "prismatic" else "revolute" for name, joint in moving.items()
+        },
+        ends={name: (joint.parent, joint.child) for name, joint in moving.items()},
+        limits={
+            name: None if joint.type == "continuous" else (joint.limit.lower, joint.limit.upper)
+            for name, joint in moving.items()
+        },
+        axes={name: np.array(joint.axis, float) for name, joint in moving.items()},
+        dynamics={name: tuple(_dynamics(joint, springs.get(name, {}))) for name, joint in moving.items()},
+        couplings={
+            name: (joint.mimic.joint, _or(joint.mimic.multiplier, 1.0), _or(joint.mimic.offset, 0.0))
+            for name, joint in moving.items()
+            if joint.mimic is not None
+        },
+        colliders=colliders,
+        faces=_faces(robot, links),
+        holds=_holds(asset, robot),
+        said=tuple(said),
+    )
+    return reading if names is None else translated(reading, names, asset.links[0].name)
+
+
+def _reached(robot: Any, bodies: Mapping[str, str]) -> Iterator[tuple[str, Array]]:
+    """Yield the frames of the links, given by their bodies, that joints lead to from the root."""
+    for name, body in bodies.items():
+        try:
+            yield name, np.asarray(robot.get_transform(body))
+        except ValueError:
+            continue
+
+
+def _or(value: float | None, default: float) -> float:
+    return default if value is None else float(value)
+
+
+def _inertial(link: Any) -> Inertial:
+    inertial = link.inertial
+    origin = np.eye(4) if inertial.origin is None else np.asarray(inertial.origin)
+    turn = origin[:3, :3]
+    return Inertial(float(inertial.mass), origin[:3, 3], turn @ np.asarray(inertial.inertia) @ turn.T)
+
+
+def _springs(tree: Any) -> dict[str, dict[str, float]]:
+    """Return what Gazebo's words say of springs, by joint."""
+    return {
+        element.get("reference"): {word.tag: float(word.text) for word in element if word.tag in _SPRING}
+        for element in tree.iterfind("gazebo")
+        if element.get("reference")
+    }
+
+
+_SPRING = {"springStiffness": "stiffness", "springReference": "rest"}
+
+
+def _dynamics(joint: Any, spring: Mapping[str, float]) -> Iterator[Said]:
+    if joint.limit is not None:
+        yield Said("effort", _or(joint.limit.effort, 0.0), "effort")
+        yield Said("velocity", _or(joint.limit.velocity, 0.0), "velocity")
+    if joint.dynamics is not None:
+        yield Said("damping", _or(joint.dynamics.damping, 0.0), "damping")
+        yield Said("friction", _or(joint.dynamics.friction, 0.0), "friction")
+    for tag, value in spring.items():
+        yield Said(_SPRING[tag], value, tag)
+
+
+def _colliders(link: Any, directory: Path) -> Iterator[Piece]:
+    for collision in link.collisions:
+        geometry = collision.geometry
+        pose = np.eye(4) if collision.origin is None else np.asarray(collision.origin, float)
+        name = collision.name or "without a name"
+        if geometry.box is not None:
+            yield Piece.primitive(name, Convex("box", pose, tuple(map(float, geometry.box.size))))
+        elif geometry.sphere is not None:
+            yield Piece.primitive(name, Convex("sphere", pose, (float(geometry.sphere.radius),)))
+        elif geometry.cylinder is not None:
+            size = (float(geometry.cylinder.radius), float(geometry.cylinder.length))
+            yield Piece.primitive(name, Convex("cylinder", pose, size))
+        else:
+            yield _mesh_piece(name, geometry.mesh, pose, directory)
+
+
+def _mesh_piece(name: str, mesh: Any, pose: Array, directory: Path) -> Piece:
+    import trimesh
+
+    loaded = trimesh.load_mesh(directory / mesh.filename, process=False)
+    scale = np.ones(3) if mesh.scale is None else np.asarray(mesh.scale, float) * np.ones(3)
+    vertices = (np.asarray(loaded.vertices) * scale) @ pose[:3, :3].T + pose[:3, 3]
+    flaw = "" if (scale > 0.0).all() else f"is mirrored by a scale of {scale.min():.4g}"
+    return Piece.mesh(name, vertices, np.asarray(loaded.faces, np.int64), flaw=flaw)
+
+
+def _faces(robot: Any, links: Mapping[str, Any]) -> dict[str, tuple[Faces, ...]]:
+    """Return the visible faces of each link, from the scene that yourdfpy makes of them."""
+    graph = robot.scene.graph
+    owners = {link.name: name for name, link in links.items()}
+    found: dict[str, list[Faces]] = {name: [] for name in links}
+    for node in graph.nodes_geometry:
+        owner = node
+        while owner is not None and owner not in owners:
+            owner = graph.transforms.parents.get(owner)
+        if owner is None:
+            continue
+        pose, name = graph.get(node, frame_from=owner)
+        mesh = robot.scene.geometry[name]
+        vertices = np.asarray(mesh.vertices) @ pose[:3, :3].T + pose[:3, 3]
+        bounds = np.array([vertices.min(axis=0), vertices.max(axis=0)])
+        found[owners[owner]].append(Faces(str(node), bounds, len(mesh.faces)))
+    return {name: tuple(each) for name, each in found.items()}
+
+
+def _holds(asset: Asset, robot: Any) -> dict[str, tuple[str, Array]]:
+    """Return the frames of grasps and pushes: links without extent that are fixed there."""
+    mounts = {joint.child: joint for joint in robot.joint_map.values() if joint.type == "fixed"}
+    found = {}
+    for hold in asset.affordances:
+        for name in (f"{hold.kind}_{hold.name}", hold.name, f"grasp_{hold.name}"):
+            if name in mounts:
+                mount = mounts[name]
+                found[hold.name] = (mount.parent, np.asarray(mount.origin, float))
+                break
+    return found

@@ -1,0 +1,197 @@
+"""Reading an exported USD with OpenUSD."""
+
+import re
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from pxr import Usd, UsdGeom, UsdPhysics, UsdShade, UsdUtils, UsdValidation
+
+from artgen.asset import Asset
+from artgen.colliders import Convex
+from artgen.colliders.convex import Kind
+from artgen.validate.readback.pieces import Piece
+from artgen.validate.readback.reading import Faces, Inertial, Reading, listening
+from artgen.validate.readback.usd_joints import Arm, arms, pose
+from artgen.validate.readback.usd_runtimes import profile, variants
+from artgen.validate.readback.usd_structure import placed, stage_findings
+
+Array = NDArray[np.float64]
+
+_MATERIAL_X = re.compile(r"MissingShaderIdInRegistry: shaderId 'ND_\w+' ")
+_TURNS = {"X": np.eye(3)[:, [1, 2, 0]], "Y": np.eye(3)[:, [2, 0, 1]], "Z": np.eye(3)}  # that take z to it
+
+
+def read_usd(asset: Asset, path: Path) -> Reading:
+    """Read a stage, and run OpenUSD's validators on it.
+
+    Args:
+        asset: The asset whose links are looked for.
+        path: The file.
+    """
+    with listening() as said:
+        diagnostics = UsdUtils.CoalescingDiagnosticDelegate()
+        stage = Usd.Stage.Open(str(path))
+        stage.Reload()  # layers that are open already hide what is on the disk now
+        profiles = []
+        for variant in variants(stage):
+            said.extend(_validated(stage))
+            profiles.append(profile(stage, asset, variant))
+        said.extend(item.commentary for item in diagnostics.TakeUncoalescedDiagnostics())
+        del diagnostics  # from here on, OpenUSD prints again
+    bodies = {prim.GetName(): prim for prim in stage.Traverse() if prim.HasAPI(UsdPhysics.RigidBodyAPI)}
+    found_arms = list(arms(stage))
+    moving = {arm.name: arm for arm in found_arms if arm.kind and arm.parent}
+    links = [link.name for link in asset.links if link.name in bodies]
+    base = asset.links[0].name
+    start = placed(bodies[base]) if base in bodies else np.eye(4)
+    masses = {name: UsdPhysics.MassAPI(prim).GetMassAttr().Get() for name, prim in bodies.items()}
+    joined = [arm for arm in found_arms if arm.parent and arm.child]
+    laws = {simulator: law for each in profiles for simulator, law in each.couplings.items()}
+    return Reading(
+        path.name,
+        lambda positions: _frames(joined, base, start, links, positions),
+        standing={name: placed(bodies[name]) for name in links},
+        inertials={name: _inertial(bodies[name]) for name in links if _weighed(bodies[name])},
+        mass=float(sum(mass or 0.0 for mass in masses.values())),
+        base="fixed"
+        if any(base in (arm.parent, arm.child) and arm.to_world for arm in found_arms)
+        else "free",
+        kinds={name: arm.kind for name, arm in moving.items()},
+        ends={name: (arm.parent, arm.child) for name, arm in moving.items()},
+        limits={name: arm.limits for name, arm in moving.items()},
+        axes={name: arm.after[:3, arm.column] for name, arm in moving.items()},
+        dynamics={
+            name: tuple(dict.fromkeys(said for each in profiles for said in each.dynamics.get(name, ())))
+            for name in moving
+        },
+        couplings=laws.pop("Newton", {}),
+        more_couplings=laws,
+        colliders={name: tuple(_colliders(bodies[name])) for name in links},
+        faces={name: tuple(_faces(bodies[name])) for name in links},
+        holds=_holds(asset, bodies),
+        findings=tuple(stage_findings(stage, asset)),
+        said=tuple(said),
+    )
+
+
+def _validated(stage: Any) -> list[str]:
+    """Return what OpenUSD's own validators say of a stage.
+
+    The shaders of MaterialX are known to renderers, not to the OpenUSD of PyPI, which is built without it.
+    """
+    registry = UsdValidation.ValidationRegistry()
+    context = UsdValidation.ValidationContext(registry.GetOrLoadAllValidators())
+    said = [f"{error.GetName()}: {error.GetMessage()}" for error in context.Validate(stage)]
+    return [text for text in said if not _MATERIAL_X.match(text)]
+
+
+def _frames(
+    remaining: list[Arm], base: str, start: Array, links: list[str], positions: Mapping[str, float]
+) -> dict[str, Array]:
+    """Return the frames of the links that joints lead to from the base."""
+    found = {base: start}
+    while remaining:
+        ready = [arm for arm in remaining if arm.parent in found]
+        if not ready:
+            break
+        for arm in ready:
+            motion = arm.before @ arm.motion(positions.get(arm.name, 0.0)) @ np.linalg.inv(arm.after)
+            found[arm.child] = found[arm.parent] @ motion
+        remaining = [arm for arm in remaining if arm not in ready]
+    return {name: found[name] for name in links if name in found}
+
+
+def _weighed(prim: Any) -> bool:
+    api = UsdPhysics.MassAPI(prim)
+    attributes = (
+        api.GetMassAttr(), api.GetCenterOfMassAttr(), api.GetDiagonalInertiaAttr(), api.GetPrincipalAxesAttr()
+    )  # fmt: skip
+    return all(attribute and attribute.Get() is not None for attribute in attributes)
+
+
+def _inertial(prim: Any) -> Inertial:
+    api = UsdPhysics.MassAPI(prim)
+    turn = pose((0.0, 0.0, 0.0), api.GetPrincipalAxesAttr().Get())[:3, :3]
+    diagonal = np.diag(np.array(api.GetDiagonalInertiaAttr().Get(), float))
+    center = np.array(api.GetCenterOfMassAttr().Get(), float)
+    return Inertial(float(api.GetMassAttr().Get()), center, turn @ diagonal @ turn.T)
+
+
+def _below(body: Any) -> Iterator[tuple[Any, Array]]:
+    """Yield the prims below a body, those of its instances too, each with its place in the body."""
+    inverse = np.linalg.inv(placed(body))
+    for prim in Usd.PrimRange(body, Usd.TraverseInstanceProxies()):
+        if prim.IsA(UsdGeom.Xformable):
+            yield prim, inverse @ placed(prim)
+
+
+def _colliders(body: Any) -> Iterator[Piece]:
+    for prim, matrix in _below(body):
+        if prim.HasAPI(UsdPhysics.CollisionAPI):
+            yield _piece(prim, matrix)
+
+
+def _piece(prim: Any, matrix: Array) -> Piece:
+    name, friction = prim.GetName(), _friction(prim)
+    if prim.IsA(UsdGeom.Mesh):
+        return Piece.mesh(name, *_mesh(prim, matrix), friction, _approximation_flaw(prim))
+    scales = np.linalg.norm(matrix[:3, :3], axis=0)
+    rigid = matrix.copy()
+    rigid[:3, :3] /= scales
+    if prim.IsA(UsdGeom.Cube):
+        size = scales * float(UsdGeom.Cube(prim).GetSizeAttr().Get())
+        return Piece.primitive(name, Convex("box", rigid, tuple(map(float, size))), friction)
+    flaw = "" if np.abs(scales - 1.0).max() <= 1e-6 else f"is round and scaled by {scales.max():.6g}"
+    radius = float(prim.GetAttribute("radius").Get())
+    if prim.IsA(UsdGeom.Sphere):
+        return Piece.primitive(name, Convex("sphere", rigid, (radius,)), friction, flaw)
+    rigid[:3, :3] = rigid[:3, :3] @ _TURNS[prim.GetAttribute("axis").Get()]
+    if not (prim.IsA(UsdGeom.Cylinder) or prim.IsA(UsdGeom.Capsule)):
+        flaw = f"is of a kind that no asset has ({prim.GetTypeName()})"
+    kind: Kind = "cylinder" if prim.IsA(UsdGeom.Cylinder) else "capsule"
+    convex = Convex(kind, rigid, (radius, float(prim.GetAttribute("height").Get())))
+    return Piece.primitive(name, convex, friction, flaw)
+
+
+def _approximation_flaw(prim: Any) -> str:
+    how = UsdPhysics.MeshCollisionAPI(prim).GetApproximationAttr()
+    said = how.Get() if prim.HasAPI(UsdPhysics.MeshCollisionAPI) and how.HasAuthoredValue() else "none"
+    return "" if said == "convexHull" else f"has the approximation {said!r}, not 'convexHull'"
+
+
+def _friction(prim: Any) -> float | None:
+    """Return the friction of a collider's material; a material that is not there has none, so 0."""
+    binding = UsdShade.MaterialBindingAPI(prim).ComputeBoundMaterial("physics")[0]
+    if not binding or not binding.GetPrim().HasAPI(UsdPhysics.MaterialAPI):
+        return 0.0
+    value = UsdPhysics.MaterialAPI(binding.GetPrim()).GetDynamicFrictionAttr().Get()
+    return float(value or 0.0)
+
+
+def _mesh(prim: Any, matrix: Array) -> tuple[Array, NDArray[np.int64]]:
+    mesh = UsdGeom.Mesh(prim)
+    corners = np.array(mesh.GetFaceVertexIndicesAttr().Get(), np.int64).reshape(-1, 3)
+    points = np.array(mesh.GetPointsAttr().Get(), float)
+    return points @ matrix[:3, :3].T + matrix[:3, 3], corners
+
+
+def _faces(body: Any) -> Iterator[Faces]:
+    for prim, matrix in _below(body):
+        if prim.IsA(UsdGeom.Mesh) and not prim.HasAPI(UsdPhysics.CollisionAPI):
+            vertices, triangles = _mesh(prim, matrix)
+            bounds = np.array([vertices.min(axis=0), vertices.max(axis=0)])
+            yield Faces(prim.GetName(), bounds, len(triangles))
+
+
+def _holds(asset: Asset, bodies: Mapping[str, Any]) -> dict[str, tuple[str, Array]]:
+    """Return the frames of grasps and pushes: prims of their names below the bodies."""
+    wanted = {hold.name for hold in asset.affordances}
+    found = {}
+    for name, body in bodies.items():
+        for prim, matrix in _below(body):
+            if prim.GetName() in wanted and prim.IsA(UsdGeom.Xformable) and not prim.IsA(UsdGeom.Gprim):
+                found[prim.GetName()] = (name, matrix)
+    return found

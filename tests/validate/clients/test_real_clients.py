@@ -1,0 +1,73 @@
+"""Clients that are installed read what artgen exports, and notice what is wrong with it.
+
+Those of `artgen[test]` always run; `make clients` installs the others and `make test-clients` runs them.
+"""
+
+import re
+
+import pytest
+
+import artgen
+from artgen.export import LAYOUTS
+from artgen.validate.clients.exported import read_exported
+from artgen.validate.clients.registry import CLIENTS
+from artgen.validate.clients.run import ask
+
+SAMPLES = [("door", 3, "fixed", 0), ("handle", 4, "free", 256)]
+
+
+@pytest.fixture(scope="session")
+def exports(tmp_path_factory):
+    """Some assets in every layout, with all formats of each."""
+    folder = tmp_path_factory.mktemp("clients")
+    result = []
+    for category, seed, base, textures in SAMPLES:
+        asset = artgen.generate(category, seed=seed, certify=False).with_base(base)
+        for name, layout in LAYOUTS.items():
+            directory = asset.export(
+                folder / f"{asset.name}_{name}", formats=layout.formats, layout=name, textures=textures
+            )
+            result.append(read_exported(directory))
+    return result
+
+
+@pytest.mark.parametrize("name", CLIENTS)
+def test_it_reads_what_is_exported_without_a_word(name, exports):
+    client = CLIENTS[name]
+    readable = [each for each in exports if each.is_read_by(client)]
+    if not readable:
+        pytest.skip(f"no layout has what {name} reads")
+    outcomes = ask(client, readable)
+    if all(outcome.state == "absent" for outcome in outcomes):
+        pytest.skip(f"{name}: {outcomes[0].message}")
+    for outcome, each in zip(outcomes, readable, strict=True):
+        assert outcome.state == "passed", f"{each.asset.name}, {each.layout}: {outcome.message}"
+        assert outcome.version
+
+
+MASS = (r'<mass value="(?!1e-)[^"]*"', '<mass value="3"', "its mass is 3 kg")
+LIMIT = (r' upper="[^"]*"', ' upper="0.01"', "its limits are")
+AXIS = (r'<axis xyz="0 -1 0"', '<axis xyz="0 1 0"', "its frame is off by")
+MESH = (r"meshes/drawer_drawer_oak\.obj", "meshes/nothing.obj", "nothing.obj")
+FAULTS = {"mass": MASS, "limit": LIMIT, "axis": AXIS, "mesh": MESH}
+BLIND = {("mesh", "mujoco_urdf"), ("mesh", "check_urdf"), ("mass", "check_urdf"), ("limit", "check_urdf"),
+         ("axis", "check_urdf")}  # fmt: skip
+
+
+@pytest.mark.parametrize("fault", FAULTS)
+@pytest.mark.parametrize(
+    "name", ["mujoco_urdf", "pinocchio", "yourdfpy", "check_urdf", "urchin", "pybullet", "drake_urdf"]
+)
+def test_it_notices_a_fault(name, fault, directory):
+    if (fault, name) in BLIND:
+        pytest.skip(f"{name} does not look at that")
+    pattern, instead, message = FAULTS[fault]
+    path = directory / "stand_0.urdf"
+    text, count = re.subn(pattern, instead, path.read_text())
+    assert count
+    path.write_text(text)
+    (outcome,) = ask(CLIENTS[name], [read_exported(directory)])
+    if outcome.state == "absent":
+        pytest.skip(f"{name}: {outcome.message}")
+    assert outcome.state == "failed"
+    assert message in "\n".join(str(finding) for finding in outcome.findings)
