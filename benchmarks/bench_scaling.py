@@ -10,7 +10,7 @@ from typing import Any
 from program import told_by
 from report import Section, Table, shown
 
-from artgen.dataset.engine import cores
+from artgen.dataset.workers import cores
 
 CATEGORIES = ("drawer", "cabinet", "plier")
 

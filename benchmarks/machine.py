@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from importlib import metadata
 from pathlib import Path
 
-from artgen.dataset.engine import cores
+from artgen.dataset.workers import cores
 from artgen.version import __version__
 
 _PACKAGES = ("numpy", "scipy", "manifold3d", "python-fcl", "mujoco", "coacd")

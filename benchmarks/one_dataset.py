@@ -16,7 +16,7 @@ from timing import processor_seconds
 
 from artgen import catalog
 from artgen.dataset import Plan, generate_many
-from artgen.dataset.engine import cores
+from artgen.dataset.workers import cores
 
 KINDS = {
     ".obj": "meshes",

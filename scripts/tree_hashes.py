@@ -1,7 +1,7 @@
 """Compare the files of three assets of each category, in all layouts, with recorded hashes.
 
-The same seed gives the same bytes on every machine and Python; `tests/tree_hashes.json` holds their hashes. After
-an intended change of assets, `--write` records the new hashes.
+The same seed gives the same bytes on every machine and Python; `tests/tree_hashes.json` holds their hashes.
+After an intended change of assets, `--write` records the new hashes.
 """
 
 import hashlib
@@ -53,7 +53,7 @@ def hashes(category: str) -> dict[str, dict[str, str]]:
     cache, result = Cache(), {}
     for seed in SEEDS:
         asset, _ = find(category).evaluate(seed, cache=cache)
-        # GLB packs maps in a way that depends on the machine; the digests of other formats are of unpacked maps
+        # GLB packs maps as the machine does; the digests of other formats are of unpacked maps
         parts = [encode(asset, ("urdf", "mjcf", "usd"), textures=256), encode(asset, ("glb",), textures=0)]
         found = {name: each for files in parts for name, each in _of_formats(files).items()}
         for layout in LAYOUTS:

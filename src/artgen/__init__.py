@@ -7,7 +7,7 @@ A category is a typed function over the handles (`Float`, `Solid`, `Body`, ...) 
 signature says what varies. Importing the package loads no simulator, no USD and no category.
 """
 
-from artgen import catalog
+from artgen import asset_methods, catalog
 from artgen.asset import Asset
 from artgen.asset.certificate import Certificate
 from artgen.catalog import generate
@@ -97,6 +97,8 @@ from artgen.nodes.weigh import center_of_mass, mass
 from artgen.range_proof import prove_range
 from artgen.sampling import Distribution, by, choice, count, fixed, given, loguniform, normal, uniform
 from artgen.version import __version__
+
+asset_methods.bind()
 
 __all__ = [
     "COLORS",

@@ -6,7 +6,7 @@ import re
 import sys
 from collections.abc import Mapping
 from importlib import import_module
-from importlib.util import decode_source
+from importlib.util import decode_source, find_spec
 from pathlib import Path
 from pkgutil import iter_modules
 from traceback import walk_tb
@@ -26,10 +26,9 @@ _FILE = re.compile(r"(?P<path>.+\.py)(?::(?P<name>[^:/\\]*))?", re.DOTALL)
 
 @functools.cache
 def _own() -> frozenset[str]:
-    """Return the names of artgen's categories: each is the module of its name."""
-    import artgen.categories
-
-    return frozenset(found.name for found in iter_modules(artgen.categories.__path__) if not found.ispkg)
+    """Return the names of artgen's categories: each has the package of its name."""
+    folders = find_spec("artgen.categories").submodule_search_locations  # type: ignore[union-attr]
+    return frozenset(found.name for found in iter_modules(folders)) - {"shared"}
 
 
 @functools.cache
@@ -79,7 +78,7 @@ def categories() -> tuple[str, ...]:
 def find(name: str) -> Generator:
     """Return the category of that name, or that of a file: see `load_file`.
 
-    Of artgen's own, only the module of that name is imported.
+    Of artgen's own, only the package of that name is imported.
 
     Raises:
         ParameterError: There is none; the message has the nearest name.

@@ -208,7 +208,8 @@ def prove_range(
     Args:
         category: Name of a category, or a category or generator itself.
         samples: How many seeds are drawn; each gives its first feasible draw.
-        corners: Whether the corners of the parameter ranges are certified too; see `artgen.generator.corners`.
+        corners: Whether the corners of the parameter ranges are certified too; see
+            `artgen.generator.corners`.
         seed: The first seed.
         overrides: A value or a distribution by parameter name.
         tolerance: Clearance that has to be proven [m].

@@ -15,8 +15,7 @@ from typing import Any
 
 import pytest
 
-import artgen.dataset.ray_engine as engine
-from artgen.dataset import Plan, generate_many
+from artgen.dataset import Plan, engine, generate_many
 from artgen.dataset.target import LOCK_FILE
 from artgen.errors import ExportError, ParameterError
 from support.digests import digests

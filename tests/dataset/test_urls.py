@@ -15,8 +15,8 @@ import pytest
 import artgen.dataset.store as stores
 from artgen.dataset import Dataset, Plan, generate_many
 from artgen.dataset.folder import MANIFEST_FILE, Folder
-from artgen.dataset.store import Store
-from artgen.dataset.target import LOCK_FILE, target_of
+from artgen.dataset.store import Store, target_of
+from artgen.dataset.target import LOCK_FILE
 from artgen.errors import ExportError
 from support.digests import digests
 

@@ -1,7 +1,7 @@
 """Assets with one fault each: none that collides is proven, and few are undecided.
 
-`ARTGEN_TEST_MUTANTS=100000 ARTGEN_TEST_POSES=10000 pytest tests/validate/test_mutations.py` tries all of them;
-`benchmarks/mutations.py` prints what came of each.
+`ARTGEN_TEST_MUTANTS=100000 ARTGEN_TEST_POSES=10000 pytest tests/validate/test_mutations.py` tries all of
+them; `benchmarks/mutations.py` prints what came of each.
 """
 
 import os

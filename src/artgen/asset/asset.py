@@ -1,9 +1,8 @@
 """The asset: a tree of links and joints with the parameters it was made from."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
@@ -22,8 +21,7 @@ from artgen.errors import AssetError, nearest
 from artgen.materials import Material
 
 if TYPE_CHECKING:
-    from artgen.validate.report import Report
-    from artgen.view import Camera, Page, Picture, View
+    from artgen import asset_methods
 
 Array = NDArray[np.float64]
 Base = Literal["fixed", "free"]
@@ -72,12 +70,6 @@ class Asset:
         """
         links, joints, contacts = assembled(tree)
         return Asset(name, category, links, joints, contacts=contacts, **fields)
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        """Pickle the asset as its files hold it: it comes back without solids, as one that was loaded."""
-        from artgen.asset.pickled import pack, unpack
-
-        return unpack, pack(self)
 
     def __copy__(self) -> "Asset":
         """Return the asset itself: it never changes."""
@@ -257,112 +249,15 @@ class Asset:
         certificate: Certificate | None = vars(self).get(_CERTIFICATE)
         return certificate
 
-    def certify(self, tolerance: float = 0.0, *, measure: bool = False) -> Certificate:
-        """Prove that no two links collide anywhere in the joint ranges; see `artgen.proof.certify.certify`.
-
-        The certificate is kept: `export` writes it beside the asset.
-
-        Args:
-            tolerance: Clearance to prove between links that move against each other [m].
-            measure: Whether to bracket each pair's smallest clearance, within a fifth and up to 10 mm.
-
-        Raises:
-            AssetError: The asset has no links, or a joint has no range to speak of or can never move.
-        """
-        from artgen.proof.certify import certify
-
-        certificate = certify(self, tolerance, measure=measure)
-        remember(self, certificate)
-        return certificate
-
-    def safe_limits(self) -> dict[str, tuple[float, float]]:
-        """Return for each free joint the largest range around rest without a collision [rad or m].
-
-        See `artgen.proof.limits.safe_limits`.
-        """
-        from artgen.proof.limits import safe_limits
-
-        return safe_limits(self)
-
-    def clearance(self, q: Mapping[str, float] | None = None) -> dict[tuple[str, str], float]:
-        """Return how far the links of each pair are apart at one pose, negative where they overlap [m].
-
-        See `artgen.proof.limits.clearance`.
-        """
-        from artgen.proof.limits import clearance
-
-        return clearance(self, q)
-
-    def validate(self, *, behaviour: bool = True) -> "Report":
-        """Export the asset to a temporary directory and run every check on what was written there.
-
-        Args:
-            behaviour: Whether to try it out in MuJoCo, if that is installed.
-        """
-        from artgen.validate.run import validate
-
-        return validate(self, behaviour=behaviour)
-
-    def export(
-        self,
-        directory: str | Path,
-        *,
-        formats: Sequence[str] | None = None,
-        collision: Literal["exact", "coacd", "hull"] = "exact",
-        textures: int = 512,
-        layout: str = "flat",
-        mesh_precision: float = 0.0,
-    ) -> Path:
-        """Write the asset to a directory, with its own colliders or others; see `artgen.export.export`."""
-        from artgen.export import export
-
-        return export(
-            self,
-            directory,
-            formats=formats,
-            collision=collision,
-            textures=textures,
-            layout=layout,
-            mesh_precision=mesh_precision,
-        )
-
-    def render(
-        self,
-        q: Mapping[str, float] | None = None,
-        *,
-        camera: "Camera | View | str | None" = None,
-        size: int | tuple[int, int] = 768,
-        studio: Literal["studio", "room", "none"] = "studio",
-        backend: Literal["auto", "classic", "filament"] = "auto",
-        textures: int = 512,
-        samples: int = 32,
-    ) -> "Picture":
-        """Take a picture of the asset, with masks, depth and normals; see `artgen.view.render`."""
-        from artgen.view import render
-
-        return render(
-            self,
-            q,
-            camera=camera,
-            size=size,
-            studio=studio,
-            backend=backend,
-            textures=textures,
-            samples=samples,
-        )
-
-    def show(self, *, textures: int = 512, height: int = 600) -> "Page":
-        """Return a page with a slider for each joint, which notebooks show; see `artgen.view.page_of`."""
-        from artgen.view import page_of
-
-        return page_of(self, textures=textures, height=height)
-
-    @staticmethod
-    def load(directory: str | Path) -> "Asset":
-        """Read an asset that `export` wrote; see `artgen.asset.files.load`."""
-        from artgen.asset.files import load
-
-        return load(directory)
+    if TYPE_CHECKING:  # bound at run time, by `artgen.asset_methods.bind`
+        certify = asset_methods.certify
+        safe_limits = asset_methods.safe_limits
+        clearance = asset_methods.clearance
+        validate = asset_methods.validate
+        export = asset_methods.export
+        render = asset_methods.render
+        show = asset_methods.show
+        load = staticmethod(asset_methods.load)
 
     def to_data(self) -> dict[str, Any]:
         """Return everything but the triangles as JSON data.

@@ -1,1 +1,1 @@
-"""The categories: each module defines the one of its name, and importing it enters that in the catalog."""
+"""The categories: the package of each defines it, and importing the package enters it in the catalog."""

@@ -11,7 +11,7 @@ from artgen.commands.export import check_formats
 from artgen.commands.many import many
 from artgen.dataset import Plan, TextureMode, generate_many
 from artgen.dataset.engine import EngineName
-from artgen.dataset.target import is_url
+from artgen.dataset.store import is_url
 from artgen.export import DEFAULT_FORMATS, FORMATS, LAYOUTS, TEXTURES
 from artgen.export.precision import check_precision
 from artgen.generator import OnCollision

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any, overload
 
 from artgen.asset import Asset
 from artgen.dataset.folder import MANIFEST_FILE, read_manifest, stored_plan
+from artgen.dataset.store import is_url, target_of
 from artgen.dataset.tables import rows
-from artgen.dataset.target import is_url, target_of
 from artgen.errors import ExportError, ParameterError, nearest
 
 if TYPE_CHECKING:

@@ -7,14 +7,15 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from artgen.dataset.engine import Engine, EngineName, engine_of
+from artgen.dataset.engine import EngineName, engine_of
 from artgen.dataset.folder import Folder, writing
 from artgen.dataset.make import Made, make
 from artgen.dataset.plan import Draws, Item, Plan
 from artgen.dataset.record import failure
+from artgen.dataset.store import target_of
 from artgen.dataset.tables import write_tables
-from artgen.dataset.target import GO_ON, Target, target_of
-from artgen.dataset.workers import Ending
+from artgen.dataset.target import GO_ON, Target
+from artgen.dataset.workers import Ending, Engine
 from artgen.errors import ExportError, ParameterError
 
 _TRIES = 3  # for an item whose process dies or takes too long

@@ -18,8 +18,11 @@ from datetime import UTC, datetime
 from functools import cached_property
 from pathlib import Path, PurePosixPath
 from typing import Any
+from urllib.parse import urlsplit
+from urllib.request import url2pathname
 
 from artgen.asset.files import ASSET_FILE
+from artgen.dataset.disk import Disk
 from artgen.dataset.target import LOCK_FILE, PLAN_FILE, Target, unseen
 from artgen.errors import ExportError
 from artgen.export.files import write_files
@@ -269,3 +272,27 @@ def _spelt(owner: bytes) -> str:
         return f"process {data['process']} on {data['host']}, since {data['since']}"
     except (ValueError, LookupError, TypeError):
         return "unknown"
+
+
+def is_url(place: str | Path) -> bool:
+    """Tell whether a place is a URL, `file:` included; parts of chained ones are parted by `::`."""
+    return isinstance(place, str) and ("://" in place or "::" in place)
+
+
+def target_of(place: str | Path) -> Target:
+    """Return the target of a folder or URL.
+
+    Raises:
+        ExportError: The URL is not one of a folder, or nothing here knows its kind.
+    """
+    if isinstance(place, Path) or not is_url(place):
+        return Disk(Path(place))
+    parts = urlsplit(place)
+    if parts.scheme != "file":
+        return Store(place)
+    if parts.netloc not in ("", "localhost"):
+        raise ExportError(
+            f"{place} names a folder of another machine ({parts.netloc!r}): a folder of this one is "
+            "file:///PATH, with three slashes"
+        )
+    return Disk(Path(url2pathname(parts.path)))

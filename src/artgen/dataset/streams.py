@@ -3,6 +3,7 @@
 import logging
 import sys
 from collections.abc import Iterable, Iterator
+from functools import cache
 from typing import Any
 
 from artgen.asset import Asset
@@ -64,10 +65,25 @@ def stream(categories: str | Iterable[str], *, seed: int = 0, **options: Any) ->
     for name in names:
         find(name).sample(first, overrides=drawn)
     if "torch" in sys.modules:
-        from artgen.dataset.torch_stream import TorchStream
-
-        return TorchStream(names, first, options)
+        return _torch_stream()(names, first, options)
     return Stream(names, first, options)
+
+
+@cache
+def _torch_stream() -> type[Stream]:
+    """Return the class of streams that PyTorch's DataLoader iterates."""
+    from torch.utils.data import IterableDataset
+
+    return type("TorchStream", (Stream, IterableDataset), {"__reduce__": _pickled, "__doc__": Stream.__doc__})
+
+
+def _pickled(self: Stream) -> tuple[Any, ...]:
+    """Pickle a stream for a worker, which makes a class of its own."""
+    return _unpickled, (self.categories, self.seed, self.options)
+
+
+def _unpickled(*fields: Any) -> Stream:
+    return _torch_stream()(*fields)
 
 
 def _share() -> tuple[int, int]:

@@ -11,8 +11,6 @@ from collections.abc import Iterable, Mapping
 from contextlib import AbstractContextManager
 from pathlib import Path
 from typing import Protocol
-from urllib.parse import urlsplit
-from urllib.request import url2pathname
 
 from artgen.errors import ExportError
 
@@ -108,33 +106,6 @@ class Target(ABC):
     def read(self, path: str) -> bytes | None:
         """Return what a file holds; None if there is none."""
         return self.contents([path]).get(path)
-
-
-def is_url(place: str | Path) -> bool:
-    """Tell whether a place is a URL, `file:` included; parts of chained ones are parted by `::`."""
-    return isinstance(place, str) and ("://" in place or "::" in place)
-
-
-def target_of(place: str | Path) -> Target:
-    """Return the target of a folder or URL.
-
-    Raises:
-        ExportError: The URL is not one of a folder, or nothing here knows its kind.
-    """
-    from artgen.dataset.disk import Disk
-    from artgen.dataset.store import Store
-
-    if isinstance(place, Path) or not is_url(place):
-        return Disk(Path(place))
-    parts = urlsplit(place)
-    if parts.scheme != "file":
-        return Store(place)
-    if parts.netloc not in ("", "localhost"):
-        raise ExportError(
-            f"{place} names a folder of another machine ({parts.netloc!r}): a folder of this one is "
-            "file:///PATH, with three slashes"
-        )
-    return Disk(Path(url2pathname(parts.path)))
 
 
 def unseen(target: Target) -> ExportError:

@@ -14,7 +14,7 @@ from multiprocessing import resource_tracker
 from multiprocessing.connection import Connection, wait
 from multiprocessing.process import BaseProcess
 from types import ModuleType
-from typing import Any, Literal
+from typing import Any, Literal, Protocol
 
 _THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")  # each process has one core
 _START = 60.0  # that a process may take to start, beside its first task [s]
@@ -38,6 +38,20 @@ class Ending:
     state: State
     value: Any = None
     message: str = ""
+
+
+class Engine(Protocol):
+    """A function that runs a task for each item, and yields how each ends, in the order in which they do."""
+
+    def __call__(self, task: Callable[[Any], Any], items: Iterable[Any], *, limit: float) -> Iterator[Ending]:
+        """Run them; a task may take `limit` [s], and is ended then."""
+
+
+def cores() -> int:
+    """Return how many cores this process may use."""
+    if hasattr(os, "sched_getaffinity"):
+        return len(os.sched_getaffinity(0))
+    return os.cpu_count() or 1
 
 
 def run_tasks(

@@ -7,9 +7,8 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from artgen.dataset.engine import cores
 from artgen.dataset.lock import locked
-from artgen.dataset.workers import Ending, run_tasks
+from artgen.dataset.workers import Ending, cores, run_tasks
 from artgen.demos import layout
 from artgen.demos.episode import Demo, check_task, record
 from artgen.demos.resume import Kept, read

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from artgen.asset import Asset, Joint
-from artgen.asset.regions import Region, leader_of, regions
+from artgen.export.regions import Region, leader_of, regions
 
 _MOVED = 0.7  # share of the joints that are away from where they rest
 _FREED = 0.7  # how often what holds a joint is moved out of its way, rather than the joint put back

@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Mapping
 
 from artgen.asset import Asset, Condition
-from artgen.asset.regions import leader_of
+from artgen.export.regions import leader_of
 
 _NUDGE = 1e-9  # beyond a place where a dependency begins or ends [rad or m]
 

@@ -39,7 +39,6 @@ from artgen import (
     vector,
 )
 from artgen.categories.door.doorset import DoorSet, Hand, Opens, handed
-from artgen.categories.door.entrance import Fittings
 from artgen.categories.door.frame import Doorway, FrameKind, Trim, door_frame
 from artgen.categories.door.hanging import Hanging
 from artgen.categories.door.leaf import (
@@ -70,7 +69,7 @@ from artgen.categories.shared.finish import (
     paints,
     weighing,
 )
-from artgen.categories.shared.furniture.door_slab import Blank
+from artgen.categories.shared.furniture.door_slab import Blank, Fittings
 from artgen.categories.shared.hardware import HARDWARE_LABELS
 from artgen.categories.shared.hardware.handles_of_option import require_suited
 from artgen.categories.shared.hardware.knobs import knob_handle

@@ -3,11 +3,8 @@
 All of it is fixed; the letter plate is thick enough to be a part, the rest is only seen.
 """
 
-from dataclasses import dataclass
-
 from artgen import (
     Body,
-    Material,
     Scalar,
     Y,
     box,
@@ -22,35 +19,11 @@ from artgen import (
     text,
 )
 from artgen.categories.shared.finish import casting, recess
+from artgen.categories.shared.furniture.door_slab import Fittings
 from artgen.categories.shared.hardware.screws import screws
 
 LETTER_PLATE = 0.30
 """Width of a letter plate [m]."""
-
-
-@dataclass(frozen=True)
-class Fittings:
-    """What a leaf carries besides its lock.
-
-    Attributes:
-        finish: Their metal.
-        letters: Whether it has a letter plate.
-        number: The number of the house; empty for none.
-        viewer: Whether one can look out.
-        kick: Whether a plate protects its foot.
-        sweep: Whether a brush seals the gap to the floor.
-    """
-
-    finish: Material
-    letters: bool = False
-    number: str = ""
-    viewer: bool = False
-    kick: bool = False
-    sweep: bool = False
-
-    def bare(self) -> "Fittings":
-        """Return those of a leaf that nobody enters by."""
-        return Fittings(self.finish, kick=self.kick, sweep=self.sweep)
 
 
 def letter_plate(fittings: Fittings, face: Scalar, height: Scalar) -> list[Body]:

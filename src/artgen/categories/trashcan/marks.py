@@ -1,12 +1,10 @@
 """What is printed on bins: the maker's name, what to throw in, and how to use them."""
 
-import math
 from typing import Literal
 
 from artgen import (
     Body,
     Material,
-    Profile,
     Scalar,
     VectorLike,
     Z,
@@ -14,8 +12,8 @@ from artgen import (
     detail,
     details,
     material,
-    polygon,
 )
+from artgen.categories.shared.signs import recycling
 from artgen.categories.trashcan.bins import Can
 
 Sort = Literal["none", "recycling", "paper", "plastic", "glass", "food"]
@@ -31,20 +29,6 @@ def ink_on(finish: Material, *, metal: bool = True) -> Material:
     if metal and finish.base_metalness > 0.5:
         return coloured("abs", "slate") if mean > _LIGHT else coloured("abs", "silver")
     return coloured("abs", "graphite") if mean > _LIGHT else coloured("abs", "white")
-
-
-def recycling(size: Scalar) -> Profile:
-    """Make three arrows that chase each other around a triangle, about the origin.
-
-    Args:
-        size: Its height, about [m].
-    """
-    unit = polygon(
-        [(-0.16, 0.30), (-0.16, 0.44), (0.14, 0.44), (0.14, 0.54), (0.34, 0.37), (0.14, 0.20), (0.14, 0.30)]
-    )
-    arrow = unit.at(0.0, -0.02)
-    third = math.tau / 3.0
-    return (arrow | arrow.rotate(third) | arrow.rotate(2.0 * third)).scale(size)
 
 
 def maker_mark(can: Can, maker: str, *, z: Scalar, finish: Material) -> Body:

@@ -8,10 +8,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from artgen.asset import Asset
-from artgen.asset.regions import leader_of
 from artgen.export.frames import Segment
 from artgen.export.glb.buffer import Buffer, Json
 from artgen.export.glb.motion import Stop, opening
+from artgen.export.regions import leader_of
 
 Array = NDArray[np.float64]
 

@@ -3,13 +3,37 @@
 from dataclasses import dataclass
 
 from artgen import Float, Frame, Material, Scalar, Solid, box, frame
-from artgen.categories.door.entrance import Fittings
 from artgen.categories.shared.furniture.arch import Arch
 
 EASED = 0.0008
 """Edges of boards are sanded to this radius [m]: joints show as a fine line."""
 
 _FROM_EDGE = 0.094  # from the lock edge to where hands push: beside a pull, still on a stile [m]
+
+
+@dataclass(frozen=True)
+class Fittings:
+    """What a leaf carries besides its lock.
+
+    Attributes:
+        finish: Their metal.
+        letters: Whether it has a letter plate.
+        number: The number of the house; empty for none.
+        viewer: Whether one can look out.
+        kick: Whether a plate protects its foot.
+        sweep: Whether a brush seals the gap to the floor.
+    """
+
+    finish: Material
+    letters: bool = False
+    number: str = ""
+    viewer: bool = False
+    kick: bool = False
+    sweep: bool = False
+
+    def bare(self) -> "Fittings":
+        """Return those of a leaf that nobody enters by."""
+        return Fittings(self.finish, kick=self.kick, sweep=self.sweep)
 
 
 @dataclass(frozen=True)

@@ -1,0 +1,145 @@
+"""The methods of `Asset` that need the layers above the data: proof, checks, writers, pictures.
+
+`artgen/__init__.py` binds them, so that `artgen.asset` imports nothing above itself.
+"""
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal
+
+from artgen.asset import Asset
+from artgen.asset.asset import remember
+from artgen.asset.certificate import Certificate
+
+if TYPE_CHECKING:
+    from artgen.validate.report import Report
+    from artgen.view import Camera, Page, Picture, View
+
+
+def certify(self: Asset, tolerance: float = 0.0, *, measure: bool = False) -> Certificate:
+    """Prove that no two links collide anywhere in the joint ranges; see `artgen.proof.certify.certify`.
+
+    The asset keeps the certificate: `export` writes it beside the asset.
+
+    Args:
+        tolerance: Clearance to prove between links that move against each other [m].
+        measure: Whether to bracket each pair's smallest clearance, within a fifth and up to 10 mm.
+
+    Raises:
+        AssetError: The asset has no links, or a joint has no usable range or can never move.
+    """
+    from artgen.proof import certify
+
+    certificate = certify.certify(self, tolerance, measure=measure)
+    remember(self, certificate)
+    return certificate
+
+
+def safe_limits(self: Asset) -> dict[str, tuple[float, float]]:
+    """Return for each free joint the largest range around rest without a collision [rad or m].
+
+    See `artgen.proof.limits.safe_limits`.
+    """
+    from artgen.proof import limits
+
+    return limits.safe_limits(self)
+
+
+def clearance(self: Asset, q: Mapping[str, float] | None = None) -> dict[tuple[str, str], float]:
+    """Return the distance between the links of each pair at one pose, negative where they overlap [m].
+
+    See `artgen.proof.limits.clearance`.
+    """
+    from artgen.proof import limits
+
+    return limits.clearance(self, q)
+
+
+def validate(self: Asset, *, behaviour: bool = True) -> "Report":
+    """Export the asset to a temporary directory and run every check on the files.
+
+    Args:
+        behaviour: Whether to try the asset out in MuJoCo, if that is installed.
+    """
+    from artgen.validate import run
+
+    return run.validate(self, behaviour=behaviour)
+
+
+def export(
+    self: Asset,
+    directory: str | Path,
+    *,
+    formats: Sequence[str] | None = None,
+    collision: Literal["exact", "coacd", "hull"] = "exact",
+    textures: int = 512,
+    layout: str = "flat",
+    mesh_precision: float = 0.0,
+) -> Path:
+    """Write the asset to a directory, with its own colliders or others; see `artgen.export.export`."""
+    from artgen.export import files
+
+    return files.export(
+        self,
+        directory,
+        formats=formats,
+        collision=collision,
+        textures=textures,
+        layout=layout,
+        mesh_precision=mesh_precision,
+    )
+
+
+def render(
+    self: Asset,
+    q: Mapping[str, float] | None = None,
+    *,
+    camera: "Camera | View | str | None" = None,
+    size: int | tuple[int, int] = 768,
+    studio: Literal["studio", "room", "none"] = "studio",
+    backend: Literal["auto", "classic", "filament"] = "auto",
+    textures: int = 512,
+    samples: int = 32,
+) -> "Picture":
+    """Take a picture of the asset, with masks, depth and normals; see `artgen.view.render`."""
+    from artgen import view
+
+    return view.render(
+        self,
+        q,
+        camera=camera,
+        size=size,
+        studio=studio,
+        backend=backend,
+        textures=textures,
+        samples=samples,
+    )
+
+
+def show(self: Asset, *, textures: int = 512, height: int = 600) -> "Page":
+    """Return a page with a slider for each joint, which notebooks show; see `artgen.view.page_of`."""
+    from artgen.view import page_of
+
+    return page_of(self, textures=textures, height=height)
+
+
+def load(directory: str | Path) -> Asset:
+    """Read an asset that `export` wrote; see `artgen.asset.files.load`."""
+    from artgen.asset import files
+
+    return files.load(directory)
+
+
+def _reduce(self: Asset) -> tuple[Any, ...]:
+    """Pickle the asset as its files hold it: unpickled, it has no solids, like a loaded asset."""
+    from artgen.asset.pickled import pack, unpack
+
+    return unpack, pack(self)
+
+
+def bind() -> None:
+    """Make these functions methods of `Asset`."""
+    for method in (certify, safe_limits, clearance, validate, export, render, show):
+        setattr(Asset, method.__name__, method)
+    Asset.load = staticmethod(load)  # type: ignore[method-assign]
+    Asset.__reduce__ = _reduce  # type: ignore[method-assign]
