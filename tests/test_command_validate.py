@@ -8,10 +8,10 @@ import pytest
 import typer
 from typer.testing import CliRunner
 
+from artgen.asset.report import CheckResult, Finding
 from artgen.commands.validate import validate
 from artgen.errors import ExportError, ParameterError
 from artgen.validate.clients.outcome import Outcome
-from artgen.validate.report import CheckResult, Finding
 from artgen.validate.run import Examination
 from support.exports import stand
 

@@ -8,13 +8,13 @@ from importlib.util import find_spec
 from typing import Any
 
 from artgen.asset import Asset
+from artgen.asset.report import CheckResult
 from artgen.catalog import find
 from artgen.errors import ArtgenError, InfeasibleError
 from artgen.generator import Generator
 from artgen.graph import Cache, Graph
 from artgen.validate.colliders import check_colliders
 from artgen.validate.hands import check_grasps
-from artgen.validate.report import CheckResult
 from artgen.validate.run import guarded
 from artgen.validate.solids import check_solids
 from artgen.validate.tree import check_tree

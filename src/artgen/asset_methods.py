@@ -12,7 +12,7 @@ from artgen.asset.asset import remember
 from artgen.asset.certificate import Certificate
 
 if TYPE_CHECKING:
-    from artgen.validate.report import Report
+    from artgen.asset.report import Report
     from artgen.view import Camera, Page, Picture, View
 
 
@@ -141,5 +141,5 @@ def bind() -> None:
     """Make these functions methods of `Asset`."""
     for method in (certify, safe_limits, clearance, validate, export, render, show):
         setattr(Asset, method.__name__, method)
-    Asset.load = staticmethod(load)  # type: ignore[method-assign]
-    Asset.__reduce__ = _reduce  # type: ignore[method-assign]
+    Asset.load = staticmethod(load)
+    Asset.__reduce__ = _reduce  # type: ignore[method-assign, assignment]

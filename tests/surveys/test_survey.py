@@ -18,9 +18,9 @@ from surveys.summary import criteria, failures, figures, listed
 
 from artgen import Body, box, detail, generator, material, part, weld
 from artgen.asset import Asset
+from artgen.asset.report import CheckResult
 from artgen.catalog import categories, find
 from artgen.errors import ExportError
-from artgen.validate.report import CheckResult
 from surveys import sample
 
 ROOT = Path(__file__).parents[2]

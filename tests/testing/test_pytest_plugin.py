@@ -7,7 +7,7 @@ import sys
 
 import pytest
 
-from artgen.validate.report import CheckResult, Finding
+from artgen.asset.report import CheckResult, Finding
 from artgen.validate.run import Examination
 from support.exports import stand
 

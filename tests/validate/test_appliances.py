@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 from artgen import Body, Prismatic, Revolute, X, Y, Z, box, grasp_on, material, part, push_on
 from artgen.asset import Asset
 from artgen.asset.files import main_files
+from artgen.asset.report import Finding
 from artgen.proof.certify import certify
 from artgen.proof.recheck import recheck
 from artgen.validate.behavior import check_behaviour
@@ -23,7 +24,6 @@ from artgen.validate.behavior.motion import Motion
 from artgen.validate.behavior.settle import start_poses
 from artgen.validate.hands import check_grasps
 from artgen.validate.hands.force import MOST_FORCE, hand_forces
-from artgen.validate.report import Finding
 from artgen.validate.tree import check_tree
 from support.appliances import fridge, washer
 from support.proof_fridges import evaluated

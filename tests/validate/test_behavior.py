@@ -15,10 +15,10 @@ from hypothesis import strategies as st
 
 from artgen import Body, Prismatic, Revolute, Solid, X, Y, Z, box, cylinder, material, part, union, weld
 from artgen.asset import AllowedContact, Asset, Condition
+from artgen.asset.report import CheckResult, Finding
 from artgen.graph import evaluate
 from artgen.validate.behavior import check_behaviour
 from artgen.validate.behavior.conditions import isolated, negation, state_for
-from artgen.validate.report import CheckResult, Finding
 
 OAK, STEEL = material("oak"), material("steel")
 

@@ -13,11 +13,11 @@ from rich.table import Table
 from rich.text import Text
 
 from artgen.asset.files import ASSET_FILE
+from artgen.asset.report import CheckResult, Finding, Report
 from artgen.errors import ExportError
 from artgen.validate.clients.ask import ask_clients
 from artgen.validate.clients.outcome import ClientReport, Outcome
 from artgen.validate.clients.registry import ALL, chosen_clients
-from artgen.validate.report import CheckResult, Finding, Report
 from artgen.validate.report_file import write_report
 from artgen.validate.run import validate as run_checks
 

@@ -13,12 +13,12 @@ from numpy.typing import NDArray
 
 from artgen.asset import Asset
 from artgen.asset.certificate import AXIS_FRAME, PROOF_FORMAT, Certificate, PairResult
+from artgen.asset.report import Finding
 from artgen.errors import AssetError
 from artgen.proof.bounds import Motion, around_axis, axis_gap, gap
 from artgen.proof.cover import Cover, stored_cover
 from artgen.proof.overlap import allows
 from artgen.proof.paths import Space, Way
-from artgen.validate.report import Finding
 
 Array = NDArray[np.float64]
 

@@ -18,7 +18,7 @@ import pytest
 if TYPE_CHECKING:  # pytest loads plugins always: nothing else of artgen before `--artgen` is given
     from collections.abc import Iterator
 
-    from artgen.validate.report import CheckResult
+    from artgen.asset.report import CheckResult
     from artgen.validate.run import Examination
 
 _ASSET_FILE = "asset.json"

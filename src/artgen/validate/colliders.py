@@ -9,11 +9,11 @@ from scipy.spatial import ConvexHull, QhullError
 
 from artgen.asset import Asset, Link
 from artgen.asset.link import MOST_COLLIDERS
+from artgen.asset.report import CheckResult, Finding, Severity
 from artgen.asset.shells import point_text, skins
 from artgen.asset.stored_solids import Details
 from artgen.errors import ArtgenError, AssetError
 from artgen.validate.fidelity import Fidelity, fidelity
-from artgen.validate.report import CheckResult, Finding, Severity
 
 Array = NDArray[np.float64]
 

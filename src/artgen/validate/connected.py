@@ -6,8 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from artgen.asset import Link
+from artgen.asset.report import Finding
 from artgen.asset.shells import Shell, point_text, skins
-from artgen.validate.report import Finding
 
 Array = NDArray[np.float64]
 

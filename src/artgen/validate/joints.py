@@ -7,8 +7,8 @@ from collections.abc import Iterator, Mapping
 import numpy as np
 
 from artgen.asset import Asset, Condition, Dependency, Joint
+from artgen.asset.report import Finding
 from artgen.errors import ArtgenError, nearest
-from artgen.validate.report import Finding
 
 _LEAST_RANGE = 1e-6  # [rad or m]: a range below this is a locked joint that is not said to be one
 _UNIT = 1e-6  # error of an axis's length

@@ -4,9 +4,9 @@ import os
 from contextlib import suppress
 from pathlib import Path
 
+from artgen.asset.report import Report
 from artgen.errors import ExportError
 from artgen.export.files import REPORT_FILE
-from artgen.validate.report import Report
 
 
 def write_report(report: Report, path: str | Path) -> Path:

@@ -7,9 +7,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from artgen.asset import Asset
+from artgen.asset.report import CheckResult, Finding, Report
 from artgen.errors import ArtgenError, ParameterError, nearest
 from artgen.validate.files import FORMAT_CHECKS, Exported, read_export
-from artgen.validate.report import CheckResult, Finding, Report
 
 if TYPE_CHECKING:
     from artgen.validate.readback import FormatChecks

@@ -8,9 +8,9 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from artgen.asset import Asset, Link
+from artgen.asset.report import CheckResult, Finding
 from artgen.asset.shells import Shell, Skin, point_text, skins
 from artgen.errors import ArtgenError
-from artgen.validate.report import CheckResult, Finding
 from artgen.validate.weights import weight_findings
 
 CHECK = "solids"

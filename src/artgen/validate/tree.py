@@ -6,11 +6,11 @@ from collections.abc import Iterator
 import numpy as np
 
 from artgen.asset import Asset, Grasp, Link
+from artgen.asset.report import CheckResult, Finding
 from artgen.asset.stored_solids import mesh_precision
 from artgen.errors import ArtgenError, nearest
 from artgen.validate.connected import floating_findings
 from artgen.validate.joints import joint_findings
-from artgen.validate.report import CheckResult, Finding
 
 CHECK = "tree"
 

@@ -5,8 +5,8 @@ from collections.abc import Iterator
 from manifold3d import Manifold, OpType
 
 from artgen.asset import Link
+from artgen.asset.report import Finding
 from artgen.asset.stored_solids import link_parts
-from artgen.validate.report import Finding
 
 _CHECK = "solids"
 _ROUNDING = 1e-3  # relative; meshes in files are rounded to 0.1 micrometre

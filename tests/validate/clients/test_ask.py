@@ -4,12 +4,12 @@ import json
 
 import pytest
 
+from artgen.asset.report import CheckResult, Finding
 from artgen.errors import ParameterError
 from artgen.validate.clients import ask as module
 from artgen.validate.clients.ask import ask_clients
 from artgen.validate.clients.outcome import ClientReport, Outcome
 from artgen.validate.clients.registry import CLIENTS, chosen_clients
-from artgen.validate.report import CheckResult, Finding
 from support.exports import edit_json
 
 PASSED = Outcome("one", "urdf", "1", "passed", note="all of it")

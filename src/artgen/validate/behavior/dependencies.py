@@ -5,11 +5,11 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 from artgen.asset import Condition, Dependency, Joint
+from artgen.asset.report import Finding
 from artgen.validate.behavior.conditions import isolated, state_for
 from artgen.validate.behavior.drive import Held
 from artgen.validate.behavior.model import CHECK, Simulation, UnstableError
 from artgen.validate.behavior.motion import Motion, force, length, place, unit
-from artgen.validate.report import Finding
 
 _PUSHES = {"revolute": 20.0, "prismatic": 50.0}  # [N m or N]
 _PUSH_TIME, _RAMP_TIME = 1.0, 0.25  # of the whole push, and in which it grows [s]

@@ -5,11 +5,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from artgen.asset import Condition
+from artgen.asset.report import Finding
 from artgen.validate.behavior.conditions import state_for
 from artgen.validate.behavior.model import CHECK, Simulation, UnstableError
 from artgen.validate.behavior.motion import Motion, force, length, place, unit
 from artgen.validate.behavior.settle import REST_SPEED, REST_TIME, SETTLE_TIME
-from artgen.validate.report import Finding
 
 _TRAVEL_TIME = 1.5  # for the whole range [s]
 _STUCK_TIME = 0.4  # without progress under full force [s]

@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from artgen.asset import Asset, Condition
+from artgen.asset.report import Finding
 from artgen.validate.behavior.motion import Motion, length, motions_of, unit
-from artgen.validate.report import Finding
 
 Array = NDArray[np.float64]
 

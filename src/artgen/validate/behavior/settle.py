@@ -7,10 +7,10 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from artgen.asset import Asset, Condition
+from artgen.asset.report import Finding
 from artgen.validate.behavior.conditions import state_for
 from artgen.validate.behavior.model import CHECK, Pieces, Simulation, UnstableError, piece
 from artgen.validate.behavior.motion import Motion, force, length, unit
-from artgen.validate.report import Finding
 
 SETTLE_TIME = 5.0
 """How long an asset is watched after it was let go [s]."""

@@ -4,12 +4,12 @@ from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
+from artgen.asset.report import Finding
 from artgen.errors import ArtgenError
 from artgen.validate.clients.client import Client
 from artgen.validate.clients.exported import read_exported
 from artgen.validate.clients.outcome import Outcome
 from artgen.validate.clients.run import ask_all
-from artgen.validate.report import Finding
 
 _UNREAD = ("absent", "nothing to read")
 

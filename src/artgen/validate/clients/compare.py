@@ -8,12 +8,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from artgen.asset import Asset, Joint
+from artgen.asset.report import Finding
 from artgen.export.frames import coupling
 from artgen.validate.clients.client import Client
 from artgen.validate.clients.completeness import silences
 from artgen.validate.clients.exported import Exported
 from artgen.validate.readback.reading import expected_frames, expected_limits, spelled_limits
-from artgen.validate.report import Finding
 
 Array = NDArray[np.float64]
 

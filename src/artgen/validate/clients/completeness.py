@@ -3,9 +3,9 @@
 from collections.abc import Iterator, Mapping
 from typing import Any
 
+from artgen.asset.report import Finding
 from artgen.validate.clients.client import Client
 from artgen.validate.clients.exported import Exported
-from artgen.validate.report import Finding
 
 _OF_LINKS = ("mass", "center", "inertia")
 _OF_JOINTS = ("kind", "limits")

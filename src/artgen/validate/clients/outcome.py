@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from typing import Any, Literal
 
-from artgen.validate.report import Finding, Report
+from artgen.asset.report import Finding, Report
 
 State = Literal["passed", "failed", "timed out", "absent", "nothing to read"]
 

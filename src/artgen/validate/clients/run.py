@@ -10,6 +10,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
+from artgen.asset.report import Finding
 from artgen.validate.clients.client import Client
 from artgen.validate.clients.compare import differences
 from artgen.validate.clients.exported import Exported
@@ -17,7 +18,6 @@ from artgen.validate.clients.install_location import how_to_get, interpreters
 from artgen.validate.clients.messages import joined_lines, sorted_messages
 from artgen.validate.clients.outcome import Outcome, State, Tolerated
 from artgen.validate.clients.process import Finished, run_process, stop_running
-from artgen.validate.report import Finding
 
 DRIVERS = Path(__file__).parent / "drivers"
 """Where the drivers are."""

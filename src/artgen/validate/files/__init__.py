@@ -8,13 +8,13 @@ from typing import Any
 
 from artgen.asset import Asset
 from artgen.asset.files import ASSET_FILE, CERTIFICATE_FILE, MESH_DIRECTORY
+from artgen.asset.report import AGAIN, CheckResult, Finding
 from artgen.errors import ExportError
 from artgen.export.files import REPORT_FILE
 from artgen.export.formats import DEFAULT_FORMATS
 from artgen.validate.files.contents import Contents, read_contents
 from artgen.validate.files.record import record_findings
 from artgen.validate.files.references import reference_findings
-from artgen.validate.report import AGAIN, CheckResult, Finding
 
 FORMAT_CHECKS = DEFAULT_FORMATS
 """The checks that read the main file of one format each: what simulators read is read back."""

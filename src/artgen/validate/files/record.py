@@ -7,9 +7,9 @@ import numpy as np
 
 from artgen.asset import Asset
 from artgen.asset.files import ASSET_FILE
+from artgen.asset.report import AGAIN, Finding
 from artgen.errors import nearest
 from artgen.export.layouts import LAYOUTS
-from artgen.validate.report import AGAIN, Finding
 
 _ROUNDING = 1e-9  # of numbers in asset.json [m or rad]
 _SHOWN = 3  # files in one message

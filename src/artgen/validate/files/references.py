@@ -7,8 +7,8 @@ from pathlib import PurePosixPath
 from typing import Any
 
 from artgen.asset.files import ASSET_FILE
+from artgen.asset.report import Finding
 from artgen.errors import nearest
-from artgen.validate.report import Finding
 
 _HINT = "name files by their path relative to the file that names them; or export the asset again"
 _FOLDERS = {

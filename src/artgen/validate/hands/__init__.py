@@ -8,11 +8,11 @@ from numpy.typing import NDArray
 from artgen.asset import Asset, Condition
 from artgen.asset.affordance import Affordance
 from artgen.asset.gripper import GRIPPER
+from artgen.asset.report import CheckResult, Finding
 from artgen.validate.hands.force import MOST_FORCE, hand_forces
 from artgen.validate.hands.motion import Reach, reach_of, tendency
 from artgen.validate.hands.space import HandSpace, Touch
 from artgen.validate.hands.states import Opened, openable, standing
-from artgen.validate.report import CheckResult, Finding
 
 Array = NDArray[np.float64]
 

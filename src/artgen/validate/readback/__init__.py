@@ -6,9 +6,9 @@ from pathlib import Path
 
 from artgen.asset import Asset
 from artgen.asset.files import main_files
+from artgen.asset.report import CHANGED, CheckResult, Finding
 from artgen.validate.readback.compare import POSES, Expected, differences
 from artgen.validate.readback.reading import Reading
-from artgen.validate.report import CHANGED, CheckResult, Finding
 
 _SHOWN = 5  # complaints of one reader
 

@@ -7,6 +7,7 @@ import numpy as np
 
 from artgen.asset import Asset, Joint, Link
 from artgen.asset.joint import DYNAMICS
+from artgen.asset.report import CHANGED, Finding
 from artgen.errors import ArtgenError
 from artgen.export.frames import local
 from artgen.validate.readback.mjcf_structure import moments_fault
@@ -20,7 +21,6 @@ from artgen.validate.readback.reading import (
     sampled_positions,
     spelled_limits,
 )
-from artgen.validate.report import CHANGED, Finding
 
 EXACT = 1e-6
 """What numbers may differ by [m, rad], and relative for masses, moments and gains."""

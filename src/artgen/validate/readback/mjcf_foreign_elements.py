@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from artgen.validate.report import AGAIN, Finding
+from artgen.asset.report import AGAIN, Finding
 
 _CHECK = "mjcf"
 _SCENE = "put it into the scene that attaches the asset"

@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 
+from artgen.asset.report import AGAIN, Finding
 from artgen.validate.readback.mjcf_foreign_elements import strange_words
-from artgen.validate.report import AGAIN, Finding
 
 _CHECK = "mjcf"
 _NAMED = ("body", "joint", "geom", "site", "mesh", "material", "texture")

@@ -8,11 +8,11 @@ from numpy.typing import NDArray
 
 from artgen.asset import Asset
 from artgen.asset.link import Link
+from artgen.asset.report import CHANGED, Finding
 from artgen.colliders import Convex
 from artgen.export.frames import translation
 from artgen.export.hulls import hulls
 from artgen.export.urdf.words import primitives
-from artgen.validate.report import CHANGED, Finding
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]

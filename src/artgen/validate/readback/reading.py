@@ -10,9 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from artgen.asset import Asset, Joint
+from artgen.asset.report import Finding
 from artgen.export.frames import FAR
 from artgen.validate.readback.pieces import Piece
-from artgen.validate.report import Finding
 
 Array = NDArray[np.float64]
 Frames = Callable[[Mapping[str, float]], dict[str, Array]]

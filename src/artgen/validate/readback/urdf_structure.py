@@ -5,8 +5,8 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
+from artgen.asset.report import AGAIN, Finding
 from artgen.errors import nearest
-from artgen.validate.report import AGAIN, Finding
 
 _CHECK = "urdf"
 _OF_GAZEBO = ("springStiffness", "springReference")

@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 from pxr import Usd, UsdGeom, UsdPhysics, UsdShade
 
 from artgen.asset import Asset
+from artgen.asset.report import AGAIN, Finding
 from artgen.validate.readback.usd_vendor_attributes import body_of, strange_opinions
-from artgen.validate.report import AGAIN, Finding
 
 Array = NDArray[np.float64]
 

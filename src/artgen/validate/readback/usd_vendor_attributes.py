@@ -6,7 +6,7 @@ from typing import Any
 
 from pxr import UsdGeom, UsdPhysics
 
-from artgen.validate.report import Finding
+from artgen.asset.report import Finding
 
 _CHECK = "usd"
 _HINT = "put opinions of your own into a layer above; or export the asset again"
