@@ -43,11 +43,7 @@ def read(kind: str, key: str) -> bytes | None:
 
 
 def write(kind: str, key: str, content: bytes) -> None:
-    """Keep content of a kind under a key; do nothing where nothing is kept.
-
-    Raises:
-        OSError: It cannot be written; nothing is left of it.
-    """
+    """Keep content of a kind under a key; do nothing where nothing is kept."""
     directory = cache_directory()
     if directory is None:
         return

@@ -58,11 +58,7 @@ def _culprit(error: BaseException) -> str:
 
 
 def _refuse_own_names() -> None:
-    """Take from the catalog what another package has put there under the name of a category of artgen's.
-
-    Raises:
-        BuildError: There was such a category.
-    """
+    """Take from the catalog what another package has put there under the name of a category of artgen's."""
     for name in sorted(_own() & set(CATEGORIES)):
         if CATEGORIES[name].function.__module__ != f"artgen.categories.{name}":
             other = CATEGORIES.pop(name)
@@ -146,9 +142,6 @@ def _run(file: Path) -> dict[str, Generator]:
     """Run a file as a module of its own and return the categories that it defines.
 
     Its text is compiled here: Python's own cache takes an edit within one second for no edit.
-
-    Raises:
-        BuildError: It cannot be read or run.
     """
     path = str(file)
     name = f"category_file_{hashlib.blake2b(path.encode(), digest_size=6).hexdigest()}"

@@ -292,11 +292,7 @@ class _Run:
     _reason: str = ""
 
     def sample(self, seed: int) -> None:
-        """Certify the first feasible draw of a seed.
-
-        Raises:
-            InfeasibleError: Nothing is feasible so far, and it is hopeless to go on.
-        """
+        """Certify the first feasible draw of a seed."""
         for attempt in range(_ATTEMPTS):
             values = self.category.sample(seed, attempt=attempt, overrides=self.overrides)
             outcome = self._certify(_Trial(f"seed {seed}", seed, values))
@@ -305,11 +301,7 @@ class _Run:
         self._enter(outcome, min(_HOPELESS, self.total))
 
     def corner(self, number: int, seed: int, values: Mapping[str, Any]) -> None:
-        """Certify a corner.
-
-        Raises:
-            InfeasibleError: Nothing is feasible, and this corner was the last hope.
-        """
+        """Certify a corner."""
         self._enter(self._certify(_Trial(f"corner {number}", seed, values)), self.total)
 
     def smallest_clearance(self) -> SmallestClearance | None:
@@ -356,11 +348,7 @@ class _Run:
         return outcome
 
     def _enter(self, outcome: Outcome, hopeless: int) -> None:
-        """Count a sample or corner; give up where so many are all that there were, and none is feasible.
-
-        Raises:
-            InfeasibleError: It gives up.
-        """
+        """Count a sample or corner; give up where so many are all that there were, and none is feasible."""
         self.counts[outcome] += 1
         done = sum(self.counts.values())
         if self.counts["infeasible"] == done >= hopeless:

@@ -11,12 +11,7 @@ from artgen.errors import AssetError, nearest
 
 
 def assembled(tree: Tree) -> tuple[tuple[Link, ...], tuple[Joint, ...], tuple[AllowedContact, ...]]:
-    """Return the links, the joints and the contacts by design of a body; coupled joints get their ranges.
-
-    Raises:
-        AssetError: A link has no mass, a coupling, a dependency or a contact by design names an unknown
-            joint, couplings form a circle, or the joint that a contact names does not move its links.
-    """
+    """Return the links, the joints and the contacts by design of a body; coupled joints get their ranges."""
     links = tuple(tree.links())
     for link in links:
         if all(piece.visual for piece in link.pieces):

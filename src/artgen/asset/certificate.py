@@ -64,17 +64,11 @@ class Witness:
 
 @dataclass(frozen=True)
 class OpenCell:
-    """A region of joint space in which two pieces were proven neither apart nor in collision.
+    """A region of joint space in which two pieces were proven neither apart nor in collision."""
 
-    Attributes:
-        region: Interval of each free joint that moves the pair [rad or m].
-        labels: Labels of the two pieces.
-        distance: Distance of the pieces in the middle of the region [m].
-    """
-
-    region: Region
-    labels: tuple[str, str]
-    distance: float
+    region: Region  # interval of each free joint that moves the pair [rad or m]
+    labels: tuple[str, str]  # labels of the two pieces
+    distance: float  # distance of the pieces in the middle of the region [m]
 
     def to_data(self) -> dict[str, Any]:
         """Return the cell as JSON data."""

@@ -33,17 +33,11 @@ _RECORD = "collision"  # in the data of a link whose colliders were replaced
 
 @dataclass(frozen=True, eq=False)
 class Part:
-    """A solid of a link as colliders are made of it.
+    """A solid of a link as colliders are made of it."""
 
-    Attributes:
-        label: Semantic label.
-        material: Material of the solid.
-        solid: The solid, in asset coordinates at rest; it may be of several parts that do not touch.
-    """
-
-    label: str
-    material: Material
-    solid: Manifold
+    label: str  # semantic label
+    material: Material  # material of the solid
+    solid: Manifold  # the solid, in asset coordinates at rest; it may be of several parts that do not touch
 
 
 def with_colliders(asset: Asset, kind: Collision | str) -> Asset:
@@ -101,11 +95,7 @@ def solid_parts(link: Link) -> list[Part]:
 
 
 def made_colliders(parts: Sequence[Part], kind: str) -> tuple[Collider, ...]:
-    """Return the colliders of a link's solids, `hull` or `coacd`.
-
-    Raises:
-        ExportError: CoACD is not installed or fails.
-    """
+    """Return the colliders of a link's solids, `hull` or `coacd`."""
     if kind == "hull":
         return _hulls(parts)
     try:
@@ -173,15 +163,10 @@ def _bounds(solid: Manifold) -> Array:
 
 @dataclass(frozen=True, eq=False)
 class RecollidedLink(DerivedLink):
-    """A link with colliders of another making; the rest is the source's.
+    """A link with colliders of another making; the rest is the source's."""
 
-    Attributes:
-        replacing: Its colliders now.
-        collision: How they were made.
-    """
-
-    replacing: tuple[Collider, ...] = field(kw_only=True)
-    collision: str = field(kw_only=True)
+    replacing: tuple[Collider, ...] = field(kw_only=True)  # its colliders now
+    collision: str = field(kw_only=True)  # how they were made
 
     @cached_property
     def colliders(self) -> tuple[Collider, ...]:

@@ -14,16 +14,7 @@ Array = NDArray[np.float64]
 def corner_normals(
     triangles: NDArray[np.int64], corners: Array, crease: float, *, by: Literal["angle", "area"] = "angle"
 ) -> Array:
-    """Return a normal for each corner of each triangle, shape (3 m, 3): the mean of its smooth surroundings.
-
-    Args:
-        triangles: Vertices of each triangle, one number for one place, shape (m, 3).
-        corners: Where they are, shape (m, 3, 3) [m].
-        crease: Faces that turn by less are smooth [rad].
-        by: What faces count by: the angle that they take at the vertex, so that the cut of a face does not
-            matter; or that times their area too, so that large faces stay even beside the strips of a
-            rounded edge.
-    """
+    """Return a normal for each corner of each triangle, shape (3 m, 3), smooth across shallow edges."""
     count = len(triangles)
     across = cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     areas = np.linalg.norm(across, axis=1)  # twice

@@ -24,10 +24,6 @@ def coarser(shape: Shape, precision: float) -> Mesh:
     Vertices that are left keep their texture coordinates and paint. Normals are made anew: those of a rounded
     edge that is gone would shade the faces beside it. What is thinner than the precision, as print is, is
     kept to a part of it.
-
-    Args:
-        shape: The solid.
-        precision: How far [m].
     """
     mesh = shape.mesh  # in an order of its own, which decides what goes
     same = Shape.from_mesh(

@@ -13,12 +13,7 @@ _ROUNDS = 8  # how often each needle is looked at: the ones beside it may have t
 
 
 def needles(positions: Indices, corners: Indices) -> NDArray[np.bool_]:
-    """Tell which triangles are lower than one step, shape (m,).
-
-    Args:
-        positions: Vertices in whole steps, shape (3, n).
-        corners: Triangles among them, shape (3, m).
-    """
+    """Tell which triangles are lower than one step, shape (m,)."""
     a, b, c = (positions[:, each] for each in corners)
     first, second, third = b - a, c - b, a - c
     x, y, z = (first[i] * second[j] - first[j] * second[i] for i, j in ((1, 2), (2, 0), (0, 1)))
@@ -32,15 +27,6 @@ def without_needles(
     """Leave needles out; the triangle beyond the long side of each is divided at the corner between its ends.
 
     So no edge is left whose ends another edge passes. The ones at the border of a surface just go.
-
-    Args:
-        rows: Position [m], normal and texture coordinates of vertices, shape (n, 8).
-        place: Number of the position of each; vertices at one place share it, shape (n,).
-        corners: Triangles, shape (3, m).
-        flat: Which of them are needles, shape (m,).
-
-    Returns:
-        The vertices, with new ones at the end, and the triangles.
     """
     vertices, places = list(rows), place.tolist()
     triangles: list[list[int]] = corners.T.tolist()

@@ -21,13 +21,9 @@ _ON = 1e-6  # points nearer than this to a surface are on it [m]
 
 @dataclass(frozen=True, eq=False)
 class Faces:
-    """Triangles of a surface.
+    """Triangles of a surface."""
 
-    Attributes:
-        corners: The corners of each triangle, shape (m, 3, 3) [m].
-    """
-
-    corners: Array
+    corners: Array  # the corners of each triangle, shape (m, 3, 3) [m]
 
     @staticmethod
     def of(solid: Manifold) -> "Faces":
@@ -70,12 +66,7 @@ class Faces:
         return cKDTree(points), owners
 
     def farthest(self, points: Array, *, outside: bool = False) -> tuple[float, Array]:
-        """Return the largest distance of points to the surface [m], and the point.
-
-        Args:
-            points: Shape (n, 3) [m]; at least one.
-            outside: Whether points within the surface, which must be closed, count as on it.
-        """
+        """Return the largest distance of points to the surface [m], and the point."""
         points, _, _ = distinct_rows(np.round(points, 8))
         bound = self._near(points)
         order = np.argsort(-bound, kind="stable")

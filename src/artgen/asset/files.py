@@ -117,13 +117,6 @@ def mesh_names(names: Mapping[str, Sequence[str]], taken: Iterable[str] = ()) ->
     """Give each named mesh of each link a file name of its own.
 
     Some clients search a mesh by its base name only, and some disks do not tell capitals from small letters.
-
-    Args:
-        names: Names of the meshes, by link.
-        taken: File names that are already used.
-
-    Returns:
-        The file names of each link's meshes, in the order of their names.
     """
     used = {name.lower() for name in taken}
     result = {}
@@ -200,21 +193,14 @@ def _leaves(path: Path) -> dict[str, Any] | None:
 
 @dataclass(frozen=True, eq=False)
 class _StoredLink(Link):
-    """A link whose derived values were stored, instead of being derived from solids.
+    """A link whose derived values were stored, instead of being derived from solids."""
 
-    Attributes:
-        data: What `Link.to_data` wrote.
-        materials: The asset's materials by name.
-        meshes: The OBJ file of each surface.
-        origin: Origin of the link's frame in asset coordinates at rest, shape (3,) [m].
-        source: The link that has the surfaces, if they are not in files.
-    """
-
-    data: Mapping[str, Any] = field(default_factory=dict)
-    materials: Mapping[str, Material] = field(default_factory=dict)
-    meshes: tuple[Path, ...] = ()
+    data: Mapping[str, Any] = field(default_factory=dict)  # what `Link.to_data` wrote
+    materials: Mapping[str, Material] = field(default_factory=dict)  # the asset's materials by name
+    meshes: tuple[Path, ...] = ()  # the OBJ file of each surface
+    # origin of the link's frame in asset coordinates at rest, shape (3,) [m]
     origin: Array = field(default_factory=lambda: np.zeros(3))
-    source: Link | None = None
+    source: Link | None = None  # the link that has the surfaces, if they are not in files
 
     @cached_property
     def labels(self) -> tuple[str, ...]:
@@ -334,15 +320,7 @@ def _convex(data: Mapping[str, Any]) -> Convex:
 
 
 def read_obj(path: Path, origin: Array) -> Mesh:
-    """Read the triangles of an OBJ file that artgen wrote.
-
-    Args:
-        path: The file; a vertex is what its faces name as position, texture coordinate and normal.
-        origin: What to add to its vertices, shape (3,) [m].
-
-    Raises:
-        AssetError: There is no such file, or it is not one of artgen's.
-    """
+    """Read the triangles of an OBJ file that artgen wrote."""
     try:
         lines = path.read_bytes().splitlines()
     except FileNotFoundError:

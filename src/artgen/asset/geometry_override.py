@@ -11,13 +11,9 @@ from artgen.errors import AssetError
 
 @dataclass(frozen=True, eq=False)
 class DerivedLink(Link):
-    """A link that is another one but for what a subclass says.
+    """A link that is another one but for what a subclass says."""
 
-    Attributes:
-        source: The link before.
-    """
-
-    source: Link = field(kw_only=True)
+    source: Link = field(kw_only=True)  # the link before
 
     @cached_property
     def labels(self) -> tuple[str, ...]:
@@ -50,16 +46,7 @@ def fields_of(link: Link) -> tuple[Any, ...]:
 
 
 def need_solids(asset: Asset, refused: str, instead: str) -> None:
-    """Refuse an asset that was read from files.
-
-    Args:
-        asset: The asset.
-        refused: What cannot be done with it.
-        instead: How to write it.
-
-    Raises:
-        AssetError: It was.
-    """
+    """Refuse an asset that was read from files."""
     for link in asset.links:
         if not link.pieces:
             raise AssetError(

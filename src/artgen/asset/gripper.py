@@ -16,28 +16,17 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Gripper:
-    """A parallel gripper.
+    """A parallel gripper."""
 
-    Attributes:
-        stroke: Widest opening between the pads [m].
-        thick: Thickness of a finger along the closing direction [m].
-        wide: Width of a finger and of its pad [m].
-        pad: Length of a pad along the approach; it ends at the tip [m].
-        long: Length of a finger from the hand to the tip [m].
-        hand: Sizes of the hand behind the fingers: along the closing direction, across, and along the
-            approach [m].
-        clearance: What each open finger keeps from the thing before it closes [m].
-        finger: Diameter of the finger that pushes [m].
-    """
-
-    stroke: float = 0.08
-    thick: float = 0.009
-    wide: float = 0.020
-    pad: float = 0.018
-    long: float = 0.054
+    stroke: float = 0.08  # widest opening between the pads [m]
+    thick: float = 0.009  # thickness of a finger along the closing direction [m]
+    wide: float = 0.020  # width of a finger and of its pad [m]
+    pad: float = 0.018  # length of a pad along the approach; it ends at the tip [m]
+    long: float = 0.054  # length of a finger from the hand to the tip [m]
+    # sizes of the hand behind the fingers: along the closing direction, across, and along the approach [m]
     hand: tuple[float, float, float] = (0.204, 0.063, 0.066)
-    clearance: float = 0.005
-    finger: float = 0.018
+    clearance: float = 0.005  # what each open finger keeps from the thing before it closes [m]
+    finger: float = 0.018  # diameter of the finger that pushes [m]
 
     @property
     def tip(self) -> float:
@@ -53,23 +42,13 @@ class Gripper:
         return float(wanted if thickness > self.stroke else min(wanted, self.stroke))
 
     def between(self, half: float) -> Array:
-        """Return the corners of the space between open fingers, shape (2, 3) [m].
-
-        Args:
-            half: Half the opening [m].
-        """
+        """Return the corners of the space between open fingers, shape (2, 3) [m]."""
         return np.array(
             [[-half, -self.wide / 2.0, self.tip - self.long], [half, self.wide / 2.0, self.tip]], float
         )
 
     def blocks(self, low: float, high: float, back: float = 0.0) -> dict[str, Array]:
-        """Return the corners of the boxes that make the hand, by name, shape (2, 3) each [m].
-
-        Args:
-            low: Where the pad of the lower finger is along x [m].
-            high: Where the pad of the upper finger is along x [m].
-            back: How far the boxes are swept back along the approach [m].
-        """
+        """Return the corners of the boxes that make the hand, by name, shape (2, 3) each [m]."""
         root, across = self.tip - self.long, self.wide / 2.0
         x, y, z = self.hand
         return {
@@ -84,23 +63,12 @@ GRIPPER = Gripper()
 
 
 def block(corners: Array, frame: Array) -> Manifold:
-    """Return a box as a solid.
-
-    Args:
-        corners: Opposite corners in the frame, shape (2, 3) [m].
-        frame: Its pose, shape (4, 4).
-    """
+    """Return a box as a solid."""
     return Manifold.cube(np.maximum(corners[1] - corners[0], 1e-9)).translate(corners[0]).transform(frame[:3])
 
 
 def clipped(solids: Iterable[Manifold], region: Manifold, frame: Array) -> Array:
-    """Return the corners of what solids have inside a convex region, in a frame, shape (n, 3) [m].
-
-    Args:
-        solids: The solids.
-        region: The region.
-        frame: Pose in which to measure, shape (4, 4).
-    """
+    """Return the corners of what solids have inside a convex region, in a frame, shape (n, 3) [m]."""
     found = [np.zeros((0, 3))]
     for solid in solids:
         common = solid ^ region
@@ -110,11 +78,6 @@ def clipped(solids: Iterable[Manifold], region: Manifold, frame: Array) -> Array
 
 
 def held(solids: Iterable[Manifold], frame: Array) -> tuple[float, float] | None:
-    """Return how far solids reach along x between the fingers of a grasp; None if nothing is there.
-
-    Args:
-        solids: The solids in asset coordinates.
-        frame: Frame of the grasp, shape (4, 4).
-    """
+    """Return how far solids reach along x between the fingers of a grasp; None if nothing is there."""
     points = clipped(solids, block(GRIPPER.between(GRIPPER.stroke), frame), frame)
     return (float(points[:, 0].min()), float(points[:, 0].max())) if len(points) else None

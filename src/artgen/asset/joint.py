@@ -266,11 +266,7 @@ def rotation(axis: Array, angle: float) -> Array:
 
 
 def positions_of_followers(joints: Mapping[str, Joint], q: dict[str, float]) -> dict[str, float]:
-    """Add the positions of coupled joints to those of the free ones.
-
-    Raises:
-        AssetError: Couplings form a circle.
-    """
+    """Add the positions of coupled joints to those of the free ones."""
     result = dict(q)
     for name in joints:
         chain: list[str] = []

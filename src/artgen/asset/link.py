@@ -306,15 +306,10 @@ class MovedPieces(Sequence[Piece]):
 
 @dataclass(frozen=True, eq=False)
 class MovedLink(Link):
-    """A link that was moved after it was made; what is derived of it moves along instead of being made anew.
+    """A link that was moved after it was made; values derived from the link move along."""
 
-    Attributes:
-        source: The link before.
-        matrix: Rigid motion or reflection, shape (4, 4).
-    """
-
-    source: Link = field(kw_only=True)
-    matrix: Array = field(kw_only=True)
+    source: Link = field(kw_only=True)  # the link before
+    matrix: Array = field(kw_only=True)  # rigid motion or reflection, shape (4, 4)
 
     @cached_property
     def labels(self) -> tuple[str, ...]:

@@ -44,14 +44,7 @@ def _reflected(manifold: Manifold, matrix: Array) -> Manifold:
 
 
 def manifold_of(table: Array, triangles: ArrayLike, merged: ArrayLike, target: ArrayLike) -> Manifold:
-    """Make a manifold, whose status is not checked, of vertices with the channels of `PROPERTIES`.
-
-    Args:
-        table: x y z and the channels of each vertex, shape (n, 3 + PROPERTIES).
-        triangles: Vertex indices, shape (m, 3).
-        merged: Vertices that lie where another one does, shape (k,).
-        target: The other one of each of them, shape (k,).
-    """
+    """Make a manifold, whose status is not checked, of vertices with the channels of `PROPERTIES`."""
     corners = np.array(triangles, np.uint64, order="C").reshape(-1, 3)
     return Manifold(
         Mesh64(
@@ -71,10 +64,6 @@ def mended(table: Array, triangles: Indices) -> Array:
 
     Where many solids meet in a point, manifold3d makes corners between sides of no length: without normal,
     texture coordinates or paint. They get those of the largest face at them.
-
-    Args:
-        table: x y z and the channels of `PROPERTIES` of each vertex, shape (n, 3 + PROPERTIES).
-        triangles: Vertex indices, shape (m, 3).
     """
     whole = np.logical_and(np.isfinite(table).all(axis=1), table[:, 3:6].any(axis=1))
     if whole.all():
@@ -130,18 +119,7 @@ def groups(faces: Indices) -> list[Indices]:
 
 
 def connected(triangles: Indices, targets: Indices) -> tuple[Indices, Indices, Indices]:
-    """Return how a surface hangs together; that of small ones, which are often alike, is remembered.
-
-    Args:
-        triangles: Vertex indices, shape (m, 3).
-        targets: For each vertex, the first vertex at the same point of the surface, shape (n,).
-
-    Returns:
-        The vertices that triangles use, the triangles of those, and for each the first one at its point.
-
-    Raises:
-        ValueError: The triangles do not close.
-    """
+    """Return how a surface hangs together; that of small ones, which are often alike, is remembered."""
     if len(triangles) > _SMALL:
         return _connect(triangles, targets)
     return _remembered(*(np.asarray(each, np.int64).tobytes() for each in (triangles, targets)))

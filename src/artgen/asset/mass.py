@@ -124,11 +124,7 @@ def _shifted(moments: Moments, origin: Array) -> Moments:
 
 
 def total(moments: Iterable[Moments]) -> MassProperties:
-    """Add up solids and express the sum as a rigid body's mass properties.
-
-    Raises:
-        AssetError: The total mass is not positive.
-    """
+    """Add up solids and express the sum as a rigid body's mass properties."""
     parts = list(moments)
     mass = float(sum(part.zeroth for part in parts))
     if not mass > 0.0:

@@ -103,15 +103,10 @@ class CheckResult:
 
 @dataclass(frozen=True)
 class Report:
-    """What all checks said of one asset.
+    """What all checks said of one asset."""
 
-    Attributes:
-        asset: Name of the asset.
-        results: One for each check, in the order in which they ran.
-    """
-
-    asset: str
-    results: tuple[CheckResult, ...]
+    asset: str  # name of the asset
+    results: tuple[CheckResult, ...]  # one for each check, in the order in which they ran
 
     @property
     def faults(self) -> tuple[Finding, ...]:

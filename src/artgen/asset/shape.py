@@ -174,15 +174,10 @@ class Shape:
 
 
 class MovedShape(Shape):
-    """A shape after a rigid motion or a reflection; its manifold is moved when it is asked for.
+    """A shape after a rigid motion or a reflection; its manifold is moved when it is asked for."""
 
-    Attributes:
-        source: The shape before.
-        matrix: The motion, shape (4, 4).
-    """
-
-    source: Shape
-    matrix: Array
+    source: Shape  # the shape before
+    matrix: Array  # the motion, shape (4, 4)
 
     def __init__(self, source: Shape, matrix: Array) -> None:
         if isinstance(source, MovedShape):
@@ -311,13 +306,9 @@ class MeshShape(Shape):
 
 
 class ComposedShape(Shape):
-    """Solids that are free of each other as one; its manifold is made when it is asked for.
+    """Solids that are free of each other as one; its manifold is made when it is asked for."""
 
-    Attributes:
-        shapes: The solids; those that are painted share their paint numbers.
-    """
-
-    shapes: tuple[Shape, ...]
+    shapes: tuple[Shape, ...]  # the solids; those that are painted share their paint numbers
 
     def __init__(self, shapes: Sequence[Shape]) -> None:
         vars(self).update(
@@ -387,11 +378,7 @@ def _check_volume(volume: float) -> None:
 
 
 def _has_needles(points: Array, triangles: Indices) -> bool:
-    """Tell whether triangles have no height.
-
-    Raises:
-        ValueError: They are not finite or enclose no positive volume.
-    """
+    """Tell whether triangles have no height."""
     near = points - points[0]
     a, b, c = near.take(triangles.T, axis=0)
     across = cross(b - a, c - a)

@@ -24,21 +24,13 @@ _WELD_FILES = 4e-7  # [m]: mesh files have 7 decimals
 
 @dataclass(frozen=True, eq=False)
 class Shell:
-    """A connected part of a surface; solids that share an edge are one.
+    """A connected part of a surface; solids that share an edge are one."""
 
-    Attributes:
-        label: Label of the piece or surface that it belongs to.
-        piece: Number of the piece on its link; 0 for all shells that were read from files.
-        points: Its corners, each once, shape (n, 3) [m].
-        triangles: Indices of them, shape (m, 3).
-        hollows: The walls of the hollows inside it.
-    """
-
-    label: str
-    piece: int
-    points: Array
-    triangles: Indices
-    hollows: tuple["Shell", ...] = ()
+    label: str  # label of the piece or surface that it belongs to
+    piece: int  # number of the piece on its link; 0 for all shells that were read from files
+    points: Array  # its corners, each once, shape (n, 3) [m]
+    triangles: Indices  # indices of them, shape (m, 3)
+    hollows: tuple["Shell", ...] = ()  # the walls of the hollows inside it
 
     @cached_property
     def corners(self) -> Array:
@@ -105,33 +97,19 @@ class Shell:
 
 @dataclass(frozen=True, eq=False)
 class Skin:
-    """The surface of a piece, or of all of a link that was read from files.
+    """The surface of a piece, or of all of a link that was read from files."""
 
-    Attributes:
-        label: Label of the piece; empty for a whole link.
-        shells: Its connected parts.
-        detail: Whether the piece is only seen; None where the files do not tell.
-        finite: Whether all coordinates are finite; nothing else is known if they are not.
-        open_edges: Edges with a face on one side only.
-        turned_edges: Edges whose faces are wound against each other.
-        doubled: Triangles that lie on another one of the same winding.
-        flat: Triangles lower than `_FLAT`.
-        against: Triangles that lean away from a normal at their corners by more than 60 degrees.
-        place: A point of the first fault, shape (3,) [m].
-        triangles: How many triangles there are.
-    """
-
-    label: str
-    shells: tuple[Shell, ...] = ()
-    detail: bool | None = None
-    finite: bool = True
-    open_edges: int = 0
-    turned_edges: int = 0
-    doubled: int = 0
-    flat: int = 0
-    against: int = 0
-    place: Array = field(default_factory=lambda: np.zeros(3))
-    triangles: int = 0
+    label: str  # label of the piece; empty for a whole link
+    shells: tuple[Shell, ...] = ()  # its connected parts
+    detail: bool | None = None  # whether the piece is only seen; None where the files do not tell
+    finite: bool = True  # whether all coordinates are finite; nothing else is known if they are not
+    open_edges: int = 0  # edges with a face on one side only
+    turned_edges: int = 0  # edges whose faces are wound against each other
+    doubled: int = 0  # triangles that lie on another one of the same winding
+    flat: int = 0  # triangles lower than `_FLAT`
+    against: int = 0  # triangles that lean away from a normal at their corners by more than 60 degrees
+    place: Array = field(default_factory=lambda: np.zeros(3))  # a point of the first fault, shape (3,) [m]
+    triangles: int = 0  # how many triangles there are
 
     @cached_property
     def solids(self) -> tuple[Shell, ...]:
@@ -177,11 +155,7 @@ _AGAINST = 0.5  # cosine between a face and the normal at a corner, below which 
 
 @once_per_link
 def skins(link: Link) -> tuple[Skin, ...]:
-    """Return the surface of each piece of a link, or of the whole link if it was read from files.
-
-    Raises:
-        AssetError: The mesh files of the link are missing or damaged.
-    """
+    """Return the surface of each piece of a link, or of the whole link if it was read from files."""
     if link.pieces:
         return tuple(
             _skin(piece.shape.mesh, None, [piece.label], _WELD_MEMORY, number, detail=piece.visual)
@@ -285,17 +259,11 @@ def _against(mesh: Mesh) -> Indices:
 
 @dataclass(frozen=True, eq=False)
 class _Edges:
-    """The edges of triangles.
+    """The edges of triangles."""
 
-    Attributes:
-        open: Ends of the edges with one face, shape (k, 2).
-        turned: Ends of the edges whose faces are wound against each other, shape (k, 2).
-        neighbours: Pairs of faces that share an edge, shape (k, 2).
-    """
-
-    open: Indices
-    turned: Indices
-    neighbours: Indices
+    open: Indices  # ends of the edges with one face, shape (k, 2)
+    turned: Indices  # ends of the edges whose faces are wound against each other, shape (k, 2)
+    neighbours: Indices  # pairs of faces that share an edge, shape (k, 2)
 
     @staticmethod
     def of(faces: Indices) -> "_Edges":

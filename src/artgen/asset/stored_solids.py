@@ -22,13 +22,9 @@ _ONE_BOX = 1e-6  # [m] that a bounding box may be off in a file
 
 @dataclass(frozen=True, eq=False)
 class Details:
-    """What the data of a link that was read from files records as only seen.
+    """What the data of a link that was read from files records as only seen."""
 
-    Attributes:
-        boxes: Bounding boxes by label, shape (n, 2, 3) [m].
-    """
-
-    boxes: Mapping[str, Array] = field(default_factory=dict)
+    boxes: Mapping[str, Array] = field(default_factory=dict)  # bounding boxes by label, shape (n, 2, 3) [m]
 
     @staticmethod
     def of(data: Sequence[Mapping[str, Any]]) -> "Details":
@@ -55,9 +51,6 @@ def link_parts(link: Link) -> tuple[Part, ...]:
     """Return the solids of a link; where it was read from files, the closed parts of its meshes.
 
     What has neither mass nor collider, such as the head of a screw, is told by its label and bounding box.
-
-    Raises:
-        AssetError: The meshes of a label do not close, or are not those of the solids.
     """
     if link.pieces:
         return tuple(solid_parts(link))

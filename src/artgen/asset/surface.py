@@ -137,15 +137,7 @@ def _ordered(corners: Corners, count: int) -> Corners:
 
 
 def _fanned(corners: Corners, count: int) -> tuple[Corners, list[int]]:
-    """Give open fans of triangles vertices of their own where they touch in one point.
-
-    Args:
-        corners: Triangles among `count` vertices, shape (3, m).
-        count: How many vertices there are.
-
-    Returns:
-        The triangles, and of which vertices those from `count` on are copies.
-    """
+    """Give open fans of triangles vertices of their own where they touch in one point."""
     following = corners[[1, 2, 0]]
     keys = np.sort((np.minimum(corners, following) * count + np.maximum(corners, following)).ravel())
     sides = keys[np.append(True, keys[1:] != keys[:-1])]

@@ -111,16 +111,7 @@ class Tree:
 
 
 def check_contact(contact: AllowedContact, links: Collection[str], joints: Mapping[str, Joint]) -> None:
-    """Check that a contact by design speaks of links, and of joints that move one against the other.
-
-    Args:
-        contact: The contact.
-        links: Names of all links of the asset.
-        joints: All joints of the asset by name.
-
-    Raises:
-        AssetError: It names a link or joint that does not exist, or a joint that is not between the links.
-    """
+    """Check that a contact by design speaks of links, and of joints that move one against the other."""
     for link in contact.links:
         if link not in links:
             raise AssetError(

@@ -92,11 +92,7 @@ def _turns(contour: Array) -> Array:
 
 
 def _cleaned(contour: Array) -> Array:
-    """Drop repeated and straight vertices.
-
-    Raises:
-        ValueError: The contour is not of shape (n, 2) or not finite.
-    """
+    """Drop repeated and straight vertices."""
     if contour.ndim != 2 or contour.shape[1] != 2 or not np.isfinite(contour).all():
         raise ValueError(f"a contour needs finite points of shape (n, 2), got shape {contour.shape}")
     step = successors(contour) - contour

@@ -29,17 +29,7 @@ _MEMORY = 128 * 2**20  # of the cluster that is started here: endings are small 
 
 @contextmanager
 def engine_of(name: EngineName, *, jobs: int | None, address: str | None) -> Iterator[Engine]:
-    """Give the engine of that name.
-
-    Args:
-        name: Its name.
-        jobs: How many processes work; all cores by default.
-        address: Of a Ray cluster.
-
-    Raises:
-        ParameterError: There is none of that name, or it takes no address.
-        ExportError: Ray or the cluster is not there.
-    """
+    """Give the engine of that name."""
     if name not in get_args(EngineName):
         raise ParameterError(f"the engine is local or ray, not {name!r}")
     if name == "local":
@@ -53,15 +43,7 @@ def engine_of(name: EngineName, *, jobs: int | None, address: str | None) -> Ite
 
 @contextmanager
 def cluster(address: str | None, jobs: int | None) -> Iterator[Engine]:
-    """Join a Ray cluster, or start one on this machine that ends with the run.
-
-    Args:
-        address: Of a cluster that runs; by default the variable RAY_ADDRESS tells it, else one is started.
-        jobs: How many tasks run at once; by default as many as the cluster has cores.
-
-    Raises:
-        ExportError: Ray is missing, or there is no such cluster.
-    """
+    """Join a Ray cluster, or start one on this machine that ends with the run."""
     try:
         import ray
     except ImportError as error:
@@ -92,11 +74,7 @@ def cluster(address: str | None, jobs: int | None) -> Iterator[Engine]:
 
 
 def _call(address: str) -> None:
-    """Refuse an address at which no head node listens; Ray itself would try for minutes.
-
-    Raises:
-        ExportError: None does.
-    """
+    """Refuse an address at which no head node listens; Ray itself would try for minutes."""
     host, _, port = address.rpartition("/")[2].rpartition(":")
     if not host or not port.isdigit():
         return
@@ -124,14 +102,10 @@ def _unreached(address: str, error: BaseException | str) -> str:
 
 @dataclass
 class _Flight:
-    """A task that was given away.
+    """A task that was given away."""
 
-    Attributes:
-        item: What it was given.
-        deadline: When it has to be done, on the monotonic clock [s]; None until it has begun.
-    """
-
-    item: Any
+    item: Any  # what it was given
+    # when it has to be done, on the monotonic clock [s]; None until it has begun
     deadline: float | None = None
 
 
@@ -141,15 +115,6 @@ def _run(
     """Run a task for each item; see `workers.run_tasks`.
 
     A task tells when it begins, as it may wait long for a core of a cluster that others use too.
-
-    Args:
-        task: A function of a module, so that other machines can import it.
-        items: What it is given, one after another.
-        limit: How long a task may take [s].
-        most: How many tasks run at once; by default as many as the cluster has cores.
-
-    Raises:
-        ExportError: A machine of the cluster has another version of artgen, or none.
     """
     import ray
 
@@ -206,11 +171,7 @@ def _work(task: Callable[[Any], Any], item: Any, version: str) -> Iterator[tuple
 
 
 def _ending(item: Any, stream: Any) -> Ending | None:
-    """Read what a task says next; None if it has only begun.
-
-    Raises:
-        ExportError: Its machine cannot do any task of this run.
-    """
+    """Read what a task says next; None if it has only begun."""
     import ray
     from ray.exceptions import RayError, RayTaskError, RuntimeEnvSetupError
 

@@ -43,12 +43,7 @@ class Folder:
     @staticmethod
     @contextmanager
     def opened(target: Target, plan: Draws) -> Iterator["Folder"]:
-        """Open a folder for one run, made if there is none; what a killed run left is put in order.
-
-        Raises:
-            ExportError: It holds other things, or assets of another plan or version, maps cannot be shared
-                there, another run writes to it, or the disk refuses.
-        """
+        """Open a folder for one run, made if there is none; what a killed run left is put in order."""
         folder = Folder(target, plan.placed(target))
         with writing(target):
             _check_content(target)
@@ -103,15 +98,7 @@ def _state(known: Mapping[str, dict[str, Any]], item: Item) -> str:
 
 
 def stored_plan(target: Target, form: str = Plan.FORMAT) -> dict[str, Any] | None:
-    """Return what a folder says of its dataset; None if it holds none.
-
-    Args:
-        target: The folder.
-        form: What its format has to be.
-
-    Raises:
-        ExportError: The file is damaged, or of another format.
-    """
+    """Return what a folder says of its dataset; None if it holds none."""
     text = target.read(PLAN_FILE)
     if text is None:
         return None
@@ -126,11 +113,7 @@ def stored_plan(target: Target, form: str = Plan.FORMAT) -> dict[str, Any] | Non
 
 
 def _read_plan(target: Target, kind: type[Draws]) -> Draws | None:
-    """Return the plan of a folder that a run may go on with; None if it holds no dataset.
-
-    Raises:
-        ExportError: It holds one that cannot be read, or of another version.
-    """
+    """Return the plan of a folder that a run may go on with; None if it holds no dataset."""
     data = stored_plan(target, kind.FORMAT)
     if data is None:
         return None
@@ -159,11 +142,7 @@ def read_manifest(target: Target) -> Iterator[dict[str, Any]]:
 
 
 def _read_records(target: Target, paths: Sequence[str]) -> Iterator[tuple[str, dict[str, Any]]]:
-    """Yield the line of each asset that is there, with its directory.
-
-    Raises:
-        ExportError: One is damaged.
-    """
+    """Yield the line of each asset that is there, with its directory."""
     for start in range(0, len(paths), _TOGETHER):
         texts = target.contents(f"{path}/{ASSET_FILE}" for path in paths[start : start + _TOGETHER])
         for name, text in texts.items():

@@ -12,14 +12,7 @@ LOCK_FILE = ".lock"
 
 @contextmanager
 def locked(place: Path) -> Iterator[None]:
-    """Hold the lock of a folder or a file; the system frees it when the process ends, however it does.
-
-    Args:
-        place: A folder that exists, whose lock is in it; else a file, whose lock is beside it.
-
-    Raises:
-        ExportError: Another process holds it, or the place cannot be written.
-    """
+    """Hold the lock of a folder or a file; the system frees it when the process ends, however it does."""
     kind = "folder" if place.is_dir() else "file"
     lock = place / LOCK_FILE if kind == "folder" else place.with_name(f".{place.name}{LOCK_FILE}")
     try:

@@ -14,37 +14,19 @@ from artgen.export.files import encode
 
 @dataclass(frozen=True)
 class Made:
-    """What came of an item.
+    """What came of an item."""
 
-    Attributes:
-        record: Its line in the manifest; None where the disk refused.
-        refusal: What the disk said: no fault of the item, and nothing else can be written either.
-    """
-
-    record: dict[str, Any] | None
-    refusal: str = ""
+    record: dict[str, Any] | None  # its line in the manifest; None where the disk refused
+    refusal: str = ""  # what the disk said: no fault of the item, and nothing else can be written either
 
 
 def make(item: Item, *, plan: Plan, target: Target) -> Made:
-    """Make an asset and put it in its place.
-
-    Args:
-        item: Which.
-        plan: How assets are drawn and written.
-        target: Where to.
-    """
+    """Make an asset and put it in its place."""
     return put(item, lambda: _files(item, plan), target, share=plan.textures == "shared")
 
 
 def put(item: Item, files_of: Callable[[], dict[str, bytes]], target: Target, *, share: bool) -> Made:
-    """Make the files of an item and put them in its place.
-
-    Args:
-        item: Which.
-        files_of: Makes them, an `asset.json` among them.
-        target: Where to.
-        share: Whether its maps are links to those of others.
-    """
+    """Make the files of an item and put them in its place."""
     try:
         files = files_of()
     except Exception as error:  # noqa: BLE001 - whatever a category raises, the others go on

@@ -48,37 +48,21 @@ class Item:
 
 @dataclass(frozen=True)
 class Draws:
-    """Which assets a folder is made of, and how they are drawn; what is written of each, subclasses say.
+    """Which assets a folder is made of, and how they are drawn; what is written of each, subclasses say."""
 
-    Attributes:
-        FORMAT: Marks the folders of such plans.
-        categories: Names of the categories, each once.
-        count: How many assets, shared evenly among the categories: the first one gets what is left over.
-        seed: The first seed of each category; the others follow it.
-        overrides: As in `NAME=VALUE` for all categories, or `CATEGORY:NAME=VALUE` for one.
-        base: Whether assets are fixed to the world.
-        certify: Whether each is proven free of collisions.
-        tolerance: Clearance between links that has to be proven [m].
-        on_collision: What to do if that is not proven.
-    """
+    FORMAT: ClassVar[str]  # marks the folders of such plans
 
-    FORMAT: ClassVar[str]
-
-    categories: tuple[str, ...]
-    count: int
-    seed: int = 0
-    overrides: tuple[str, ...] = ()
-    base: Base = "fixed"
-    certify: bool = True
-    tolerance: float = 0.0
-    on_collision: OnCollision = "redraw"
+    categories: tuple[str, ...]  # names of the categories, each once
+    count: int  # how many assets, shared evenly among the categories: the first one gets what is left over
+    seed: int = 0  # the first seed of each category; the others follow it
+    overrides: tuple[str, ...] = ()  # as in `NAME=VALUE` for all categories, or `CATEGORY:NAME=VALUE` for one
+    base: Base = "fixed"  # whether assets are fixed to the world
+    certify: bool = True  # whether each is proven free of collisions
+    tolerance: float = 0.0  # clearance between links that has to be proven [m]
+    on_collision: OnCollision = "redraw"  # what to do if that is not proven
 
     def __post_init__(self) -> None:
-        """Refuse what no run could do, before anything is written.
-
-        Raises:
-            ParameterError: A category, number or override is unknown or not allowed.
-        """
+        """Refuse what no run could do, before anything is written."""
         if not self.categories:
             raise ParameterError("a dataset needs at least one category")
         twice = next((name for name in self.categories if self.categories.count(name) > 1), None)
@@ -113,11 +97,7 @@ class Draws:
         return asset
 
     def overrides_of(self, category: str) -> dict[str, Any]:
-        """Return the overrides for a category, those for it alone before those for all.
-
-        Raises:
-            ParameterError: One cannot be read, or is for a category that the plan has not.
-        """
+        """Return the overrides for a category, those for it alone before those for all."""
         found = self._overrides
         return found.get(_EVERY, {}) | found.get(category, {})
 
@@ -136,11 +116,7 @@ class Draws:
         return {owner: parse_overrides(each) for owner, each in texts.items()}
 
     def placed(self, target: Target) -> Self:
-        """Return the plan as it is done in a place.
-
-        Raises:
-            ExportError: It cannot be done there.
-        """
+        """Return the plan as it is done in a place."""
         return self
 
     def to_data(self) -> dict[str, Any]:
@@ -151,11 +127,7 @@ class Draws:
 
     @classmethod
     def from_data(cls, data: Mapping[str, Any]) -> Self:
-        """Return the plan of JSON data.
-
-        Raises:
-            ParameterError: They are not those of a plan.
-        """
+        """Return the plan of JSON data."""
         given: dict[str, Any] = {
             name: tuple(value) if isinstance(value, list) else value for name, value in data.items()
         }

@@ -8,12 +8,7 @@ _WORD = 16  # characters of a digest
 
 
 def record_of(text: bytes, path: str) -> dict[str, Any]:
-    """Return the line of an asset, from its `asset.json` alone.
-
-    Args:
-        text: What that file holds.
-        path: The asset's directory, relative to the dataset's.
-    """
+    """Return the line of an asset, from its `asset.json` alone."""
     data = json.loads(text)
     certificate = data["certificate"]
     return {

@@ -102,24 +102,7 @@ def fill(
     progress: Progress | None = None,
     begin: Callable[[int], None] | None = None,
 ) -> Summary:
-    """Do a plan of any kind in a folder, as `generate_many` does.
-
-    Args:
-        plan: What to make.
-        directory: Where.
-        make: A function of a module that makes one item: it takes `item`, `plan=` and `target=`.
-        finish: Called at the end with the place and the lines of the manifest in the order of the plan.
-        jobs: How many processes work.
-        engine: What runs them.
-        address: Of a Ray cluster.
-        limit: How long one item may take [s].
-        progress: Called with each line of the manifest as it is added.
-        begin: Called before, with how many items are missing.
-
-    Raises:
-        ParameterError: As `generate_many`.
-        ExportError: The same.
-    """
+    """Do a plan of any kind in a folder, as `generate_many` does."""
     if jobs is not None and jobs < 1:
         raise ParameterError(f"at least one process has to work, not {jobs}")
     start = time.monotonic()
@@ -147,11 +130,7 @@ def fill(
 def _records(
     run: Engine, task: Callable[[Item], Made], items: list[Item], limit: float
 ) -> Iterator[tuple[Item, dict[str, Any]]]:
-    """Yield each item with its line, in the order in which they are done.
-
-    Raises:
-        ExportError: The disk refuses.
-    """
+    """Yield each item with its line, in the order in which they are done."""
     tries = dict.fromkeys(items, 0)
     while items:
         again = []

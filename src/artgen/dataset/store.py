@@ -280,11 +280,7 @@ def is_url(place: str | Path) -> bool:
 
 
 def target_of(place: str | Path) -> Target:
-    """Return the target of a folder or URL.
-
-    Raises:
-        ExportError: The URL is not one of a folder, or nothing here knows its kind.
-    """
+    """Return the target of a folder or URL."""
     if isinstance(place, Path) or not is_url(place):
         return Disk(Path(place))
     parts = urlsplit(place)

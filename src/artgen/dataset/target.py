@@ -34,13 +34,9 @@ class Lines(Protocol):
 
 
 class Target(ABC):
-    """A place of a dataset; workers get a copy of it.
+    """A place of a dataset; workers get a copy of it."""
 
-    Attributes:
-        links: Whether assets can share maps by links.
-    """
-
-    links: bool
+    links: bool  # whether assets can share maps by links
 
     @abstractmethod
     def __str__(self) -> str:
@@ -52,19 +48,11 @@ class Target(ABC):
 
     @abstractmethod
     def opened(self) -> AbstractContextManager[None]:
-        """Hold the place for one run, made if there is none; what a killed run left over is removed.
-
-        Raises:
-            ExportError: Another run holds it, or the place refuses.
-        """
+        """Hold the place for one run, made if there is none; what a killed run left over is removed."""
 
     @abstractmethod
     def names(self) -> list[str]:
-        """Return what lies directly in the place, except for what is of a run.
-
-        Raises:
-            ExportError: It is a file.
-        """
+        """Return what lies directly in the place, except for what is of a run."""
 
     @abstractmethod
     def contents(self, paths: Iterable[str]) -> dict[str, bytes]:
@@ -84,24 +72,11 @@ class Target(ABC):
 
     @abstractmethod
     def put(self, files: Mapping[str, bytes], path: str, *, share: bool) -> None:
-        """Put an asset in its directory, which is whole or counts as absent.
-
-        Args:
-            files: What `artgen.export.files.encode` returns.
-            path: The directory.
-            share: Whether its maps are links to those of other assets.
-
-        Raises:
-            OSError: The place refuses, or this machine does not see it.
-        """
+        """Put an asset in its directory, which is whole or counts as absent."""
 
     @abstractmethod
     def local(self, path: str) -> Path:
-        """Return the directory of an asset on this machine, fetched if it lies elsewhere.
-
-        Raises:
-            ExportError: It cannot be.
-        """
+        """Return the directory of an asset on this machine, fetched if it lies elsewhere."""
 
     def read(self, path: str) -> bytes | None:
         """Return what a file holds; None if there is none."""

@@ -24,20 +24,13 @@ State = Literal["done", "failed", "timed out", "crashed"]
 
 @dataclass(frozen=True)
 class Ending:
-    """How a task ended.
+    """How a task ended."""
 
-    Attributes:
-        item: What it was given.
-        state: `done`; `failed` where it raised; `timed out` where it took too long; `crashed` where its
-            process died.
-        value: What it returned; None unless it is done.
-        message: What went wrong; empty if it is done.
-    """
-
-    item: Any
+    item: Any  # what it was given
+    # `done`; `failed` where it raised; `timed out` where it took too long; `crashed` where its process died
     state: State
-    value: Any = None
-    message: str = ""
+    value: Any = None  # what it returned; None unless it is done
+    message: str = ""  # what went wrong; empty if it is done
 
 
 class Engine(Protocol):
@@ -57,14 +50,7 @@ def cores() -> int:
 def run_tasks(
     task: Callable[[Any], Any], items: Iterable[Any], *, jobs: int, limit: float
 ) -> Iterator[Ending]:
-    """Run a task for each item, and yield how each ends, in the order in which they do.
-
-    Args:
-        task: A function of a module, so that other processes can import it.
-        items: What it is given, one after another; asked for when a process is free, so they may be endless.
-        jobs: How many processes there are.
-        limit: How long a task may take [s]; its process is ended then, and another one takes its place.
-    """
+    """Run a task for each item, and yield how each ends, in the order in which they do."""
     for name in _THREADS:
         os.environ.setdefault(name, "1")
     waiting = iter(items)

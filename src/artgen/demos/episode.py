@@ -44,12 +44,7 @@ class Demo:
 
 
 def check_task(task: str) -> None:
-    """Refuse a task that there is not, or that cannot be done here.
-
-    Raises:
-        ParameterError: There is no such task; the message has the nearest name.
-        EnvError: A package of the environments is not installed.
-    """
+    """Refuse a task that there is not, or that cannot be done here."""
     try:
         from artgen.envs import TASKS
     except ImportError as error:

@@ -66,22 +66,14 @@ class Writer:
 
 @contextmanager
 def writer(path: Path) -> Iterator[Writer]:
-    """Yield a writer of a new file.
-
-    Raises:
-        ExportError: h5py is not installed.
-    """
+    """Yield a writer of a new file."""
     h5py = hdf5()
     with h5py.File(path, "w", track_order=False) as file:
         yield Writer(file)
 
 
 def hdf5() -> Any:
-    """Return h5py.
-
-    Raises:
-        ExportError: It is not installed.
-    """
+    """Return h5py."""
     try:
         import h5py
     except ImportError as error:

@@ -19,12 +19,7 @@ _SEEN = "obs/"
 
 
 class Kept:
-    """A folder with a file for each attempt that has ended, whether it succeeded or not.
-
-    Args:
-        folder: Where; it need not exist.
-        plan: What an attempt depends on beside its seed: what was made by another plan is removed.
-    """
+    """A folder with a file for each attempt that has ended, whether it succeeded or not."""
 
     def __init__(self, folder: Path, plan: Mapping[str, Any]) -> None:
         self._folder, self._plan = folder, json.dumps(dict(plan), sort_keys=True)
@@ -40,11 +35,7 @@ class Kept:
         return {seed: path for seed in seeds if (path := self._folder / f"{seed}.npz").exists()}
 
     def saved(self, endings: Iterable[Ending]) -> Iterator[Ending]:
-        """Yield endings, each once it is on the disk; where a process was killed, a next run tries again.
-
-        Raises:
-            OSError: The disk refuses.
-        """
+        """Yield endings, each once it is on the disk; where a process was killed, a next run tries again."""
         for ending in endings:
             if ending.state in ("done", "failed"):
                 self._save(ending)

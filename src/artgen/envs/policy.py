@@ -172,12 +172,7 @@ class _Script:
             yield self._place(contact.link, {move.joint: q + way * lead / arm}) @ held, self._opening
 
     def _place(self, link: str, ahead: Mapping[str, float] | None = None) -> Array:
-        """Return how a link is displaced from rest, kept joints where they are kept, shape (4, 4).
-
-        Args:
-            link: Name of the link.
-            ahead: Where joints are thought to be.
-        """
+        """Return how a link is displaced from rest, kept joints where they are kept, shape (4, 4)."""
         result = np.eye(4)
         above = {child: (parent, joints) for parent, child, joints in self._asset.pairs()}
         while link in above:

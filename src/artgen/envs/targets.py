@@ -162,12 +162,6 @@ def _from_within(asset: Asset, grasp: Affordance, ajar: Array, beside: float) ->
     """Return where closed fingers lie on the inner side of a door's upper edge, pointing to its hinge.
 
     They come from above the edge of the door that is ajar, and press it down as it opens.
-
-    Args:
-        asset: The asset.
-        grasp: The handle of the door.
-        ajar: How the door is displaced where it is ajar, shape (4, 4).
-        beside: How far beside the handle they come [m].
     """
     link = asset.link(grasp.link)
     boxes = np.array([each.convex.bounds() for each in link.colliders])

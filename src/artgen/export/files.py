@@ -129,17 +129,7 @@ def encode(
 
 
 def write_files(files: Mapping[str, bytes], directory: Path, store: Path | None = None) -> None:
-    """Write the files of an export to a new directory.
-
-    Args:
-        files: What `encode` returns.
-        directory: It must not exist.
-        store: Where maps of many assets are kept, named by their content: the asset gets hard links to them,
-            where the disk knows such, and else copies.
-
-    Raises:
-        OSError: The disk refuses.
-    """
+    """Write the files of an export to a new directory."""
     for folder in sorted({path.rpartition("/")[0] for path in files}):
         (directory / folder).mkdir(parents=True, exist_ok=True)
     for path, content in files.items():
@@ -151,11 +141,7 @@ def write_files(files: Mapping[str, bytes], directory: Path, store: Path | None 
 
 @contextmanager
 def replaced(path: Path) -> Iterator[Path]:
-    """Yield where to write a file, which takes its place once it is complete; on an error nothing is left.
-
-    Raises:
-        ExportError: The disk refuses.
-    """
+    """Yield where to write a file, which takes its place once it is complete; on an error nothing is left."""
     partial = path.with_name(f".{path.name}.partial")
     missing = [parent for parent in path.parents if not parent.exists()]
     try:
@@ -190,22 +176,14 @@ def _share(content: bytes, path: Path, store: Path) -> None:
 
 
 def find_layout(name: str) -> Layout:
-    """Return the layout of that name.
-
-    Raises:
-        ExportError: There is none; the message has the nearest name.
-    """
+    """Return the layout of that name."""
     if name not in LAYOUTS:
         raise ExportError(f"there is no layout {name!r}.{nearest(name, LAYOUTS)}")
     return LAYOUTS[name]
 
 
 def chosen_formats(layout: Layout, formats: Sequence[str] | None) -> tuple[str, ...]:
-    """Return the formats to write, each once.
-
-    Raises:
-        ExportError: There is no such format, or not in the layout.
-    """
+    """Return the formats to write, each once."""
     if formats is None:
         return layout.default_formats
     chosen = tuple(dict.fromkeys([formats] if isinstance(formats, str) else formats))
@@ -220,11 +198,7 @@ def chosen_formats(layout: Layout, formats: Sequence[str] | None) -> tuple[str, 
 
 
 def _foreign_files(target: Path, files: Iterable[str]) -> list[str]:
-    """Return the files in a directory that artgen did not write, if an export may replace the others.
-
-    Raises:
-        ExportError: It may not.
-    """
+    """Return the files in a directory that artgen did not write, if an export may replace the others."""
     try:
         _recover(target)
         if target.exists() and not target.is_dir():

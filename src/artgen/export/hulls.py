@@ -32,18 +32,12 @@ class Hull:
 
     PhysX keeps what it derives from a hull in single precision: of pieces of a few millimetres whose vertices
     are told from an origin some centimetres away it makes contacts that are centimetres deep.
-
-    Attributes:
-        middle: Where its frame lies in that of its link, shape (3,) [m].
-        vertices: In its frame, shape (n, 3) [m].
-        triangles: Counter-clockwise seen from outside, shape (m, 3).
-        normals: Unit outward normal of each triangle, shape (m, 3).
     """
 
-    middle: Array
-    vertices: Array
-    triangles: Indices
-    normals: Array
+    middle: Array  # where its frame lies in that of its link, shape (3,) [m]
+    vertices: Array  # in its frame, shape (n, 3) [m]
+    triangles: Indices  # counter-clockwise seen from outside, shape (m, 3)
+    normals: Array  # unit outward normal of each triangle, shape (m, 3)
 
     @staticmethod
     def of(pieces: Sequence[tuple[Convex, Array]]) -> "tuple[Hull, ...]":

@@ -24,16 +24,7 @@ def rounded(values: Array, decimals: int) -> Indices:
 
 
 def lines(heads: Sequence[str], scaled: Indices, decimals: int = 0) -> Bytes:
-    """Return one line of text per row of numbers, to be read by `text`; zeros that say nothing are left out.
-
-    Args:
-        heads: What stands before the number of each column, three characters at most.
-        scaled: What `rounded` made of the numbers, shape (n, k).
-        decimals: Digits after the point.
-
-    Returns:
-        Characters, those that are not shown NUL, shape (n, width).
-    """
+    """Return one line of text per row of numbers, for `text` to join; trailing zeros are left out."""
     magnitude = np.abs(scaled)
     whole = magnitude // 10**decimals
     words = _whole(whole)
@@ -51,16 +42,7 @@ def lines(heads: Sequence[str], scaled: Indices, decimals: int = 0) -> Bytes:
 
 
 def face_lines(corners: Indices, numbers: Indices) -> Bytes:
-    """Return the `f` lines of an OBJ file, to be read by `text`.
-
-    Args:
-        corners: Vertices of each triangle, counted from 0, shape (m, 3).
-        numbers: What the file numbers as position, texture coordinate and normal of each vertex, counted
-            from 1, shape (n, 3).
-
-    Returns:
-        Characters, those that are not shown NUL, shape (m, width).
-    """
+    """Return the `f` lines of an OBJ file, to be read by `text`."""
     each = np.ascontiguousarray(lines((" ", "/", "/"), numbers)[:, :-4])  # without the ends of the lines
     row = np.empty((len(corners), 2 + 3 * each.shape[1]), np.uint8)
     row[:, 0] = ord("f")

@@ -22,10 +22,6 @@ def highlight(material: Material, greatest: float) -> tuple[float, float]:
     """Return strength in 0..1 and exponent of the highlight of a material, or of its lacquer if stronger.
 
     The strength is that of the normalised model, whose highlights get brighter as they get narrower.
-
-    Args:
-        material: The material.
-        greatest: The greatest exponent that the renderer knows.
     """
     layers = (
         (max(specular_color(material)), material.specular_roughness),

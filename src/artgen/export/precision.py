@@ -30,14 +30,6 @@ def with_precision(asset: Asset, precision: float) -> Asset:
 
     Surfaces of one colour, which need none, lose their texture coordinates. What was proven stays true, and
     is kept without its proof, which nobody could verify: that needs the solids.
-
-    Args:
-        asset: The asset.
-        precision: How far what is seen may lie from what was made [m]; 0 for what was made itself.
-
-    Raises:
-        ParameterError: That is no distance from 0 to `COARSEST`.
-        AssetError: The asset was read from files, which have no solids.
     """
     check_precision(precision)
     if not precision:
@@ -60,11 +52,7 @@ def with_precision(asset: Asset, precision: float) -> Asset:
 
 
 def check_precision(precision: float) -> None:
-    """Refuse a precision that surfaces cannot have.
-
-    Raises:
-        ParameterError: It is no distance from 0 to `COARSEST`.
-    """
+    """Refuse a precision that surfaces cannot have."""
     if not 0.0 <= precision <= COARSEST:
         raise ParameterError(
             f"surfaces are precise to 0 (all that was made) to {COARSEST:g} m, not {precision!r}"
@@ -73,15 +61,10 @@ def check_precision(precision: float) -> None:
 
 @dataclass(frozen=True, eq=False)
 class CoarseLink(DerivedLink):
-    """A link with surfaces of fewer triangles; the rest is the source's.
+    """A link with surfaces of fewer triangles; the rest is the source's."""
 
-    Attributes:
-        precision: How far they may lie from the source's [m].
-        origin: Of its frame, in which files have them [m].
-    """
-
-    precision: float = field(kw_only=True)
-    origin: tuple[float, float, float] = field(kw_only=True)
+    precision: float = field(kw_only=True)  # how far they may lie from the source's [m]
+    origin: tuple[float, float, float] = field(kw_only=True)  # of its frame, in which files have them [m]
 
     @cached_property
     def surfaces(self) -> tuple[Surface, ...]:

@@ -8,17 +8,7 @@ from artgen.graph.node import line_in
 
 
 def call_author(name: str, function: Callable[..., Any], arguments: Mapping[str, Any]) -> Any:
-    """Call the function of a generator and return what it returns.
-
-    Args:
-        name: Of the generator.
-        function: The author's function.
-        arguments: What it takes.
-
-    Raises:
-        ArtgenError: What the function raises, with its line if it has none.
-        BuildError: The function raises another error, such as a `NameError`.
-    """
+    """Call the function of a generator and return what it returns."""
     file = function.__code__.co_filename
     try:
         return function(**arguments)

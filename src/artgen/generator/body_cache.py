@@ -10,12 +10,7 @@ _MOST = 4  # bodies that are kept
 
 
 class Built:
-    """Builds the graphs of a generator, and keeps the last few: no value of a socket matters to them.
-
-    Args:
-        own: The generator's own parameters by name.
-        build: Builds the graph of the values of all parameters.
-    """
+    """Builds the graphs of a generator, and keeps the last few: no value of a socket matters to them."""
 
     def __init__(self, own: Mapping[str, Parameter], build: Callable[[Mapping[str, Any]], Any]) -> None:
         self._own = own

@@ -22,14 +22,10 @@ Pattern = Mapping[str, int]
 
 @dataclass(frozen=True)
 class _Options:
-    """One draw of the options of a category.
+    """One draw of the options of a category."""
 
-    Attributes:
-        values: All parameters as they were drawn.
-        ranges: Lowest and highest value of each number that varies with these options.
-    """
-
-    values: Mapping[str, Any]
+    values: Mapping[str, Any]  # all parameters as they were drawn
+    # lowest and highest value of each number that varies with these options
     ranges: Mapping[str, tuple[float, float]]
 
 
@@ -39,14 +35,6 @@ def corners(category: Generator, seed: int, overrides: Mapping[str, Any]) -> lis
     With up to 8 numbers that vary these are all combinations of their ends. With more of them they are each
     number alone at either end, the others as drawn, and combinations from a stream that is always the same.
     Options, such as a layout or a sub-generator, are in turn those drawn from `seed` and the next seeds.
-
-    Args:
-        category: The generator.
-        seed: The first seed whose options are taken.
-        overrides: Values or other distributions by name.
-
-    Raises:
-        ParameterError: The seed is negative, or an override is unknown or not allowed.
     """
     options = _drawn_options(category, seed, overrides)
     names = sorted({name for each in options for name in each.ranges})
@@ -77,15 +65,7 @@ def _drawn_options(category: Generator, seed: int, overrides: Mapping[str, Any])
 def in_use(
     own: Mapping[str, Parameter], values: Mapping[str, Any], given: Overrides, short: str = "", full: str = ""
 ) -> Iterator[tuple[str, Parameter, Distribution]]:
-    """Yield each parameter in use with its name in `values`, and how it is drawn with the options drawn.
-
-    Args:
-        own: The parameters of one generator.
-        values: The value of each parameter in use.
-        given: The overrides.
-        short: What stands before their names in `values`.
-        full: What stands before their names in full.
-    """
+    """Yield each parameter in use with its name in `values`, and how it is drawn with the options drawn."""
     for name, declared in own.items():
         value = values[short + name]
         parameter = Parameter(full + name, declared.kind, declared.distribution)

@@ -10,16 +10,7 @@ from artgen.sampling import Distribution, Fixed, stream
 
 
 class Overrides:
-    """Overrides by name, checked against the parameters that there are.
-
-    Args:
-        category: The generator that is sampled.
-        overrides: A value or a distribution by name. Names may leave out the generators between parameters
-            (`handle.length` for `handle.lever_handle.length`) and spell the dot `__`.
-
-    Raises:
-        ParameterError: A name is unknown or given twice, or a value is not allowed.
-    """
+    """Overrides by name, checked against the parameters that there are."""
 
     def __init__(self, category: Variant, overrides: Mapping[str, Any]) -> None:
         self._values: dict[str, Any] = {}
@@ -60,11 +51,7 @@ class Overrides:
             self._faults |= faults
 
     def distribution(self, parameter: Parameter) -> Distribution:
-        """Return how the parameter of that full name is drawn.
-
-        Raises:
-            ParameterError: Its override suits a parameter of that name in other generators only.
-        """
+        """Return how the parameter of that full name is drawn."""
         if parameter.name not in self._values:
             return parameter.distribution
         if parameter.name in self._faults:
@@ -111,30 +98,17 @@ def _parts_mean(dotted: list[str], full: list[str]) -> bool:
 
 @dataclass
 class Draw:
-    """One draw of all parameters.
+    """One draw of all parameters."""
 
-    Attributes:
-        category: Name of the category, which begins the name of every random stream.
-        seed: Seed of the asset.
-        attempt: Number of infeasible draws before.
-        overrides: What is given instead of drawn.
-        values: What has been drawn, by names without generators: `handle.length`.
-    """
-
-    category: str
-    seed: int
-    attempt: int
-    overrides: Overrides
+    category: str  # name of the category, which begins the name of every random stream
+    seed: int  # seed of the asset
+    attempt: int  # number of infeasible draws before
+    overrides: Overrides  # what is given instead of drawn
+    # what has been drawn, by names without generators: `handle.length`
     values: dict[str, Any] = field(default_factory=dict)
 
     def sample(self, own: Mapping[str, Parameter], short: str = "", full: str = "") -> None:
-        """Draw the parameters of one generator, and those of the generators that they choose.
-
-        Args:
-            own: The generator's own parameters by name.
-            short: What stands before their names in `values`.
-            full: What stands before their names in full.
-        """
+        """Draw the parameters of one generator, and those of the generators that they choose."""
         parameters = {
             name: Parameter(full + name, parameter.kind, parameter.distribution)
             for name, parameter in own.items()
@@ -153,11 +127,7 @@ class Draw:
 
 
 def drawing_order(distributions: Mapping[str, Distribution], owner: str) -> list[str]:
-    """Return the names, those that others depend on before them.
-
-    Raises:
-        ParameterError: Some depend on each other.
-    """
+    """Return the names, those that others depend on before them."""
     remaining = dict(distributions)
     order: list[str] = []
     while remaining:

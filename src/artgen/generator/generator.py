@@ -309,17 +309,11 @@ class Generator(Variant):
 
 @dataclass(frozen=True, eq=False)
 class Chosen:
-    """A sub-generator with the parameters that were drawn for it, as its caller's function gets it.
+    """A sub-generator with the parameters that were drawn for it, as its caller's function gets it."""
 
-    Attributes:
-        generator: The generator.
-        values: The value of each parameter of the category.
-        prefix: What stands before the generator's parameters in `values`.
-    """
-
-    generator: Generator
-    values: Mapping[str, Any]
-    prefix: str
+    generator: Generator  # the generator
+    values: Mapping[str, Any]  # the value of each parameter of the category
+    prefix: str  # what stands before the generator's parameters in `values`
 
     @property
     def name(self) -> str:
@@ -340,11 +334,7 @@ class Chosen:
 
 
 def checked_count(name: str, value: Any) -> int:
-    """Return a whole number that is not negative.
-
-    Raises:
-        ParameterError: The value is none; the message has its name.
-    """
+    """Return a whole number that is not negative."""
     try:
         number = operator.index(value)
     except TypeError:

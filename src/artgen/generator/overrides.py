@@ -23,11 +23,7 @@ _WORDS = {"true": True, "false": False}
 
 
 def parse_overrides(texts: Iterable[str]) -> dict[str, Any]:
-    """Read overrides of the form `NAME=VALUE`.
-
-    Raises:
-        ParameterError: One has no `=`, names a parameter again, or its value cannot be read.
-    """
+    """Read overrides of the form `NAME=VALUE`."""
     result: dict[str, Any] = {}
     for text in texts:
         name, equals, value = (piece.strip() for piece in text.partition("="))
@@ -41,15 +37,7 @@ def parse_overrides(texts: Iterable[str]) -> dict[str, Any]:
 
 
 def parse_value(text: str, name: str = "value") -> Any:
-    """Read a number, True or False, a string (quoted or not), or a distribution.
-
-    Args:
-        text: What was written.
-        name: What it is for, in messages.
-
-    Raises:
-        ParameterError: It is an unknown distribution, or one with impossible numbers.
-    """
+    """Read a number, True or False, a string (quoted or not), or a distribution."""
     try:
         tree = ast.parse(text, mode="eval").body
     except (SyntaxError, ValueError, RecursionError, MemoryError):
@@ -63,11 +51,7 @@ def parse_value(text: str, name: str = "value") -> Any:
 
 
 def spelled(overrides: Mapping[str, Any]) -> list[str]:
-    """Write values as `NAME=VALUE`, so that `parse_overrides` reads the same ones.
-
-    Args:
-        overrides: Numbers, True, False or strings by name; generators and materials by their names.
-    """
+    """Write values as `NAME=VALUE`, so that `parse_overrides` reads the same ones."""
     return [f"{name}={_spelled(value)}" for name, value in overrides.items()]
 
 

@@ -32,14 +32,10 @@ _WORDS = {
 
 
 class Variant(ABC):
-    """A value of a parameter that has parameters of its own: a generator.
+    """A value of a parameter that has parameters of its own: a generator."""
 
-    Attributes:
-        name: Its name.
-        own: Its own parameters by name, without those of the generators that they choose.
-    """
-
-    name: str
+    name: str  # its name
+    # its own parameters by name, without those of the generators that they choose
     own: "Mapping[str, Parameter]"
 
     @abstractmethod

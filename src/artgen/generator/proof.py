@@ -18,11 +18,7 @@ _REMEDY = (
 
 
 def check_proof(certify: Any, tolerance: Any, on_collision: Any) -> None:
-    """Check what a caller asks of the proof.
-
-    Raises:
-        ParameterError: One of the values is not allowed.
-    """
+    """Check what a caller asks of the proof."""
     if not isinstance(certify, bool):
         raise ParameterError(f"certify = {certify!r} is not allowed: it must be True or False")
     if not is_number(tolerance) or not 0.0 <= tolerance <= MOST_TOLERANCE:
@@ -36,12 +32,7 @@ def check_proof(certify: Any, tolerance: Any, on_collision: Any) -> None:
 
 
 def certify_sample(asset: Asset, tolerance: float, on_collision: OnCollision) -> None:
-    """Prove that the links of an asset never collide.
-
-    Raises:
-        InfeasibleError: It is not proven, and another sample is to be drawn.
-        CheckError: It is not proven, and that is a failure.
-    """
+    """Prove that the links of an asset never collide."""
     certificate = asset.certify(tolerance)
     if certificate.proven or on_collision == "keep":
         return

@@ -31,14 +31,6 @@ def read_parameters(function: Callable[..., Any], where: str) -> dict[str, Param
     """Return the parameters that a function's signature declares, by name.
 
     What has no default, or a handle, None or `given(...)` as its default, is an input: callers give it.
-
-    Args:
-        function: The author's function.
-        where: Its file and line.
-
-    Raises:
-        BuildError: A parameter has no annotation, its default does not fit its annotation, or it depends on
-            what is no structural parameter.
     """
     hints = typing.get_type_hints(function)
     parameters: dict[str, Parameter] = {}

@@ -28,12 +28,7 @@ def to_mermaid(handle: Handle) -> str:
 
 
 def table(handle: Handle, evaluation: Evaluation | None = None) -> str:
-    """Return the nodes that a handle reaches as a text table, inputs before the nodes that use them.
-
-    Args:
-        handle: Root of the graph.
-        evaluation: Adds how long each operation's kernels took.
-    """
+    """Return the nodes that a handle reaches as a text table, inputs before the nodes that use them."""
     order = topological(handle.node)
     number = {node.key: index for index, node in enumerate(order)}
     uses = Counter(child.key for node in order for child in node.children)

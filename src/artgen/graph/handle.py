@@ -196,11 +196,7 @@ def _literal(kind: type, value: Any) -> Data:
 
 
 def lift_all(known: Operation, inputs: Mapping[str, Any], where: str) -> dict[str, Any]:
-    """Turn an author's values into the inputs of a node of an operation.
-
-    Raises:
-        BuildError: An input is unknown, missing or of another type.
-    """
+    """Turn an author's values into the inputs of a node of an operation."""
     lifted = {}
     for name, hint, lifters in _lifters_of(known):
         if name not in inputs:
@@ -219,11 +215,7 @@ def lift_all(known: Operation, inputs: Mapping[str, Any], where: str) -> dict[st
 
 
 def lift(value: Any, hint: Any, what: str, where: str) -> Any:
-    """Turn an author's value into a node or literal of the type that a kernel expects.
-
-    Raises:
-        BuildError: It is of another type; names the input and the author's line.
-    """
+    """Turn an author's value into a node or literal of the type that a kernel expects."""
     for option in alternatives(hint):
         lifted = _lifter(option)(value, what, where)
         if lifted is not NotImplemented:

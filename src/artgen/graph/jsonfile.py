@@ -31,12 +31,7 @@ def to_json(handle: Handle) -> str:
 
 
 def from_json(text: str) -> Handle:
-    """Read a graph that `to_json` wrote and return the handle of its last node.
-
-    Raises:
-        GraphError: The text is no such graph: not JSON, another version, an unknown operation or input, an
-            input of the wrong type, or nodes that refer to later ones (a cycle).
-    """
+    """Read a graph that `to_json` wrote and return the handle of its last node."""
     try:
         return _read_graph(json.loads(text))
     except json.JSONDecodeError as error:

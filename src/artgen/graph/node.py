@@ -75,12 +75,7 @@ class Node:
 
 
 class Data(dict[str, Any]):
-    """JSON data that stand for an object, which they keep; never changed, so that they are spelled once.
-
-    Args:
-        data: The data.
-        value: The object.
-    """
+    """JSON data that stand for an object, which they keep; never changed, so that they are spelled once."""
 
     def __init__(self, data: Mapping[str, Any], value: Any) -> None:
         super().__init__(data)

@@ -20,9 +20,6 @@ def to_python(handle: Handle, name: str = "build") -> str:
     """Return Python source of a function that builds the graph which a handle reaches.
 
     Running the source and calling the function gives a handle whose node has the same key.
-
-    Raises:
-        GraphError: The name is no name of a Python function.
     """
     if not name.isidentifier() or keyword.iskeyword(name):
         raise GraphError(f"{name!r} is no name of a Python function")

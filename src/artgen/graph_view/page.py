@@ -57,11 +57,7 @@ def graph_page(
 
 @lru_cache(maxsize=1)
 def dagre_js() -> str:
-    """Return dagre, which lays out layered graphs and comes with Netron: a script that defines `dagre`.
-
-    Raises:
-        RenderError: Netron is not installed, or this version has it no more.
-    """
+    """Return dagre, which lays out layered graphs and comes with Netron: a script that defines `dagre`."""
     try:
         script = files("netron").joinpath("dagre.js").read_text(encoding="utf-8")
     except (ModuleNotFoundError, FileNotFoundError) as error:

@@ -19,12 +19,7 @@ _ALL = 10**7  # values: a cache that forgets nothing
 def graph_record(
     generator: Generator, seed: int, overrides: Mapping[str, Any], change: Mapping[str, Any]
 ) -> tuple[dict[str, Any], bytes]:
-    """Evaluate a graph and return the data of its page, and the meshes.
-
-    Raises:
-        ParameterError: The seed, an override or a change is unknown or not allowed.
-        ArtgenError: The graph cannot be built or evaluated.
-    """
+    """Evaluate a graph and return the data of its page, and the meshes."""
     asset, _ = generator.evaluate(seed, cache=Cache(), certify=False, overrides=overrides)
     cache = Cache(_ALL)
     values = generator.sample(seed, attempt=asset.attempt, overrides=overrides)

@@ -41,12 +41,7 @@ def value_text(value: Any) -> str:
 
 
 def input_text(value: Any, number: Mapping[str, int]) -> list[str | int]:
-    """Describe an input; numbers in the result stand for nodes.
-
-    Args:
-        value: A node, a literal, or a tuple of them.
-        number: The number of each node by its key.
-    """
+    """Describe an input; numbers in the result stand for nodes."""
     if isinstance(value, Node):
         return [number[value.key]]
     if isinstance(value, tuple):

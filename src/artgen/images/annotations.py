@@ -15,13 +15,7 @@ Array = NDArray[np.float64]
 def annotations(
     surfaces: NDArray[np.int32], parts: list[tuple[str, str]], ids: Mapping[str, int]
 ) -> list[dict[str, Any]]:
-    """Return an annotation for each part of each link that is seen, without the numbers that a file gives it.
-
-    Args:
-        surfaces: Number of the surface at each pixel from 1, 0 for none, shape (height, width).
-        parts: Link and part of each surface; no part where there is no mask.
-        ids: Number of the category of COCO of each part.
-    """
+    """Return an annotation for each visible part of each link, without the ids of a file."""
     from pycocotools import mask as coder
 
     wanted = list(dict.fromkeys(part for part in parts if part[1]))
@@ -50,13 +44,7 @@ def annotations(
 def joints_of_links(
     asset: Asset, q: Mapping[str, float], extrinsics: Array
 ) -> dict[str, list[dict[str, Any]]]:
-    """Return how each link moves against its parent, in camera coordinates; nothing for the base.
-
-    Args:
-        asset: The asset.
-        q: Positions of its free joints [rad or m].
-        extrinsics: The motion from asset to camera coordinates, shape (4, 4).
-    """
+    """Return how each link moves against its parent, in camera coordinates; nothing for the base."""
     positions, poses = asset.positions(q), asset.pose(q)
     found: dict[str, list[dict[str, Any]]] = {asset.links[0].name: []}
     for parent, child, joints in asset.pairs():

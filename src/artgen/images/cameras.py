@@ -26,16 +26,7 @@ def random_camera(
     azimuth: float,
     margin: tuple[float, float],
 ) -> Camera:
-    """Return a camera that has all points in its picture, which is square, some way off its middle.
-
-    Args:
-        points: What is to be seen, in asset coordinates, shape (n, 3) [m].
-        draw: The random numbers.
-        field_of_view: Between which angles it is drawn [rad].
-        elevation: Between which angles above the horizon it stands, evenly on the sphere [rad].
-        azimuth: How far to each side of the front it stands [rad].
-        margin: Between which shares the picture's edges stay free.
-    """
+    """Return a camera that has all points in its picture, which is square, some way off its middle."""
     height = draw.uniform(math.sin(elevation[0]), math.sin(elevation[1]))
     view = View(
         float(draw.uniform(-azimuth, azimuth)),

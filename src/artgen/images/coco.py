@@ -17,11 +17,6 @@ def write_coco(target: Target, records: Collection[dict[str, Any]], plan: ImageP
     """Write `train.json`, `val.json` and `test.json`.
 
     Pictures and masks have the same numbers in a longer plan of the same kind.
-
-    Args:
-        target: Where the pictures are.
-        records: The lines of the manifest, in the order of the plan.
-        plan: What was made.
     """
     part_of_seed = split_of(plan.seed, -(-plan.count // len(plan.categories)), plan.split)
     images: dict[str, list[dict[str, Any]]] = {part: [] for part in PARTS}

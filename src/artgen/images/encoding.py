@@ -19,11 +19,7 @@ def encoded_color(pixels: NDArray[np.uint8], form: str) -> bytes:
 
 
 def encoded_depth(depth: Array) -> tuple[bytes, float]:
-    """Return depths as PNG of 16 bits, 0 where nothing is seen, and how much one step of it is [m].
-
-    Args:
-        depth: Along the camera's axis, infinite where nothing is seen, shape (height, width) [m].
-    """
+    """Return depths as PNG of 16 bits, 0 where nothing is seen, and how much one step of it is [m]."""
     seen = np.isfinite(depth)
     scale = float(depth[seen].max()) / _MOST if seen.any() else 1.0
     steps = np.rint(np.where(seen, depth, 0.0) / scale)

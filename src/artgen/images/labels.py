@@ -10,25 +10,14 @@ from artgen.errors import ParameterError, nearest
 
 @dataclass(frozen=True)
 class Vocabulary:
-    """The parts that have masks.
+    """The parts that have masks."""
 
-    Attributes:
-        names: What each label of each category is called; those without a mask are not in it.
-    """
-
+    # what each label of each category is called; those without a mask are not in it
     names: Mapping[str, Mapping[str, str]]
 
     @staticmethod
     def of(categories: Sequence[str], texts: Sequence[str]) -> "Vocabulary":
-        """Read which labels have masks; all of them if no text says otherwise.
-
-        Args:
-            categories: Names of the categories.
-            texts: NAME or NEW=OLD+OLD, each with CATEGORY: before it for one category only.
-
-        Raises:
-            ParameterError: A label or category is unknown, or a label is named twice.
-        """
+        """Read which labels have masks; all of them if no text says otherwise."""
         known = {name: find(name).labels for name in categories}
         if not texts:
             return Vocabulary({name: {label: label for label in labels} for name, labels in known.items()})

@@ -23,30 +23,18 @@ _PLAIN_KEY = (-0.6, 0.9)  # azimuth from the camera and elevation [rad]
 
 @dataclass(frozen=True)
 class Light:
-    """Light of one picture: from everywhere, and of a far lamp that casts shadows.
+    """Light of one picture: from everywhere, and of a far lamp that casts shadows."""
 
-    Attributes:
-        azimuth: From where the lamp shines: 0 from the camera, a quarter turn from its right [rad].
-        elevation: How far above the horizon [rad].
-        directional: Strength of the lamp.
-        ambient: Strength of the light from everywhere.
-        color: Of the lamp, red, green and blue.
-        spread: How far its shadows are blurred [rad].
-    """
-
+    # from where the lamp shines: 0 from the camera, a quarter turn from its right [rad]
     azimuth: float = _PLAIN_KEY[0]
-    elevation: float = _PLAIN_KEY[1]
-    directional: float = 0.55
-    ambient: float = 0.45
-    color: tuple[float, float, float] = (1.0, 1.0, 1.0)
-    spread: float = 0.05
+    elevation: float = _PLAIN_KEY[1]  # how far above the horizon [rad]
+    directional: float = 0.55  # strength of the lamp
+    ambient: float = 0.45  # strength of the light from everywhere
+    color: tuple[float, float, float] = (1.0, 1.0, 1.0)  # of the lamp, red, green and blue
+    spread: float = 0.05  # how far its shadows are blurred [rad]
 
     def direction(self, aside: tuple[float, float] = (0.0, 0.0)) -> Array:
-        """Return the unit direction to a point of the lamp, in coordinates that turn with the camera.
-
-        Args:
-            aside: Which point: two numbers in 0..1.
-        """
+        """Return the unit direction to a point of the lamp, in coordinates that turn with the camera."""
         turn = self.azimuth + 2.0 * self.spread * (aside[0] - 0.5)
         high = self.elevation + 2.0 * self.spread * (aside[1] - 0.5)
         level = math.cos(high)
@@ -65,44 +53,26 @@ class Light:
 
 @dataclass(frozen=True)
 class Setting:
-    """What is around the asset in one picture.
+    """What is around the asset in one picture."""
 
-    Attributes:
-        light: What it is lit by.
-        horizon: Colour of the sky at the horizon and below, as shown.
-        zenith: Its colour above.
-        floor: Number of the floor among those of the scene; -1 for none.
-        floor_tint: What its colours are multiplied by.
-        floor_turn: How far it is turned about z [rad].
-        wall: The same for the wall behind the asset.
-        wall_tint: What its colours are multiplied by.
-        wall_turn: How far it is turned about z [rad].
-        wall_distance: How far it is behind the middle of the asset, over the asset's radius.
-    """
-
-    light: Light = Light()
-    horizon: tuple[float, float, float] = _PLAIN_SKY
-    zenith: tuple[float, float, float] = _PLAIN_SKY
-    floor: int = -1
-    floor_tint: tuple[float, float, float] = (1.0, 1.0, 1.0)
-    floor_turn: float = 0.0
-    wall: int = -1
-    wall_tint: tuple[float, float, float] = (1.0, 1.0, 1.0)
-    wall_turn: float = 0.0
-    wall_distance: float = 1.5
+    light: Light = Light()  # what it is lit by
+    horizon: tuple[float, float, float] = _PLAIN_SKY  # colour of the sky at the horizon and below, as shown
+    zenith: tuple[float, float, float] = _PLAIN_SKY  # its colour above
+    floor: int = -1  # number of the floor among those of the scene; -1 for none
+    floor_tint: tuple[float, float, float] = (1.0, 1.0, 1.0)  # what its colours are multiplied by
+    floor_turn: float = 0.0  # how far it is turned about z [rad]
+    wall: int = -1  # the same for the wall behind the asset
+    wall_tint: tuple[float, float, float] = (1.0, 1.0, 1.0)  # what its colours are multiplied by
+    wall_turn: float = 0.0  # how far it is turned about z [rad]
+    wall_distance: float = 1.5  # how far it is behind the middle of the asset, over the asset's radius
 
 
 @dataclass(frozen=True)
 class Surroundings:
-    """What the settings of one asset's pictures choose from.
+    """What the settings of one asset's pictures choose from."""
 
-    Attributes:
-        floors: Names of the materials of floors.
-        walls: Names of the materials of walls.
-    """
-
-    floors: tuple[str, ...] = ()
-    walls: tuple[str, ...] = ()
+    floors: tuple[str, ...] = ()  # names of the materials of floors
+    walls: tuple[str, ...] = ()  # names of the materials of walls
 
 
 def random_surroundings(random: Collection[str], draw: np.random.Generator) -> Surroundings:

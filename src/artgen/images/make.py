@@ -31,35 +31,20 @@ ANNOTATION_FILE = "annotations.json"
 
 
 def make(item: Item, *, plan: ImagePlan, target: Target) -> Made:
-    """Take the pictures of an asset and put them in its place.
-
-    Args:
-        item: Which asset.
-        plan: How many pictures, and what varies in them.
-        target: Where to.
-    """
+    """Take the pictures of an asset and put them in its place."""
     return put(item, lambda: _files(item, plan), target, share=False)
 
 
 @dataclass(frozen=True, eq=False)
 class Shot:
-    """What is drawn for one picture.
+    """What is drawn for one picture."""
 
-    Attributes:
-        name: Of its files, without a suffix.
-        q: Positions of the free joints [rad or m].
-        poses: How each link is displaced from rest, shape (4, 4).
-        points: The vertices of all links, in asset coordinates, shape (n, 3) [m].
-        camera: Where it is taken from.
-        setting: What is around the asset.
-    """
-
-    name: str
-    q: Mapping[str, float]
-    poses: Mapping[str, Array]
-    points: Array
-    camera: Camera
-    setting: Setting
+    name: str  # of its files, without a suffix
+    q: Mapping[str, float]  # positions of the free joints [rad or m]
+    poses: Mapping[str, Array]  # how each link is displaced from rest, shape (4, 4)
+    points: Array  # the vertices of all links, in asset coordinates, shape (n, 3) [m]
+    camera: Camera  # where it is taken from
+    setting: Setting  # what is around the asset
 
 
 def _files(item: Item, plan: ImagePlan) -> dict[str, bytes]:

@@ -27,17 +27,11 @@ _TILES = 6  # faces of the sky: right, left, up, down, front, back
 
 @dataclass
 class ImageDress(ClassicDress):
-    """Makes materials as for other pictures, and the floors and walls of these.
+    """Makes materials as for other pictures, and the floors and walls of these."""
 
-    Attributes:
-        around: Which floors and walls.
-        textures_around: Texels on a side of their maps.
-        large: Whether pictures are large, and want finer shadows.
-    """
-
-    around: Surroundings = field(default_factory=Surroundings)
-    textures_around: int = 0
-    large: bool = True
+    around: Surroundings = field(default_factory=Surroundings)  # which floors and walls
+    textures_around: int = 0  # texels on a side of their maps
+    large: bool = True  # whether pictures are large, and want finer shadows
 
     def surroundings(self, spec: Any, place: Backdrop) -> None:
         """Add lights, the sky, floors and walls to a specification."""
@@ -89,19 +83,7 @@ class ImageRenderer(ClassicRenderer):
     def take(
         self, camera: Camera, poses: Mapping[str, Array], points: Array, setting: Setting, samples: int
     ) -> tuple[NDArray[np.uint8], NDArray[np.int32], Array]:
-        """Take a picture.
-
-        Args:
-            camera: Where from, in asset coordinates.
-            poses: How each link is displaced from rest.
-            points: What is seen of the asset, in asset coordinates, shape (n, 3) [m].
-            setting: What is around it.
-            samples: How finely shadows and edges are drawn.
-
-        Returns:
-            The colours, shape (size, size, 3); the number of the surface at each pixel's centre from 1, 0 for
-            none; and its depth along the camera's axis [m], infinite for none; both of shape (size, size).
-        """
+        """Take a picture."""
         self._setting = setting
         studio = self.scene.place.turned(camera)
         self._furnish(points @ studio[:3, :3].T + studio[:3, 3])

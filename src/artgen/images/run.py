@@ -60,11 +60,7 @@ def make_images(
 
 
 def _check_tools(plan: ImagePlan) -> None:
-    """Look for OpenGL and the packages, and begin a picture.
-
-    Raises:
-        RenderError: One is missing.
-    """
+    """Look for OpenGL and the packages, and begin a picture."""
     gl.available()
     needed = {"mujoco": "draws pictures", "pycocotools": "encodes masks"}
     if plan.normals:

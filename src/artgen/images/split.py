@@ -11,11 +11,6 @@ def split_of(first: int, count: int, shares: Sequence[float]) -> Mapping[int, st
 
     Assets of one seed share draws, such as materials, even across categories: so seeds are divided. More of
     them move none from one part to another, and of any number of them each part has its share.
-
-    Args:
-        first: The first seed.
-        count: How many there are.
-        shares: Of each of `PARTS`.
     """
     taken = [0] * len(PARTS)
     found = {}

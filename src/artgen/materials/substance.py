@@ -10,19 +10,12 @@ Coating = Literal["none", "paint", "clearcoat", "paint_clearcoat"]
 
 @dataclass(frozen=True)
 class Substance:
-    """A stuff that products are made of.
+    """A stuff that products are made of."""
 
-    Attributes:
-        name: Its common name.
-        code: Its Wikidata Q-code.
-        sensed: What lidar, radar and sonar models call it, of SimReady's table of non-visual materials.
-        metal: Whether it is a metal.
-    """
-
-    name: str
-    code: str
-    sensed: str
-    metal: bool = False
+    name: str  # its common name
+    code: str  # its Wikidata Q-code
+    sensed: str  # what lidar, radar and sonar models call it, of SimReady's table of non-visual materials
+    metal: bool = False  # whether it is a metal
 
 
 _WOOD = Substance("wood", "Q287", "wood")

@@ -151,11 +151,7 @@ def _dependency_beyond(needs: values.Dependency, position: float) -> values.Depe
 
 
 def _checked(needs: values.Dependency) -> values.Dependency:
-    """Return a dependency whose positions make sense.
-
-    Raises:
-        ValueError: They do not.
-    """
+    """Return a dependency whose positions make sense."""
     if needs.until is not None and needs.until <= 0.0:
         raise ValueError(f"until must be positive, got {needs.until:.6g}: a joint needs nothing at 0")
     if needs.beyond is not None and needs.beyond <= 0.0:

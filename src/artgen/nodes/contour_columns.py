@@ -14,21 +14,13 @@ Indices = NDArray[np.int64]
 
 @dataclass(frozen=True, eq=False)
 class Rail:
-    """The columns that a contour gives to a grid: two at each corner and at the seam (its first vertex).
+    """The columns that a contour gives to a grid: two at each corner and at the seam (its first vertex)."""
 
-    Attributes:
-        vertex: Contour vertex of each column, shape (c,).
-        normals: Outward unit normal in the plane of the contour, shape (c, 2).
-        distance: Length along the contour, shape (c,) [m].
-        start: Column in which each side of the contour starts, shape (n,).
-        end: Column in which it ends, shape (n,).
-    """
-
-    vertex: Indices
-    normals: Array
-    distance: Array
-    start: Indices
-    end: Indices
+    vertex: Indices  # contour vertex of each column, shape (c,)
+    normals: Array  # outward unit normal in the plane of the contour, shape (c, 2)
+    distance: Array  # length along the contour, shape (c,) [m]
+    start: Indices  # column in which each side of the contour starts, shape (n,)
+    end: Indices  # column in which it ends, shape (n,)
 
     @staticmethod
     def along(contour: Contour, breaks: NDArray[np.bool_] | None = None) -> "Rail":

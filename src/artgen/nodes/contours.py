@@ -92,15 +92,7 @@ def ellipse_contour(radius_x: float, radius_y: float) -> Contour:
 
 
 def rounded_polygon(corners: Array, radii: Sequence[float] | Array) -> Contour:
-    """Return a counter-clockwise polygon whose corners are rounded by arcs tangent to its sides.
-
-    Args:
-        corners: Points, shape (n, 2) [m].
-        radii: Radius at each corner, 0 leaves it sharp, shape (n,) [m].
-
-    Raises:
-        ValueError: Two neighbouring arcs need more than the side between them.
-    """
+    """Return a counter-clockwise polygon whose corners are rounded by arcs tangent to its sides."""
     count = len(corners)
     normals = side_normals(corners)
     length = np.linalg.norm(successors(corners) - corners, axis=1)
@@ -176,11 +168,7 @@ def is_disjoint(rings: Sequence[Array]) -> bool:
 
 
 def outline_of(region: CrossSection, what: str) -> Outline:
-    """Return the outline of a region, with estimated normals.
-
-    Raises:
-        ValueError: The region is empty; `what` names the operation.
-    """
+    """Return the outline of a region, with estimated normals."""
     polygons = region.simplify(_SAME).to_polygons()
     contours = tuple(
         estimated(np.asarray(polygon, float))
@@ -193,11 +181,7 @@ def outline_of(region: CrossSection, what: str) -> Outline:
 
 
 def moved_outline(outline: Outline, matrix: Array, offset: Array) -> Outline:
-    """Return the outline with each point p at matrix @ p + offset, shapes (2, 2) and (2,).
-
-    Raises:
-        ValueError: The matrix flattens the outline.
-    """
+    """Return the outline with each point p at matrix @ p + offset, shapes (2, 2) and (2,)."""
     scale = float(matrix[0, 0])
     if scale > 0.0 and matrix.tolist() == [[scale, 0.0], [0.0, scale]]:  # most are not turned
         return _placed(outline, scale, offset)

@@ -32,11 +32,7 @@ _FULL = 0.999  # share of its hull that a convex solid fills
 
 
 def _paints(shapes: Sequence[Shape]) -> Mapping[int, Material]:
-    """Return the paints of several shapes.
-
-    Raises:
-        ValueError: Two different materials have one name, so that their faces could not be told apart.
-    """
+    """Return the paints of several shapes."""
     merged: dict[int, Material] = {}
     for shape in shapes:
         for number, material in shape.paints.items():
@@ -53,11 +49,7 @@ def _combined(manifold: Manifold, pieces: colliders.Pieces, shapes: Sequence[Sha
 
 
 def united(shapes: Sequence[Shape]) -> Shape:
-    """Return the union of shapes.
-
-    Raises:
-        ValueError: There are none.
-    """
+    """Return the union of shapes."""
     if not shapes:
         raise ValueError("a union needs at least one solid, got none")
     if len(shapes) == 1:
@@ -209,9 +201,6 @@ def _inset(solid: Manifold, distance: float) -> Array:
 
     A face n.x <= d about an inner point becomes the point n / d; the hull of these has one face for each
     corner of the solid.
-
-    Raises:
-        ValueError: Nothing is left inside.
     """
     mesh = solid.to_mesh64()
     corners = np.array(mesh.vert_properties)[:, :3][triangles_of(mesh)]
@@ -287,10 +276,6 @@ def paint(solid: Solid, material: Material) -> Solid:
     """Give all faces of a solid a material of their own, whatever part they end up in.
 
     The paint stays on the faces through booleans: a painted tool leaves painted cuts.
-
-    Args:
-        solid: What to paint.
-        material: How its faces look. Weight and friction stay those of the part.
     """
     return Solid.record(_paint, solid=solid, material=material)
 

@@ -76,11 +76,7 @@ def extrude(
 
 
 def _check_bevel(contours: Sequence[Contour], bevel: float) -> None:
-    """Check that borders moved inward by the bevel neither fold nor meet.
-
-    Raises:
-        ValueError: They do; the message says what the outline allows.
-    """
+    """Check that borders moved inward by the bevel neither fold nor meet."""
     allowed = math.inf
     rings = []
     for contour in contours:

@@ -348,11 +348,7 @@ class Body(Handle):
 
 
 def offset_of(x: Any, y: Scalar, z: Scalar) -> VectorLike:
-    """Return the vector that `.at(vector)` or `.at(x, y, z)` was given.
-
-    Raises:
-        BuildError: It was given a vector and more.
-    """
+    """Return the vector that `.at(vector)` or `.at(x, y, z)` was given."""
     if not isinstance(x, Vector | Sequence | np.ndarray):
         return (x, y, z)
     if any(isinstance(item, Handle) or item != 0.0 for item in (y, z)):

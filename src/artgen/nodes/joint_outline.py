@@ -13,21 +13,13 @@ from artgen.graph.node import Node, nodes_in
 
 @dataclass(frozen=True)
 class PlannedJoint:
-    """A joint as the author wrote it.
+    """A joint as the author wrote it."""
 
-    Attributes:
-        name: Its name, with the suffixes of copies.
-        kind: Whether it turns or slides.
-        unlimited: Whether it has no limits, and follows nothing.
-        follows: Name of the joint that it is coupled to; empty for none.
-        needs: Whether other joints have to stand somewhere before it may move.
-    """
-
-    name: str
-    kind: str
-    unlimited: bool
-    follows: str
-    needs: bool
+    name: str  # its name, with the suffixes of copies
+    kind: str  # whether it turns or slides
+    unlimited: bool  # whether it has no limits, and follows nothing
+    follows: str  # name of the joint that it is coupled to; empty for none
+    needs: bool  # whether other joints have to stand somewhere before it may move
 
 
 def joints_of(graph: Graph) -> tuple[PlannedJoint, ...]:

@@ -69,11 +69,7 @@ def loft(
 
 
 def _border(at: int, outline: Outline) -> Contour:
-    """Return the one border of a profile, begun at the right, half way up.
-
-    Raises:
-        ValueError: The profile has holes or parts, or is not convex.
-    """
+    """Return the one border of a profile, begun at the right, half way up."""
     if len(outline.contours) != 1:
         raise ValueError(
             f"profile {at} of the loft has {len(outline.contours)} borders; each must have one, without holes"
@@ -185,13 +181,7 @@ def _skin(contours: Sequence[Contour], rings: Array) -> Skin:
 
 
 def _mean_around(border: Array, length: Array, first: NDArray[np.int64]) -> Array:
-    """Return the mean length of the rings between the creases on both sides of each row, shape (r, 1) [m].
-
-    Args:
-        border: Length of the ring of each row, shape (r,) [m].
-        length: How far apart the rings are, shape (rings - 1,) [m].
-        first: The first row at the place of each row, shape (r,); a second one begins after a crease.
-    """
+    """Return the mean length of the rings between the creases on both sides of each row, shape (r, 1) [m]."""
     run = np.cumsum(first != np.arange(len(first)))
     strip = np.flatnonzero(np.diff(run) == 0)
     both = np.zeros((2, run[-1] + 1))

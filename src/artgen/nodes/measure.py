@@ -14,14 +14,7 @@ def _anchor(solid: Shape, x: float, y: float, z: float) -> Array3:
 
 
 def anchor(solid: Solid, *, x: Scalar = 0.0, y: Scalar = 0.0, z: Scalar = 0.0) -> Vector:
-    """Return a point of the bounding box; also written `solid.anchor(x=-1)`.
-
-    Args:
-        solid: What to measure.
-        x: Position along X, from -1 (low side) over 0 (middle) to 1 (high side).
-        y: The same along Y.
-        z: The same along Z.
-    """
+    """Return a point of the bounding box; also written `solid.anchor(x=-1)`."""
     return Vector.record(_anchor, solid=solid, x=x, y=y, z=z)
 
 

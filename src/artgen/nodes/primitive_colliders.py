@@ -64,15 +64,7 @@ def _chamfered(size: Array, reach: float, bevel: float) -> Convex:
 
 
 def around_cylinder(radius: float, length: float, sides: int, matrix: Array, bevel: float = 0.0) -> Pieces:
-    """Return the pieces of a cylinder along local z whose mesh has its vertices on the radius.
-
-    Args:
-        radius: Its radius [m].
-        length: Its length [m].
-        sides: Facets of its mesh.
-        matrix: Rigid pose, shape (4, 4).
-        bevel: Radius of its rounded rims [m].
-    """
+    """Return the pieces of a cylinder along local z whose mesh has its vertices on the radius."""
     whole = colliders.cylinder_pieces(radius, length, matrix, sides)
     if bevel == 0.0:
         return whole
@@ -128,13 +120,7 @@ def around_round(primitive: Convex, vertices: Array) -> Pieces:
 
 
 def around_lathe(contours: Sequence[Contour], angle: float = math.tau, sides: int | None = None) -> Pieces:
-    """Return the pieces of a lathe solid about z.
-
-    Args:
-        contours: Borders and holes in (r, z), as the lathe got them.
-        angle: How far they are turned, from x on [rad].
-        sides: Facets of the full circle, as the lathe got them.
-    """
+    """Return the pieces of a lathe solid about z."""
     borders = [contour.points for contour in contours]
     steps, turn = lathe_steps(contours, angle, sides)
     return lazily(lambda: colliders.revolve_pieces(borders, 0.0, turn, steps))
@@ -143,16 +129,7 @@ def around_lathe(contours: Sequence[Contour], angle: float = math.tau, sides: in
 def around_extrusion(
     profile: Outline, length: float, *, bevel: float, taper: float, twist: float, stations: int
 ) -> Pieces:
-    """Return the pieces of an extrusion along z, centred on z = 0.
-
-    Args:
-        profile: The profile, in the plane of local x and y.
-        length: Length along z [m].
-        bevel: Radius of the rounded edges of both ends [m].
-        taper: Share by which the upper end is smaller.
-        twist: How far the upper end is turned [rad].
-        stations: Number of straight strips in which the mesh is twisted.
-    """
+    """Return the pieces of an extrusion along z, centred on z = 0."""
     half = length / 2.0
     borders = [contour.points for contour in profile.contours]
     if taper == 0.0 and twist == 0.0:
@@ -185,13 +162,7 @@ def around_extrusion(
 
 
 def around_sweep(profile: Outline, place: Callable[[Array], list[Array]], closed: bool) -> Pieces:
-    """Return the pieces of a profile drawn through stations.
-
-    Args:
-        profile: The profile.
-        place: Takes points of its plane, shape (k, 2), to those at each station, each shape (k, 3).
-        closed: Whether the last station joins the first (which it repeats).
-    """
+    """Return the pieces of a profile drawn through stations."""
     borders = [contour.points for contour in profile.contours]
     simple = len(borders) == 1 and profile.convex is not None and len(profile.convex) == 1
 

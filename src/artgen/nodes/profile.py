@@ -246,13 +246,7 @@ def _offset(profile: Outline, distance: float, join: Literal["round", "miter"]) 
 
 
 def offset(profile: Profile, distance: Scalar, *, join: Literal["round", "miter"] = "round") -> Profile:
-    """Move the border of a profile outward, or inward where the distance is negative.
-
-    Args:
-        profile: What to grow or shrink.
-        distance: How far [m].
-        join: Whether outer corners become round or stay sharp.
-    """
+    """Move the border of a profile outward, or inward where the distance is negative."""
     return Profile.record(_offset, profile=profile, distance=distance, join=join)
 
 

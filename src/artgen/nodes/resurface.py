@@ -26,11 +26,7 @@ def with_properties(manifold: Manifold, change: Callable[[Array], None]) -> Mani
 
 
 def faceted_shape(solid: Manifold, pieces: Pieces) -> Shape:
-    """Return the shape of a bare manifold: normals split at creases, texture projected along them.
-
-    Raises:
-        ValueError: The manifold is empty or inside out.
-    """
+    """Return the shape of a bare manifold: normals split at creases, texture projected along them."""
     if solid.is_empty():
         raise ValueError("the result is empty")
     raw = solid.to_mesh64()

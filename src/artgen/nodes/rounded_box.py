@@ -54,13 +54,7 @@ def _unit_box(steps: int) -> tuple[Array, Array, Array, Indices, Indices]:
 
 
 def rounded_box(size: Array, bevel: float, steps: int) -> Skin:
-    """Make a box about the origin whose edges and corners are rounded.
-
-    Args:
-        size: Full lengths, shape (3,) [m].
-        bevel: Radius of the edges [m], at most half the smallest length.
-        steps: Chords in 45 degrees of an edge; 0 makes a sharp box.
-    """
+    """Make a box about the origin whose edges and corners are rounded."""
     directions, signs, arcs, triangles, targets = _unit_box(steps)
     half = size / 2.0
     radius = min(bevel, 0.999 * float(half.min())) if steps else 0.0
@@ -75,12 +69,7 @@ def rounded_box(size: Array, bevel: float, steps: int) -> Skin:
 
 @lru_cache(maxsize=128)
 def _layout(count: int, grains: tuple[int, ...]) -> tuple[Indices, Indices, Array]:
-    """Return which coordinates are u and v of each vertex, and which way u runs, all shape (count,).
-
-    Args:
-        count: How many vertices the six faces have together.
-        grains: The axis of the grain on the faces square to X, Y and Z.
-    """
+    """Return which coordinates are u and v of each vertex, and which way u runs, all shape (count,)."""
     sides = [
         (3 - axis - grain, grain, side if (axis - grain) % 3 == 1 else -side)  # u is v x normal
         for axis, grain in enumerate(grains)

@@ -12,12 +12,7 @@ MOST = 0.001
 
 
 class _Coarse(Pieces):
-    """Pieces that follow a solid no closer than to a distance.
-
-    Args:
-        base: Pieces of the solid.
-        least: The distance [m].
-    """
+    """Pieces that follow a solid no closer than to a distance."""
 
     def __init__(self, base: Pieces, least: float) -> None:
         super().__init__()

@@ -59,21 +59,13 @@ def bevel_steps(bevel: float) -> int:
 
 @dataclass(frozen=True, eq=False)
 class Skin:
-    """The closed surface of a solid.
+    """The closed surface of a solid."""
 
-    Attributes:
-        vertices: Positions, shape (n, 3) [m].
-        normals: Unit normals, shape (n, 3).
-        uvs: Texture coordinates, shape (n, 2) [m].
-        triangles: Vertex indices, counter-clockwise seen from outside, shape (m, 3).
-        targets: For each vertex, the first vertex at the same point of the surface, shape (n,).
-    """
-
-    vertices: Array
-    normals: Array
-    uvs: Array
-    triangles: Indices
-    targets: Indices
+    vertices: Array  # positions, shape (n, 3) [m]
+    normals: Array  # unit normals, shape (n, 3)
+    uvs: Array  # texture coordinates, shape (n, 2) [m]
+    triangles: Indices  # vertex indices, counter-clockwise seen from outside, shape (m, 3)
+    targets: Indices  # for each vertex, the first vertex at the same point of the surface, shape (n,)
 
     def turned(self, rotation: Array) -> "Skin":
         """Return the surface turned by a rotation, shape (3, 3), of `inputs.frame`.
@@ -86,11 +78,7 @@ class Skin:
         return Skin(self.vertices @ rotation.T, self.normals @ rotation.T, uvs, self.triangles, self.targets)
 
     def shape(self, pieces: Pieces) -> Shape:
-        """Return the solid of this surface and of the convex pieces that cover it.
-
-        Raises:
-            ValueError: The surface does not enclose a positive volume.
-        """
+        """Return the solid of this surface and of the convex pieces that cover it."""
         return Shape.from_mesh(
             self.vertices, self.normals, self.uvs, self.triangles, pieces, targets=self.targets
         )
@@ -119,21 +107,7 @@ class Sheets:
         poles: NDArray[np.bool_] | None = None,
         flipped: bool = False,
     ) -> Indices:
-        """Add the side surface of a contour.
-
-        Args:
-            rail: The columns.
-            vertices: Positions, shape (r, c, 3) [m].
-            normals: Unit normals, shape (r, c, 3).
-            uvs: Texture coordinates, shape (r, c, 2) [m].
-            strips: Pairs of rows between which there are faces, shape (s, 2); all neighbours by default.
-            places: For each row, the first row at the same place, shape (r,); all apart by default.
-            poles: Contour vertices that are one point in all rows, shape (n,).
-            flipped: Whether columns x rows turn inward.
-
-        Returns:
-            The vertex that stands for each contour vertex in each row, shape (r, n).
-        """
+        """Add the side surface of a contour."""
         rows, columns = vertices.shape[:2]
         lower = np.arange(rows - 1) if strips is None else strips[:, 0]
         upper = lower + 1 if strips is None else strips[:, 1]
@@ -162,15 +136,7 @@ class Sheets:
         return place
 
     def cap(self, places: Indices, vertices: Array, normal: Array, uvs: Array, triangles: Indices) -> None:
-        """Add a flat face over contours.
-
-        Args:
-            places: The vertices that stand for the contours' vertices, shape (n,).
-            vertices: Positions, shape (n, 3) [m].
-            normal: Unit normal, shape (3,).
-            uvs: Texture coordinates, shape (n, 2) [m].
-            triangles: Triangles over the contours' vertices, shape (m, 3).
-        """
+        """Add a flat face over contours."""
         normals = np.broadcast_to(normal, (len(vertices), 3))
         self._add(vertices, normals, uvs, triangles + self._count, places)
 
@@ -209,16 +175,7 @@ def extrusion(
     warp: Callable[[Array, Array], tuple[Array, Array]] | None = None,
     scales: tuple[float, float] = (1.0, 1.0),
 ) -> Skin:
-    """Extrude contours along z, centred on z = 0, with rounded edges at both ends.
-
-    Args:
-        contours: Outer borders and holes.
-        length: Length along z [m].
-        bevel: Radius of the rounded edges of both ends [m]; the outline must allow it.
-        stations: Number of strips between the ends, for a warp to bend.
-        warp: Moves vertices (n, 3) and normals (n, 3) of the straight extrusion.
-        scales: How many times its size the warp makes each end.
-    """
+    """Extrude contours along z, centred on z = 0, with rounded edges at both ends."""
     inset, level, lean, rise = _end_rows(length, bevel, stations)
     rows = len(level)
     sheets = Sheets()
@@ -290,13 +247,7 @@ def mitres(contour: Contour) -> Array:
 
 
 def lathe(contours: Sequence[Contour], *, angle: float = math.tau, sides: int | None = None) -> Skin:
-    """Turn contours in the (r, z) plane about z, from the x axis on.
-
-    Args:
-        contours: Outer borders and holes in (r, z), with no r below 0.
-        angle: How far to turn [rad]; 2 pi closes the solid.
-        sides: Facets of the full circle; from the largest radius by default.
-    """
+    """Turn contours in the (r, z) plane about z, from the x axis on."""
     steps, span = lathe_steps(contours, angle, sides)
     full = span == math.tau
     cosine, sine = _turns(steps, span)
@@ -327,13 +278,7 @@ def lathe(contours: Sequence[Contour], *, angle: float = math.tau, sides: int | 
 
 
 def lathe_steps(contours: Sequence[Contour], angle: float, sides: int | None = None) -> tuple[int, float]:
-    """Return in how many steps a lathe turns contours, and how far: exactly 2 pi where it closes.
-
-    Args:
-        contours: Borders and holes in (r, z).
-        angle: How far to turn [rad].
-        sides: Facets of the full circle; from the largest radius by default.
-    """
+    """Return in how many steps a lathe turns contours, and how far: exactly 2 pi where it closes."""
     facets = sides or sides_of(max(float(contour.points[:, 0].max()) for contour in contours))
     if angle >= math.tau - 1e-9:
         return facets, math.tau

@@ -33,11 +33,7 @@ def _font() -> Any:
 
 
 def _curve(points: Array) -> tuple[Array, Array]:
-    """Return samples of a quadratic Bezier curve but for its start, and the tangents at all, start included.
-
-    Args:
-        points: Start, control point and end, shape (3, 2).
-    """
+    """Return samples of a quadratic Bezier curve without its start, and tangents with its start."""
     first, last = points[1] - points[0], points[2] - points[1]
     cross = abs(first[0] * last[1] - first[1] * last[0])
     steps = max(1, int(np.ceil(np.arctan2(cross, float(first @ last)) / _STEP)))
@@ -80,11 +76,7 @@ def _contour(curves: list[Array]) -> Contour | None:
 
 @functools.lru_cache(maxsize=256)
 def _glyph(character: str) -> tuple[tuple[Contour, ...], float]:
-    """Return the contours of a character and how far it moves the pen, in capital heights.
-
-    Raises:
-        ValueError: The font has no such character.
-    """
+    """Return the contours of a character and how far it moves the pen, in capital heights."""
     from fontTools.pens.recordingPen import DecomposingRecordingPen
 
     font = _font()

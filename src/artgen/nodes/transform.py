@@ -17,9 +17,6 @@ def rotation_about(axis: Array, angle: float) -> Array:
     """Return the right-handed rotation by an angle [rad] about an axis through the origin, shape (3, 3).
 
     Quarter turns about an asset axis are exact.
-
-    Raises:
-        ValueError: The axis has no direction, or the angle is not finite.
     """
     x, y, z = inputs.direction("axis", axis)
     cosine, sine = math.cos(inputs.finite("angle", angle, "rad")), math.sin(angle)
@@ -52,14 +49,7 @@ def _rotate(solid: Shape, axis: Array3, angle: float, about: Array3) -> Shape:
 
 
 def rotate(solid: Solid, axis: VectorLike, angle: Scalar, *, about: VectorLike = (0.0, 0.0, 0.0)) -> Solid:
-    """Turn a solid; also written `solid.rotate(axis, angle)`.
-
-    Args:
-        solid: What to turn.
-        axis: Direction of the axis.
-        angle: How far, right-handed [rad].
-        about: A point on the axis [m].
-    """
+    """Turn a solid; also written `solid.rotate(axis, angle)`."""
     return Solid.record(_rotate, solid=solid, axis=axis, angle=angle, about=about)
 
 
@@ -114,15 +104,7 @@ def _align(solid: Shape, to: Array3, x: float, y: float, z: float) -> Shape:
 
 
 def align(solid: Solid, to: VectorLike, *, x: Scalar = 0.0, y: Scalar = 0.0, z: Scalar = 0.0) -> Solid:
-    """Move a solid so that an anchor of its bounding box comes to a point; also `solid.align(to, z=-1)`.
-
-    Args:
-        solid: What to move.
-        to: Where the anchor goes [m].
-        x: The anchor along X, from -1 (low side) over 0 (middle) to 1 (high side).
-        y: The same along Y.
-        z: The same along Z.
-    """
+    """Move a solid so that an anchor of its bounding box comes to a point; also `solid.align(to, z=-1)`."""
     return Solid.record(_align, solid=solid, to=to, x=x, y=y, z=z)
 
 

@@ -29,31 +29,13 @@ def lies_flat(size: Array, length: float) -> bool:
 
 
 def cap_uvs(flat: Array, side: float, *, across: bool) -> Array:
-    """Lay texture on a flat face square to z.
-
-    Args:
-        flat: x and y of its vertices, shape (..., 2) [m].
-        side: 1 where the face looks along z, -1 where it looks against it.
-        across: Whether the grain runs along x instead of y.
-
-    Returns:
-        Texture coordinates, shape (..., 2) [m].
-    """
+    """Lay texture on a flat face square to z."""
     x, y = flat[..., 0], flat[..., 1]
     return np.stack([-side * y, x] if across else [side * x, y], axis=-1)
 
 
 def wall_uvs(around: Array, along: Array, *, lying: bool) -> Array:
-    """Lay texture on the side walls of what is drawn out of a contour.
-
-    Args:
-        around: Length along the contour, counter-clockwise seen against the axis [m].
-        along: Length along the axis [m]; the shape of both broadcasts.
-        lying: Whether the contour is the long side, along which the grain runs.
-
-    Returns:
-        Texture coordinates, shape (..., 2) [m].
-    """
+    """Lay texture on the side walls of what is drawn out of a contour."""
     around, along = np.broadcast_arrays(around, along)
     return np.stack([0.0 - along, around] if lying else [around, along], axis=-1)
 
@@ -63,11 +45,6 @@ def tapered_around(rail: Rail, around: Array, even: Array) -> Array:
 
     Flat sides keep their lengths, so that the grain of a tapered leg stays straight; curved ones get even
     ones.
-
-    Args:
-        rail: The columns of the contour.
-        around: Length along the contour in each row, shape (r, c) [m].
-        even: Lengths by which texture is stretched from row to row instead, shape (r, c) or (c,) [m].
     """
     breaks = np.flatnonzero(rail.vertex[1:] == rail.vertex[:-1]) + 1
     first, last = np.append(0, breaks), np.append(breaks - 1, len(rail.vertex) - 1)
@@ -92,18 +69,7 @@ def ring_lengths(rail: Rail, rings: Array) -> Array:
 def turned_uvs(
     contour: Contour, rail: Rail, vertices: Array, turn: NDArray[np.floating[Any]], level: NDArray[np.bool_]
 ) -> Array:
-    """Lay texture on what a contour in the (r, z) plane sweeps about z: around it, or flat on discs.
-
-    Args:
-        contour: The contour.
-        rail: Its columns, with breaks where discs begin and end.
-        vertices: The turned columns, shape (r, c, 3) [m].
-        turn: The angle of each row, shape (r,) [rad].
-        level: Which sides of the contour are discs, shape (n,).
-
-    Returns:
-        Texture coordinates, shape (r, c, 2) [m].
-    """
+    """Lay texture on what a contour in the (r, z) plane sweeps about z: around it, or flat on discs."""
     smooth = contour.normals_in[0] @ contour.normals_out[0] > 1.0 - 1e-9
     joined = bool(smooth and not level[0] and not level[-1])
     radius, along = _even_runs(rail, contour.points[:, 0], joined=joined)
@@ -120,15 +86,6 @@ def _even_runs(rail: Rail, radius: Array, *, joined: bool) -> tuple[Array, Array
     """Return by which radius columns of a turned contour measure lengths around the axis.
 
     Columns without a break between them share one: the median over the surface, which stretches it least.
-
-    Args:
-        rail: The columns.
-        radius: Distance of each contour vertex from the axis, shape (n,) [m].
-        joined: Whether the last run goes on smoothly at the first vertex.
-
-    Returns:
-        Radius of each column, and length along the contour that does not jump within a run, both shape
-        (c,) [m].
     """
     distance = rail.distance
     run = np.concatenate([[0], np.cumsum(rail.vertex[1:] == rail.vertex[:-1])])
@@ -149,16 +106,7 @@ def _even_runs(rail: Rail, radius: Array, *, joined: bool) -> tuple[Array, Array
 
 
 def boxed_uvs(vertices: Array, normals: Array, size: Array) -> tuple[Array, Indices]:
-    """Project faces onto the sides of a box.
-
-    Args:
-        vertices: Corners of the faces, shape (..., 3) [m].
-        normals: Normal of the face of each corner, shape (..., 3).
-        size: Lengths of the box, shape (3,) [m]; the grain runs along the longest.
-
-    Returns:
-        Texture coordinates, shape (..., 2) [m], and the number of the side of each corner, shape (...,).
-    """
+    """Project faces onto the sides of a box."""
     axis = np.argmax(np.abs(normals), axis=-1)
     side = np.sign(np.take_along_axis(normals, axis[..., None], axis=-1)[..., 0])
     grain = np.array([grain_of(size, but=each) for each in range(3)])[axis]
@@ -171,12 +119,7 @@ def boxed_uvs(vertices: Array, normals: Array, size: Array) -> tuple[Array, Indi
 
 
 def grain_of(size: Array, *, but: int = -1) -> int:
-    """Return along which axis the grain of a box runs: the longest, of equal ones Z or else X.
-
-    Args:
-        size: Lengths of the box, shape (3,) [m].
-        but: Axis of a side on which it must lie.
-    """
+    """Return along which axis the grain of a box runs: the longest, of equal ones Z or else X."""
     best = -1
     for axis in (2, 0, 1):
         if axis != but and (best < 0 or size[axis] > size[best] * _LONGER):

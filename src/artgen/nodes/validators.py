@@ -15,54 +15,34 @@ _STILL = np.eye(4)  # each call of it takes as long as three copies
 
 
 def positive(name: str, value: float, unit: str = "m") -> float:
-    """Return a value that is finite and above zero.
-
-    Raises:
-        ValueError: It is not.
-    """
+    """Return a value that is finite and above zero."""
     if not (math.isfinite(value) and value > 0.0):
         raise ValueError(f"{name} must be positive, got {value:g} {unit}")
     return float(value)
 
 
 def between(name: str, value: float, low: float, high: float, unit: str = "m") -> float:
-    """Return a value within `low` and `high`, both allowed.
-
-    Raises:
-        ValueError: It is outside or not finite.
-    """
+    """Return a value within `low` and `high`, both allowed."""
     if not low <= value <= high:
         raise ValueError(f"{name} must be within {low:g} and {high:g} {unit}, got {value:g} {unit}")
     return float(value)
 
 
 def rounding(name: str, value: float, most: float) -> float:
-    """Return a radius of rounded edges within 0 and `most` [m]; below a micrometre the edge is sharp.
-
-    Raises:
-        ValueError: It is outside or not finite.
-    """
+    """Return a radius of rounded edges within 0 and `most` [m]; below a micrometre the edge is sharp."""
     radius = between(name, value, 0.0, most)
     return radius if radius >= _SHARP else 0.0
 
 
 def finite(name: str, value: float, unit: str = "m") -> float:
-    """Return a value that is a finite number.
-
-    Raises:
-        ValueError: It is not.
-    """
+    """Return a value that is a finite number."""
     if not math.isfinite(value):
         raise ValueError(f"{name} must be a finite number, got {value:g} {unit}")
     return float(value)
 
 
 def vector(name: str, value: Any) -> Array:
-    """Return three finite numbers, shape (3,).
-
-    Raises:
-        ValueError: They are not three, or not finite.
-    """
+    """Return three finite numbers, shape (3,)."""
     array = np.asarray(value, float)
     if array.shape != (3,):
         raise ValueError(f"{name} must have 3 components, got shape {array.shape}")
@@ -72,11 +52,7 @@ def vector(name: str, value: Any) -> Array:
 
 
 def points(name: str, value: Any, dimension: int, least: int) -> Array:
-    """Return at least `least` finite points, shape (n, dimension).
-
-    Raises:
-        ValueError: There are fewer, or they have another dimension or are not finite.
-    """
+    """Return at least `least` finite points, shape (n, dimension)."""
     array = np.asarray(value, float)
     if array.ndim != 2 or array.shape[1] != dimension:
         raise ValueError(f"{name} must be points of shape (n, {dimension}), got shape {array.shape}")
@@ -89,11 +65,7 @@ def points(name: str, value: Any, dimension: int, least: int) -> Array:
 
 
 def direction(name: str, value: Any) -> Array:
-    """Return the unit vector along a direction, shape (3,).
-
-    Raises:
-        ValueError: The direction is not finite or has no length.
-    """
+    """Return the unit vector along a direction, shape (3,)."""
     array = vector(name, value)
     length = float(np.linalg.norm(array))
     if length < 1e-12:
@@ -106,9 +78,6 @@ def frame(axis: Any, name: str = "axis") -> Array:
 
     Local z goes along `axis` and local x along the first of the asset's axes, in the order X, Y, Z,
     that is not the one nearest to `axis` (made perpendicular to it). Z gives the identity.
-
-    Raises:
-        ValueError: The axis has no direction.
     """
     along = direction(name, axis)
     near = int(np.argmax(np.abs(along)))

@@ -119,11 +119,7 @@ def norm(vector: VectorLike) -> Float:
 
 
 def unit(vector: Array3) -> Array3:
-    """Return the direction of a vector as a value.
-
-    Raises:
-        ValueError: Its length is zero.
-    """
+    """Return the direction of a vector as a value."""
     length = float(np.linalg.norm(vector))
     if length < 1e-12:
         raise ValueError("a vector of length zero has no direction")

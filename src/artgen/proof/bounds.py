@@ -55,12 +55,7 @@ class Motion:
 
 
 def _about(motion: Motion, points: Array) -> tuple[Array, Array, Array]:
-    """Split points into feet on the axis, arms to them and across, at the centre of the interval.
-
-    Returns:
-        Feet, arms and `axis x arm`, each shape (N, V, 3): the point at angle `centre + t` is
-        `foot + cos(t) arm + sin(t) across`.
-    """
+    """Split points into feet on the axis, arms to them and across, at the centre of the interval."""
     axis, origin = motion.axis[:, None, :], motion.origin[:, None, :]
     relative = points - origin
     along = np.matmul(relative, motion.axis[:, :, None])

@@ -60,19 +60,12 @@ def _parts(link: Link) -> Iterator[tuple[str, Shape]]:
 
 @dataclass(frozen=True, eq=False)
 class _Pieces:
-    """Convex pieces with their boxes, so that few of them are looked at for a solid.
+    """Convex pieces with their boxes, so that few of them are looked at for a solid."""
 
-    Attributes:
-        pieces: The pieces.
-        labels: Label of each, shape (n,).
-        low: Lowest corner of each one's box, shape (n, 3) [m].
-        high: Highest corner, shape (n, 3) [m].
-    """
-
-    pieces: Sequence[Polytope]
-    labels: NDArray[np.str_]
-    low: Array
-    high: Array
+    pieces: Sequence[Polytope]  # the pieces
+    labels: NDArray[np.str_]  # label of each, shape (n,)
+    low: Array  # lowest corner of each one's box, shape (n, 3) [m]
+    high: Array  # highest corner, shape (n, 3) [m]
 
     @staticmethod
     def of(pieces: Sequence[Polytope], labels: Sequence[str]) -> "_Pieces":

@@ -26,21 +26,13 @@ _TOUCHING = 1e-9  # nodes nearer than this have no direction between them [m]
 
 @dataclass(frozen=True)
 class _Node:
-    """A box around a range of pieces, or one piece.
+    """A box around a range of pieces, or one piece."""
 
-    Attributes:
-        first: The first piece of the range, in the link's order.
-        last: The piece behind the last.
-        vertices: Shape (v, 3) [m].
-        children: Numbers of the nodes within; none for a piece.
-        piece: Number of the piece in the link; -1 for a box.
-    """
-
-    first: int
-    last: int
-    vertices: Array
-    children: tuple[int, ...]
-    piece: int
+    first: int  # the first piece of the range, in the link's order
+    last: int  # the piece behind the last
+    vertices: Array  # shape (v, 3) [m]
+    children: tuple[int, ...]  # numbers of the nodes within; none for a piece
+    piece: int  # number of the piece in the link; -1 for a box
 
 
 class Hierarchy:

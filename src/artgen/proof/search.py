@@ -241,11 +241,7 @@ class Search:
     def _try_distance(
         self, planes: Planes, items: Items, place: Frames, rows: Indices, threshold: Array
     ) -> tuple[Array, Array, Indices]:
-        """Try the directions that FCL proposes in the middle of the cells.
-
-        Returns:
-            Distance there, zero or less where nodes touch, the best of these directions and its frame.
-        """
+        """Try the directions that FCL proposes in the middle of the cells."""
         distance, direction = self._distances(items, place, rows)
         separated = np.any(direction != 0.0, axis=1)
         best = np.full(len(rows), -np.inf)
@@ -309,11 +305,7 @@ class Search:
         return ~self._done[items.way]
 
     def _refute(self, items: Items, distance: Array, threshold: Array) -> bool:
-        """Note which ways keep less than their tolerance, and go on in search of collisions only.
-
-        Returns:
-            Whether there are any.
-        """
+        """Note which ways keep less than their tolerance, and go on in search of collisions only."""
         leaf = self._are_pieces(items)
         ways = items.way
         close = leaf & (threshold > 0.0) & (distance > 0.0) & (distance < self.tolerances[ways])

@@ -85,22 +85,14 @@ def _unit(unit: str) -> str:
 
 
 def as_number(value: Any, what: str) -> float:
-    """Return a finite number as a Python float.
-
-    Raises:
-        ParameterError: It is none; the message says `what` it was given for.
-    """
+    """Return a finite number as a Python float."""
     if not is_number(value):
         raise ParameterError(f"{what} must be a finite number, got {value!r}")
     return float(value)
 
 
 def limited(distribution: Distribution, within: Any) -> Any:
-    """Return the distribution with hard limits.
-
-    Raises:
-        ParameterError: They are no pair of numbers, or the distribution gives values outside them.
-    """
+    """Return the distribution with hard limits."""
     if within is None:
         return distribution
     if not isinstance(within, Sequence) or len(within) != 2:

@@ -42,18 +42,7 @@ class Studio:
     def __init__(
         self, session: Session, host: str = HOST, port: int = PORT, *, rich_light: bool = True
     ) -> None:
-        """Begin to serve.
-
-        Args:
-            session: What is shown.
-            host: Where it is served.
-            port: The same; 0 takes any that is free.
-            rich_light: Whether there are reflections and shadows, which take minutes without a GPU.
-
-        Raises:
-            RenderError: viser is not installed.
-            ParameterError: The port is taken or not allowed, or the host is none of this machine's.
-        """
+        """Begin to serve."""
         self.session = session
         self.host = host
         self._server = _server(host, port)

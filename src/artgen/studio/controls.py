@@ -23,31 +23,18 @@ _ROOM = 0.5  # how far a joint without limits can be pulled either way [m]
 
 @dataclass(frozen=True)
 class Control:
-    """One parameter in use.
+    """One parameter in use."""
 
-    Attributes:
-        name: Full name, generators included: `handle.lever_handle.length`.
-        short: Its name among the parameters of an asset: `handle.length`.
-        kind: How it is set.
-        value: Where it stands: a number, True or False, text, or three numbers.
-        hint: How it is drawn, its hard limits, and what it is.
-        unit: Such as `m`; empty for none.
-        low: Least value of a slider, and of a number with hard limits.
-        high: The greatest.
-        step: Between two values of a slider or number.
-        options: Of a menu.
-    """
-
-    name: str
-    short: str
-    kind: Kind
-    value: Any
-    hint: str
-    unit: str = ""
-    low: float | None = None
-    high: float | None = None
-    step: float = 0.0
-    options: tuple[str, ...] = ()
+    name: str  # full name, generators included: `handle.lever_handle.length`
+    short: str  # its name among the parameters of an asset: `handle.length`
+    kind: Kind  # how it is set
+    value: Any  # where it stands: a number, True or False, text, or three numbers
+    hint: str  # how it is drawn, its hard limits, and what it is
+    unit: str = ""  # such as `m`; empty for none
+    low: float | None = None  # least value of a slider, and of a number with hard limits
+    high: float | None = None  # the greatest
+    step: float = 0.0  # between two values of a slider or number
+    options: tuple[str, ...] = ()  # of a menu
 
     @property
     def group(self) -> str:
@@ -154,13 +141,7 @@ def _step(width: float) -> float:
 
 
 def read_value(control: Control, kind: Any, value: Any) -> Any:
-    """Return what a user interface gave as the parameter takes it.
-
-    Args:
-        control: Of the parameter.
-        kind: Its annotation.
-        value: What was given: of a menu, the text of an option.
-    """
+    """Return what a user interface gave as the parameter takes it."""
     if typing.get_origin(kind) is Literal:
         return next((item for item in typing.get_args(kind) if str(item) == value), value)
     if kind is int:
@@ -172,27 +153,16 @@ def read_value(control: Control, kind: Any, value: Any) -> Any:
 
 @dataclass(frozen=True)
 class JointControl:
-    """One joint that can move.
+    """One joint that can move."""
 
-    Attributes:
-        name: Its name.
-        unit: `rad` or `m`.
-        low: Least position, or where a slider begins.
-        high: The greatest.
-        value: Where it stands.
-        step: Between two positions of a slider.
-        hint: What it joins, follows and waits for.
-        follows: Whether another joint moves it.
-    """
-
-    name: str
-    unit: str
-    low: float
-    high: float
-    value: float
-    step: float
-    hint: str
-    follows: bool
+    name: str  # its name
+    unit: str  # `rad` or `m`
+    low: float  # least position, or where a slider begins
+    high: float  # the greatest
+    value: float  # where it stands
+    step: float  # between two positions of a slider
+    hint: str  # what it joins, follows and waits for
+    follows: bool  # whether another joint moves it
 
     @property
     def shape(self) -> tuple[Any, ...]:

@@ -10,12 +10,7 @@ from artgen.materials.textures import Kind
 
 
 def link_glb(link: Link, textures: int) -> bytes:
-    """Return the visible surfaces of a link.
-
-    Args:
-        link: The link.
-        textures: Texels on a side of the materials' maps; 0 for colours alone.
-    """
+    """Return the visible surfaces of a link."""
     buffer = Buffer()
     looks = Looks(buffer, textures)
     primitives = []

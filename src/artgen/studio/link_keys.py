@@ -16,17 +16,11 @@ Key = tuple[Any, ...]
 
 @dataclass(frozen=True, eq=False)
 class Placed:
-    """A link as what it looks like and where it stands at rest.
+    """A link as what it looks like and where it stands at rest."""
 
-    Attributes:
-        link: The link, shifted so that where it stands does not matter.
-        offset: Where it stands, shape (3,) [m].
-        key: Decides how the shifted link looks: equal keys, equal surfaces.
-    """
-
-    link: Link
-    offset: Array
-    key: Key
+    link: Link  # the link, shifted so that where it stands does not matter
+    offset: Array  # where it stands, shape (3,) [m]
+    key: Key  # decides how the shifted link looks: equal keys, equal surfaces
 
 
 def placed(link: Link) -> Placed:

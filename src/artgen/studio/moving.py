@@ -11,17 +11,7 @@ _NUDGE = 1e-9  # beyond a place where a dependency begins or ends [rad or m]
 def moved(
     asset: Asset, q: Mapping[str, float], joint: str, wanted: float
 ) -> tuple[dict[str, float], tuple[str, ...]]:
-    """Move a free joint from where it stands towards a position, until a dependency stops it.
-
-    Args:
-        asset: The asset.
-        q: Where its free joints stand; none may be blocked.
-        joint: The joint that moves.
-        wanted: Where it is to go; its limits hold it [rad or m].
-
-    Returns:
-        Where the free joints stand then, and the joints that may not stand farther on.
-    """
+    """Move a free joint from where it stands towards a position, until a dependency stops it."""
     start = asset.positions(q)[joint]
     limits = asset.joint(joint).limits
     end = wanted if limits is None else min(max(wanted, limits[0]), limits[1])
@@ -38,13 +28,7 @@ def moved(
 
 
 def settled(asset: Asset, q: Mapping[str, float]) -> dict[str, float]:
-    """Return positions that an asset allows, as near to others as can be told without a search.
-
-    Args:
-        asset: The asset.
-        q: Positions by joint name, of any asset: unknown joints are left out, limits hold, and joints that
-            are blocked close.
-    """
+    """Return positions that an asset allows, as near to others as can be told without a search."""
     result = {}
     for joint in asset.free_joints:
         if joint.name in q:

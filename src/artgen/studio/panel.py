@@ -35,16 +35,7 @@ _COLORS = {
 
 
 class Panel:
-    """The controls of a session in a viser server.
-
-    Args:
-        server: The server.
-        session: What is controlled; only what `ask` takes touches it.
-        ask: Takes what a person wants, to be done by and by.
-        actions: What is wanted, by name.
-        waits: Tells whether a wish of that name waits.
-        rich_light: Whether there are reflections and shadows at first.
-    """
+    """The controls of a session in a viser server."""
 
     def __init__(
         self,

@@ -16,21 +16,13 @@ _LIMIT = 600.0  # that a proof may take [s]
 
 @dataclass(frozen=True)
 class Task:
-    """What another process needs to know to make an asset again.
+    """What another process needs to know to make an asset again."""
 
-    Attributes:
-        reference: What the category is found by.
-        revision: How often its file was loaded again.
-        seed: What is drawn from.
-        attempts: How often, at most.
-        overrides: What is set.
-    """
-
-    reference: str
-    revision: int
-    seed: int
-    attempts: int
-    overrides: Mapping[str, Any] = field(hash=False)
+    reference: str  # what the category is found by
+    revision: int  # how often its file was loaded again
+    seed: int  # what is drawn from
+    attempts: int  # how often, at most
+    overrides: Mapping[str, Any] = field(hash=False)  # what is set
 
 
 @lru_cache(maxsize=1)

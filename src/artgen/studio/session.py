@@ -24,21 +24,13 @@ _VALUES = 16384  # that the cache keeps: of the largest category, those of sever
 
 @dataclass(frozen=True)
 class Shown:
-    """An asset with what it was made of.
+    """An asset with what it was made of."""
 
-    Attributes:
-        asset: The asset.
-        evaluation: What it cost.
-        seconds: Time it took, sampling and building included [s].
-        seed: What was drawn from.
-        overrides: What was set, by name.
-    """
-
-    asset: Asset
-    evaluation: Evaluation
-    seconds: float
-    seed: int
-    overrides: Mapping[str, Any] = field(default_factory=dict)
+    asset: Asset  # the asset
+    evaluation: Evaluation  # what it cost
+    seconds: float  # time it took, sampling and building included [s]
+    seed: int  # what was drawn from
+    overrides: Mapping[str, Any] = field(default_factory=dict)  # what was set, by name
 
 
 class Session:

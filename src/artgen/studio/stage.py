@@ -31,19 +31,12 @@ _FIELD = 0.65  # angle of view from top to bottom [rad]
 
 @dataclass
 class _Shown:
-    """A link in the scene.
+    """A link in the scene."""
 
-    Attributes:
-        frame: Node that its pose moves.
-        looks: Decides whether what is below has to be made anew.
-        nodes: What is seen of it.
-        pose: Where the frame stands.
-    """
-
-    frame: Any
-    looks: tuple[Any, ...] = ()
-    nodes: list[Any] = field(default_factory=list)
-    pose: Array = field(default_factory=lambda: np.full((4, 4), np.nan))
+    frame: Any  # node that its pose moves
+    looks: tuple[Any, ...] = ()  # decides whether what is below has to be made anew
+    nodes: list[Any] = field(default_factory=list)  # what is seen of it
+    pose: Array = field(default_factory=lambda: np.full((4, 4), np.nan))  # where the frame stands
 
 
 class Stage:
@@ -99,11 +92,7 @@ class Stage:
         return self._links[link].frame
 
     def dress(self, red: tuple[str, ...] = ()) -> None:
-        """Dress the links anew after a change of `by_label` or `textures`.
-
-        Args:
-            red: Names of the two links that collide.
-        """
+        """Dress the links anew after a change of `by_label` or `textures`."""
         self._red = tuple(red)
         if self._asset is not None:
             self._dress()

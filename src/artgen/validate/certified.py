@@ -36,15 +36,6 @@ def check_certificate(asset: Asset, *, meshes: bool = True) -> CheckResult:
     """Check that an asset carries a certificate, that it proves all pairs, and that its proof holds.
 
     The stored proof is verified by `artgen.proof.recheck`, which knows nothing of how it was found.
-
-    Args:
-        asset: An asset that was read from files, with the certificate that was stored.
-        meshes: Whether its meshes were exported: without them nobody can tell whether the pieces of the proof
-            contain the solids, and the proof is not verified.
-
-    Returns:
-        A fault for each pair of links that is not proven and each step of the proof that does not hold; the
-        tolerance and the contacts by design are in its detail.
     """
     certificate = asset.certificate
     if certificate is None:

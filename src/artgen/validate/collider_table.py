@@ -22,25 +22,17 @@ _DIGITS = 6  # significant digits of numbers in the table's data
 
 @dataclass(frozen=True)
 class ColliderRow:
-    """One way to make the colliders of an asset.
+    """One way to make the colliders of an asset."""
 
-    Attributes:
-        kind: `exact`, `coacd` or `hull`.
-        stored: Whether these are the colliders that the asset has; the others were made for the comparison.
-        links: How its colliders differ from the solids, by the link's name.
-        volume_error: Volume that is in colliders or solids only, as a share of the solids'.
-        surface_error: Largest distance between the surfaces of a link's solids and of its colliders [m].
-        interior_kept: Share of the empty volume inside the convex hulls of the links that stays empty.
-        steps_per_second: Steps of MuJoCo in a second of wall clock, at the time step of the file, with the
-            asset at rest; None without MuJoCo.
-    """
-
-    kind: str
+    kind: str  # `exact`, `coacd` or `hull`
+    # whether these are the colliders that the asset has; the others were made for the comparison
     stored: bool
-    links: Mapping[str, Fidelity]
-    volume_error: float
-    surface_error: float
-    interior_kept: float
+    links: Mapping[str, Fidelity]  # how its colliders differ from the solids, by the link's name
+    volume_error: float  # volume that is in colliders or solids only, as a share of the solids'
+    surface_error: float  # largest distance between the surfaces of a link's solids and of its colliders [m]
+    interior_kept: float  # share of the empty volume inside the convex hulls of the links that stays empty
+    # steps of MuJoCo in a second of wall clock, at the time step of the file, with the asset at rest; None
+    # without MuJoCo
     steps_per_second: float | None = None
 
     @property
@@ -84,17 +76,6 @@ def compare_colliders(asset: Asset, *, speed: bool = True) -> tuple[ColliderRow,
     They are measured against the solids; of an asset that was read from files, which keep none, against the
     closed parts of its visible meshes. Exact colliders are known where an asset is made, so they are compared
     only where it has them.
-
-    Args:
-        asset: The asset, in memory or read back.
-        speed: Whether to measure how fast MuJoCo steps; without MuJoCo it is not measured.
-
-    Returns:
-        A row for the colliders that it has, then one for each other kind.
-
-    Raises:
-        AssetError: Its meshes are missing or do not close.
-        ExportError: CoACD is not installed.
     """
     parts = {link.name: link_parts(link) for link in asset.links}
     solids = {name: _united(of_link) for name, of_link in parts.items()}

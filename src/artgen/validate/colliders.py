@@ -42,16 +42,7 @@ _INSIDE = 1e-7  # [m] by which a vertex may lie inside the hull of the others
 
 
 def check_colliders(asset: Asset) -> CheckResult:
-    """Check the colliders of every link against its solids; of an asset read from files, its meshes.
-
-    Args:
-        asset: The asset, in memory or read back.
-
-    Returns:
-        A fault for each collider that a simulator would refuse or change, and for each link whose colliders
-        do not contain its solids, stand off them or fill its hollows. Colliders that were made by CoACD or as
-        hulls are so by choice: what they lack is a note.
-    """
+    """Check the colliders of every link against its solids; of an asset read from files, its meshes."""
     findings: list[Finding] = []
     measured: list[tuple[float, Fidelity]] = []
     for link in asset.links:
@@ -80,9 +71,6 @@ def solid_of(link: Link) -> Manifold:
 
     Of a link that was read from files, the closed parts of its meshes; those are left out that its file
     records as only seen, or that have a label that no collider has.
-
-    Raises:
-        AssetError: The files of the link are missing, damaged, or do not tell what is only seen.
     """
     if link.pieces:
         parts = [piece.shape.manifold for piece in link.pieces if not piece.visual]

@@ -18,11 +18,7 @@ _FAR = 10.0  # [m]: gaps are measured up to here
 
 
 def floating_findings(link: Link) -> Iterator[Finding]:
-    """Yield each group of solids of a link that is farther from the rest than `JOINED`.
-
-    Raises:
-        AssetError: The mesh files of the link are missing or damaged.
-    """
+    """Yield each group of solids of a link that is farther from the rest than `JOINED`."""
     shells = [shell for skin in skins(link) for shell in skin.solids]
     groups = _groups(shells)
     largest = max(groups, key=lambda group: sum(shells[number].volume for number in group), default=[])

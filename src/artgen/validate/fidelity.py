@@ -23,39 +23,25 @@ _EMPTY = 0.03  # of a hull's volume: less are its rounded edges, not an empty sp
 
 @dataclass(frozen=True)
 class Fidelity:
-    """How convex pieces differ from the solid that they stand for.
+    """How convex pieces differ from the solid that they stand for."""
 
-    Attributes:
-        volume_error: Volume that is in one but not in the other, as a share of the solid's.
-        surface_error: How far the pieces stand off the solid, or the solid sticks out of them: the largest
-            distance found at corners and at a few hundred points between them [m].
-        interior_kept: Share of the empty volume inside the solid's convex hull that the pieces leave empty.
-        pieces: How many pieces there are.
-        vertices: How many corners they have; a round piece has none.
-        added: Volume that the pieces add, as a share of the solid's.
-        sticks_out: How far the solid sticks out of the pieces [m].
-        place: Where it does so the most, shape (3,) [m].
-        surface_place: Where the surfaces differ the most, shape (3,) [m].
-    """
-
-    volume_error: float
+    volume_error: float  # volume that is in one but not in the other, as a share of the solid's
+    # how far the pieces stand off the solid, or the solid sticks out of them: the largest distance found at
+    # corners and at a few hundred points between them [m]
     surface_error: float
+    # share of the empty volume inside the solid's convex hull that the pieces leave empty
     interior_kept: float
-    pieces: int
-    vertices: int
-    added: float = 0.0
-    sticks_out: float = 0.0
-    place: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    pieces: int  # how many pieces there are
+    vertices: int  # how many corners they have; a round piece has none
+    added: float = 0.0  # volume that the pieces add, as a share of the solid's
+    sticks_out: float = 0.0  # how far the solid sticks out of the pieces [m]
+    place: tuple[float, float, float] = (0.0, 0.0, 0.0)  # where it does so the most, shape (3,) [m]
+    # where the surfaces differ the most, shape (3,) [m]
     surface_place: tuple[float, float, float] = (0.0, 0.0, 0.0)
 
 
 def fidelity(solid: Manifold, convexes: Sequence[Convex]) -> Fidelity:
-    """Compare convex pieces with the solid that they stand for.
-
-    Args:
-        solid: The solid; its volume must be positive.
-        convexes: The pieces, in the same coordinates; round ones are compared as they are, to 0.02 mm.
-    """
+    """Compare convex pieces with the solid that they stand for."""
     polytopes = [convex.outer_polytope(_FINE) for convex in convexes]
     cover = Manifold.batch_boolean([hull_of(polytope.points) for polytope in polytopes], OpType.Add)
     excess, missing = cover - solid, solid - cover

@@ -10,18 +10,7 @@ from artgen.export.files import REPORT_FILE
 
 
 def write_report(report: Report, path: str | Path) -> Path:
-    """Write a report as JSON, all of it or nothing.
-
-    Args:
-        report: The report.
-        path: The file, or the directory of an asset, which gets a `report.json`.
-
-    Returns:
-        The file.
-
-    Raises:
-        ExportError: The disk refuses.
-    """
+    """Write a report as JSON, all of it or nothing."""
     target = Path(path)
     target = target / REPORT_FILE if target.is_dir() else target
     partial = target.with_name(f".{target.name}.{os.getpid()}.partial")

@@ -23,21 +23,7 @@ _MESH_CHECKS = ("solids", "colliders", "grasps")
 def validate(
     target: Asset | str | Path, *, behaviour: bool = True, checks: Collection[str] | None = None
 ) -> Report:
-    """Run the checks of an asset on its exported files, read back.
-
-    Args:
-        target: The directory of an export; or an asset, which is exported to a temporary directory first.
-        behaviour: Whether to simulate it in MuJoCo, which takes seconds; skipped where MuJoCo is missing.
-        checks: Names of the checks to run; all of them by default, of the formats those that were exported.
-
-    Returns:
-        What each check found. A check that cannot run is a fault.
-
-    Raises:
-        ParameterError: There is no check of some name.
-        ExportError: The directory is no export, or the asset cannot be exported.
-        AssetError: The asset cannot be exported.
-    """
+    """Run the checks of an asset on its exported files, read back."""
     for name in checks or ():
         if name not in CHECKS:
             raise ParameterError(f"there is no check {name!r}.{nearest(name, CHECKS)}")
@@ -49,15 +35,7 @@ def validate(
 
 
 class Examination:
-    """The checks of one exported asset; each runs when its result is first asked for.
-
-    Args:
-        directory: The directory of the export.
-        behaviour: Whether to simulate it in MuJoCo.
-
-    Raises:
-        ExportError: The directory is no export.
-    """
+    """The checks of one exported asset; each runs when its result is first asked for."""
 
     def __init__(self, directory: str | Path, *, behaviour: bool = True) -> None:
         self.directory = Path(directory)

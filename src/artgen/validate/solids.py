@@ -28,15 +28,7 @@ _INSIDE = 0.5  # turns around a point: 1 inside, 0 outside
 
 
 def check_solids(asset: Asset) -> CheckResult:
-    """Check the solids of every link; of an asset that was read from files, its visible meshes.
-
-    Args:
-        asset: The asset, in memory or read back.
-
-    Returns:
-        A fault for each surface that is not closed, not finite or wound wrongly, for slivers, and for solids
-        or triangles that are there twice.
-    """
+    """Check the solids of every link; of an asset that was read from files, its visible meshes."""
     findings: list[Finding] = []
     solids = triangles = absent = 0
     for link in asset.links:

@@ -22,14 +22,7 @@ _GRASP = 1e-6  # error of a grasp's axes
 
 
 def check_tree(asset: Asset) -> CheckResult:
-    """Check how an asset hangs together: its tree, names, labels, joints, masses, and that no part floats.
-
-    Args:
-        asset: The asset, in memory or read back.
-
-    Returns:
-        A fault for each thing that cannot be, and a note for each spring that is under tension at rest.
-    """
+    """Check how an asset hangs together: its tree, names, labels, joints, masses, and that no part floats."""
     if not asset.links:
         finding = Finding(CHECK, "the asset has no links", hint="generate it again")
         return CheckResult(CHECK, (finding,))

@@ -16,12 +16,6 @@ def weight_findings(link: Link) -> Iterator[Finding]:
     """Yield a mass that is more or less than any share of the link's materials gives its volume.
 
     Where all solids of a link have one density there is no leeway.
-
-    Args:
-        link: The link, in memory or read back.
-
-    Raises:
-        AssetError: Its meshes are missing or do not close.
     """
     parts = link_parts(link)
     if not parts:

@@ -172,18 +172,7 @@ VIEWS: Mapping[str, View] = {
 def camera_of(
     camera: Camera | View | str | None, asset: Asset, points: Mapping[str, Array], aspect: float
 ) -> Camera:
-    """Return the camera that was asked for.
-
-    Args:
-        camera: A camera, a view, or the name of one: of `VIEWS`, or `close-up:` and the name of a link.
-        asset: What is in the picture.
-        points: The vertices of each of its links as posed, in asset coordinates, shape (n, 3) [m].
-        aspect: Width of the picture divided by its height.
-
-    Raises:
-        ParameterError: There is no view of that name, or it is none of these.
-        AssetError: There is no link of that name.
-    """
+    """Return the camera that was asked for."""
     if isinstance(camera, Camera):
         return camera
     view = camera if isinstance(camera, View) else _named("three_quarter" if camera is None else camera)

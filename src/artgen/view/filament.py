@@ -181,11 +181,7 @@ class FilamentRenderer:
 
 @lru_cache(maxsize=1)
 def _context() -> Any:
-    """Return the one context of this process.
-
-    Raises:
-        RenderError: There is none.
-    """
+    """Return the one context of this process."""
     _require()
     with _silence():
         # this module brings Filament its shaders: without it the process ends

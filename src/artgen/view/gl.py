@@ -18,12 +18,7 @@ _process: dict[str, int] = {}  # the one that draws; a forked one finds its pare
 
 
 def claim_process() -> None:
-    """Let this process draw, and none that will be forked from it.
-
-    Raises:
-        RenderError: It was forked from one that has drawn: drivers would wait forever for threads that only
-            that one has.
-    """
+    """Let this process draw, and none that will be forked from it."""
     if _process.setdefault("id", os.getpid()) != os.getpid():
         raise RenderError(
             "this process was forked from one that had drawn a picture, which graphics drivers do not "
@@ -41,9 +36,6 @@ def available() -> str:
     """Return the way to OpenGL that is taken: `egl`, `osmesa` or, where there are windows, `window`.
 
     The environment variable MUJOCO_GL decides; by default the first of EGL and OSMesa whose library loads.
-
-    Raises:
-        RenderError: There is none; the message names the packages.
     """
     wanted = os.environ.get("MUJOCO_GL", "").lower().strip()
     if wanted in ("disable", "disabled", "off", "false", "0"):
@@ -75,11 +67,7 @@ def _library(name: str) -> bool:
 
 
 def context(width: int, height: int) -> Any:
-    """Return an OpenGL context, with `make_current()` and `free()`.
-
-    Raises:
-        RenderError: None can be made.
-    """
+    """Return an OpenGL context, with `make_current()` and `free()`."""
     name = available()
     try:
         if name == "egl":

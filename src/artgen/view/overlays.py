@@ -54,57 +54,34 @@ PALETTE: tuple[Rgb, ...] = tuple(
 
 @dataclass(frozen=True, eq=False)
 class ColliderFaces:
-    """A collider as triangles.
+    """A collider as triangles."""
 
-    Attributes:
-        label: Semantic label of what it covers.
-        kind: `box`, `cylinder`, `sphere`, `capsule` or `hull`.
-        vertices: Shape (n, 3) [m].
-        triangles: Counter-clockwise seen from outside, shape (m, 3).
-    """
-
-    label: str
-    kind: str
-    vertices: Array
-    triangles: Indices
+    label: str  # semantic label of what it covers
+    kind: str  # `box`, `cylinder`, `sphere`, `capsule` or `hull`
+    vertices: Array  # shape (n, 3) [m]
+    triangles: Indices  # counter-clockwise seen from outside, shape (m, 3)
 
 
 @dataclass(frozen=True, eq=False)
 class HoldFrame:
-    """Where a hand acts: z along its approach, x along the closing of a gripper.
+    """Where a hand acts: z along its approach, x along the closing of a gripper."""
 
-    Attributes:
-        name: Name of the grasp or push.
-        kind: Which of the two it is.
-        frame: Shape (4, 4) [m].
-        width: Opening that fingers need; 0 for a push [m].
-    """
-
-    name: str
-    kind: Literal["grasp", "push"]
-    frame: Array
-    width: float
+    name: str  # name of the grasp or push
+    kind: Literal["grasp", "push"]  # which of the two it is
+    frame: Array  # shape (4, 4) [m]
+    width: float  # opening that fingers need; 0 for a push [m]
 
 
 @dataclass(frozen=True, eq=False)
 class LinkOverlay:
-    """What is drawn over a link and moves with it.
+    """What is drawn over a link and moves with it."""
 
-    Attributes:
-        link: Its name.
-        label: Its semantic label.
-        mass: [kg].
-        center: Centre of mass, shape (3,) [m].
-        colliders: Its convex pieces.
-        holds: Its grasps and pushes.
-    """
-
-    link: str
-    label: str
-    mass: float
-    center: Array
-    colliders: tuple[ColliderFaces, ...]
-    holds: tuple[HoldFrame, ...]
+    link: str  # its name
+    label: str  # its semantic label
+    mass: float  # [kg]
+    center: Array  # centre of mass, shape (3,) [m]
+    colliders: tuple[ColliderFaces, ...]  # its convex pieces
+    holds: tuple[HoldFrame, ...]  # its grasps and pushes
 
 
 @dataclass(frozen=True, eq=False)
@@ -113,44 +90,28 @@ class JointOverlay:
 
     `axis` and `range` stay with the joint (`axis_poses`); `hand` moves like that of a clock, by
     `axis_poses(asset, q)[joint] @ asset.joint(joint).motion(position)`: its end then lies on `range`.
-
-    Attributes:
-        joint: Its name.
-        kind: `revolute` or `prismatic`.
-        parent: Name of the link that the axis belongs to.
-        child: Name of the link that moves.
-        axis: Ends of a segment on the axis, in its direction, shape (2, 3) [m].
-        range: Points of the way that the end of `hand` takes, from the lowest position to the highest: an
-            arc, or the two ends of a line; a full circle where a turn is unlimited, shape (k, 3) [m].
-        hand: Segment from the axis to where the way passes the position 0, shape (2, 3) [m].
-        limited: Whether the ends of `range` are limits.
     """
 
-    joint: str
-    kind: str
-    parent: str
-    child: str
-    axis: Array
+    joint: str  # its name
+    kind: str  # `revolute` or `prismatic`
+    parent: str  # name of the link that the axis belongs to
+    child: str  # name of the link that moves
+    axis: Array  # ends of a segment on the axis, in its direction, shape (2, 3) [m]
+    # points of the way that the end of `hand` takes, from the lowest position to the highest: an arc, or
+    # the two ends of a line; a full circle where a turn is unlimited, shape (k, 3) [m]
     range: Array
-    hand: Array
-    limited: bool
+    hand: Array  # segment from the axis to where the way passes the position 0, shape (2, 3) [m]
+    limited: bool  # whether the ends of `range` are limits
 
 
 @dataclass(frozen=True, eq=False)
 class Overlays:
-    """All that can be drawn over an asset.
+    """All that can be drawn over an asset."""
 
-    Attributes:
-        links: By the name of the link.
-        joints: By the name of the joint; locked joints are left out.
-        colors: The colour of each semantic label.
-        size: Diagonal of the asset's bounding box, to choose the size of signs by [m].
-    """
-
-    links: Mapping[str, LinkOverlay]
-    joints: Mapping[str, JointOverlay]
-    colors: Mapping[str, Rgb]
-    size: float
+    links: Mapping[str, LinkOverlay]  # by the name of the link
+    joints: Mapping[str, JointOverlay]  # by the name of the joint; locked joints are left out
+    colors: Mapping[str, Rgb]  # the colour of each semantic label
+    size: float  # diagonal of the asset's bounding box, to choose the size of signs by [m]
 
 
 def overlays(asset: Asset) -> Overlays:
@@ -168,9 +129,6 @@ def axis_poses(asset: Asset, q: Mapping[str, float] | None = None) -> dict[str, 
     """Return how the axis of each joint is displaced from rest, shape (4, 4).
 
     Of several joints between two links, each is carried by those before it.
-
-    Raises:
-        AssetError: As of `asset.pose`.
     """
     positions, poses, result = asset.positions(q), asset.pose(q), {}
     for parent, _, joints in asset.pairs():

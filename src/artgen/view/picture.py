@@ -42,15 +42,12 @@ class Segmentation:
 
 @dataclass(frozen=True, eq=False)
 class Passes:
-    """What a picture is made by, each drawn when it is first asked for.
+    """What a picture is made by, each drawn when it is first asked for."""
 
-    Attributes:
-        surfaces: Number of the surface at each pixel's centre from 1, 0 for none, with the depth of it along
-            the camera's axis [m], infinite for none; both of shape (height, width).
-        normals: Unit normals in asset coordinates, zero where nothing is seen, shape (height, width, 3).
-    """
-
+    # number of the surface at each pixel's centre from 1, 0 for none, with the depth of it along the
+    # camera's axis [m], infinite for none; both of shape (height, width)
     surfaces: Callable[[], tuple[NDArray[np.int32], Array]]
+    # unit normals in asset coordinates, zero where nothing is seen, shape (height, width, 3)
     normals: Callable[[], Array]
 
 
@@ -113,11 +110,7 @@ class Picture:
 
 
 def save_image(pixels: Pixels, path: str | Path, quality: int = 92) -> Path:
-    """Write sRGB pixels, shape (height, width, 3), to a PNG or JPEG file.
-
-    Raises:
-        ExportError: The name ends otherwise, or the file cannot be written.
-    """
+    """Write sRGB pixels, shape (height, width, 3), to a PNG or JPEG file."""
     from PIL import Image
 
     path = Path(path)

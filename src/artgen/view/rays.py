@@ -14,34 +14,18 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class Hits:
-    """The first hits of rays.
+    """The first hits of rays."""
 
-    Attributes:
-        surfaces: Number of the surface that each ray hits from 1, 0 for none, shape (n,).
-        distance: How often the direction fits between origin and hit, infinite for none, shape (n,).
-        normals: Unit normals, interpolated over the triangles; zero for none, shape (n, 3).
-        triangles: Number of the triangle among those of all surfaces, -1 for none, shape (n,).
-        shares: Barycentric coordinates of the hit in its triangle, shape (n, 3).
-    """
-
-    surfaces: NDArray[np.int32]
-    distance: Array
-    normals: Array
+    surfaces: NDArray[np.int32]  # number of the surface that each ray hits from 1, 0 for none, shape (n,)
+    distance: Array  # how often the direction fits between origin and hit, infinite for none, shape (n,)
+    normals: Array  # unit normals, interpolated over the triangles; zero for none, shape (n, 3)
+    # number of the triangle among those of all surfaces, -1 for none, shape (n,)
     triangles: NDArray[np.int64]
-    shares: Array
+    shares: Array  # barycentric coordinates of the hit in its triangle, shape (n, 3)
 
 
 def cast(meshes: Sequence[Mesh], origin: Array, directions: Array) -> Hits:
-    """Return what rays from one point hit first.
-
-    Args:
-        meshes: The surfaces.
-        origin: Where the rays begin, shape (3,) [m].
-        directions: Of any length, shape (n, 3).
-
-    Raises:
-        RenderError: Embree is not installed.
-    """
+    """Return what rays from one point hit first."""
     try:
         from embreex.mesh_construction import TriangleMesh
         from embreex.rtcore_scene import EmbreeScene

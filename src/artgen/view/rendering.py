@@ -109,11 +109,7 @@ def _close_kept() -> None:
 
 
 def _renderer(asset: Asset, backend: str, studio: Studio, textures: int, size: tuple[int, int]) -> Any:
-    """Return the renderer of an asset, made anew only where none is kept.
-
-    Raises:
-        RenderError: This is a forked process, or a library is missing.
-    """
+    """Return the renderer of an asset, made anew only where none is kept."""
     gl.claim_process()
     kept: OrderedDict[Any, Any] = vars(_kept).setdefault("renderers", OrderedDict())
     key = (id(asset), backend, studio, textures)
@@ -174,11 +170,7 @@ def _points(asset: Asset, poses: Mapping[str, Array]) -> dict[str, Array]:
 
 
 def checked_size(size: Any) -> tuple[int, int]:
-    """Return the width and height of a picture.
-
-    Raises:
-        ParameterError: They are no numbers of pixels that can be drawn.
-    """
+    """Return the width and height of a picture."""
     both = (size, size) if isinstance(size, int) and not isinstance(size, bool) else size
     try:
         width, height = both

@@ -26,15 +26,10 @@ HIDDEN_GROUP = 5
 
 @dataclass(frozen=True)
 class Layer:
-    """A material of MuJoCo with which a surface is drawn once.
+    """A material of MuJoCo with which a surface is drawn once."""
 
-    Attributes:
-        name: Name of the material in the model.
-        mirrors: Whether its texture is what the studio looks like in a mirror.
-    """
-
-    name: str
-    mirrors: bool = False
+    name: str  # name of the material in the model
+    mirrors: bool = False  # whether its texture is what the studio looks like in a mirror
 
 
 class Dress(Protocol):
@@ -49,17 +44,11 @@ class Dress(Protocol):
 
 @dataclass(frozen=True, eq=False)
 class Drawn:
-    """A surface of the asset in the model.
+    """A surface of the asset in the model."""
 
-    Attributes:
-        link: Number of its link.
-        mesh: Its faces, in asset coordinates at rest.
-        mirrors: Number of each of its meshes in the model that mirror the studio.
-    """
-
-    link: int
-    mesh: Mesh
-    mirrors: tuple[int, ...]
+    link: int  # number of its link
+    mesh: Mesh  # its faces, in asset coordinates at rest
+    mirrors: tuple[int, ...]  # number of each of its meshes in the model that mirror the studio
 
 
 class Scene:
@@ -111,11 +100,7 @@ class Scene:
         self.drawn = tuple(drawn)
 
     def placed(self, camera: Camera, poses: Mapping[str, Array]) -> tuple[Camera, list[Array]]:
-        """Pose the links as seen by a camera, which stands on the studio's front whatever it sees.
-
-        Returns:
-            The camera and the pose of each link in studio coordinates.
-        """
+        """Pose the links as seen by a camera, which stands on the studio's front whatever it sees."""
         import mujoco
 
         studio = self.place.turned(camera)

@@ -54,20 +54,6 @@ def sheet(
 
     Each asset fills its pictures, whose shape suits most of the first ones. It is seen from the side from
     which one looks into it when it is open, and from the higher the smaller and the flatter it is.
-
-    Args:
-        assets: Makers of the assets, each called when its turn comes.
-        views: 1 for what is seen from in front, 2 for a picture from behind as well.
-        size: Height of one picture [pixels].
-        columns: Cells in a row; by default the page is about one and a half times as wide as high.
-        backend: As of `render`.
-        textures: As of `render`.
-        samples: As of `render`.
-        progress: Called with how many assets are done and how many there are.
-
-    Raises:
-        ParameterError: There are no assets, or a number is not allowed.
-        RenderError: A renderer or its library is missing.
     """
     if not assets or views not in (1, 2) or (columns is not None and columns < 1):
         raise ParameterError(
@@ -165,11 +151,7 @@ def words(asset: Asset) -> str:
 
 
 def save_sheet(pixels: Pixels, path: str | Path) -> Path:
-    """Write a sheet to a PNG file, or to a JPEG file of at most 350 kB where any quality allows it.
-
-    Raises:
-        ExportError: The name ends otherwise, or the file cannot be written.
-    """
+    """Write a sheet to a PNG file, or to a JPEG file of at most 350 kB where any quality allows it."""
     from PIL import Image
 
     from artgen.view.picture import check_suffix, save_image

@@ -21,21 +21,13 @@ _SKIRTING = Material("studio_skirting", (0.80, 0.79, 0.77), specular_roughness=0
 
 @dataclass(frozen=True, eq=False)
 class Backdrop:
-    """What stands around an asset, in studio coordinates.
+    """What stands around an asset, in studio coordinates."""
 
-    Attributes:
-        kind: `studio`, `room` or `none`.
-        center: The middle of the asset at rest, shape (3,) [m].
-        radius: Half the diagonal of its bounding box [m].
-        floor: Height of the floor [m].
-        meshes: What is seen, with its materials.
-    """
-
-    kind: str
-    center: Array
-    radius: float
-    floor: float
-    meshes: tuple[tuple[Mesh, Material], ...]
+    kind: str  # `studio`, `room` or `none`
+    center: Array  # the middle of the asset at rest, shape (3,) [m]
+    radius: float  # half the diagonal of its bounding box [m]
+    floor: float  # height of the floor [m]
+    meshes: tuple[tuple[Mesh, Material], ...]  # what is seen, with its materials
 
     @property
     def beyond(self) -> float:

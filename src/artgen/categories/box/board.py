@@ -55,34 +55,21 @@ Thing = TypeVar("Thing", Solid, Body)
 
 @dataclass(frozen=True)
 class Feel:
-    """How a crease resists, for each metre of its length.
+    """How a crease resists, for each metre of its length."""
 
-    Attributes:
-        stiffness: Of the spring towards `rest` [N m/rad per m].
-        rest: How far a flap of a new box springs open again [rad].
-        friction: Moment of a bent crease, which holds flaps in place [N m per m].
-        damping: [N m s/rad per m].
-    """
-
-    stiffness: Scalar
-    rest: Scalar
-    friction: Scalar
-    damping: Scalar
+    stiffness: Scalar  # of the spring towards `rest` [N m/rad per m]
+    rest: Scalar  # how far a flap of a new box springs open again [rad]
+    friction: Scalar  # moment of a bent crease, which holds flaps in place [N m per m]
+    damping: Scalar  # [N m s/rad per m]
 
 
 @dataclass(frozen=True)
 class Board:
-    """What a box is cut from.
+    """What a box is cut from."""
 
-    Attributes:
-        flute: Its kind.
-        outside: Liner of the outer face.
-        inside: Liner of the inner face.
-    """
-
-    flute: Flute
-    outside: Material
-    inside: Material
+    flute: Flute  # its kind
+    outside: Material  # liner of the outer face
+    inside: Material  # liner of the inner face
 
     @property
     def thick(self) -> float:
@@ -98,12 +85,7 @@ class Board:
         return material("cardboard_edge").with_(name=f"{self.flute}_flute_edge", tile=tile)
 
     def sheet(self, outline: Profile, *, relief: Scalar | None = 0.0) -> Solid:
-        """Cut a sheet with its outer face at z = 0.
-
-        Args:
-            outline: Its outline, from y = 0 on where it has a crease there.
-            relief: How much farther from its crease it is mitred at y = 0 [m]; None where it has no crease.
-        """
+        """Cut a sheet with its outer face at z = 0."""
         core = extrude(outline, 3.0 * self.thick).at(0.0, 0.0, -self.thick / 2.0).paint(self.edge)
         cut = core & self._slab()
         return cut if relief is None else cut - self._mitre().at(0.0, relief, 0.0)
@@ -129,23 +111,14 @@ class Board:
 
 @dataclass(frozen=True)
 class Mouth:
-    """What the sides of an opening are called where they are in the asset; those of a top, by default.
+    """What the sides of an opening are called where they are in the asset; those of a top, by default."""
 
-    Attributes:
-        front: The side at -y where the opening is at the top.
-        back: That at +y.
-        left: That at -x.
-        right: That at +x.
-        suffix: At the end of all names.
-        grounded: Whether the side `front` lies on the floor, on which its flap comes to lie.
-    """
-
-    front: str = "front"
-    back: str = "back"
-    left: str = "left"
-    right: str = "right"
-    suffix: str = ""
-    grounded: bool = False
+    front: str = "front"  # the side at -y where the opening is at the top
+    back: str = "back"  # that at +y
+    left: str = "left"  # that at -x
+    right: str = "right"  # that at +x
+    suffix: str = ""  # at the end of all names
+    grounded: bool = False  # whether the side `front` lies on the floor, on which its flap comes to lie
 
     def link(self, kind: str, side: str | None = None) -> str:
         """Return the name of what is at a side, or of the one thing that there is."""
@@ -161,38 +134,23 @@ TOP = Mouth()
 
 
 def tongue(half: Scalar, reach: Scalar, *, shoulder: Scalar, tip: Scalar) -> Profile:
-    """Make the outline of a flap that narrows from a shoulder on to its tip.
-
-    Args:
-        half: Half of its width at the crease [m].
-        reach: From the crease to the tip [m].
-        shoulder: Where it begins to narrow [m].
-        tip: Half of its width at the tip [m].
-    """
+    """Make the outline of a flap that narrows from a shoulder on to its tip."""
     corners = [(half, 0.0), (half, shoulder), (tip, reach)]
     return polygon([*corners, *((-x, y) for x, y in reversed(corners))])
 
 
 @dataclass(frozen=True)
 class Crease:
-    """Where a sheet is joined to a wall or to another sheet, in the frame of that one.
+    """Where a sheet is joined to a wall or to another sheet, in the frame of that one."""
 
-    Attributes:
-        x: Middle of the crease, where both outer faces would meet [m].
-        y: The same [m].
-        z: The same [m].
-        turn: About z, from the frame's y to the way of the sheet [rad].
-        folded: Whether the sheet hangs down at rest: it is joined to a sheet in the plane of the frame.
-            Otherwise it closes a box whose wall hangs down.
-        lean: By how much more it is folded [rad].
-    """
-
-    x: Scalar
-    y: Scalar
-    z: Scalar = 0.0
-    turn: float = 0.0
+    x: Scalar  # middle of the crease, where both outer faces would meet [m]
+    y: Scalar  # the same [m]
+    z: Scalar = 0.0  # the same [m]
+    turn: float = 0.0  # about z, from the frame's y to the way of the sheet [rad]
+    # whether the sheet hangs down at rest: it is joined to a sheet in the plane of the frame. Otherwise it
+    # closes a box whose wall hangs down
     folded: bool = False
-    lean: Scalar | None = None
+    lean: Scalar | None = None  # by how much more it is folded [rad]
 
     def place(self, thing: Thing) -> Thing:
         """Move what was made in the crease's own frame to where it is at rest."""
@@ -226,17 +184,7 @@ class Crease:
         needs: Condition | Dependency | None = None,
         holding: Scalar = 0.0,
     ) -> Joint:
-        """Make the hinge that a crease is.
-
-        Args:
-            name: Its name.
-            feel: How it resists.
-            length: Of the crease [m].
-            reach: From the crease to the free edge, where a hand pulls [m].
-            opening: How far it opens [rad].
-            needs: Where it may.
-            holding: Weight that friction holds at least [N m].
-        """
+        """Make the hinge that a crease is."""
         cosine, sine = math.cos(self.turn), math.sin(self.turn)
         across, up = (FOLD, FOLD) if self.folded else (-FOLD, FOLD)
         friction = feel.friction * length

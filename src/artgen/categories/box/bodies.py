@@ -31,16 +31,7 @@ _NO_RIM = (
 def walls(
     board: Board, width: Scalar, depth: Scalar, height: Scalar, *, base: Scalar = 0.0, floor: bool = True
 ) -> Solid:
-    """Make four walls, and the floor between them.
-
-    Args:
-        board: What they are cut from.
-        width: Along x, outside [m].
-        depth: Along y, outside [m].
-        height: Where they end [m].
-        base: Where they begin [m].
-        floor: Whether there is a floor.
-    """
+    """Make four walls, and the floor between them."""
     t = board.thick
     shell = box_between(
         (-width / 2.0, -depth / 2.0, base), (width / 2.0, depth / 2.0, height + 0.004), bevel=_ROUND
@@ -78,16 +69,7 @@ def hand_holes(
     depth: Scalar,
     span: tuple[Scalar, Scalar],
 ) -> Solid:
-    """Cut a hand hole into each wall at a side, square: see `hole_corners`.
-
-    Args:
-        solid: The walls.
-        width: From outside to outside of these walls [m].
-        height: Of the middle of the holes [m].
-        board: What the walls are cut from.
-        depth: Of these walls, from outside to outside of the others [m].
-        span: Between which heights these walls are free [m].
-    """
+    """Cut a hand hole into each wall at a side, square: see `hole_corners`."""
     wide, tall = _HOLE
     beside, (low, high) = depth / 2.0 - board.thick - _RIM, span
     over = tall / 2.0 + _RIM
@@ -100,14 +82,7 @@ def hand_holes(
 
 
 def hole_corners(width: Scalar, height: Scalar, board: Board, *, label: str = "box") -> list[Body]:
-    """Show the slanted corners of hand holes; the walls collide without them, which are few boxes then.
-
-    Args:
-        width: From outside to outside of the walls [m].
-        height: Of the middle of the holes [m].
-        board: What the walls are cut from.
-        label: Of the walls.
-    """
+    """Show the slanted corners of hand holes; the walls collide without them, which are few boxes then."""
     x, y = _HOLE[0] / 2.0, _HOLE[1] / 2.0
     over = 0.0003  # into the wall
     corner = polygon([(x, 0.4 * y), (x + over, 0.4 * y), (x + over, y + over), (x - 0.6 * y, y + over),
@@ -129,18 +104,7 @@ def cells(
     high: Scalar,
     finish: Material | None = None,
 ) -> Body | None:
-    """Make the dividers of a box for bottles, slotted into each other; none for a single cell.
-
-    Args:
-        board: What the box is cut from; they are thinner.
-        width: Along x, inside [m].
-        depth: Along y, inside [m].
-        columns: Cells along x.
-        rows: Cells along y.
-        low: Where they begin [m].
-        high: Where they end [m].
-        finish: Their liner; by default that of the inside.
-    """
+    """Make the dividers of a box for bottles, slotted into each other; none for a single cell."""
     thick = 0.6 * board.thick
     boards = []
     for number in range(1, columns):

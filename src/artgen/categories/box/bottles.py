@@ -60,25 +60,15 @@ _FOIL = {
 
 @dataclass(frozen=True)
 class Bottles:
-    """What stands in the cells.
+    """What stands in the cells."""
 
-    Attributes:
-        wine: Which.
-        columns: Cells along x.
-        rows: Cells along y.
-        cell: Their side [m].
-        floor: On which they stand [m].
-        ceiling: Lower face of the lid, or of the minor flaps over some of them [m].
-        higher: How much higher the major flaps are over the others [m].
-    """
-
-    wine: Wine
-    columns: int
-    rows: int
-    cell: Scalar
-    floor: Scalar
-    ceiling: Scalar
-    higher: Scalar = 0.0
+    wine: Wine  # which
+    columns: int  # cells along x
+    rows: int  # cells along y
+    cell: Scalar  # their side [m]
+    floor: Scalar  # on which they stand [m]
+    ceiling: Scalar  # lower face of the lid, or of the minor flaps over some of them [m]
+    higher: Scalar = 0.0  # how much higher the major flaps are over the others [m]
 
     def under(self, lid: Joint, angle: float, body: Body) -> Body:
         """Put a bottle into each cell, to be lifted out where a lid is open beyond an angle [rad]."""
@@ -86,13 +76,7 @@ class Bottles:
         return self._put(body, needs, [self.ceiling] * len(needs))
 
     def below(self, flaps: Sequence[Joint], angle: float, body: Body) -> Body:
-        """Put a bottle into each cell, to be lifted out where the flaps over it are open beyond an angle.
-
-        Args:
-            flaps: Those in front, at the back, at the left and at the right, as long as half the depth.
-            angle: How far they have to be open [rad].
-            body: The box.
-        """
+        """Put a bottle into each cell, to be lifted out where the flaps over it are open beyond an angle."""
         needs, ceilings = [], []
         for row in range(self.rows):
             for column in range(self.columns):

@@ -37,29 +37,17 @@ _TAPE_WIDE = 0.048  # packing tape, half of it on either flap once it is slit [m
 
 @dataclass(frozen=True)
 class Top:
-    """Four flaps of one length at the top of a box, its majors at the front and at the back.
+    """Four flaps of one length at the top of a box, its majors at the front and at the back."""
 
-    Attributes:
-        board: What it is cut from.
-        width: Of the box along x, outside [m].
-        depth: Of the box along y, outside [m].
-        height: Of the closed box [m].
-        swing: How far flaps open if nothing stops them [rad].
-        taped: Whether tape was slit along the seam.
-        ground: Height above which flaps have room to hang down [m].
-        beside: Where minor flaps are pushed up, from their middle [m].
-        mouth: What its sides are called, and whether the one in front lies on the floor.
-    """
-
-    board: Board
-    width: Scalar
-    depth: Scalar
-    height: Scalar
-    swing: Scalar
-    taped: bool
-    ground: Scalar = 0.0
-    beside: Scalar = 0.0
-    mouth: Mouth = TOP
+    board: Board  # what it is cut from
+    width: Scalar  # of the box along x, outside [m]
+    depth: Scalar  # of the box along y, outside [m]
+    height: Scalar  # of the closed box [m]
+    swing: Scalar  # how far flaps open if nothing stops them [rad]
+    taped: bool  # whether tape was slit along the seam
+    ground: Scalar = 0.0  # height above which flaps have room to hang down [m]
+    beside: Scalar = 0.0  # where minor flaps are pushed up, from their middle [m]
+    mouth: Mouth = TOP  # what its sides are called, and whether the one in front lies on the floor
 
     @property
     def reach(self) -> Scalar:
@@ -120,15 +108,7 @@ class Top:
         label: str = "box",
         bottles: Bottles | None = None,
     ) -> Body:
-        """Join the four flaps to a box.
-
-        Args:
-            body: The box.
-            feel: How its creases resist. New major flaps spring up again; minor ones stay in below them.
-            printed: Print on the major flaps by side, in the frame of the sheet.
-            label: Of the box.
-            bottles: What is lifted out where all flaps are open.
-        """
+        """Join the four flaps to a box."""
         turns: list[Joint] = []
         marks = printed or {}
         thick, free = self.board.thick + FOLD, SLIT / 2.0 - 0.0002  # the lower edge swings out by less

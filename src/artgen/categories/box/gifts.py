@@ -42,37 +42,19 @@ _RIBBON = 0.0005  # thickness of satin ribbon on a face [m]
 
 @dataclass(frozen=True)
 class Gift:
-    """A gift box.
+    """A gift box."""
 
-    Attributes:
-        board: Greyboard, wrapped.
-        width: Along x, outside [m].
-        depth: Along y, outside [m].
-        height: Closed [m].
-        satin: The ribbon.
-        wide: Its width [m].
-        hollow: Of the foam inside a box with a flap or a drawer.
-        foam: That foam.
-    """
-
-    board: Board
-    width: Scalar
-    depth: Scalar
-    height: Scalar
-    satin: Material
-    wide: Scalar
-    hollow: Hollow
-    foam: Material
+    board: Board  # greyboard, wrapped
+    width: Scalar  # along x, outside [m]
+    depth: Scalar  # along y, outside [m]
+    height: Scalar  # closed [m]
+    satin: Material  # the ribbon
+    wide: Scalar  # its width [m]
+    hollow: Hollow  # of the foam inside a box with a flap or a drawer
+    foam: Material  # that foam
 
     def lifted(self, skirt: Scalar, rub: Scalar, *, crossed: bool, printed: list[Body]) -> Body:
-        """Make a base with a lid over it, which a ribbon with a bow goes around.
-
-        Args:
-            skirt: How far down the lid reaches [m].
-            rub: Friction of lid and base, as a share of the lid's weight.
-            crossed: Whether ribbon goes around both ways.
-            printed: Print on the lid.
-        """
+        """Make a base with a lid over it, which a ribbon with a bow goes around."""
         inset = 2.0 * (self.board.thick + PLAY)
         wide, deep = self.width - inset, self.depth - inset
         base_top = self.height - self.board.thick - LAYER
@@ -134,14 +116,7 @@ class Gift:
     def _insert(
         self, width: Scalar, depth: Scalar, at: tuple[Scalar, Scalar, Scalar], height: Scalar
     ) -> list[Body]:
-        """Make the foam that holds what is given, with a hollow for it; none in a box for anything.
-
-        Args:
-            width: Of the room, inside [m].
-            depth: The same [m].
-            at: Middle of its floor [m].
-            height: Of the foam [m].
-        """
+        """Make the foam that holds what is given, with a hollow for it; none in a box for anything."""
         if self.hollow == "none":
             return []
         block = box_between(
@@ -159,15 +134,7 @@ class Gift:
     def flapped(
         self, feel: Feel, *, opening: Scalar, reach: Scalar, rounded: bool, printed: list[Body]
     ) -> Body:
-        """Make a base whose lid hangs at the back and ends in a flap over the front.
-
-        Args:
-            feel: How the hinges of wrapping paper resist.
-            opening: How far the lid opens [rad].
-            reach: Of the flap down the front [m].
-            rounded: Whether its corners are round.
-            printed: Print on the lid, in the frame of its sheet.
-        """
+        """Make a base whose lid hangs at the back and ends in a flap over the front."""
         board, t = self.board, self.board.thick
         long = self.depth + t + 0.0008
         hinge = Crease(0.0, self.depth / 2.0, self.height, turn=math.pi)
@@ -206,12 +173,7 @@ class Gift:
         return body.attach(hinge.place(lid.attach(front.place(cover), turn)), swing)
 
     def drawn(self, friction: Scalar, *, printed: list[Body]) -> Body:
-        """Make a sleeve with a drawer, which a ribbon pulls out.
-
-        Args:
-            friction: Of the drawer [N].
-            printed: Print on the sleeve.
-        """
+        """Make a sleeve with a drawer, which a ribbon pulls out."""
         board, t = self.board, self.board.thick
         case = part(drawer_case(board, self.width, self.depth, self.height), "box", board.outside)
         wide, tall = self.width - 2.0 * (t + PLAY), self.height - 2.0 * (t + PLAY)

@@ -44,25 +44,15 @@ _GRID = {2: (2, 1), 3: (3, 1), 6: (3, 2), 12: (4, 3)}  # cells along x and y
 
 @dataclass(frozen=True)
 class Draft:
-    """What boxes of all kinds share.
+    """What boxes of all kinds share."""
 
-    Attributes:
-        board: What they are cut from.
-        width: Along x, outside [m].
-        depth: Along y, outside [m].
-        height: Closed [m].
-        feel: How creases resist.
-        swing: How far flaps open where they have room [rad].
-        look: What is printed.
-    """
-
-    board: Board
-    width: Scalar
-    depth: Scalar
-    height: Scalar
-    feel: Feel
-    swing: Scalar
-    look: Look
+    board: Board  # what they are cut from
+    width: Scalar  # along x, outside [m]
+    depth: Scalar  # along y, outside [m]
+    height: Scalar  # closed [m]
+    feel: Feel  # how creases resist
+    swing: Scalar  # how far flaps open where they have room [rad]
+    look: Look  # what is printed
 
     def flap_label(self, top: Top) -> dict[str, list[Body]]:
         """Return the address on the front flap of a slotted top, in the frame of its sheet."""

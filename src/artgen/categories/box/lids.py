@@ -54,35 +54,21 @@ _NO_WINGS = (
 
 @dataclass(frozen=True)
 class Lidded:
-    """A box whose lid hangs on its back wall.
+    """A box whose lid hangs on its back wall."""
 
-    Attributes:
-        board: What it is cut from.
-        width: Along x, outside [m].
-        depth: Along y, outside [m].
-        height: Closed [m].
-        sides: How the lid meets the walls at the sides.
-        ears: Whether the tuck has ears, which go in beside the walls.
-        dust: Reach of flaps at the walls under the lid [m]; None where there are none.
-        opening: How far the lid opens [rad].
-        lips: Whether flaps under the lid end in lips, which are folded down.
-        lined: Where the second layer of the walls begins, into which ears go [m]; None at the floor.
-        grip: From the tuck to the tab that opens the lid [m].
-        mouth: What the sides are called.
-    """
-
-    board: Board
-    width: Scalar
-    depth: Scalar
-    height: Scalar
-    sides: Sides
-    ears: bool
-    dust: Scalar | None
-    opening: Scalar
-    lips: bool = False
+    board: Board  # what it is cut from
+    width: Scalar  # along x, outside [m]
+    depth: Scalar  # along y, outside [m]
+    height: Scalar  # closed [m]
+    sides: Sides  # how the lid meets the walls at the sides
+    ears: bool  # whether the tuck has ears, which go in beside the walls
+    dust: Scalar | None  # reach of flaps at the walls under the lid [m]; None where there are none
+    opening: Scalar  # how far the lid opens [rad]
+    lips: bool = False  # whether flaps under the lid end in lips, which are folded down
+    # where the second layer of the walls begins, into which ears go [m]; None at the floor
     lined: Scalar | None = None
-    grip: float = 0.006
-    mouth: Mouth = TOP
+    grip: float = 0.006  # from the tuck to the tab that opens the lid [m]
+    mouth: Mouth = TOP  # what the sides are called
 
     @property
     def tuck(self) -> Float:
@@ -181,15 +167,7 @@ class Lidded:
     def attached(
         self, body: Body, feel: Feel, *, printed: list[Body], swing: Scalar, bottles: Bottles | None = None
     ) -> Body:
-        """Join the lid and all that hangs on it.
-
-        Args:
-            body: The box.
-            feel: How its creases resist. A new lid springs up again; what is bent in below it stays so.
-            printed: Print on the lid, in the frame of the sheet.
-            swing: How far dust flaps open if nothing stops them [rad].
-            bottles: What is lifted out where lid and flaps are open.
-        """
+        """Join the lid and all that hangs on it."""
         weight = 9.81 * 1.2 * self.board.outside.density * self.board.thick * 2.0 * self.half * self.reach
         # a fresh crease is no free spring: it takes the swing out of a lid, which otherwise slams shut
         mass, length = weight / 9.81, 2.0 * self.half

@@ -86,17 +86,11 @@ def barcode(width: Scalar, height: Scalar, seed: int) -> Profile:
 
 @dataclass(frozen=True)
 class Ink:
-    """A printer of one colour on one face.
+    """A printer of one colour on one face."""
 
-    Attributes:
-        material: The ink.
-        facing: Out of the face.
-        up: Upward for the reader; None is up, or to the back on a top.
-    """
-
-    material: Material
-    facing: VectorLike = (0.0, -1.0, 0.0)
-    up: VectorLike | None = None
+    material: Material  # the ink
+    facing: VectorLike = (0.0, -1.0, 0.0)  # out of the face
+    up: VectorLike | None = None  # upward for the reader; None is up, or to the back on a top
 
     def put(self, profile: Profile, at: VectorLike) -> Body:
         """Print a profile about a point of the face."""
@@ -106,12 +100,7 @@ class Ink:
 
 
 def handling(signs: tuple[str, ...], size: Scalar) -> Profile:
-    """Set handling signs in a row about the origin.
-
-    Args:
-        signs: Of `up`, `fragile`, `dry` and `recycle`.
-        size: Their height [m].
-    """
+    """Set handling signs in a row about the origin."""
     made = {"up": arrows, "fragile": fragile, "dry": umbrella, "recycle": recycling}
     row: Profile | None = None
     for number, sign in enumerate(signs):

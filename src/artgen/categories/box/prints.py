@@ -35,23 +35,15 @@ _FRONT = (0.0, -1.0, 0.0)
 
 @dataclass(frozen=True)
 class Look:
-    """What is printed.
+    """What is printed."""
 
-    Attributes:
-        maker: The brand.
-        model: A number.
-        emblem: Sign beside the brand.
-        tint: Colour of the ink on light board.
-        signs: Handling signs.
-        label: Whether there is a sticker with an address, or with what is inside.
-    """
-
-    maker: str
-    model: int
+    maker: str  # the brand
+    model: int  # a number
+    # sign beside the brand
     emblem: Literal["leaf", "hexagon", "waves", "peak", "sun", "diamond", "quarters", "ring"]
-    tint: str
-    signs: Signs
-    label: bool
+    tint: str  # colour of the ink on light board
+    signs: Signs  # handling signs
+    label: bool  # whether there is a sticker with an address, or with what is inside
 
     def ink(self, finish: Material) -> Material:
         """Return the ink that shows on a finish."""
@@ -68,21 +60,13 @@ class Look:
 
 @dataclass(frozen=True)
 class _Face:
-    """A wall to print on.
+    """A wall to print on."""
 
-    Attributes:
-        facing: Out of it.
-        wide: Its width [m].
-        out: From the middle of the box [m].
-        low: Where its free part begins [m].
-        tall: Of that part [m].
-    """
-
-    facing: tuple[float, float, float]
-    wide: Scalar
-    out: Scalar
-    low: Scalar
-    tall: Scalar
+    facing: tuple[float, float, float]  # out of it
+    wide: Scalar  # its width [m]
+    out: Scalar  # from the middle of the box [m]
+    low: Scalar  # where its free part begins [m]
+    tall: Scalar  # of that part [m]
 
     def at(self, share: float, aside: Scalar = 0.0) -> tuple[Scalar, Scalar, Scalar]:
         """Return the point at a share of the height, aside to the reader's right [m]."""
@@ -100,17 +84,7 @@ def shipping_print(
     finish: Material,
     sides: bool = True,
 ) -> list[Body]:
-    """Print a shipping box on its walls.
-
-    Args:
-        look: What to print.
-        width: Of the box, outside [m].
-        depth: The same [m].
-        low: Where the free part of the walls begins [m].
-        high: Where it ends [m].
-        finish: Of the walls.
-        sides: Whether there are walls at the sides.
-    """
+    """Print a shipping box on its walls."""
     tall, colour, made = high - low, look.ink(finish), []
     row = _ROWS.get(look.signs, ())
     for facing in (_FRONT, _BACK):
@@ -153,27 +127,13 @@ def _lower(look: Look, face: _Face, row: tuple[str, ...]) -> list[Profile]:
 
 
 def side_label(look: Look, width: Scalar, depth: Scalar, *, height: Scalar, tall: Scalar) -> list[Body]:
-    """Stick a label on the front.
-
-    Args:
-        look: Its number.
-        width: Of the box [m].
-        depth: The same [m].
-        height: Of the label's middle [m].
-        tall: Of the free part of the wall [m].
-    """
+    """Stick a label on the front."""
     size = min_(min_(0.105, 1.2 * tall), 0.5 * width)
     return address_label((-0.24 * width, -depth / 2.0, height), facing=_FRONT, size=size, number=look.model)
 
 
 def pizza_print(look: Look, width: Scalar, depth: Scalar) -> list[Body]:
-    """Print the lid of a pizza box, in the frame of its sheet, whose crease is at the back.
-
-    Args:
-        look: Whose pizza.
-        width: Of the sheet [m].
-        depth: The same [m].
-    """
+    """Print the lid of a pizza box, in the frame of its sheet, whose crease is at the back."""
     red, green = ink("red"), ink("forest")
     one, other = ((red, green), (green, red), (red, red), (ink("graphite"), ink("graphite")))[look.model % 4]
     up = (0.0, -1.0, 0.0)  # the reader stands at the free edge of the sheet

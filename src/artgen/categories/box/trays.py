@@ -33,14 +33,7 @@ _GRAVITY = 9.81  # [m/s2]
 
 
 def lift(name: str, moved: Body, *, travel: Scalar, rub: Scalar) -> Joint:
-    """Make the way of what is lifted off.
-
-    Args:
-        name: Name of the joint.
-        moved: What is lifted.
-        travel: How far [m].
-        rub: Friction of board on board, as a share of its weight: below 1 it slides down again.
-    """
+    """Make the way of what is lifted off."""
     weight = _GRAVITY * mass(moved)
     return Prismatic(
         name,
@@ -54,25 +47,12 @@ def lift(name: str, moved: Body, *, travel: Scalar, rub: Scalar) -> Joint:
 
 
 def cap(board: Board, width: Scalar, depth: Scalar, *, top: Scalar, skirt: Scalar) -> Solid:
-    """Make a tray upside down, as a lid.
-
-    Args:
-        board: What it is cut from.
-        width: Along x, outside [m].
-        depth: Along y, outside [m].
-        top: Height of its upper face [m].
-        skirt: How far down it reaches [m].
-    """
+    """Make a tray upside down, as a lid."""
     return walls(board, width, depth, skirt).rotate(X, math.pi).at(0.0, 0.0, top)
 
 
 def strap(at: Scalar, finish: Material) -> Body:
-    """Rivet a strap of webbing onto a lid, to lift it by: a flat arch along x.
-
-    Args:
-        at: Height of the lid's upper face [m].
-        finish: The webbing.
-    """
+    """Rivet a strap of webbing onto a lid, to lift it by: a flat arch along x."""
     outline = polygon(
         [(-0.064, 0.0), (-0.049, 0.0), (-0.037, 0.020), (0.037, 0.020), (0.049, 0.0), (0.064, 0.0),
          (0.064, 0.0026), (0.0505, 0.0026), (0.0385, 0.0226),

@@ -44,12 +44,7 @@ def _everywhere(levels: Sequence[Scalar]) -> list[VectorLike]:
 
 
 def cup_hinges_on_door(levels: Sequence[Scalar], *, finish: Material) -> list[Body]:
-    """Make the cups with their flanges, which only are seen.
-
-    Args:
-        levels: Heights of the hinges [m].
-        finish: Their metal.
-    """
+    """Make the cups with their flanges, which only are seen."""
     at = _everywhere(levels)
     wing = rectangle(0.013, 0.062, radius=0.005).at(_CUP_AT + 0.008, 0.0)
     plate = circle(_CUP + 0.0015).at(_CUP_AT, 0.0) | wing
@@ -68,13 +63,7 @@ def cup_hinges_on_door(levels: Sequence[Scalar], *, finish: Material) -> list[Bo
 
 
 def cup_hinges_on_side(levels: Sequence[Scalar], *, inside: Scalar, finish: Material) -> list[Body]:
-    """Make the mounting plates and arms on the inner face of a side.
-
-    Args:
-        levels: Heights of the hinges [m].
-        inside: Where the inner face of the side is along x [m].
-        finish: Their metal.
-    """
+    """Make the mounting plates and arms on the inner face of a side."""
     at = _everywhere(levels)
     y = DOOR_GAP
     plate = board((inside - 0.0003, inside + 0.0035), (y + 0.024, y + 0.054), (-0.022, 0.022), bevel=0.0008)

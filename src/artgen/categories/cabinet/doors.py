@@ -28,27 +28,17 @@ _HAND = 60.0  # the most that a hand pulls with [N]
 
 @dataclass(frozen=True)
 class Hanging:
-    """The doors of a cabinet.
+    """The doors of a cabinet."""
 
-    Attributes:
-        case: The carcass.
-        hinge: What they hang on.
-        doors: 1 or 2.
-        thickness: Of a door [m].
-        shares: Where hinges are between the outermost ones, as shares of the way; 0 and 1 are these.
-        above: Room over the doors beside what they need [m].
-        below: The same under them [m].
-        metal: Of butt hinges.
-    """
-
-    case: Carcass
-    hinge: HingeStyle
-    doors: int
-    thickness: Scalar
+    case: Carcass  # the carcass
+    hinge: HingeStyle  # what they hang on
+    doors: int  # 1 or 2
+    thickness: Scalar  # of a door [m]
+    # where hinges are between the outermost ones, as shares of the way; 0 and 1 are these
     shares: Sequence[float]
-    above: Scalar
-    below: Scalar
-    metal: Material
+    above: Scalar  # room over the doors beside what they need [m]
+    below: Scalar  # the same under them [m]
+    metal: Material  # of butt hinges
 
     @property
     def inset(self) -> bool:
@@ -92,13 +82,7 @@ class Hanging:
         return deep * deep / (2 * self.width + REVEAL) < REVEAL / 2 - 0.0002
 
     def leaf(self, look: FrontLook, handle: Body, *, name: str) -> Body:
-        """Make a door with its halves of the hinges.
-
-        Args:
-            look: How it looks.
-            handle: Its handle, in place.
-            name: Name of the link.
-        """
+        """Make a door with its halves of the hinges."""
         t, back = self.thickness, self.face + self.thickness
         middle = (self.left + self.width / 2, self.face + t / 2, (self.low + self.high) / 2)
         boards = front(look, self.width, self.high - self.low, t, label="door", name=name)
@@ -137,15 +121,7 @@ class Hanging:
         return detail(array(drop, at=at), "bumper", CLEAR_RUBBER)
 
     def joint(self, name: str, *, limit: Scalar, friction: Scalar, damping: Scalar, side: int = 1) -> Joint:
-        """Make the hinge of a door; positive opens it towards -y.
-
-        Args:
-            name: Name of the joint.
-            limit: How far it opens [rad].
-            friction: Of all its hinges together [N m].
-            damping: Of all its hinges together [N m s/rad].
-            side: 1 for hinges at the left, -1 at the right.
-        """
+        """Make the hinge of a door; positive opens it towards -y."""
         x, y = (
             (self.left - REVEAL / 2, self.face - hinge_offset(_KNUCKLE))
             if self.inset

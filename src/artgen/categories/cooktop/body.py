@@ -50,23 +50,14 @@ _SEAL = material("rubber").with_(name="foam_seal", base_color=(0.05, 0.05, 0.05)
 
 @dataclass(frozen=True)
 class Case:
-    """A plate over its case.
+    """A plate over its case."""
 
-    Attributes:
-        kind: What heats.
-        plan: Where things are on the plate.
-        height: Of the plate's upper face [m].
-        finish: Of the plate.
-        metal: Of trims.
-        trim: What guards the edge of glass.
-    """
-
-    kind: BurnerKind
-    plan: Plan
-    height: Scalar
-    finish: Material
-    metal: Material
-    trim: Trim
+    kind: BurnerKind  # what heats
+    plan: Plan  # where things are on the plate
+    height: Scalar  # of the plate's upper face [m]
+    finish: Material  # of the plate
+    metal: Material  # of trims
+    trim: Trim  # what guards the edge of glass
 
     @property
     def thick(self) -> float:
@@ -79,12 +70,7 @@ class Case:
         return self.height - self.thick
 
     def plate(self, holes: Solid | None, coils: list[tuple[Scalar, Scalar, float]]) -> Body:
-        """Make the plate.
-
-        Args:
-            holes: What is cut out of it for the stems of taps.
-            coils: Middles and radii of coils, whose bowls are set into it [m].
-        """
+        """Make the plate."""
         plan, glass = self.plan, self.kind in ("radiant", "induction") or self.is_glass
         outline = rectangle(plan.width, plan.depth, radius=0.009 if glass else 0.014)
         bevel = 0.0012 if glass else 0.0022
@@ -147,11 +133,7 @@ class Case:
         return []
 
     def case(self, lines: tuple[str, ...]) -> Body:
-        """Make the case from the floor to the plate, with what is on it.
-
-        Args:
-            lines: What its rating plate says.
-        """
+        """Make the case from the floor to the plate, with what is on it."""
         plan = self.plan
         x, y = plan.width / 2 - _LAP, plan.depth / 2 - _LAP_BACK
         shell = box_between((-x, -y, 0.0), (x, y, self.under + 0.0003))

@@ -59,49 +59,26 @@ Scale = Literal["numbers", "ticks", "band"]
 
 @dataclass(frozen=True)
 class DialLooks:
-    """How dials look.
+    """How dials look."""
 
-    Attributes:
-        style: Their form.
-        finish: What they are made of.
-        mark: The colour of their marks.
-        cap: The metal of caps and bezels.
-        ink: What is printed on the plate.
-        scale: What is printed around them.
-    """
-
-    style: DialStyle
-    finish: Material
-    mark: Material
-    cap: Material
-    ink: Material
-    scale: Scale
+    style: DialStyle  # their form
+    finish: Material  # what they are made of
+    mark: Material  # the colour of their marks
+    cap: Material  # the metal of caps and bezels
+    ink: Material  # what is printed on the plate
+    scale: Scale  # what is printed around them
 
 
 @dataclass(frozen=True)
 class Push:
-    """How a gas dial is pushed in.
+    """How a gas dial is pushed in."""
 
-    Attributes:
-        travel: How far [m].
-        force: Of its spring when it is pushed in [N].
-    """
-
-    travel: Scalar
-    force: Scalar
+    travel: Scalar  # how far [m]
+    force: Scalar  # of its spring when it is pushed in [N]
 
 
 def dial_on(plan: Plan, looks: DialLooks, *, top: Scalar, lift: Scalar = 0.0, name: str, label: str) -> Body:
-    """Make a dial about the z axis that looks up, its mark to the back.
-
-    Args:
-        plan: The plan of the cooktop.
-        looks: How it looks.
-        top: Height of the plate's upper face [m].
-        lift: How far it stands off more than its gap, to be pushed in [m].
-        name: Name of the link.
-        label: Its label.
-    """
+    """Make a dial about the z axis that looks up, its mark to the back."""
     one = dial(
         finish=looks.finish,
         style=looks.style,
@@ -130,15 +107,7 @@ def electric_turn(name: str, *, friction: Scalar, pivot: VectorLike = (0.0, 0.0,
 
 
 def tap_dial(plan: Plan, looks: DialLooks, push: Push, *, top: Scalar, thick: Scalar) -> Body:
-    """Make the dial of a gas tap with its stem and disc, about the z axis: the link `burner_dial`.
-
-    Args:
-        plan: The plan of the cooktop.
-        looks: How it looks.
-        push: How it is pushed in.
-        top: Height of the plate's upper face [m].
-        thick: Thickness of the plate [m].
-    """
+    """Make the dial of a gas tap with its stem and disc, about the z axis: the link `burner_dial`."""
     knob = dial_on(plan, looks, top=top, lift=push.travel, name="burner_dial", label="burner_dial")
     high = top - thick - _UNDER
     low = high - _DISC_THICK

@@ -33,48 +33,28 @@ _ROOM = 0.0025  # behind a cap that is pressed home [m]
 
 @dataclass(frozen=True)
 class Console:
-    """What is on a console.
+    """What is on a console."""
 
-    Attributes:
-        width: Of its face [m].
-        height: Of its face [m].
-        finish: Of the face.
-        pane: Whether a pane of black glass lies on it.
-        buttons: How many there are.
-        shape: Of their caps.
-        cap: Finish of the caps.
-        travel: Of the buttons [m].
-        force: That presses them home [N].
-        dial: Style of the cycle dial; `""` for none.
-        show: What the display shows; `""` for none.
-        color: Of its figures.
-        middle: Where the middle of the buttons lies along x [m].
-        aside: Where the middle of the display lies along x [m].
-        far: Where the dial is along x [m].
-        upper: Whether it lies on the upper edge of the door, where there is little room for print.
-        opening: Half the length and half the height of the opening for a recessed grip in its middle; both 0
-            where there is none [m].
-        thickness: Of the console's boards [m].
-    """
-
-    width: Scalar
-    height: Scalar
-    finish: Material
-    pane: bool
-    buttons: int
-    shape: ButtonShape
-    cap: Material
-    travel: Scalar
-    force: Scalar
-    dial: DialStyle | str
-    show: str
-    color: Color
-    middle: Scalar
-    aside: Scalar
-    far: Scalar
-    upper: bool = False
+    width: Scalar  # of its face [m]
+    height: Scalar  # of its face [m]
+    finish: Material  # of the face
+    pane: bool  # whether a pane of black glass lies on it
+    buttons: int  # how many there are
+    shape: ButtonShape  # of their caps
+    cap: Material  # finish of the caps
+    travel: Scalar  # of the buttons [m]
+    force: Scalar  # that presses them home [N]
+    dial: DialStyle | str  # style of the cycle dial; `""` for none
+    show: str  # what the display shows; `""` for none
+    color: Color  # of its figures
+    middle: Scalar  # where the middle of the buttons lies along x [m]
+    aside: Scalar  # where the middle of the display lies along x [m]
+    far: Scalar  # where the dial is along x [m]
+    upper: bool = False  # whether it lies on the upper edge of the door, where there is little room for print
+    # half the length and half the height of the opening for a recessed grip in its middle; both 0 where
+    # there is no grip [m]
     opening: tuple[float, float] = (0.0, 0.0)
-    thickness: float = 0.018
+    thickness: float = 0.018  # of the console's boards [m]
 
     @cached_property
     def pitch(self) -> float:

@@ -36,17 +36,11 @@ _PLATE = 0.0034  # thickness of the flap [m]
 
 @dataclass(frozen=True)
 class Dispenser:
-    """A dispenser on the liner of the door.
+    """A dispenser on the liner of the door."""
 
-    Attributes:
-        space: The measures of the machine.
-        rim: Height of the front rim of the lower rack [m].
-        beside: How far it is to the right of the middle [m].
-    """
-
-    space: Space
-    rim: Scalar
-    beside: Scalar
+    space: Space  # the measures of the machine
+    rim: Scalar  # height of the front rim of the lower rack [m]
+    beside: Scalar  # how far it is to the right of the middle [m]
 
     def housing(self) -> list[Body]:
         """Make the housing on which the flap slides, with the cap of the rinse aid."""

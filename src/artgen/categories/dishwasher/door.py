@@ -82,43 +82,24 @@ def _frame_of(half: Scalar, y: Span, z: Span, wide: Scalar, opening: Span) -> li
 
 @dataclass(frozen=True)
 class Front:
-    """How a door looks.
+    """How a door looks."""
 
-    Attributes:
-        space: The measures of the machine.
-        worktop: Whether a worktop lies over its upper edge.
-        controls: Where its console is.
-        console: The console.
-        high: Height of a console in front [m].
-        handle: The kind of the handle.
-        bar: Style of a bar.
-        length: Of the handle [m].
-        projection: From the front to the middle of a bar [m].
-        girth: Half the thickness of a bar [m].
-        metal: Of the handle.
-        finish: Of the front.
-        framed: Whether a wooden front has a raised frame.
-        liner: Of the inside.
-        maker: Whose name is on it; `""` for none.
-        dispenser: The dispenser inside.
-    """
-
-    space: Space
-    worktop: bool
-    controls: Controls
-    console: Console
-    high: Scalar
-    handle: HandleKind
-    bar: BarStyle
-    length: Scalar
-    projection: Scalar
-    girth: Scalar
-    metal: Material
-    finish: Material
-    framed: bool
-    liner: Material
-    maker: str
-    dispenser: Dispenser
+    space: Space  # the measures of the machine
+    worktop: bool  # whether a worktop lies over its upper edge
+    controls: Controls  # where its console is
+    console: Console  # the console
+    high: Scalar  # height of a console in front [m]
+    handle: HandleKind  # the kind of the handle
+    bar: BarStyle  # style of a bar
+    length: Scalar  # of the handle [m]
+    projection: Scalar  # from the front to the middle of a bar [m]
+    girth: Scalar  # half the thickness of a bar [m]
+    metal: Material  # of the handle
+    finish: Material  # of the front
+    framed: bool  # whether a wooden front has a raised frame
+    liner: Material  # of the inside
+    maker: str  # whose name is on it; `""` for none
+    dispenser: Dispenser  # the dispenser inside
 
     @cached_property
     def top(self) -> Float:
@@ -188,14 +169,7 @@ class Front:
         ]
 
     def _around_grip(self, core: Span, behind: Span, level: Scalar, top: Scalar) -> list[Solid]:
-        """Make the liner's wall and its upper rim, with room for what is let into the front.
-
-        Args:
-            core: Of the wall, along y [m].
-            behind: Of the rim, along y [m].
-            level: Height of the lower edge of the rim [m].
-            top: Height of its upper edge [m].
-        """
+        """Make the liner's wall and its upper rim, with room for what is let into the front."""
         half, low, wide = self._half, self.space.door_bottom, 0.5 * self.length
         front, inner, dish = self.space.front, behind[1], behind[0]
         solids: list[Solid] = []
@@ -307,9 +281,6 @@ class Front:
 
         The springs are linear and begin at the closed door, so that they lift most where its weight pulls
         most: m g r sin(q) is met at the open end, and what is left in between is less than the friction.
-
-        Args:
-            pull: Force at the handle that opens it [N].
         """
         space = self.space
         moment: Scalar = _HANDLE * (self.handle_height - space.plinth)

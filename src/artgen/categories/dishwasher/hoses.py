@@ -33,14 +33,7 @@ def drain_hose(
     finish: Material | None = None,
     label: str = "hose",
 ) -> Body:
-    """Make a corrugated hose from the origin through points.
-
-    Args:
-        path: Where it goes after the origin; the first point straight behind it [m].
-        radius: Of the hose [m].
-        finish: What it is made of; by default grey polypropylene.
-        label: Semantic label.
-    """
+    """Make a corrugated hose from the origin through points."""
     grey = finish or coloured("polypropylene", "grey")
     hose = sweep(circle(radius), polyline([(0.0, -0.004, 0.0), *path], fillet=1.8 * radius))
     rib = cylinder(radius + 0.0012, 0.0035, axis=Y, bevel=0.001)
@@ -56,14 +49,7 @@ def inlet_hose(
     finish: Material | None = None,
     label: str = "hose",
 ) -> Body:
-    """Make a smooth pressure hose with the hexagon nut of its valve, from the origin through points.
-
-    Args:
-        path: Where it goes after the origin; the first point straight behind it [m].
-        radius: Of the hose [m].
-        finish: What it is made of; by default light grey plastic.
-        label: Semantic label.
-    """
+    """Make a smooth pressure hose with the hexagon nut of its valve, from the origin through points."""
     grey = finish or coloured("abs", "light_grey")
     hose = sweep(circle(radius), polyline([(0.0, 0.006, 0.0), *path], fillet=2.0 * radius))
     nut: Solid = extrude(regular_polygon(6, 2.0 * radius), 0.014, axis=Y, bevel=0.001).at(0.0, 0.007, 0.0)

@@ -51,29 +51,17 @@ _HANGS = 0.014  # from the floor of the upper rack down to the spray arm under i
 
 @dataclass(frozen=True)
 class Racks:
-    """The racks of one machine.
+    """The racks of one machine."""
 
-    Attributes:
-        space: Its measures.
-        size: 60 or 45 cm wide: decides how many wires and tines there are.
-        wire: Coating of the wires.
-        plastic: Of grips, rollers, basket and tray.
-        grip: Style of the grips.
-        friction: Of a rack on its rollers [N].
-        basket: Whether a cutlery basket stands in the lower rack.
-        shelves: Whether the upper rack has cup shelves.
-        upper: Height of the floor of the upper rack [m].
-    """
-
-    space: Space
-    size: Size
-    wire: Material
-    plastic: Material
-    grip: Grip
-    friction: Scalar
-    basket: bool
-    shelves: bool
-    upper: Scalar
+    space: Space  # its measures
+    size: Size  # 60 or 45 cm wide: decides how many wires and tines there are
+    wire: Material  # coating of the wires
+    plastic: Material  # of grips, rollers, basket and tray
+    grip: Grip  # style of the grips
+    friction: Scalar  # of a rack on its rollers [N]
+    basket: bool  # whether a cutlery basket stands in the lower rack
+    shelves: bool  # whether the upper rack has cup shelves
+    upper: Scalar  # height of the floor of the upper rack [m]
 
     @cached_property
     def _width(self) -> Scalar:
@@ -265,10 +253,6 @@ class Racks:
         """Make the joint by which a rack rolls out.
 
         Its effort is what a hand gives without pushing the closed door open.
-
-        Args:
-            name: Name of the joint.
-            needs: Where the door has to stand.
         """
         return rack_slide(name, travel=self.space.slide, friction=self.friction, damping=8.0, needs=needs)
 

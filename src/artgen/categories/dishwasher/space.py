@@ -37,23 +37,14 @@ _FLOOR = 0.047  # from the treads of the lower rack down to the floor of the tub
 
 @dataclass(frozen=True, kw_only=True)
 class Space(ApplianceSpace):
-    """The measures of a dishwasher.
+    """The measures of a dishwasher."""
 
-    Attributes:
-        plinth: Height of the hinge above the floor [m].
-        wall: Thickness of a side wall, panel and tub together [m].
-        roof: From the ceiling of the tub to the very top [m].
-        swing: How far the door opens [rad].
-        clearance: Of the lower rack over the open door [m].
-        travel: How far racks roll out, as a share of their depth.
-    """
-
-    plinth: Float
-    wall: Scalar
-    roof: Scalar
-    swing: Float
-    clearance: Float
-    travel: Float
+    plinth: Float  # height of the hinge above the floor [m]
+    wall: Scalar  # thickness of a side wall, panel and tub together [m]
+    roof: Scalar  # from the ceiling of the tub to the very top [m]
+    swing: Float  # how far the door opens [rad]
+    clearance: Float  # of the lower rack over the open door [m]
+    travel: Float  # how far racks roll out, as a share of their depth
 
     @cached_property
     def mouth(self) -> Scalar:
@@ -141,10 +132,6 @@ class Space(ApplianceSpace):
         The farthest point that the rack comes to lies before the hinge and above it, in the direction
         `steep` seen from it; the liner clears the point where it leans farther out than that by the angle
         under which its distance from the hinge's axis is seen.
-
-        Args:
-            low: The lowest height of the rack [m].
-            ahead: How far things stand out before the front of the rack [m].
         """
         across, up = self.over + ahead, low - self.plinth
         far = sqrt(across * across + up * up)

@@ -35,31 +35,18 @@ _SERVICES = 0.26  # how high it is [m]
 
 @dataclass(frozen=True)
 class Cabinet:
-    """How a cabinet looks.
+    """How a cabinet looks."""
 
-    Attributes:
-        space: Its measures.
-        build: For a kitchen front or on its own.
-        worktop: Whether it has a worktop.
-        sides: Finish of its sides and top.
-        tub: Finish of the tub's inside.
-        kick: Finish of the kick plate.
-        worktop_finish: Finish of the worktop.
-        base_density: Of the base with pump, motor and ballast [kg/m3].
-        levels: Heights of the axles of the upper racks, whose rails are on the walls [m].
-        maker: Whose name is on the rating plate.
-    """
-
-    space: Space
-    build: Build
-    worktop: bool
-    sides: Material
-    tub: Material
-    kick: Material
-    worktop_finish: Material
-    base_density: float
-    levels: tuple[Scalar, ...]
-    maker: str
+    space: Space  # its measures
+    build: Build  # for a kitchen front or on its own
+    worktop: bool  # whether it has a worktop
+    sides: Material  # finish of its sides and top
+    tub: Material  # finish of the tub's inside
+    kick: Material  # finish of the kick plate
+    worktop_finish: Material  # finish of the worktop
+    base_density: float  # of the base with pump, motor and ballast [kg/m3]
+    levels: tuple[Scalar, ...]  # heights of the axles of the upper racks, whose rails are on the walls [m]
+    maker: str  # whose name is on the rating plate
 
     def body(self) -> Body:
         """Make all that stands still: the link `body`."""

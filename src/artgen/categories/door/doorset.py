@@ -35,23 +35,14 @@ def handed(body: Body, hand: Hand, opens: Opens) -> Body:
 
 @dataclass(frozen=True)
 class DoorSet:
-    """What a door is put together of.
+    """What a door is put together of."""
 
-    Attributes:
-        surround: Makes the frame, given `jamb_cut` or `head_cut`.
-        leaf: Makes a leaf of a blank.
-        blank: The measures of a leaf.
-        hanging: Its hinges.
-        lockset: What the (active) leaf has.
-        needs: Where that leaf may open.
-    """
-
-    surround: Callable[..., Body]
-    leaf: Callable[..., Body]
-    blank: Blank
-    hanging: Hanging
-    lockset: Lockset
-    needs: Dependency | None
+    surround: Callable[..., Body]  # makes the frame, given `jamb_cut` or `head_cut`
+    leaf: Callable[..., Body]  # makes a leaf of a blank
+    blank: Blank  # the measures of a leaf
+    hanging: Hanging  # its hinges
+    lockset: Lockset  # what the (active) leaf has
+    needs: Dependency | None  # where that leaf may open
 
     def single(self) -> Body:
         """Hang one leaf in its frame."""

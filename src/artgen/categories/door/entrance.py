@@ -27,13 +27,7 @@ LETTER_PLATE = 0.30
 
 
 def letter_plate(fittings: Fittings, face: Scalar, height: Scalar) -> list[Body]:
-    """Make a letter plate with its flap on the outer face, and the cover of its slot inside.
-
-    Args:
-        fittings: Its metal.
-        face: Half the thickness of the leaf [m].
-        height: Of its middle above the floor [m].
-    """
+    """Make a letter plate with its flap on the outer face, and the cover of its slot inside."""
     finish, wide, tall = fittings.finish, LETTER_PLATE, 0.076
     plate = extrude(rectangle(wide, tall, radius=0.006), 0.0075, axis=Y, bevel=0.0018)
     flap = extrude(rectangle(wide - 0.062, 0.048, radius=0.003), 0.0036, axis=Y, bevel=0.0012)
@@ -55,14 +49,7 @@ def letter_plate(fittings: Fittings, face: Scalar, height: Scalar) -> list[Body]
 
 
 def house_number(fittings: Fittings, face: Scalar, height: Scalar, tall: Scalar) -> Body:
-    """Make the number of the house, cast figures on the outer face.
-
-    Args:
-        fittings: The number and its metal.
-        face: Half the thickness of the leaf [m].
-        height: Of its middle above the floor [m].
-        tall: Height of the figures [m].
-    """
+    """Make the number of the house, cast figures on the outer face."""
     return details.raised(
         text(fittings.number, tall),
         (0.0, face, height),
@@ -75,13 +62,7 @@ def house_number(fittings: Fittings, face: Scalar, height: Scalar, tall: Scalar)
 
 
 def viewer(fittings: Fittings, face: Scalar, height: Scalar) -> list[Body]:
-    """Make a door viewer: a lens in a sleeve that shows on both faces.
-
-    Args:
-        fittings: Its metal.
-        face: Half the thickness of the leaf [m].
-        height: Above the floor [m].
-    """
+    """Make a door viewer: a lens in a sleeve that shows on both faces."""
     bodies: list[Body] = []
     lens = fittings.finish.with_(
         name=f"{fittings.finish.name}_lens",
@@ -101,14 +82,7 @@ def viewer(fittings: Fittings, face: Scalar, height: Scalar) -> list[Body]:
 
 
 def kick_plate(fittings: Fittings, face: Scalar, width: Scalar, bottom: Scalar) -> list[Body]:
-    """Make the sheet that protects the foot of the outer face.
-
-    Args:
-        fittings: Its metal.
-        face: Half the thickness of the leaf [m].
-        width: Of the leaf [m].
-        bottom: Height of the leaf's bottom above the floor [m].
-    """
+    """Make the sheet that protects the foot of the outer face."""
     wide, tall, middle = width - 0.064, 0.150, bottom + 0.092
     sheet = extrude(rectangle(wide, tall, radius=0.003), 0.0014, axis=Y, bevel=0.0005)
     places = [
@@ -123,13 +97,7 @@ def kick_plate(fittings: Fittings, face: Scalar, width: Scalar, bottom: Scalar) 
 
 
 def sweep_seal(face: Scalar, width: Scalar, bottom: Scalar) -> list[Body]:
-    """Make the brush in its rail that closes the gap to the floor, on the inner face (-y).
-
-    Args:
-        face: Half the thickness of the leaf [m].
-        width: Of the leaf [m].
-        bottom: Height of the leaf's bottom above the floor [m].
-    """
+    """Make the brush in its rail that closes the gap to the floor, on the inner face (-y)."""
     finish, brush = (
         material("aluminium"),
         material("rubber").with_(name="bristles", base_color=(0.02, 0.02, 0.02)),
@@ -157,17 +125,7 @@ def fitted(
     number: Scalar | None,
     looks_out: Scalar | None,
 ) -> list[Body]:
-    """Make everything that a leaf carries besides its lock.
-
-    Args:
-        fittings: What there is.
-        face: Half the thickness of the leaf [m].
-        width: Of the leaf [m].
-        bottom: Height of its bottom above the floor [m].
-        letters: Height at which it has room for a letter plate; None for none [m].
-        number: Height at which it has room for the number [m].
-        looks_out: Height at which it has room for a viewer [m].
-    """
+    """Make everything that a leaf carries besides its lock."""
     bodies: list[Body] = []
     if fittings.letters and letters is not None:
         bodies += letter_plate(fittings, face, letters)

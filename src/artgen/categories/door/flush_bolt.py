@@ -48,13 +48,7 @@ def flush_bolt_slide(gap: Scalar, *, name: str = "flush_bolt_slide") -> Joint:
 
 @generator
 def flush_bolt(*, thickness: Float, gap: Float, finish: Material) -> Body:
-    """Make the bolt with its thumb slide: the link `flush_bolt`.
-
-    Args:
-        thickness: Thickness of the leaf [m].
-        gap: Gap between the leaf and the head [m].
-        finish: Its metal.
-    """
+    """Make the bolt with its thumb slide: the link `flush_bolt`."""
     long = _BELOW + 0.012 + throw(gap)
     rod = box(_ROD, _ROD, long, bevel=0.001).at(0.0, 0.0, throw(gap) - long / 2.0)
     face = thickness / 2.0 + _PLATE[1]

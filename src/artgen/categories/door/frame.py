@@ -76,23 +76,14 @@ _TRIMS: dict[str, tuple[tuple[float, float], ...]] = {
 
 @dataclass(frozen=True)
 class Doorway:
-    """The clear opening that a frame leaves for its leaves.
+    """The clear opening that a frame leaves for its leaves."""
 
-    Attributes:
-        width: Between the jambs [m].
-        height: Under the head, at the crown of an arch [m].
-        thickness: Of the leaf [m].
-        depth: Of the jambs, front to back [m].
-        arch: The arch of the head; None for a straight one.
-        floor_gap: Under the leaf [m].
-    """
-
-    width: Float
-    height: Float
-    thickness: Float
-    depth: Float
-    arch: Arch | None
-    floor_gap: Float
+    width: Float  # between the jambs [m]
+    height: Float  # under the head, at the crown of an arch [m]
+    thickness: Float  # of the leaf [m]
+    depth: Float  # of the jambs, front to back [m]
+    arch: Arch | None  # the arch of the head; None for a straight one
+    floor_gap: Float  # under the leaf [m]
 
     @property
     def straight(self) -> Scalar:
@@ -116,18 +107,7 @@ def door_frame(
     jamb_cut: Solid | None = None,
     head_cut: Solid | None = None,
 ) -> Body:
-    """Make the frame of a door: the link `frame`.
-
-    Args:
-        doorway: What it leaves free.
-        kind: Jambs and head only; with casing and threshold; or solid timber with an arched head.
-        finish: Its wood.
-        sill: Material of the threshold.
-        casing: Width of the casing [m].
-        trim: Section of the casing.
-        jamb_cut: What the locks need taken out of the jamb at the right.
-        head_cut: What a flush bolt needs taken out of the head.
-    """
+    """Make the frame of a door: the link `frame`."""
     wide = _TIMBER if kind == "arched" else JAMB
     tall = doorway.straight if doorway.arch is None else doorway.arch.outset(wide).spring
     eased = 0.003 if kind == "arched" else 0.0015

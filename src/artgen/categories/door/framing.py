@@ -18,27 +18,15 @@ _MULLION = 0.085  # between columns [m]
 
 
 class Row(NamedTuple):
-    """A row of openings between two rails.
+    """A row of openings between two rails."""
 
-    Attributes:
-        share: Its part of the height that the rails leave.
-        columns: Openings side by side.
-        fill: What fills them.
-    """
-
-    share: float
-    columns: int
-    fill: Fill
+    share: float  # its part of the height that the rails leave
+    columns: int  # openings side by side
+    fill: Fill  # what fills them
 
 
 def framed(blank: Blank, stile: Float, rows: Sequence[Row]) -> Body:
-    """Make stiles and rails, fill what is between them, and fit what an entrance has.
-
-    Args:
-        blank: The leaf's measures.
-        stile: Width of the stiles [m].
-        rows: Rows of openings, from the bottom up.
-    """
+    """Make stiles and rails, fill what is between them, and fit what an entrance has."""
     upright = blank.board(stile, blank.upright)
     beside = (blank.width - stile) / 2.0
     lock_stile = part(

@@ -13,29 +13,17 @@ _BOTTOM = 0.28  # from the bottom of the leaf to the middle of the lower hinge [
 
 @dataclass(frozen=True)
 class Hanging:
-    """Butt hinges at the left of a leaf, which is centred in x.
+    """Butt hinges at the left of a leaf, which is centred in x."""
 
-    Attributes:
-        blank: The leaf.
-        count: 2 or 3 hinges.
-        gap: Between the leaf and the jamb [m].
-        height: Of a hinge [m].
-        radius: Of its knuckles [m].
-        finish: Its metal.
-        swing: How far the leaf opens [rad].
-        friction: Of all hinges together [N m].
-        damping: Of all hinges together [N m s/rad].
-    """
-
-    blank: Blank
-    count: int
-    gap: Float
-    height: Float
-    radius: Float
-    finish: Material
-    swing: Float
-    friction: Float
-    damping: Float
+    blank: Blank  # the leaf
+    count: int  # 2 or 3 hinges
+    gap: Float  # between the leaf and the jamb [m]
+    height: Float  # of a hinge [m]
+    radius: Float  # of its knuckles [m]
+    finish: Material  # its metal
+    swing: Float  # how far the leaf opens [rad]
+    friction: Float  # of all hinges together [N m]
+    damping: Float  # of all hinges together [N m s/rad]
 
     def _half(self, make: Callable[..., Body]) -> Body:
         low, high = self.blank.bottom + _BOTTOM, self.blank.straight - _TOP
@@ -68,14 +56,7 @@ class Hanging:
         side: int = 1,
         needs: Condition | Dependency | None = None,
     ) -> Joint:
-        """Make the joint about the pins; positive opens the leaf towards -y.
-
-        Args:
-            name: Name of the joint.
-            middle: Where the middle of the leaf stands in x [m].
-            side: 1 for hinges at the left of the leaf, -1 at the right.
-            needs: Where the leaf may open.
-        """
+        """Make the joint about the pins; positive opens the leaf towards -y."""
         blank = self.blank
         return Revolute(
             name,

@@ -44,13 +44,7 @@ def flush_leaf(
     inlays: int = choice(0, 3, 4, weights=(0.7, 0.15, 0.15)),
     grain: Literal["upright", "across"] = choice("upright", "across", weights=(0.75, 0.25)),
 ) -> Body:
-    """Make a flush leaf: one smooth slab with a hollow or particle core.
-
-    Args:
-        blank: Its measures.
-        inlays: Strips of aluminium across the faces; with them goes one upright strip.
-        grain: Which way the grain of the veneer runs.
-    """
+    """Make a flush leaf: one smooth slab with a hollow or particle core."""
     finish = blank.finish if grain == "upright" else across(blank.finish)
     core = finish.with_(name=f"{finish.name}_faced", density=350.0)
     if blank.arch is None:
@@ -78,13 +72,7 @@ def plank_leaf(
     boards: int = count(4, 7, weights=(1, 3, 3, 1)),
     joint: Float = uniform(0.0025, 0.0045, "m", doc="radius of the edges, which makes the V between boards"),
 ) -> Body:
-    """Make a boarded leaf: upright boards, tongued together, with a V in every joint.
-
-    Args:
-        blank: Its measures.
-        boards: How many boards.
-        joint: Radius of their edges [m].
-    """
+    """Make a boarded leaf: upright boards, tongued together, with a V in every joint."""
     wide = blank.width / boards
     board = blank.board(wide, blank.upright, joint)
     bodies: list[Body] = []
@@ -141,16 +129,7 @@ def panel_leaf(
     stile: Float = uniform(0.106, 0.115, "m", within=(0.1, 0.16)),
     moulding: Float = uniform(0.010, 0.016, "m", doc="how far the sticking reaches into a panel"),
 ) -> Body:
-    """Make a leaf of stiles and rails with panels between them.
-
-    Args:
-        blank: Its measures.
-        panels: How many panels.
-        relief: Whether the panels' fields stand out of their grooves or lie flat in them.
-        sticking: The moulding around the panels.
-        stile: Width of the stiles [m].
-        moulding: Width of the moulding around the panels [m].
-    """
+    """Make a leaf of stiles and rails with panels between them."""
 
     def panel(opening: Opening, thickness: Scalar) -> list[Body]:
         return panels_in(opening, thickness, relief, moulding, sticking)
@@ -168,15 +147,7 @@ def glazed_leaf(
     glass: Material = choice(*_GLASS, weights=_GLASS_WEIGHTS),
     stile: Float = uniform(0.106, 0.115, "m", within=(0.1, 0.16)),
 ) -> Body:
-    """Make a glazed leaf: one pane in beads, divided by muntins.
-
-    Args:
-        blank: Its measures.
-        columns: Panes side by side.
-        lights: Panes above each other.
-        glass: Clear, frosted or tinted glass.
-        stile: Width of the stiles [m].
-    """
+    """Make a glazed leaf: one pane in beads, divided by muntins."""
 
     def pane(opening: Opening, thickness: Scalar) -> list[Body]:
         return panes_in(opening, thickness, columns, lights, glass)
@@ -194,16 +165,7 @@ def half_lite_leaf(
     panels: int = choice(1, 2),
     stile: Float = uniform(0.106, 0.115, "m", within=(0.1, 0.16)),
 ) -> Body:
-    """Make a leaf with a window above and panels below.
-
-    Args:
-        blank: Its measures.
-        columns: Panes side by side.
-        lights: Panes above each other.
-        glass: Clear, frosted or tinted glass.
-        panels: Panels side by side below.
-        stile: Width of the stiles [m].
-    """
+    """Make a leaf with a window above and panels below."""
 
     def panel(opening: Opening, thickness: Scalar) -> list[Body]:
         return panels_in(opening, thickness, "raised", 0.012, "ogee")
@@ -223,14 +185,7 @@ def louver_leaf(
     slats: int = by("below", louver=count(9, 10), panel=count(15, 18), doc="in one section", within=(6, 24)),
     stile: Float = uniform(0.106, 0.115, "m", within=(0.1, 0.16)),
 ) -> Body:
-    """Make a louvred leaf: slats tilted by about 40 degrees that hide what is behind.
-
-    Args:
-        blank: Its measures.
-        below: What fills the lower section.
-        slats: Slats in each section.
-        stile: Width of the stiles [m].
-    """
+    """Make a louvred leaf: slats tilted by about 40 degrees that hide what is behind."""
 
     def louver(opening: Opening, thickness: Scalar) -> list[Body]:
         return slats_in(opening, thickness, slats)

@@ -45,63 +45,37 @@ _DRAWN = 0.02
 
 @dataclass(frozen=True)
 class Site:
-    """Where a lockset goes, on a leaf whose middle plane is y = 0 and whose lock edge is at the right.
+    """Where a lockset goes, on a leaf whose middle plane is y = 0 and whose lock edge is at the right."""
 
-    Attributes:
-        spindle: Where the spindle crosses the middle plane [m].
-        backset: From the spindle to the lock edge [m].
-        thickness: Of the leaf [m].
-        gap: Between the leaf and what its bolts enter [m].
-        finish: Metal of all that is seen.
-        mark: The name of its maker.
-    """
-
-    spindle: Vector
-    backset: Scalar
-    thickness: Scalar
-    gap: Scalar
-    finish: Material
-    mark: str = ""
+    spindle: Vector  # where the spindle crosses the middle plane [m]
+    backset: Scalar  # from the spindle to the lock edge [m]
+    thickness: Scalar  # of the leaf [m]
+    gap: Scalar  # between the leaf and what its bolts enter [m]
+    finish: Material  # metal of all that is seen
+    mark: str = ""  # the name of its maker
 
 
 @dataclass(frozen=True)
 class Roses:
-    """The covers of the hole that the spindle of a handle passes.
+    """The covers of the hole that the spindle of a handle passes."""
 
-    Attributes:
-        style: Round or square roses, or long plates.
-        across: Width of a rose [m].
-        depth: How far it stands out of the leaf [m].
-        fixing: How a rose is held.
-        keyed: Whether a plate has a key cylinder.
-    """
-
-    style: Literal["round", "square", "plate"]
-    across: Scalar
-    depth: Scalar
-    fixing: Fixing = "hidden"
-    keyed: bool = False
+    style: Literal["round", "square", "plate"]  # round or square roses, or long plates
+    across: Scalar  # width of a rose [m]
+    depth: Scalar  # how far it stands out of the leaf [m]
+    fixing: Fixing = "hidden"  # how a rose is held
+    keyed: bool = False  # whether a plate has a key cylinder
 
 
 @dataclass(frozen=True)
 class Lockset:
-    """Everything that a lock brings along.
+    """Everything that a lock brings along."""
 
-    Attributes:
-        cuts: What is taken out of the leaf.
-        fixed: What is welded to the leaf.
-        moving: What moves on the leaf, with its joint.
-        strikes: What is welded to the jamb.
-        strike_cuts: What is taken out of the jamb.
-        free: What has to hold before the closed leaf may open.
-    """
-
-    cuts: tuple[Solid, ...] = ()
-    fixed: tuple[Body, ...] = ()
-    moving: tuple[tuple[Body, Joint], ...] = ()
-    strikes: tuple[Body, ...] = ()
-    strike_cuts: tuple[Solid, ...] = ()
-    free: tuple[Condition, ...] = ()
+    cuts: tuple[Solid, ...] = ()  # what is taken out of the leaf
+    fixed: tuple[Body, ...] = ()  # what is welded to the leaf
+    moving: tuple[tuple[Body, Joint], ...] = ()  # what moves on the leaf, with its joint
+    strikes: tuple[Body, ...] = ()  # what is welded to the jamb
+    strike_cuts: tuple[Solid, ...] = ()  # what is taken out of the jamb
+    free: tuple[Condition, ...] = ()  # what has to hold before the closed leaf may open
 
     def __add__(self, other: "Lockset") -> "Lockset":
         """Fit both."""
@@ -116,15 +90,7 @@ class Lockset:
 
 
 def latch(site: Site, leader: Joint, *, throw: Scalar, release: Scalar, through: bool = False) -> Lockset:
-    """Fit a latch that a handle draws.
-
-    Args:
-        site: Where.
-        leader: Joint of the handle.
-        throw: How far the bolt stands out [m].
-        release: Position of the handle at which the bolt is drawn [rad or m].
-        through: Whether the pocket of the bolt reaches to the hole of a spindle.
-    """
+    """Fit a latch that a handle draws."""
     at, backset, finish = site.spindle, site.backset, site.finish
     strike = strike_plate(backset=backset, gap=site.gap, throw=throw, thickness=site.thickness, finish=finish)
     return Lockset(
@@ -151,16 +117,7 @@ def turning_handle(
     throw: Scalar,
     roses: Roses,
 ) -> Lockset:
-    """Fit a lever or knob on its roses, with the latch that it draws.
-
-    Args:
-        site: Where.
-        handle: Generator of the lever or knob.
-        limit: How far it turns [rad].
-        torque: Of its spring at the limit [N m].
-        throw: Of the latch [m].
-        roses: Their covers.
-    """
+    """Fit a lever or knob on its roses, with the latch that it draws."""
     at, thickness, finish = site.spindle, site.thickness, site.finish
     turn = spring_turn(limit=limit, pivot=at, preload=0.55 * torque, torque=torque)
     covers = rose(
@@ -185,15 +142,7 @@ def turning_handle(
 def pushed_handle(
     site: Site, bar: Callable[..., Body], *, width: Scalar, travel: Scalar, throw: Scalar
 ) -> Lockset:
-    """Fit a push bar on the face to which the door does not open, a pull on the other, and the latch.
-
-    Args:
-        site: Where.
-        bar: Generator of the push bar.
-        width: Of the leaf [m].
-        travel: How far the bar slides [m].
-        throw: Of the latch [m].
-    """
+    """Fit a push bar on the face to which the door does not open, a pull on the other, and the latch."""
     at, thickness, finish = site.spindle, site.thickness, site.finish
     length = width - 0.15
     push = push_slide(travel=travel)
@@ -214,12 +163,7 @@ def pushed_handle(
 
 
 def rigid_handle(site: Site, handle: Callable[..., Body]) -> Lockset:
-    """Fit a pull or finger plates, and the roller that snaps into the jamb instead of a latch.
-
-    Args:
-        site: Where.
-        handle: Generator of the pull or the plates.
-    """
+    """Fit a pull or finger plates, and the roller that snaps into the jamb instead of a latch."""
     at, backset, finish = site.spindle, site.backset, site.finish
     plate = box(0.0008, 0.0235, 0.057, bevel=0.0002).at(backset, 0.0, 0.0)
     roller = cylinder(0.006, 0.014, bevel=0.001).at(backset - 0.0045, 0.0, 0.0)

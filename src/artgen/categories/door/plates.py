@@ -33,11 +33,6 @@ def finger_plate(
     """Make the plates on both faces of a leaf without a handle, where hands push it; weld them to it.
 
     They say which face to push, and which to pull (the front, to which the leaf opens).
-
-    Args:
-        thickness: Thickness of the leaf [m].
-        finish: Their metal.
-        height: Height of a plate [m].
     """
     plate = extrude(rectangle(0.075, height, radius=0.004), 0.0016, axis=Y, bevel=0.0006)
     face = thickness / 2.0 + 0.0012
@@ -60,12 +55,7 @@ def finger_plate(
 
 
 def astragal(blank: Blank, gap: Scalar) -> Body:
-    """Make the strip on the back of the inactive leaf that the active one closes against.
-
-    Args:
-        blank: The inactive leaf; its meeting edge is at x = width / 2.
-        gap: Between the leaves [m].
-    """
+    """Make the strip on the back of the inactive leaf that the active one closes against."""
     wide, deep = 0.040, 0.012
     strip = box(wide, deep - ASTRAGAL_GAP, blank.upright - 0.06, bevel=0.002)
     foot = box(wide / 2.0 - gap / 2.0 - 0.002, ASTRAGAL_GAP + 0.002, blank.upright - 0.07)

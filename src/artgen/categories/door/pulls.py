@@ -48,17 +48,6 @@ def pull_handle(
     """Make an upright pull on the faces of a leaf, to be welded to it; it has the label `handle`.
 
     The origin is in the middle of the grip's length, in the middle of the leaf.
-
-    Args:
-        thickness: Thickness of the leaf [m].
-        finish: Metal of the handle.
-        faces: Which faces have a pull.
-        room: How long it may be on its leaf [m].
-        style: `U` bends into the leaf at both ends, `T` is a straight bar on two posts, `Z` has its posts
-            offset to the side, out of the way of the hand.
-        length: Overall length of the grip [m].
-        projection: From the face of the leaf to the middle of the grip [m].
-        girth: Radius of the bar [m].
     """
     length = require(
         length, length < room, "the pull is longer than there is room on the leaf: lower handle.length"

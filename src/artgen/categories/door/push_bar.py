@@ -48,17 +48,7 @@ def push_slide(
     damping: Scalar = 40.0,
     friction: Scalar = 1.0,
 ) -> Joint:
-    """Make the joint of a push bar that a spring returns; positive moves it towards the leaf.
-
-    Args:
-        name: Name of the joint.
-        travel: How far it slides, 0.012-0.020 [m].
-        side: The face with the bar, 1 at +y or -1 at -y.
-        preload: Force of the springs at rest [N].
-        force: Force at the end of the travel; codes allow 67 N (15 lbf) to unlatch [N].
-        damping: [N s/m].
-        friction: [N].
-    """
+    """Make the joint of a push bar that a spring returns; positive moves it towards the leaf."""
     stiffness = (force - preload) / travel
     return Prismatic(
         name,
@@ -76,15 +66,7 @@ def push_slide(
 def push_bar(
     *, thickness: Float, length: Float, travel: Float, finish: Material, side: int = given(1)
 ) -> Body:
-    """Make the touch bar, the link `handle`; attach it by `push_slide` and weld `push_bar_case` to the leaf.
-
-    Args:
-        thickness: Thickness of the leaf [m].
-        length: Overall length of the device from the axis of the lock, about the leaf's width less 0.15 [m].
-        travel: How far the bar slides [m].
-        finish: Its metal.
-        side: The face with the bar, 1 at +y or -1 at -y.
-    """
+    """Make the touch bar, the link `handle`; attach it with `push_slide`; weld `push_bar_case` on."""
     middle, span = _bar_span(length)
     back = thickness / 2 + _SHEET + _BOTTOM + travel
     front = thickness / 2 + _BAR_REACH

@@ -43,24 +43,15 @@ _HAND = 60.0  # the most that a hand pulls with [N]
 
 @dataclass(frozen=True)
 class Rows:
-    """Where drawers are in a carcass.
+    """Where drawers are in a carcass."""
 
-    Attributes:
-        case: The carcass.
-        mounting: How fronts are mounted.
-        columns: Drawers side by side.
-        weights: How high the rows are in proportion, from the top.
-        thick: Thickness of fronts [m].
-        groove: Whether fronts have a groove along their upper edges.
-        low: Where the lowest row begins, over the floor [m]; by default at the bottom of the carcass.
-    """
-
-    case: Carcass
-    mounting: Mounting
-    columns: int
-    weights: Sequence[Scalar]
-    thick: Scalar
-    groove: bool = False
+    case: Carcass  # the carcass
+    mounting: Mounting  # how fronts are mounted
+    columns: int  # drawers side by side
+    weights: Sequence[Scalar]  # how high the rows are in proportion, from the top
+    thick: Scalar  # thickness of fronts [m]
+    groove: bool = False  # whether fronts have a groove along their upper edges
+    # where the lowest row begins, over the floor [m]; by default at the bottom of the carcass
     low: Scalar | None = None
 
     @property
@@ -158,11 +149,7 @@ class Rows:
         return floor, ceiling
 
     def between(self, *, solid: bool) -> list[Body]:
-        """Make the partitions between columns and the rails between rows.
-
-        Args:
-            solid: Whether rails behind grooves have mass and collide, or only are seen.
-        """
+        """Make the partitions between columns and the rails between rows."""
         case, y = self.case, self.case.thick / 2
         low = None if self.low is None else self.low
         bodies = [
@@ -188,39 +175,21 @@ class Rows:
 
 @dataclass(frozen=True)
 class BoxLook:
-    """How the boxes of drawers look.
+    """How the boxes of drawers look."""
 
-    Attributes:
-        sides: Of sides, back and inner front.
-        bottom: Of the bottom.
-        wall: Thickness of sides, back and inner front [m].
-        floor: Thickness of the bottom [m].
-        runner: On what they run.
-        tallest: Height of their sides at most [m].
-        solid: Whether runners, and rails behind grooves, have mass and collide; those of many drawers only
-            are seen, since simulators look at all pairs of what is near.
-    """
-
-    sides: Material
-    bottom: Material
-    wall: Scalar
-    floor: Scalar
-    runner: RunnerStyle
-    tallest: Scalar
+    sides: Material  # of sides, back and inner front
+    bottom: Material  # of the bottom
+    wall: Scalar  # thickness of sides, back and inner front [m]
+    floor: Scalar  # thickness of the bottom [m]
+    runner: RunnerStyle  # on what they run
+    tallest: Scalar  # height of their sides at most [m]
+    # whether runners, and rails behind grooves, have mass and collide; those of many drawers only are seen,
+    # since simulators look at all pairs of what is near
     solid: bool = True
 
 
 def drawer(rows: Rows, row: int, column: int, look: FrontLook, box: Body, handles: Sequence[Body]) -> Body:
-    """Make a drawer: the link `drawer`.
-
-    Args:
-        rows: Where drawers are.
-        row: From the top.
-        column: From the left.
-        look: How its front looks.
-        box: Its box, of `drawer_box`.
-        handles: Its handles, in place on the face y = 0, about the middle of the lower edge of the front.
-    """
+    """Make a drawer: the link `drawer`."""
     low, high = rows.spans[row]
     left, right = rows.outer(column)
     aside = (left + right) / 2 - rows.middles[column]
@@ -243,13 +212,7 @@ def _sizes(rows: Rows, row: int, look: BoxLook) -> tuple[Scalar, Scalar, Scalar]
 
 
 def drawer_box(rows: Rows, row: int, look: BoxLook) -> Body:
-    """Make the box of the drawers of a row with the moving members of its runners: the link `drawer`.
-
-    Args:
-        rows: Where drawers are.
-        row: From the top.
-        look: How it looks.
-    """
+    """Make the box of the drawers of a row with the moving members of its runners: the link `drawer`."""
     base, tall, z = _sizes(rows, row, look)
     begin, wide, deep = rows.begin, rows.cell - 2 * SIDE_PLAY, rows.deep
     boards = open_box(wide, deep, tall, wall=look.wall, front=look.wall, floor=look.floor)
@@ -285,26 +248,12 @@ def fixed_members(rows: Rows, look: BoxLook) -> list[Body]:
 
 
 def travel(rows: Rows, share: Scalar) -> Scalar:
-    """Return how far drawers come out [m].
-
-    Args:
-        rows: Where drawers are.
-        share: How much of its depth a box comes out.
-    """
+    """Return how far drawers come out [m]."""
     return share * rows.deep
 
 
 def slide(rows: Rows, row: int, column: int, *, share: Scalar, friction: Scalar, damping: Scalar) -> Joint:
-    """Make the slide of a drawer, to be suffixed with it.
-
-    Args:
-        rows: Where drawers are.
-        row: From the top.
-        column: From the left.
-        share: How much of its depth its box comes out.
-        friction: Of its runners [N].
-        damping: Of its runners [N s/m].
-    """
+    """Make the slide of a drawer, to be suffixed with it."""
     low, high = rows.spans[row]
     return Prismatic(
         f"drawer_slide_{row * rows.columns + column}",

@@ -27,13 +27,7 @@ _WIDE, _HIGH = 0.078, 0.030  # of a label holder [m]
 
 
 def label_holder(*, z: Scalar, finish: Material, index: str) -> list[Body]:
-    """Make a label holder and its card.
-
-    Args:
-        z: Its middle [m].
-        finish: Its metal.
-        index: What is written on the card.
-    """
+    """Make a label holder and its card."""
     opening = rectangle(_WIDE - 0.010, _HIGH - 0.011).at(0.0, 0.0015)
     rim = rectangle(_WIDE, _HIGH, radius=0.003) - opening
     paper = coloured("abs", "white").with_(name="card", specular_roughness=0.85)
@@ -45,13 +39,7 @@ def label_holder(*, z: Scalar, finish: Material, index: str) -> list[Body]:
 
 
 def lock(*, x: Scalar, z: Scalar, finish: Material) -> list[Body]:
-    """Make the cylinder of a lock, which only is seen.
-
-    Args:
-        x: Its middle along x [m].
-        z: Its middle [m].
-        finish: Its metal.
-    """
+    """Make the cylinder of a lock, which only is seen."""
     collar = extrude(ring(0.0115, 0.0070), 0.0030, axis=Y, bevel=0.0009)
     return [
         detail(collar.at(x, -0.0011, z), "lock", finish),

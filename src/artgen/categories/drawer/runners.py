@@ -42,16 +42,7 @@ def steel_of(style: RunnerStyle) -> Material:
 def fixed_member(
     style: RunnerStyle, *, face: Scalar, z: Scalar, front: Scalar, length: Scalar, solid: bool
 ) -> list[Body]:
-    """Make the member on the carcass, at the right of a drawer.
-
-    Args:
-        style: What runs.
-        face: The face that it lies on, along x [m].
-        z: Its middle [m].
-        front: Where it begins along y [m].
-        length: [m].
-        solid: Whether it has mass and collides, or only is seen.
-    """
+    """Make the member on the carcass, at the right of a drawer."""
     high, steel = _HIGH[style], steel_of(style)
     rail = board(
         (face - _MEMBER, face + 0.0003), (front, front + length), (z - high / 2, z + high / 2), bevel=0.0008
@@ -74,16 +65,7 @@ def fixed_member(
 def moving_member(
     style: RunnerStyle, *, side: Scalar, z: Scalar, front: Scalar, length: Scalar, solid: bool
 ) -> list[Body]:
-    """Make the member on the right side of a drawer.
-
-    Args:
-        style: What runs.
-        side: The outer face of that side, along x [m].
-        z: Its middle [m].
-        front: Where it begins along y [m].
-        length: [m].
-        solid: Whether it has mass and collides, or only is seen.
-    """
+    """Make the member on the right side of a drawer."""
     high, steel = _HIGH[style] - 0.010, steel_of(style)
     rail = board(
         (side - 0.0003, side + _MEMBER), (front, front + length), (z - high / 2, z + high / 2), bevel=0.0008

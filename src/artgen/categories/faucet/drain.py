@@ -68,23 +68,14 @@ _TILT = 0.5 * ROD_TRAVEL / _ARM  # of the pivot rod at either end of its way [ra
 
 @dataclass(frozen=True)
 class Drain:
-    """A pop-up drain.
+    """A pop-up drain."""
 
-    Attributes:
-        at: Its middle along y [m].
-        rod: The lift rod along y [m].
-        top: Height of the slab [m].
-        thick: Thickness of the slab [m].
-        finish: Its metal.
-        friction: Of the ball and the collar, at the lift rod [N].
-    """
-
-    at: Scalar
-    rod: Scalar
-    top: Scalar
-    thick: Scalar
-    finish: Material
-    friction: Scalar
+    at: Scalar  # its middle along y [m]
+    rod: Scalar  # the lift rod along y [m]
+    top: Scalar  # height of the slab [m]
+    thick: Scalar  # thickness of the slab [m]
+    finish: Material  # its metal
+    friction: Scalar  # of the ball and the collar, at the lift rod [N]
 
     def on(self, body: Body) -> Body:
         """Attach the drain, its plug and its rods to what has the slab."""

@@ -62,12 +62,7 @@ _BLUE = material("enamel").with_(name="mark_blue", base_color=(0.02, 0.07, 0.40)
 
 
 def bonnet(finish: Material, *, flange: bool = True) -> Body:
-    """Make the fixed part of a valve for one handle, to be welded to what it stands on.
-
-    Args:
-        finish: Its metal.
-        flange: Whether a flange covers the hole that it stands in.
-    """
+    """Make the fixed part of a valve for one handle, to be welded to what it stands on."""
     metal = casting(finish, 0.5)
     neck = frustum(0.0185, 0.0165, BONNET + 0.002, bevel=0.0008).align((0.0, 0.0, BONNET), z=1)
     bodies = [part(neck, "valve", metal)]
@@ -107,17 +102,7 @@ def turning_handle(
     name: str,
     from_tip: bool = False,
 ) -> Body:
-    """Make a handle for one valve, closed: a lever points to -x on the hot side, to x on the cold one.
-
-    Args:
-        style: Its form.
-        finish: Its metal.
-        accent: The button on its top.
-        length: Of a lever from the axis; a cross is as wide [m].
-        hot: Whether it is for hot water, which is on the left.
-        name: Name of the link.
-        from_tip: Whether a hand takes hold of a lever from its tip on, since there is a wall behind.
-    """
+    """Make a handle for one valve, closed: a lever points to -x on the hot side, to x on the cold one."""
     low = BONNET + _GAP
     metal = casting(finish, 0.6)
     side = -1 if hot else 1
@@ -183,14 +168,7 @@ def _lobed() -> Profile:
 
 
 def quarter_turn(name: str, *, hot: bool, friction: Scalar, pivot: VectorLike = (0.0, 0.0, 0.0)) -> Joint:
-    """Make the joint of a handle; positive opens it, and brings a lever to the front.
-
-    Args:
-        name: Name of the joint.
-        hot: Whether it is on the left.
-        friction: Of ceramic discs with grease, 0.3-0.8 [N m].
-        pivot: A point on the axis [m].
-    """
+    """Make the joint of a handle; positive opens it, and brings a lever to the front."""
     return Revolute(
         name,
         axis=Z if hot else -Z,
@@ -217,15 +195,6 @@ def mixer(
 
     The lever sits on a ball, so that it can tilt and turn in a collar with an even gap. It points to the
     front; `handle_turn` turns it to either side for hot and cold, `handle_lift` lifts it to open.
-
-    Args:
-        style: Form of the lever.
-        radius: Of the collar [m].
-        length: From the axis to the lever's tip [m].
-        rise: Angle of the lever over the level while it is closed [rad].
-        finish: Its metal.
-        lift: How far it is lifted [rad].
-        friction: Of the cartridge [N m].
     """
     ball = radius - 0.0026
     middle = ball + _GAP

@@ -40,14 +40,7 @@ _ROSE = 0.030  # radius of the flanges on a wall [m]
 
 
 def deck(*, width: Scalar, depth: Scalar, thick: Scalar, finish: Material) -> Body:
-    """Make a sample deck on pads, its upper face at `PADS + thick`.
-
-    Args:
-        width: [m].
-        depth: [m].
-        thick: [m].
-        finish: Stone, wood or steel.
-    """
+    """Make a sample deck on pads, its upper face at `PADS + thick`."""
     slab = box(width, depth, thick, bevel=0.003).at(0.0, 0.0, PADS + thick / 2)
     pads = corner_feet(width, depth, inset=0.016, radius=0.008, height=PADS)
     return weld(part(slab, "deck", _slab(finish)), pads)
@@ -71,18 +64,7 @@ def raised_deck(
     drain_at: Scalar,
     rod_at: Scalar,
 ) -> Body:
-    """Make a piece of a vanity top with the holes of a drain and its rod, on two frames of flat steel.
-
-    Args:
-        width: [m].
-        front: Where it begins, along y [m].
-        back: Where it ends [m].
-        top: Height of its upper face [m].
-        thick: [m].
-        finish: Stone, wood or steel.
-        drain_at: Middle of the drain along y [m].
-        rod_at: The rod along y [m].
-    """
+    """Make a piece of a vanity top with the holes of a drain and its rod, on two frames of flat steel."""
     slab = board((-width / 2, width / 2), (front, back), (top - thick, top), bevel=0.003)
     holes = union(
         box(HOLE, HOLE, 2.0).at(0.0, drain_at, 0.0),
@@ -108,15 +90,7 @@ def raised_deck(
 
 
 def wall_board(*, width: Scalar, height: Scalar, thick: Scalar, finish: Material, metal: Material) -> Body:
-    """Make a board that stands for a wall, its face on y = 0, on a foot of steel before it.
-
-    Args:
-        width: [m].
-        height: [m].
-        thick: [m].
-        finish: Of the board.
-        metal: Of the foot.
-    """
+    """Make a board that stands for a wall, its face on y = 0, on a foot of steel before it."""
     panel = box_between((-0.5 * width, 0.0, PADS + 0.004), (0.5 * width, thick, height), bevel=0.003)
     foot = box_between((-0.42 * width, -0.19, PADS), (0.42 * width, thick + 0.03, PADS + 0.008), bevel=0.002)
     pads = corner_feet(0.84 * width, 0.22 + thick, inset=0.016, radius=0.008, height=PADS)
@@ -130,13 +104,7 @@ def wall_board(*, width: Scalar, height: Scalar, thick: Scalar, finish: Material
 
 
 def column(*, radius: Scalar, height: Scalar, finish: Material) -> Body:
-    """Make a round column with its flange, on z = 0.
-
-    Args:
-        radius: [m].
-        height: [m].
-        finish: Its metal.
-    """
+    """Make a round column with its flange, on z = 0."""
     metal = casting(finish, 0.3)
     shaft = cylinder(radius, height + 0.0004, bevel=0.0006).align((0.0, 0.0, height), z=1)
     flange = frustum(radius + 0.0065, radius + 0.0045, 0.0065, bevel=0.0015).align((0.0, 0.0, -0.0004), z=-1)
@@ -155,11 +123,6 @@ def bar(*, half: Scalar, finish: Material, below: bool = False) -> Body:
     """Make the bar that joins two valves, along x at the origin, with the boss of the spout in its middle.
 
     The valves' axes are at `half` to either side; the boss reaches 22 mm up, and the sockets of valves 15 mm.
-
-    Args:
-        half: Half the distance of the valves [m].
-        finish: Its metal.
-        below: Whether the boss reaches down instead.
     """
     metal = casting(finish, 0.35)
     long = cylinder(BAR, 2.0 * half, axis=X)

@@ -60,13 +60,7 @@ _MESH = material("black_abs").with_(name="aerator_mesh", base_color=(0.10, 0.10,
 
 
 def swivel(*, limit: Scalar, friction: Scalar, pivot: Vector) -> Joint:
-    """Make the joint of a spout, which looks to the front at 0.
-
-    Args:
-        limit: How far it turns to either side [rad].
-        friction: Of its seals [N m].
-        pivot: A point on its axis [m].
-    """
+    """Make the joint of a spout, which looks to the front at 0."""
     return Revolute(
         "spout_swivel",
         axis=Z,
@@ -128,16 +122,7 @@ def _course(style: SpoutStyle, height: Scalar, reach: Scalar, fall: Scalar) -> P
 def rising_spout(
     style: SpoutStyle, *, height: Scalar, reach: Scalar, fall: Scalar, radius: Scalar, finish: Material
 ) -> Body:
-    """Make a spout that rises from its foot: the link `spout`.
-
-    Args:
-        style: Its form.
-        height: Of the middle of its highest part over its foot [m].
-        reach: From its axis to its end [m].
-        fall: Height of its end over its foot, where the aerator begins [m].
-        radius: Of its tube [m].
-        finish: Its metal.
-    """
+    """Make a spout that rises from its foot: the link `spout`."""
     section: Profile = circle(radius)
     if style == "angular":
         section = rectangle(1.8 * radius, 1.8 * radius, radius=0.3 * radius)
@@ -155,13 +140,7 @@ def rising_spout(
 
 
 def hanging_spout(*, reach: Scalar, radius: Scalar, finish: Material) -> Body:
-    """Make a spout that hangs from a foot above it, runs forward and a little up: the link `spout`.
-
-    Args:
-        reach: From its axis to its end [m].
-        radius: Of its tube [m].
-        finish: Its metal.
-    """
+    """Make a spout that hangs from a foot above it, runs forward and a little up: the link `spout`."""
     low, fall = -0.050, -0.062
     course = polyline(
         [(0.0, 0.0, -0.004), (0.0, 0.0, low), (0.0, -reach, -0.028), (0.0, -reach, fall)],
@@ -184,14 +163,6 @@ def beam_spout(
     """Make a spout that leaves a ring about a column: the link `spout`.
 
     The ring has few facets under a smooth skin, which is only seen.
-
-    Args:
-        hub: Radius of the ring [m].
-        tall: Height of the ring [m].
-        reach: From the axis to its end [m].
-        radius: Of its tube [m].
-        square: Whether the tube is flat and square instead of round.
-        finish: Its metal.
     """
     metal = casting(finish, 0.35)
     core = core_radius(hub)
@@ -239,16 +210,7 @@ def core_radius(hub: Scalar) -> Scalar:
 def pull_down_spout(
     *, height: Scalar, reach: Scalar, radius: Scalar, travel: Scalar, fall: Scalar, finish: Material
 ) -> Body:
-    """Make a gooseneck whose end takes up the hose of a spray head: the link `spout`.
-
-    Args:
-        height: Of the middle of its highest part over its foot [m].
-        reach: From its axis to its end [m].
-        radius: Of its tube [m].
-        travel: How far the head comes out [m].
-        fall: Height of its end over its foot [m].
-        finish: Its metal.
-    """
+    """Make a gooseneck whose end takes up the hose of a spray head: the link `spout`."""
     metal = casting(finish, 0.32)
     radius = require(
         radius, radius > _LEAST, f"the hose of a spray head is in its spout: girth over {_LEAST:g} m"
@@ -271,13 +233,7 @@ def pull_down_spout(
 
 
 def spray_head(*, radius: Scalar, travel: Scalar, finish: Material) -> Body:
-    """Make a spray head that hangs from the origin, with the hose above it: the link `spray_head`.
-
-    Args:
-        radius: Of the spout's tube [m].
-        travel: How far it comes out [m].
-        finish: Its metal.
-    """
+    """Make a spray head that hangs from the origin, with the hose above it: the link `spray_head`."""
     low = -HEAD - GAP
     wide = radius + 0.0045
     grip = frustum(wide, radius + 0.0004, 0.75 * HEAD, bevel=0.001).align((0.0, 0.0, -GAP), z=1)
@@ -309,11 +265,6 @@ def pull_out(*, travel: Scalar, force: Scalar, pivot: Vector) -> Joint:
     """Make the joint of a spray head, which the weight on its hose draws back.
 
     A weight of 0.5-0.8 kg hangs on the hose under the sink; friction in the bend takes part of it.
-
-    Args:
-        travel: How far it comes out [m].
-        force: With which it is drawn back at the end [N].
-        pivot: Where it is [m].
     """
     preload = 0.75 * force
     stiffness = (force - preload) / travel

@@ -56,19 +56,12 @@ _RISE = 0.22  # of a lever over the plane of its collar while it is closed [rad]
 
 @dataclass(frozen=True)
 class Board:
-    """What a faucet is shown on.
+    """What a faucet is shown on."""
 
-    Attributes:
-        margin: Around what stands on it [m].
-        thick: Its thickness [m].
-        finish: Its material.
-        drain: How far before the spout's axis its drain is [m]; none where it is a plain deck.
-    """
-
-    margin: Scalar
-    thick: Scalar
-    finish: Material
-    drain: Scalar | None
+    margin: Scalar  # around what stands on it [m]
+    thick: Scalar  # its thickness [m]
+    finish: Material  # its material
+    drain: Scalar | None  # how far before the spout's axis its drain is [m]; none where it is a plain deck
 
     @property
     def top(self) -> Scalar:
@@ -94,42 +87,25 @@ class Board:
 
 @dataclass(frozen=True)
 class Stand:
-    """What stands still.
+    """What stands still."""
 
-    Attributes:
-        body: The board with what is fixed to it.
-        foot: Where the spout turns, on its axis.
-        over: Height of that over the deck, or over the bar before a wall [m].
-        valves: Where the valves of two handles stand: hot and cold.
-        least: How high the end of the spout is over its foot, to pass the handles [m].
-        flanges: Whether the valves cover holes of their own.
-    """
-
-    body: Body
-    foot: Vector
-    over: Scalar
-    valves: list[Vector] = field(default_factory=list)
-    least: float = 0.0
-    flanges: bool = False
+    body: Body  # the board with what is fixed to it
+    foot: Vector  # where the spout turns, on its axis
+    over: Scalar  # height of that over the deck, or over the bar before a wall [m]
+    valves: list[Vector] = field(default_factory=list)  # where the valves of two handles stand: hot and cold
+    least: float = 0.0  # how high the end of the spout is over its foot, to pass the handles [m]
+    flanges: bool = False  # whether the valves cover holes of their own
 
 
 @dataclass(frozen=True)
 class Lever:
-    """The lever of a mixer.
+    """The lever of a mixer."""
 
-    Attributes:
-        style: Its form.
-        length: From its axis to its tip [m].
-        lift: How far it is lifted [rad].
-        friction: Of the cartridge [N m].
-        side: At which side of a column it is.
-    """
-
-    style: LeverStyle
-    length: Scalar
-    lift: Scalar
-    friction: Scalar
-    side: Literal["left", "right"]
+    style: LeverStyle  # its form
+    length: Scalar  # from its axis to its tip [m]
+    lift: Scalar  # how far it is lifted [rad]
+    friction: Scalar  # of the cartridge [N m]
+    side: Literal["left", "right"]  # at which side of a column it is
 
     def mixer(self, radius: Scalar, finish: Material) -> Body:
         """Make the mixer about the z axis, in a collar of some radius [m]."""
@@ -145,13 +121,7 @@ class Lever:
 
 
 def widespread(board: Board, *, girth: Scalar, finish: Material) -> Stand:
-    """Make a deck with a pedestal for a spout, and places for valves at its sides.
-
-    Args:
-        board: The deck.
-        girth: Radius of the spout's tube [m].
-        finish: The metal.
-    """
+    """Make a deck with a pedestal for a spout, and places for valves at its sides."""
     foot = pedestal(radius=girth, height=_PEDESTAL, finish=finish).at(0.0, 0.0, board.top)
     return Stand(
         weld(board.body(_HALF + _FLANGE, _FLANGE), foot),
@@ -179,11 +149,6 @@ def before_wall(board: Board, *, finish: Material, hangs: bool) -> Stand:
     """Make a board that stands for a wall, with a bar before it.
 
     It ends where a hand that turns the handles would strike it.
-
-    Args:
-        board: The board.
-        finish: The metal.
-        hangs: Whether the spout hangs under the bar.
     """
     level = 0.20 if hangs else 0.15
     body = weld(
@@ -205,16 +170,7 @@ def before_wall(board: Board, *, finish: Material, hangs: bool) -> Stand:
 def topped_column(
     board: Board, *, radius: Scalar, height: Scalar, ring: Scalar, lever: Lever, finish: Material
 ) -> Stand:
-    """Make a column with a core for the ring of a straight spout, and the mixer on top of it.
-
-    Args:
-        board: The deck.
-        radius: Of the column [m].
-        height: Of the column under the ring [m].
-        ring: Height of the ring [m].
-        lever: The lever.
-        finish: The metal.
-    """
+    """Make a column with a core for the ring of a straight spout, and the mixer on top of it."""
     foot = vector(0.0, 0.0, board.top + height)
     core = cylinder(core_radius(radius), ring + 0.001).align(foot - Z * 0.001, z=-1)
     body = weld(
@@ -227,14 +183,7 @@ def topped_column(
 
 
 def sided_column(board: Board, *, radius: Scalar, lever: Lever, finish: Material) -> Stand:
-    """Make a column for a tall spout with the mixer lying at its side, its lever upright.
-
-    Args:
-        board: The deck.
-        radius: Of the column [m].
-        lever: The lever.
-        finish: The metal.
-    """
+    """Make a column for a tall spout with the mixer lying at its side, its lever upright."""
     out = radius + 0.012
     boss = cylinder_between((0.5 * radius, 0.0, 0.0), (out, 0.0, 0.0), _SIDE, bevel=0.0006)
     lying = lever.mixer(_SIDE, finish).rotate(Y, 0.5 * math.pi).rotate(X, -0.5 * math.pi)

@@ -45,16 +45,7 @@ _GRIP_TOP = 0.048  # from the spindle down to the upper end of the grip: a thumb
 def grip(
     *, thickness: Scalar, depth: Scalar, finish: Material, length: Scalar, projection: Scalar, side: int = -1
 ) -> Body:
-    """Make the plate, the ears of the thumb piece and the fixed grip, to be welded to the leaf.
-
-    Args:
-        thickness: Thickness of the leaf [m].
-        depth: How far the plate stands out of the leaf [m].
-        finish: Its metal.
-        length: Length of the grip, 0.20-0.26 [m].
-        projection: From the face of the leaf to the middle of the grip [m].
-        side: The side of the leaf, -1 for the front.
-    """
+    """Make the plate, the ears of the thumb piece and the fixed grip, to be welded to the leaf."""
     face = thickness / 2 + depth
     plate = extrude(slot(0.150, 0.058).rotate(pi / 2), depth + 0.0005, axis=Y, bevel=0.002)
     ear = box(_EAR, _PIVOT + 0.0055, 0.012, bevel=0.001)
@@ -85,14 +76,7 @@ def grip(
 
 
 def thumb_piece(*, thickness: Scalar, depth: Scalar, finish: Material, side: int = -1) -> Body:
-    """Make the thumb piece over the grip: the link `thumb_latch`; attach it by `thumb_press`.
-
-    Args:
-        thickness: Thickness of the leaf [m].
-        depth: How far the plate stands out of the leaf [m].
-        finish: Its metal.
-        side: The side of the leaf, -1 for the front.
-    """
+    """Make the thumb piece over the grip: the link `thumb_latch`; attach it by `thumb_press`."""
     pivot = thickness / 2 + depth + _PIVOT
     barrel = cylinder(_BARREL, _WIDE, axis=X, bevel=0.0008).at(0.0, side * pivot, 0.0)
     blade = box(0.014, 0.036, 0.0042, bevel=0.0014).at(0.0, side * (pivot + 0.016), 0.0)
@@ -103,16 +87,7 @@ def thumb_piece(*, thickness: Scalar, depth: Scalar, finish: Material, side: int
 def thumb_press(
     turn: Joint, *, limit: Scalar, thickness: Scalar, depth: Scalar, side: int = -1, name: str = "thumb_press"
 ) -> Joint:
-    """Make the joint of a thumb piece that moves with the handle inside; positive presses it down.
-
-    Args:
-        turn: Joint of the handle inside, from 0 to `limit`.
-        limit: How far that one turns [rad].
-        thickness: Thickness of the leaf [m].
-        depth: How far the plate stands out of the leaf [m].
-        side: The side of the leaf, -1 for the front.
-        name: Name of the joint.
-    """
+    """Make the joint of a thumb piece that moves with the handle inside; positive presses it down."""
     pivot = (0.0, side * (thickness / 2 + depth + _PIVOT), 0.0)
     return Revolute(
         name, axis=(-side, 0.0, 0.0), pivot=pivot, follows=(THUMB_RANGE / limit) * turn, damping=0.005

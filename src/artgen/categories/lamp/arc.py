@@ -46,14 +46,7 @@ _STEPS = 9  # points on it
 
 
 def arc_arm(head: Head, *, height: Scalar, reach: Scalar, looks: ArmLooks) -> Carried:
-    """Make the bow with its shade; it turns about z on the plane z = 0.
-
-    Args:
-        head: The shade.
-        height: Of the highest point of the bow [m].
-        reach: Of its end from the axis [m].
-        looks: How it looks.
-    """
+    """Make the bow with its shade; it turns about z on the plane z = 0."""
     finish = looks.finish
     foot = cylinder(2.3 * _TUBE, 0.022, bevel=0.003).at(0.0, 0.0, TURRET + 0.011)
     # straight up, then a quarter and more of an ellipse

@@ -77,13 +77,7 @@ _PAIR = "the two plates of a pair are held by the bolts through them"
 
 
 def arm_bar(style: ArmStyle, length: Scalar, *, outer: bool) -> Solid:
-    """Make the bar or the pair of bars of an arm, upward from one hinge at the origin to the next.
-
-    Args:
-        style: Its form.
-        length: From hinge to hinge [m].
-        outer: Whether it is a pair in the outer lane.
-    """
+    """Make the bar or the pair of bars of an arm, upward from one hinge at the origin to the next."""
     width = _PLATE if outer else 2.0 * INNER
     match style:
         case "rods":
@@ -110,16 +104,7 @@ def arm(
     outer: bool,
     spring: Material | None = None,
 ) -> Body:
-    """Make an arm, upward from its hinge at the origin; what it carries turns in the other lane.
-
-    Args:
-        label: Name and label of the link.
-        style: Its form.
-        length: From hinge to hinge [m].
-        finish: What it is made of.
-        outer: Whether it runs in the outer lane.
-        spring: The metal of the springs that carry it, where there are such.
-    """
+    """Make an arm, upward from its hinge at the origin; what it carries turns in the other lane."""
     middle = frame((0.0, 0.0, 0.5 * length), approach=Y, closing=(1.0, 0.0, 0.0))
     bar = arm_bar(style, length, outer=outer)
     bodies = [part(bar, label, finish, grasp=middle, separate=_PAIR if outer else "")]
@@ -159,12 +144,6 @@ def turret(finish: Material, *, height: Scalar, outer: bool, radius: Scalar = 0.
     """Make what turns on a base: a disc with a post and an eye at a height, the link `swivel`.
 
     It stands on the plane z = 0, which is the top of the base, with a gap of 0.6 mm.
-
-    Args:
-        finish: What it is made of.
-        height: Of the hinge that it carries [m].
-        outer: Whether it holds the arm between two plates, in the outer lane.
-        radius: Of the disc [m].
     """
     disc = cylinder(radius, 0.010, bevel=0.002).at(0.0, 0.0, TURRET + 0.005)
     bodies = [part(disc, "swivel", finish)]
@@ -181,12 +160,7 @@ def turret(finish: Material, *, height: Scalar, outer: bool, radius: Scalar = 0.
 
 
 def turret_turn(*, friction: Scalar, name: str = "arm_swivel") -> Joint:
-    """Make the joint by which an arm turns on its base, without limits; friction holds it.
-
-    Args:
-        friction: What a hand feels: at 0.3 m, 1.2 N m are 4 N [N m].
-        name: Name of the joint.
-    """
+    """Make the joint by which an arm turns on its base, without limits; friction holds it."""
     return Revolute(name, axis=Z, friction=friction, damping=0.02, armature=0.0005, effort=12.0)
 
 
@@ -241,16 +215,6 @@ def braked_hinge(
 
     A brake alone is stronger than the greatest torque of gravity. A spring takes over the mean of it, and the
     brake holds the rest; the spring is long and soft, so that it pulls nearly alike over the range.
-
-    Args:
-        name: Name of the joint.
-        pivot: A point on the axis [m].
-        limits: Lowest and highest angle [rad].
-        load: What gravity does.
-        feel: Force that a hand needs at least at the end of the lever [N].
-        reach: Length of that lever [m].
-        sprung: Whether springs balance it.
-        damping: [N m s/rad].
     """
     least = feel * reach
     low, high = limits
@@ -300,14 +264,7 @@ def vector_of(point: VectorLike) -> VectorLike:
 
 
 def collar(finish: Material, *, bore: Scalar, out: Scalar, height: Scalar = 0.055) -> Body:
-    """Make the clamp that slides on a pole along z and carries an arm at x = out: the link `slider`.
-
-    Args:
-        finish: What it is made of.
-        bore: Radius of the pole [m].
-        out: Distance of the hinge from the middle of the pole [m].
-        height: Its height; the hinge is in the middle, at z = 0 [m].
-    """
+    """Make the clamp that slides on a pole along z and carries an arm at x = out: the link `slider`."""
     ring = tube(bore + 0.009, bore + 0.0006, height, bevel=0.0015)
     start = bore + 0.006
     plate = box(out - start, _PLATE, 0.018, bevel=0.0008)
@@ -333,11 +290,6 @@ def collar_joints(load: Body, *, travel: Scalar, friction: Scalar) -> tuple[Join
     """Make the joints of a clamp on its pole: it slides up from its lowest place, and turns without limits.
 
     The clamp bears 1.3 times what hangs on it, and a hand slides it with less than 60 N.
-
-    Args:
-        load: The clamp with all that it carries.
-        travel: How far it slides up [m].
-        friction: Against turning [N m].
     """
     grip = _HOLDS * GRAVITY * mass(load)
     slide = Prismatic(

@@ -79,15 +79,7 @@ def base_edge(shape: BaseShape, radius: Scalar) -> Scalar:
 
 
 def steady_height(shape: BaseShape, radius: Scalar, density: float, *, least: Scalar, of: Carried) -> Float:
-    """Return how high a base has to be to outweigh what it carries, with the arms stretched out.
-
-    Args:
-        shape: Its outline.
-        radius: Its radius [m].
-        density: Of what it is made of [kg/m3].
-        least: What it is high at least [m].
-        of: What it carries.
-    """
+    """Return how high a base has to be to outweigh what it carries, with the arms stretched out."""
     edge = 0.97 * base_edge(shape, radius)  # its pad is a little smaller
     tips = of.moment - mass(of.body) * edge
     high = max_(least, _STEADY * tips / (edge * density * _AREA[shape] * radius * radius))
@@ -95,14 +87,7 @@ def steady_height(shape: BaseShape, radius: Scalar, density: float, *, least: Sc
 
 
 def base_block(shape: BaseShape, radius: Scalar, height: Scalar, *, bevel: Scalar = 0.0025) -> Solid:
-    """Make the block of a base on its pad, up to z = height.
-
-    Args:
-        shape: Its outline; a square one is 1.78 radii wide.
-        radius: Its radius [m].
-        height: Height of its top above the floor [m].
-        bevel: Radius of its edges [m].
-    """
+    """Make the block of a base on its pad, up to z = height."""
     tall = height - PAD
     match shape:
         case "round":
@@ -136,16 +121,7 @@ def weighted_base(
     set_in: Switch | None = None,
     front: Scalar = 0.0,
 ) -> Body:
-    """Make a base on its pad: the link `base`.
-
-    Args:
-        shape: Its outline.
-        radius: Its radius [m].
-        height: Height of its top [m].
-        finish: What it is made of.
-        set_in: A switch in its top.
-        front: How far that is in front of the middle [m].
-    """
+    """Make a base on its pad: the link `base`."""
     block = base_block(shape, radius, height)
     if set_in is None:
         return weld(part(block, "base", finish), pad(shape, radius))
@@ -183,15 +159,7 @@ def hollow(finish: Material) -> Material:
 
 
 def tripod(*, spread: Scalar, height: Scalar, radius: Scalar, finish: Material, metal: Material) -> Body:
-    """Make three slanted legs under a hub whose top is at a height; one leg points to the front.
-
-    Args:
-        spread: Distance of the feet from the axis [m].
-        height: Of the top of the hub [m].
-        radius: Of a leg where it is thickest [m].
-        finish: Of the legs.
-        metal: Of the hub and the ferrules.
-    """
+    """Make three slanted legs under a hub whose top is at a height; one leg points to the front."""
     top = 0.034
     disc = cylinder(0.052, 0.030, bevel=0.004).at(0.0, 0.0, height - 0.015)
     bodies = [part(disc, "pole", metal.with_(name=f"{metal.name}_hub", density=1500.0), name="base")]
@@ -275,13 +243,6 @@ def turned_body(form: BodyForm, *, radius: Scalar, low: Scalar, high: Scalar, fi
 
     What is seen is a smooth skin; what weighs and collides is a core of frustums 2 mm below it, each of which
     is one convex piece of few corners.
-
-    Args:
-        form: Its outline.
-        radius: Where it is widest [m].
-        low: Height of its foot [m].
-        high: Height of its neck [m].
-        finish: Its material, of the density that it has with its hollow.
     """
     least = 0.020 if form == "stem" else 0.068  # the core of a lower one crosses itself
     high = require(high, high - low >= least, _SQUAT)
@@ -293,15 +254,7 @@ def turned_body(form: BodyForm, *, radius: Scalar, low: Scalar, high: Scalar, fi
 
 
 def wide_up_to(form: BodyForm, beside: float, *, radius: Scalar, low: Scalar, high: Scalar) -> Scalar:
-    """Return up to which height a turned body reaches farther out than to a distance from its axis [m].
-
-    Args:
-        form: Its outline.
-        beside: The distance [m].
-        radius: Where it is widest [m].
-        low: Height of its foot [m].
-        high: Height of its neck [m].
-    """
+    """Return up to which height a turned body reaches farther out than to a distance from its axis [m]."""
     found = low
     share = beside / radius
     for (r, at), (r_above, at_above) in pairwise(_between(_BODIES[form])):
@@ -312,15 +265,7 @@ def wide_up_to(form: BodyForm, beside: float, *, radius: Scalar, low: Scalar, hi
 
 
 def neck(form: BodyForm, radius: Scalar, *, low: Scalar, high: Scalar, finish: Material) -> Body:
-    """Make the fitting between a body and its socket: a cap on the body, and a tube.
-
-    Args:
-        form: Outline of the body.
-        radius: Of the body where it is widest [m].
-        low: Height of its upper end [m].
-        high: Height of the socket [m].
-        finish: Its metal.
-    """
+    """Make the fitting between a body and its socket: a cap on the body, and a tube."""
     wide = max_(_BODIES[form][-1][0] * radius + 0.003, 0.016)
     cap = cylinder(wide, 0.006, bevel=0.002).at(0.0, 0.0, low + 0.002)
     stem = cylinder_between((0.0, 0.0, low), (0.0, 0.0, high), 0.0095, bevel=0.001)
@@ -331,16 +276,7 @@ def neck(form: BodyForm, radius: Scalar, *, low: Scalar, high: Scalar, finish: M
 def turned_lamp(
     form: BodyForm, *, radius: Scalar, low: Scalar, high: Scalar, finish: Material, metal: Material
 ) -> Body:
-    """Make the body of a table lamp with the fitting that carries its socket.
-
-    Args:
-        form: Its outline.
-        radius: Where it is widest [m].
-        low: Height of its foot [m].
-        high: Height of the socket [m].
-        finish: Of the body.
-        metal: Of the fitting.
-    """
+    """Make the body of a table lamp with the fitting that carries its socket."""
     shoulder = high - FITTING
     return weld(
         turned_body(form, radius=radius, low=low, high=shoulder, finish=finish),
@@ -363,17 +299,7 @@ def harp(
     stud_radius: Scalar,
     finial: bool = True,
 ) -> list[Body]:
-    """Make the bow of wire around a bulb that carries a shade, with its stud and finial.
-
-    Args:
-        saddle: Height of its feet, on the socket [m].
-        top: Height of its upper bar [m].
-        half: Half of its width at the bulb [m].
-        metal: Its wire.
-        stud: How far the stud stands above the bar, up to the finial [m].
-        stud_radius: Radius of the stud [m].
-        finial: Whether a finial is screwed on it; a dome has its own.
-    """
+    """Make the bow of wire around a bulb that carries a shade, with its stud and finial."""
     rise = top - saddle
     course = polyline(
         [

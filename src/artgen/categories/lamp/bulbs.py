@@ -41,12 +41,7 @@ def bulb() -> Body:
 
 
 def socket(finish: Material, *, length: Scalar = SOCKET) -> Body:
-    """Make a socket with its mouth in the plane z = 0, from which it reaches down; it holds a bulb.
-
-    Args:
-        finish: Its metal or plastic.
-        length: How far it reaches down [m].
-    """
+    """Make a socket with its mouth in the plane z = 0, from which it reaches down; it holds a bulb."""
     sleeve = cylinder(0.0160, length, bevel=0.0015).at(0.0, 0.0, -0.5 * length)
     mouth = cylinder(SOCKET_RADIUS, 0.008, bevel=0.0012).at(0.0, 0.0, -0.004)
     groove = cylinder(0.0162, 0.0012).at(0.0, 0.0, -0.011)
@@ -65,15 +60,7 @@ def lamp_holder(finish: Material, *, length: Scalar = SOCKET) -> Body:
 def vents(
     radius: Scalar, level: Scalar, finish: Material, *, count: int = 10, height: Scalar = 0.012
 ) -> Body:
-    """Make the slots around a housing through which a bulb is cooled; they only are seen.
-
-    Args:
-        radius: Of the housing, about the z axis [m].
-        level: Height of their middles [m].
-        finish: Of the housing.
-        count: How many there are.
-        height: How high each is [m].
-    """
+    """Make the slots around a housing through which a bulb is cooled; they only are seen."""
     slot = box(0.0030, 0.0030, height, bevel=0.0012)
     places = ring_points((0.0, 0.0, level), radius - 0.0011, count=count)
     return detail(array(slot, at=places), "socket", recess(finish))

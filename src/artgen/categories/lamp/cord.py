@@ -15,20 +15,13 @@ _ALONE = 0.15  # farther back that a cord without one ends [m]
 
 @dataclass(frozen=True)
 class Cord:
-    """Where a cord runs.
+    """Where a cord runs."""
 
-    Attributes:
-        finish: What cord and case are made of.
-        start: Where it leaves the base, along y [m].
-        end: Where its switch lies [m].
-        height: Of its outlet [m].
-        stiff: How far it goes straight back at first; from high up it bends down in a wider arc [m].
-    """
-
-    finish: Material
-    start: Scalar
-    end: Scalar
-    height: Scalar
+    finish: Material  # what cord and case are made of
+    start: Scalar  # where it leaves the base, along y [m]
+    end: Scalar  # where its switch lies [m]
+    height: Scalar  # of its outlet [m]
+    # how far it goes straight back at first; from high up it bends down in a wider arc [m]
     stiff: Scalar = 0.022
 
     def alone(self) -> Body:
@@ -73,15 +66,7 @@ def cord_case(switched: Switch, finish: Material) -> Body:
 def cord_run(
     start: Scalar, end: Scalar, *, height: Scalar, finish: Material, sway: Scalar = 0.0, stiff: Scalar = 0.022
 ) -> Body:
-    """Make a cord that leaves a base at the back, at y = start, and lies on the floor up to y = end.
-
-    Args:
-        start: Where it leaves [m].
-        end: Where it ends [m].
-        height: Of its outlet [m].
-        finish: Of the cord.
-        sway: How far it swings to the sides on its way [m].
-    """
+    """Make a cord that leaves a base at the back, at y = start, and lies on the floor up to y = end."""
     run = end - start
     path = bezier(  # which stays above the floor, as its control points do
         [

@@ -63,34 +63,21 @@ _UP = -1.25  # how far a shade turns up [rad]
 
 @dataclass(frozen=True)
 class Carried:
-    """What stands on a base.
+    """What stands on a base."""
 
-    Attributes:
-        body: The link that moves on the base, with all that it carries; it begins at z = 0.
-        moment: Mass times the farthest reach of its parts [kg m].
-        joints: How it moves on the base.
-        hangs: How far below z = 0 an arm of a reading lamp reaches with its shade [m].
-    """
-
-    body: Body
-    moment: Float
-    joints: tuple[Joint, ...]
-    hangs: Scalar = 0.0
+    body: Body  # the link that moves on the base, with all that it carries; it begins at z = 0
+    moment: Float  # mass times the farthest reach of its parts [kg m]
+    joints: tuple[Joint, ...]  # how it moves on the base
+    hangs: Scalar = 0.0  # how far below z = 0 an arm of a reading lamp reaches with its shade [m]
 
 
 @dataclass(frozen=True)
 class ArmLooks:
-    """How arms look and feel.
+    """How arms look and feel."""
 
-    Attributes:
-        style: Form of their bars.
-        finish: What they are made of.
-        swivel_friction: Against turning on the base [N m].
-    """
-
-    style: ArmStyle
-    finish: Material
-    swivel_friction: Scalar
+    style: ArmStyle  # form of their bars
+    finish: Material  # what they are made of
+    swivel_friction: Scalar  # against turning on the base [N m]
 
     def turn(self) -> tuple[Joint, ...]:
         """Make the joint by which they turn on the base."""
@@ -99,27 +86,16 @@ class ArmLooks:
 
 @dataclass(frozen=True)
 class ArmSizes:
-    """The sizes of arms; each lamp takes those that it has.
+    """The sizes of arms; each lamp takes those that it has."""
 
-    Attributes:
-        length: Of the lower or only arm [m].
-        upper: Of the upper arm, or of a bar of LEDs [m].
-        lean: Of the lower arm at rest [rad].
-        rise: Of the upper arm at rest, from the vertical [rad].
-        tilt: How far a shade looks forward at rest [rad].
-        reach: Of a bow [m].
-        travel: Of a clamp on its pole [m].
-        height: Of a bow above the base [m].
-    """
-
-    length: Scalar
-    upper: Scalar
-    lean: Scalar
-    rise: Scalar
-    tilt: Scalar
-    reach: Scalar
-    travel: Scalar
-    height: Scalar
+    length: Scalar  # of the lower or only arm [m]
+    upper: Scalar  # of the upper arm, or of a bar of LEDs [m]
+    lean: Scalar  # of the lower arm at rest [rad]
+    rise: Scalar  # of the upper arm at rest, from the vertical [rad]
+    tilt: Scalar  # how far a shade looks forward at rest [rad]
+    reach: Scalar  # of a bow [m]
+    travel: Scalar  # of a clamp on its pole [m]
+    height: Scalar  # of a bow above the base [m]
 
 
 def _steepest(cosine: Scalar) -> Float:
@@ -146,15 +122,7 @@ def _headed(body: Body, hung: Body, head: Head, *, at: Vector, lean: Scalar, til
 
 
 def one_arm(head: Head, looks: ArmLooks, *, length: Scalar, lean: Scalar, tilt: Scalar) -> Carried:
-    """Make an arm on a turret with a shade at its end.
-
-    Args:
-        head: The shade.
-        looks: How the arm looks.
-        length: Of the arm [m].
-        lean: How far it leans forward at rest [rad].
-        tilt: How far the shade looks forward at rest [rad].
-    """
+    """Make an arm on a turret with a shade at its end."""
     hung = _hung(head, looks)
     weight, heavy = GRAVITY * mass(hung), norm(center_of_mass(hung))
     reach = head.reach + _HANG
@@ -185,17 +153,7 @@ def one_arm(head: Head, looks: ArmLooks, *, length: Scalar, lean: Scalar, tilt: 
 def two_arms(
     head: Head, looks: ArmLooks, *, lower: Scalar, upper: Scalar, lean: Scalar, rise: Scalar, tilt: Scalar
 ) -> Carried:
-    """Make two arms on a turret that springs balance, with a shade at their end.
-
-    Args:
-        head: The shade.
-        looks: How the arms look.
-        lower: Length of the lower arm [m].
-        upper: Length of the upper arm [m].
-        lean: How far the lower arm leans back at rest [rad].
-        rise: Angle of the upper arm from the vertical at rest [rad].
-        tilt: How far the shade looks forward at rest [rad].
-    """
+    """Make two arms on a turret that springs balance, with a shade at their end."""
     hung = _hung(head, looks)
     weight, heavy = GRAVITY * mass(hung), norm(center_of_mass(hung))
     reach = head.reach + _HANG
@@ -246,14 +204,7 @@ def two_arms(
 
 
 def light_bar(looks: ArmLooks, *, length: Scalar, bar: Scalar, lean: Scalar) -> Carried:
-    """Make a bar of LEDs on an arm.
-
-    Args:
-        looks: How arm and bar look.
-        length: Of the arm [m].
-        bar: Length of the bar from its hinge [m].
-        lean: How far the arm leans back at rest [rad].
-    """
+    """Make a bar of LEDs on an arm."""
     first = arm("arm_lower", looks.style, length, finish=looks.finish, outer=True)
     shade = _bar(looks.finish, bar)
     own, weight, heavy = GRAVITY * mass(first), GRAVITY * mass(shade), norm(center_of_mass(shade))
@@ -309,17 +260,7 @@ def _bar(finish: Material, length: Scalar) -> Body:
 def reading_arm(
     head: Head, looks: ArmLooks, *, length: Scalar, lean: Scalar, tilt: Scalar, bore: Scalar, travel: Scalar
 ) -> Carried:
-    """Make an arm on a clamp that slides and turns on a pole about z, the clamp at z = 0.
-
-    Args:
-        head: The shade.
-        looks: How the arm looks.
-        length: Of the arm [m].
-        lean: Its angle from the vertical at rest [rad].
-        tilt: How far the shade looks forward at rest [rad].
-        bore: Radius of the pole [m].
-        travel: How far the clamp slides up [m].
-    """
+    """Make an arm on a clamp that slides and turns on a pole about z, the clamp at z = 0."""
     hung = _hung(head, looks)
     weight, heavy = GRAVITY * mass(hung), norm(center_of_mass(hung))
     reach = head.reach + _HANG

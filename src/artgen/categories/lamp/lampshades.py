@@ -71,25 +71,15 @@ def spun(finish: Material) -> Material:
 
 @dataclass(frozen=True)
 class Head:
-    """A metal shade with its housing, socket and bulb, which shines along -z.
+    """A metal shade with its housing, socket and bulb, which shines along -z."""
 
-    Attributes:
-        body: The link `shade`; the top of its housing is the origin.
-        reach: Distance of its farthest point from the origin [m].
-        corners: Radius and depth below the origin of the points that come nearest to an arm behind it.
-    """
-
-    body: Body
-    reach: Float
+    body: Body  # the link `shade`; the top of its housing is the origin
+    reach: Float  # distance of its farthest point from the origin [m]
+    # radius and depth below the origin of the points that come nearest to an arm behind it
     corners: tuple[Point, ...]
 
     def spread(self, above: Scalar, beside: Scalar) -> Float:
-        """Return the angle about the axis that it fills, seen from a pivot above the origin [rad].
-
-        Args:
-            above: How far above the origin the pivot is [m].
-            beside: Half of the width of the arm, with its clearance [m].
-        """
+        """Return the angle about the axis that it fills, seen from a pivot above the origin [rad]."""
         widest: Float = sqrt(0.0)
         for radius, depth in self.corners:
             deep = depth + above
@@ -102,16 +92,7 @@ class Head:
 def metal_head(
     kind: ShadeKind, *, radius: Scalar, depth: Scalar, finish: Material, lining: Material, trim: Material
 ) -> Head:
-    """Make a metal shade, open below, with its bulb.
-
-    Args:
-        kind: A cone, a drum, a dome or a bell (`curved`).
-        radius: Of its rim [m].
-        depth: From its top to its rim [m].
-        finish: Its outside.
-        lining: Its inside.
-        trim: Of the housing.
-    """
+    """Make a metal shade, open below, with its bulb."""
     top = -HOUSING_TOP
     points = [(r, top + z) for r, z in _metal_outline(kind, radius, depth)]
     low, high = points[0], points[-1]
@@ -181,15 +162,7 @@ def _straight(points: list[Point], finish: Material, lining: Material, grasp: Fr
 def _curved(
     kind: ShadeKind, points: list[Point], finish: Material, lining: Material, grasp: Frame | tuple[()]
 ) -> list[Body]:
-    """Make a smooth shade: two skins, and the faceted shell between them.
-
-    Args:
-        kind: A dome, or a bell, whose outline bends inward too.
-        points: Its outline, from the rim up.
-        finish: Outside.
-        lining: Inside.
-        grasp: Where a hand holds its rim.
-    """
+    """Make a smooth shade: two skins, and the faceted shell between them."""
     smooth, flat = spline(_line(points)), polyline(_line(points))
     radius, level = points[0]
     deep = _UNDER + (0.010 * radius if kind == "curved" else 0.0)
@@ -209,15 +182,7 @@ def _curved(
 
 
 def _rim_grasp(low: Point, high: Point, sides: int, under: Scalar, *, upper: bool = False) -> Frame:
-    """Return where a hand holds a rim: in front, one finger inside, from below or (`upper`) from above.
-
-    Args:
-        low: The rim.
-        high: The other end of the outline's run.
-        sides: Facets of the shell.
-        under: How far the shell lies below the outline [m].
-        upper: Whether it is the upper rim.
-    """
+    """Return where a hand holds a rim: in front, one finger inside, from below or (`upper`) from above."""
     turn = math.pi * (1.5 + (0.0 if sides % 4 == 2 else 1.0 / sides))  # the middle of a facet
     out = vector(math.cos(turn), math.sin(turn), 0.0)
     share = math.cos(math.pi / sides)
@@ -244,17 +209,11 @@ def _scaled(radius: Scalar, height: Scalar, top: Scalar) -> list[Point]:
 
 @dataclass(frozen=True)
 class FabricShade:
-    """A shade on a spider, which turns on a stud about the z axis.
+    """A shade on a spider, which turns on a stud about the z axis."""
 
-    Attributes:
-        body: The link `shade`; the middle of its lower rim is the origin.
-        hub: Height of the lower face of the spider's hub [m].
-        kind: Its form.
-    """
-
-    body: Body
-    hub: Float
-    kind: ShadeKind
+    body: Body  # the link `shade`; the middle of its lower rim is the origin
+    hub: Float  # height of the lower face of the spider's hub [m]
+    kind: ShadeKind  # its form
 
 
 STUD = 0.0032
@@ -285,18 +244,7 @@ def spider_shade(
     trim: Material,
     wire: Material,
 ) -> FabricShade:
-    """Make a shade on three spokes: a cone, a drum or a bell of cloth, or a dome of metal.
-
-    Args:
-        kind: Its form.
-        top: Radius of its upper rim; a dome has none [m].
-        bottom: Radius of its lower rim [m].
-        height: Its height [m].
-        finish: Its outside.
-        lining: Its inside.
-        trim: The bands at its rims.
-        wire: The metal of the spider.
-    """
+    """Make a shade on three spokes: a cone, a drum or a bell of cloth, or a dome of metal."""
     drop = drop_of(kind)
     level: Scalar = height - drop
     reach: Scalar | None = None  # of the spokes; a dome needs none
@@ -348,16 +296,7 @@ def _spokes(reach: Scalar, level: Scalar, wire: Material) -> list[Body]:
 def _cloth(
     points: list[Point], finish: Material, lining: Material, trim: Material, *, sides: int, under: Scalar
 ) -> list[Body]:
-    """Make a cloth shade: the skin and the lining that are seen, the faceted shell between them, two bands.
-
-    Args:
-        points: Its outline, from the lower rim up.
-        finish: Outside.
-        lining: Inside.
-        trim: The bands.
-        sides: Facets of the shell.
-        under: How far the shell lies below the skin [m].
-    """
+    """Make a cloth shade: visible skin and lining, the faceted shell between them, two bands."""
     sag = 1.0 - math.cos(math.pi / sides)
     within = [(r - (under + _CLOTH + 0.0005 + sag * r), z) for r, z in points]
     outside, inside = (

@@ -17,14 +17,7 @@ POLE = 0.0095
 
 
 def pointed(style: str, head: Head, looks: ArmLooks, sizes: ArmSizes) -> Carried:
-    """Make what moves on the base of a lamp with arms.
-
-    Args:
-        style: `desk`, `architect`, `led_bar`, `reading` or `arc`.
-        head: The shade; a bar of LEDs has none.
-        looks: How the arms look.
-        sizes: Their sizes.
-    """
+    """Make what moves on the base of a lamp with arms."""
     match style:
         case "desk":
             return one_arm(head, looks, length=sizes.length, lean=sizes.lean, tilt=sizes.tilt)

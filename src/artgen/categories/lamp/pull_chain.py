@@ -43,12 +43,7 @@ def spout_length(travel: Scalar) -> Scalar:
 
 
 def spout(travel: Scalar, finish: Material) -> Body:
-    """Make the switch that a chain hangs from: a bell-mouthed tube down to z = 0, to be welded to a socket.
-
-    Args:
-        travel: How far the chain is pulled [m].
-        finish: Its metal.
-    """
+    """Make the switch of a pull chain: a bell-mouthed tube down to z = 0, to be welded to a socket."""
     long = spout_length(travel)
     pipe = tube(SPOUT, _BORE, long, bevel=0.0006).at(0.0, 0.0, long / 2.0)
     lid = cylinder(_BORE + 0.0034, 0.005, bevel=0.0012).at(0.0, 0.0, long + 0.0022)
@@ -60,12 +55,6 @@ def pull_chain(travel: Scalar, hang: Scalar, *, finish: Material, knob: Material
     """Make a chain that hangs out of a spout whose mouth is the origin: the link `pull_chain`.
 
     A thin rod stands for the chain, whose balls are only seen.
-
-    Args:
-        travel: How far it is pulled [m].
-        hang: From the mouth to the middle of its knob [m].
-        finish: Its metal.
-        knob: What its knob is made of.
     """
     above = travel + _IN_SPOUT
     rod = capsule(_CORE, hang + above).at(0.0, 0.0, (above - hang) / 2.0)
@@ -83,12 +72,7 @@ def pull_chain(travel: Scalar, hang: Scalar, *, finish: Material, knob: Material
 
 
 def chain_pull(travel: Scalar, *, force: Scalar) -> Joint:
-    """Make the joint of a chain: it comes down by a travel, and its spring takes it up again.
-
-    Args:
-        travel: How far it comes [m].
-        force: Of the spring when it is pulled out; pull switches need 3-8 N [N].
-    """
+    """Make the joint of a chain: it comes down by a travel, and its spring takes it up again."""
     preload = 0.35 * force  # carries chain and knob, 0.1 N, and the friction
     stiffness = (force - preload) / travel
     return Prismatic(

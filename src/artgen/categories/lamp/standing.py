@@ -44,29 +44,18 @@ BESIDE = _OUT - KNOB[0]
 
 @dataclass(frozen=True)
 class Chain:
-    """A pull chain.
+    """A pull chain."""
 
-    Attributes:
-        travel: How far it is pulled [m].
-        force: Of its spring when it is pulled out [N].
-        knob: What its knob is made of.
-        under: Height of what stands under it [m].
-    """
-
-    travel: Scalar
-    force: Scalar
-    knob: Material
-    under: Scalar
+    travel: Scalar  # how far it is pulled [m]
+    force: Scalar  # of its spring when it is pulled out [N]
+    knob: Material  # what its knob is made of
+    under: Scalar  # height of what stands under it [m]
 
 
 def harp_rise(height: Scalar, kind: ShadeKind) -> Float:
     """Return how far a harp stands above the mouth of its socket [m].
 
     A cloth shade hides the socket: its rim is about 34 mm below the mouth. A dome ends near the mouth.
-
-    Args:
-        height: Of the shade [m].
-        kind: Its form.
     """
     below = 0.004 if kind == "dome" else drop_of(kind) + 0.037
     return clamp(height - below, 0.112, 0.24)
@@ -91,16 +80,6 @@ def shaded(
     """Put a socket with its bulb, a harp and a shade on a base.
 
     The shade rests on the harp, on whose stud it turns; its weight and the finial hold it by friction.
-
-    Args:
-        base: What stands on the floor.
-        shade: The shade.
-        mouth: Height of the mouth of the socket [m].
-        height: Of the shade [m].
-        metal: Of socket and harp.
-        friction: Against turning the shade [N m].
-        over: Height of what lies on the floor around the base [m].
-        chain: A pull chain at the socket, where there is one.
     """
     top = mouth + harp_rise(height, shade.kind)
     bow = harp(
@@ -135,15 +114,7 @@ def _chained(chain: Chain, mouth: Scalar, rim: Scalar, metal: Material) -> Body:
 
 
 def globed(base: Body, *, top: Scalar, radius: Scalar, glass: Material, metal: Material) -> Body:
-    """Put a globe of opal glass, which hides its bulb, on a base whose top is at a height.
-
-    Args:
-        base: What stands on the floor.
-        top: Height at which the fitter begins [m].
-        radius: Of the globe [m].
-        glass: Of the globe; it weighs what a globe of 3 mm glass weighs.
-        metal: Of the fitter.
-    """
+    """Put a globe of opal glass, which hides its bulb, on a base whose top is at a height."""
     opal = glass.with_(name=f"{glass.name}_globe", density=230.0)  # 3 mm of 2500 kg/m3 at 0.1 m
     cup = tube(0.030, 0.026, 0.016, bevel=0.0012).at(0.0, 0.0, top + 0.008)
     floor = cylinder(0.029, 0.004, bevel=0.0012).at(0.0, 0.0, top + 0.002)

@@ -47,28 +47,15 @@ _PLAY = 0.0006  # around it [m]
 
 @dataclass(frozen=True)
 class Switch:
-    """A switch in a face that looks up.
+    """A switch in a face that looks up."""
 
-    Attributes:
-        body: What is seen around it, with the link that moves; to be welded to what has the face.
-        hole: What has to be cut out of the face; None where nothing has to.
-        half: How far it reaches from its middle to the front and to the back [m].
-    """
-
-    body: Body
-    hole: Solid | None
-    half: float
+    body: Body  # what is seen around it, with the link that moves; to be welded to what has the face
+    hole: Solid | None  # what has to be cut out of the face; None where nothing has to
+    half: float  # how far it reaches from its middle to the front and to the back [m]
 
 
 def switch(kind: SwitchKind, *, finish: Material, ink: Material, dial_style: DialStyle = "fluted") -> Switch:
-    """Make a switch: the link `button`, `rocker` or `dial` with its joint.
-
-    Args:
-        kind: Which.
-        finish: What it is made of.
-        ink: Its print.
-        dial_style: Form of a dial.
-    """
+    """Make a switch: the link `button`, `rocker` or `dial` with its joint."""
     match kind:
         case "button":
             return _button(finish, ink)

@@ -39,27 +39,16 @@ _MICA = coloured("fabric", "sand").with_(name="mica", texture="", tile=None, spe
 
 @dataclass(frozen=True)
 class Case:
-    """How a case looks.
+    """How a case looks."""
 
-    Attributes:
-        space: Its measures.
-        finish: Of the sheet around it.
-        inside: Of the cavity.
-        stuffing: What its walls weigh with transformer, magnetron and fan, by their volume [kg/m3].
-        slots: Heights of the slots of the latches, their lower and upper edges [m].
-        vents: Which side the air comes in by: `left` or `right`.
-        maker: Whose name is on the rating plate.
-        watts: On the rating plate [W].
-    """
-
-    space: Space
-    finish: Material
-    inside: Material
-    stuffing: float
-    slots: tuple[Span, ...]
-    vents: str
-    maker: str
-    watts: int
+    space: Space  # its measures
+    finish: Material  # of the sheet around it
+    inside: Material  # of the cavity
+    stuffing: float  # what its walls weigh with transformer, magnetron and fan, by their volume [kg/m3]
+    slots: tuple[Span, ...]  # heights of the slots of the latches, their lower and upper edges [m]
+    vents: str  # which side the air comes in by: `left` or `right`
+    maker: str  # whose name is on the rating plate
+    watts: int  # on the rating plate [W]
 
     def body(self) -> Body:
         """Make all that stands still but the control panel: the link `body`."""

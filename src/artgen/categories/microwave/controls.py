@@ -62,51 +62,28 @@ def key_names(count: int) -> tuple[str, ...]:
 
 @dataclass(frozen=True)
 class Panel:
-    """What is on a control panel.
+    """What is on a control panel."""
 
-    Attributes:
-        space: The measures of the oven.
-        face: How the front is divided.
-        finish: Of the front.
-        glass: Of panes.
-        keys: How many keys there are, in rows of three.
-        shape: Of their caps.
-        cap: Of keys and the button.
-        dials: How many dials there are, one below the other.
-        dial: Their style.
-        radius: Of the dials [m].
-        knob: What dials are made of.
-        metal: Of caps of dials.
-        travel: Of keys [m].
-        force: That presses a key home [N].
-        eject: Whether a button opens the door.
-        eject_travel: Of that button [m].
-        eject_force: That presses it home [N].
-        show: What the display shows; `""` for none.
-        color: Of its figures.
-        maker: Whose name is above the display; `""` for none.
-    """
-
-    space: Space
-    face: FaceStyle
-    finish: Material
-    glass: Material
-    keys: int
-    shape: ButtonShape
-    cap: Material
-    dials: int
-    dial: DialStyle
-    radius: Scalar
-    knob: Material
-    metal: Material
-    travel: Scalar
-    force: Scalar
-    eject: bool
-    eject_travel: Scalar
-    eject_force: Scalar
-    show: str
-    color: Color
-    maker: str
+    space: Space  # the measures of the oven
+    face: FaceStyle  # how the front is divided
+    finish: Material  # of the front
+    glass: Material  # of panes
+    keys: int  # how many keys there are, in rows of three
+    shape: ButtonShape  # of their caps
+    cap: Material  # of keys and the button
+    dials: int  # how many dials there are, one below the other
+    dial: DialStyle  # their style
+    radius: Scalar  # of the dials [m]
+    knob: Material  # what dials are made of
+    metal: Material  # of caps of dials
+    travel: Scalar  # of keys [m]
+    force: Scalar  # that presses a key home [N]
+    eject: bool  # whether a button opens the door
+    eject_travel: Scalar  # of that button [m]
+    eject_force: Scalar  # that presses it home [N]
+    show: str  # what the display shows; `""` for none
+    color: Color  # of its figures
+    maker: str  # whose name is above the display; `""` for none
 
     @cached_property
     def _x(self) -> Span:

@@ -72,13 +72,9 @@ _RAMP = 0.030  # by how much the glass of a banded front leaves top and bottom f
 
 @dataclass(frozen=True)
 class Latches:
-    """Two hooks on the door, and the pawls in the case that hold them down until a button lifts them.
+    """Two hooks on the door, and the pawls in the case that hold them down until a button lifts them."""
 
-    Attributes:
-        space: The measures of the oven.
-    """
-
-    space: Space
+    space: Space  # the measures of the oven
 
     @cached_property
     def _levels(self) -> tuple[Scalar, Scalar]:
@@ -123,11 +119,7 @@ class Latches:
         return weld(*(part(each, "latch", black) for each in (spine, *fingers)))
 
     def slide(self, button: Joint) -> Joint:
-        """Make the joint by which the button lifts the pawls.
-
-        Args:
-            button: The joint of the button.
-        """
+        """Make the joint by which the button lifts the pawls."""
         return Prismatic(
             "latch_slide", axis=Z, follows=_LIFT * button, damping=2.0, friction=0.05, armature=0.02
         )
@@ -141,31 +133,19 @@ class Latches:
 
 @dataclass(frozen=True)
 class Door:
-    """How a door looks.
+    """How a door looks."""
 
-    Attributes:
-        space: The measures of the oven.
-        face: How its front is divided.
-        handle: Its handle.
-        bar: Style of a bar.
-        finish: Of its frame.
-        glass: Of its front.
-        metal: Of the handle.
-        inside: Of its inside.
-        border: From the edges of the door to its window, at the left, the right, below and above [m].
-        maker: Whose name is on it; `""` for none.
-    """
-
-    space: Space
-    face: FaceStyle
-    handle: HandleKind
-    bar: BarStyle
-    finish: Material
-    glass: Material
-    metal: Material
-    inside: Material
+    space: Space  # the measures of the oven
+    face: FaceStyle  # how its front is divided
+    handle: HandleKind  # its handle
+    bar: BarStyle  # style of a bar
+    finish: Material  # of its frame
+    glass: Material  # of its front
+    metal: Material  # of the handle
+    inside: Material  # of its inside
+    # from the edges of the door to its window, at the left, the right, below and above [m]
     border: tuple[Scalar, Scalar, Scalar, Scalar]
-    maker: str
+    maker: str  # whose name is on it; `""` for none
 
     @cached_property
     def _window(self) -> tuple[Span, Span]:
@@ -340,12 +320,6 @@ class Door:
 
         One with a handle stays where it is left: 10-25 N at the handle take the hooks out of their catches
         and move it. One that a button lets go is thrown open by 0.3 rad by a spring, and stays from there on.
-
-        Args:
-            swing: How far it opens [rad].
-            pull: Force at the handle that moves it; of the spring, where there is one [N].
-            needs: What lets it go.
-            sprung: Whether a spring throws it open.
         """
         space = self.space
         arm = space.arm

@@ -39,15 +39,10 @@ _PIVOT = (0.0062, 0.0170)  # of the hinge, from the left edge and the inside of 
 
 @dataclass(frozen=True, kw_only=True)
 class Space(ApplianceSpace):
-    """The measures of a microwave oven.
+    """The measures of a microwave oven."""
 
-    Attributes:
-        panel: Width of the control panel [m].
-        foot: Height of the feet [m].
-    """
-
-    panel: Float
-    foot: Float
+    panel: Float  # width of the control panel [m]
+    foot: Float  # height of the feet [m]
 
     @cached_property
     def mouth(self) -> Scalar:

@@ -36,21 +36,13 @@ _SHAFT = 0.0042  # radius of the motor's shaft [m]
 
 @dataclass(frozen=True)
 class Turntable:
-    """A plate on its ring.
+    """A plate on its ring."""
 
-    Attributes:
-        radius: Of the plate [m].
-        x: Where its axis is [m].
-        y: Where its axis is [m].
-        floor: Of the cavity [m].
-        friction: Of the rollers and the gears of the motor, felt at the plate [N m].
-    """
-
-    radius: Scalar
-    x: Scalar
-    y: Scalar
-    floor: Scalar
-    friction: Scalar
+    radius: Scalar  # of the plate [m]
+    x: Scalar  # where its axis is [m]
+    y: Scalar  # where its axis is [m]
+    floor: Scalar  # of the cavity [m]
+    friction: Scalar  # of the rollers and the gears of the motor, felt at the plate [N m]
 
     @cached_property
     def _under(self) -> float:
@@ -125,11 +117,7 @@ class Turntable:
         )
 
     def roll(self, spin: Joint) -> Joint:
-        """Make the joint of the ring: wheels that roll under the plate take it along at half its speed.
-
-        Args:
-            spin: The joint of the plate.
-        """
+        """Make the joint of the ring: wheels that roll under the plate take it along at half its speed."""
         return Revolute(
             "ring_spin",
             axis=Z,

@@ -39,29 +39,17 @@ _SLAB = 0.024  # of floor and ceiling of the cavity with their wool [m]
 
 @dataclass(frozen=True)
 class Cabinet:
-    """How a cabinet looks.
+    """How a cabinet looks."""
 
-    Attributes:
-        space: Its measures.
-        sides: Finish of its sides.
-        enamel: Of the cavity.
-        wool: What its walls weigh by their volume [kg/m3].
-        bay: Whether there is a bay for a drawer below; else a panel closes it.
-        finish: Of what is below the door.
-        convection: Whether a fan is behind the back wall.
-        maker: Whose name is on the rating plate.
-        watts: On the rating plate [W].
-    """
-
-    space: Space
-    sides: Material
-    enamel: Material
-    wool: float
-    bay: bool
-    finish: Material
-    convection: bool
-    maker: str
-    watts: int
+    space: Space  # its measures
+    sides: Material  # finish of its sides
+    enamel: Material  # of the cavity
+    wool: float  # what its walls weigh by their volume [kg/m3]
+    bay: bool  # whether there is a bay for a drawer below; else a panel closes it
+    finish: Material  # of what is below the door
+    convection: bool  # whether a fan is behind the back wall
+    maker: str  # whose name is on the rating plate
+    watts: int  # on the rating plate [W]
 
     def body(self) -> Body:
         """Make all that stands still but panel, top and rails: the link `body`."""

@@ -54,37 +54,21 @@ _BOX = (0.015, 0.026)  # depth and height of the bar of a box handle [m]
 
 @dataclass(frozen=True)
 class Door:
-    """How a door looks.
+    """How a door looks."""
 
-    Attributes:
-        space: The measures of the oven.
-        window: Of its front.
-        across: Width of the window, as a share of that of the cavity.
-        tall: Height of the window, as a share of what there is room for.
-        handle: The kind of the handle.
-        bar: Style of a bar.
-        length: Of the handle [m].
-        projection: From the front to the middle of a handle [m].
-        girth: Half the thickness of a bar [m].
-        finish: Of the front.
-        glass: Of a front of glass, and around a window.
-        metal: Of the handle.
-        maker: Whose name is on it; `""` for none.
-    """
-
-    space: Space
-    window: Window
-    across: Scalar
-    tall: Scalar
-    handle: HandleKind
-    bar: BarStyle
-    length: Scalar
-    projection: Scalar
-    girth: Scalar
-    finish: Material
-    glass: Material
-    metal: Material
-    maker: str
+    space: Space  # the measures of the oven
+    window: Window  # of its front
+    across: Scalar  # width of the window, as a share of that of the cavity
+    tall: Scalar  # height of the window, as a share of what there is room for
+    handle: HandleKind  # the kind of the handle
+    bar: BarStyle  # style of a bar
+    length: Scalar  # of the handle [m]
+    projection: Scalar  # from the front to the middle of a handle [m]
+    girth: Scalar  # half the thickness of a bar [m]
+    finish: Material  # of the front
+    glass: Material  # of a front of glass, and around a window
+    metal: Material  # of the handle
+    maker: str  # whose name is on it; `""` for none
 
     @cached_property
     def _half(self) -> Scalar:
@@ -241,9 +225,6 @@ class Door:
         The springs are linear and begin at the closed door, so that they lift most where its weight pulls
         most; the rest of m g r sin(q) is less than the friction of hinges and rollers, by which the door of
         an oven stays open by any angle, as for grilling.
-
-        Args:
-            pull: Force at the handle that opens it [N].
         """
         space = self.space
         lever = self._handle_height - space.hinge_height
@@ -264,13 +245,7 @@ class Door:
 
 
 def box_handle(length: Scalar, out: Scalar, *, finish: Material) -> Body:
-    """Make a broad bar with closed ends on the plane y = 0, along x about the origin.
-
-    Args:
-        length: Overall [m].
-        out: From the front to the middle of the bar [m].
-        finish: What it is made of.
-    """
+    """Make a broad bar with closed ends on the plane y = 0, along x about the origin."""
     deep, high = _BOX
     end = 0.030
     bar = box(length - 0.004, deep, high, bevel=0.0045).at(0.0, -out, 0.0)

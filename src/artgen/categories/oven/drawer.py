@@ -36,23 +36,14 @@ _PLAY = 0.0016  # between box and runner [m]
 
 @dataclass(frozen=True)
 class Drawer:
-    """A drawer.
+    """A drawer."""
 
-    Attributes:
-        space: The measures of the range.
-        finish: Of its front.
-        metal: Of the blade of its grip.
-        grip: Length of the grip [m].
-        share: How far it comes out, as a share of its depth.
-        friction: Of its runners [N].
-    """
-
-    space: Space
-    finish: Material
-    metal: Material
-    grip: Scalar
-    share: Scalar
-    friction: Scalar
+    space: Space  # the measures of the range
+    finish: Material  # of its front
+    metal: Material  # of the blade of its grip
+    grip: Scalar  # length of the grip [m]
+    share: Scalar  # how far it comes out, as a share of its depth
+    friction: Scalar  # of its runners [N]
 
     @cached_property
     def _tall(self) -> Span:

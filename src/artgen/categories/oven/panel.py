@@ -23,37 +23,21 @@ _TOUCH = ("power", "minus", "timer", "clock", "plus", "child_lock")
 
 @dataclass(frozen=True)
 class Panel:
-    """What is on a panel.
+    """What is on a panel."""
 
-    Attributes:
-        space: The measures of the oven.
-        finish: Of its face.
-        pane: Whether a pane of black glass lies on it.
-        dials: How many dials there are.
-        burners: How many of them belong to burners.
-        style: Of the dials.
-        radius: Of the dials [m].
-        knob: What dials are made of.
-        metal: Of their caps.
-        friction: That holds them [N m].
-        show: What the display shows; `""` for none.
-        color: Of its figures.
-        maker: Whose name is on it; `""` for none.
-    """
-
-    space: Space
-    finish: Material
-    pane: bool
-    dials: int
-    burners: int
-    style: DialStyle
-    radius: Scalar
-    knob: Material
-    metal: Material
-    friction: Scalar
-    show: str
-    color: Color
-    maker: str
+    space: Space  # the measures of the oven
+    finish: Material  # of its face
+    pane: bool  # whether a pane of black glass lies on it
+    dials: int  # how many dials there are
+    burners: int  # how many of them belong to burners
+    style: DialStyle  # of the dials
+    radius: Scalar  # of the dials [m]
+    knob: Material  # what dials are made of
+    metal: Material  # of their caps
+    friction: Scalar  # that holds them [N m]
+    show: str  # what the display shows; `""` for none
+    color: Color  # of its figures
+    maker: str  # whose name is on it; `""` for none
 
     @cached_property
     def _level(self) -> Scalar:

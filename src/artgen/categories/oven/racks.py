@@ -51,26 +51,15 @@ _WELDED = "rods of a rack are joined by the bent ones, which are only seen"
 
 @dataclass(frozen=True)
 class Racks:
-    """The racks of one oven.
+    """The racks of one oven."""
 
-    Attributes:
-        space: Its measures.
-        chrome: What wires are made of.
-        enamel: Of pans.
-        friction: Of a rack on its rails [N].
-    """
-
-    space: Space
-    chrome: Material
-    enamel: Material
-    friction: Scalar
+    space: Space  # its measures
+    chrome: Material  # what wires are made of
+    enamel: Material  # of pans
+    friction: Scalar  # of a rack on its rails [N]
 
     def rails(self, used: Sequence[int]) -> Body:
-        """Make the rails at both sides: rods that carry racks, and uprights; those in use collide.
-
-        Args:
-            used: Levels at which there are racks.
-        """
+        """Make the rails at both sides: rods that carry racks, and uprights; those in use collide."""
         space = self.space
         front, back = space.mouth + 0.012, space.back - 0.004
         x, middle = space.inside - 0.0095, (front + back) / 2.0
@@ -96,12 +85,7 @@ class Racks:
         )
 
     def rack(self, name: str, level: int) -> Body:
-        """Make a wire rack at a level.
-
-        Args:
-            name: Of the link.
-            level: Counted from below.
-        """
+        """Make a wire rack at a level."""
         space = self.space
         half, deep = space.rack_half, space.rack_depth
         thin, x, y = ROD - _INSIDE, half - ROD, deep / 2.0 - ROD
@@ -143,12 +127,7 @@ class Racks:
         return body.at(0.0, space.rack_front + deep / 2.0, space.rack(level))
 
     def pan(self, name: str, level: int) -> Body:
-        """Make a deep enamelled pan at a level, whose rim lies on the rails.
-
-        Args:
-            name: Of the link.
-            level: Counted from below.
-        """
+        """Make a deep enamelled pan at a level, whose rim lies on the rails."""
         space = self.space
         half, deep = space.rack_half, space.rack_depth
         rim = 0.016
@@ -207,12 +186,7 @@ class Racks:
         return self.space.rack(level) - ROD - (_PAN + _SHEET if pan else 0.0)
 
     def apart(self, levels: Sequence[int], *, pan: bool) -> Bool | bool:
-        """Tell whether racks at these levels keep off each other and off the heating element.
-
-        Args:
-            levels: Counted from below.
-            pan: Whether the second one is a pan.
-        """
+        """Tell whether racks at these levels keep off each other and off the heating element."""
         spans: list[Span] = []
         for number, level in enumerate(levels):
             middle = self.space.rack(level)
@@ -224,21 +198,12 @@ class Racks:
         return reduce(and_, (high < low - 0.001 for (_, high), low in zip(spans, lows, strict=True)))
 
     def slide(self, name: str, needs: Condition | Dependency) -> Joint:
-        """Make the joint by which a rack is drawn out; its effort leaves the closed door shut.
-
-        Args:
-            name: Of the joint.
-            needs: Where the door has to stand.
-        """
+        """Make the joint by which a rack is drawn out; its effort leaves the closed door shut."""
         return rack_slide(name, travel=self.space.slide, friction=self.friction, damping=6.0, needs=needs)
 
 
 def element(space: Space) -> Body:
-    """Make the heating element under the ceiling: a tube that winds to and fro, only seen.
-
-    Args:
-        space: The measures of the oven.
-    """
+    """Make the heating element under the ceiling: a tube that winds to and fro, only seen."""
     x, y0, y1 = 0.66 * space.inside, space.mouth + 0.06, space.back - 0.06
     level = space.ceiling - _HEATING
     turns = 5

@@ -45,23 +45,14 @@ _LEAST = 0.0012  # between a rack and the door at the angle at which it may come
 
 @dataclass(frozen=True, kw_only=True)
 class Space(ApplianceSpace):
-    """The measures of an oven.
+    """The measures of an oven."""
 
-    Attributes:
-        build: Built in or a range.
-        hinge_height: Of the axis of the door [m].
-        panel: Height of the control panel [m].
-        wall: From the outside to the cavity at the sides [m].
-        swing: How far the door opens [rad].
-        slide: How far racks come out [m].
-    """
-
-    build: Build
-    hinge_height: Float
-    panel: Float
-    wall: Float
-    swing: Float
-    slide: Float
+    build: Build  # built in or a range
+    hinge_height: Float  # of the axis of the door [m]
+    panel: Float  # height of the control panel [m]
+    wall: Float  # from the outside to the cavity at the sides [m]
+    swing: Float  # how far the door opens [rad]
+    slide: Float  # how far racks come out [m]
 
     @cached_property
     def side(self) -> Scalar:
@@ -157,9 +148,6 @@ class Space(ApplianceSpace):
 
         Its inside clears the farthest point that the rack comes to where it leans farther out than the
         direction of that point, by the angle under which its distance from the axis is seen.
-
-        Args:
-            low: The lowest height of the rack [m].
         """
         across = self.slide - (self.rack_front - self.hinge[1])
         up = low - self.hinge_height

@@ -57,27 +57,16 @@ class TopPlan(Plan):
 
 @dataclass(frozen=True)
 class Top:
-    """The top of a range.
+    """The top of a range."""
 
-    Attributes:
-        space: The measures of the range.
-        kind: What heats.
-        burners: How many burners there are.
-        mirrored: Whether the large burners are on the right.
-        finish: Of a top of sheet, and of the edge of one of glass.
-        brass: Whether gas burners are of brass.
-        maker: Whose name is on glass; `""` for none.
-        drawer: Whether a drawer is below, and no panel of sheet.
-    """
-
-    space: Space
-    kind: BurnerKind
-    burners: int
-    mirrored: bool
-    finish: Material
-    brass: bool
-    maker: str
-    drawer: bool
+    space: Space  # the measures of the range
+    kind: BurnerKind  # what heats
+    burners: int  # how many burners there are
+    mirrored: bool  # whether the large burners are on the right
+    finish: Material  # of a top of sheet, and of the edge of one of glass
+    brass: bool  # whether gas burners are of brass
+    maker: str  # whose name is on glass; `""` for none
+    drawer: bool  # whether a drawer is below, and no panel of sheet
 
     @cached_property
     def _deep(self) -> tuple[Scalar, Scalar]:

@@ -43,14 +43,7 @@ _ROOM = 0.0036  # half the width of holes in which the shaft turns [m]
 
 
 def wooden(form: BodyForm, radius: Scalar, height: Scalar, finish: Material) -> Body:
-    """Make a body turned of one piece, with its store and works: the link `body`.
-
-    Args:
-        form: Its silhouette.
-        radius: Radius of the mill [m].
-        height: Its height [m].
-        finish: Its wood, lacquer or metal.
-    """
+    """Make a body turned of one piece, with its store and works: the link `body`."""
     runs = body_runs(form, radius, 0.0, height)
     return weld(
         turned(runs, "body", finish, hole=store(-0.001, height + 0.001), bore=STORE),
@@ -80,16 +73,7 @@ def ring(radius: Scalar, low: Scalar, high: Scalar, metal: Material) -> Body:
 def clear(
     radius: Scalar, height: Scalar, finish: Material, ends: Material, *, content: Content, rings: int
 ) -> Body:
-    """Make a clear tube with its contents between a foot and a collar: the link `body`.
-
-    Args:
-        radius: Radius of the mill [m].
-        height: Height of the body [m].
-        finish: The clear plastic.
-        ends: Of foot and collar.
-        content: What is in it.
-        rings: How many rings of grains are seen.
-    """
+    """Make a clear tube with its contents between a foot and a collar: the link `body`."""
     foot, collar = 0.020 + 0.10 * radius, 0.010
     below: list[Run] = [
         [(0.97 * radius, 0.0), (radius, 0.0016)],

@@ -153,26 +153,11 @@ def fitting(form: BodyForm, top: Top) -> float:
 
 
 def body_runs(form: BodyForm, radius: Scalar, low: Scalar, height: Scalar) -> list[Run]:
-    """Return the outline of a body that stands at a height.
-
-    Args:
-        form: Its silhouette.
-        radius: Radius of the mill [m].
-        low: Height of its foot [m].
-        height: Its height [m].
-    """
+    """Return the outline of a body that stands at a height."""
     return drawn(_BODIES[form], radius, low, height)
 
 
 def head_runs(top: Top, radius: Scalar, low: Scalar, height: Scalar, *, across: float = 1.0) -> list[Run]:
-    """Return the outline of a head, or of the cap under a crank.
-
-    Args:
-        top: Its kind.
-        radius: Radius of the mill [m].
-        low: Height of its underside [m].
-        height: Its height [m].
-        across: Share by which it is narrower, where the body ends narrow.
-    """
+    """Return the outline of a head, or of the cap under a crank."""
     form = [[(across * r, share, rest) for r, share, rest in run] for run in _HEADS[top]]
     return drawn(form, radius, low, height)

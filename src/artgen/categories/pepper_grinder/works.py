@@ -126,31 +126,16 @@ def finial_of(style: Finial, metal: Material, at: Scalar) -> Body:
 
 @dataclass(frozen=True)
 class HeadLooks:
-    """How what turns is made.
+    """How what turns is made."""
 
-    Attributes:
-        finish: Of a head, or of the knob of a crank.
-        metal: Of nut, crank and cap.
-        finial: The nut.
-        across: Share by which it is narrower than its drawing, so that it fits the body.
-    """
-
-    finish: Material
-    metal: Material
-    finial: Finial
-    across: float
+    finish: Material  # of a head, or of the knob of a crank
+    metal: Material  # of nut, crank and cap
+    finial: Finial  # the nut
+    across: float  # share by which it is narrower than its drawing, so that it fits the body
 
 
 def head(top: Top, radius: Scalar, low: Scalar, height: Scalar, looks: HeadLooks) -> Body:
-    """Make the head that turns, with shaft, burr and nut: the link `top`.
-
-    Args:
-        top: Its kind, no crank.
-        radius: Radius of the mill [m].
-        low: Height of the body's upper end [m].
-        height: Its height [m].
-        looks: How it is made.
-    """
+    """Make the head that turns, with shaft, burr and nut: the link `top`."""
     runs = head_runs(top, radius, low + GAP, height, across=looks.across)
     upper = low + GAP + height
     solid = core(runs)
@@ -180,27 +165,15 @@ def head_turn(name: str, friction: Scalar) -> Joint:
 
 @dataclass(frozen=True)
 class Crank:
-    """A crank.
+    """A crank."""
 
-    Attributes:
-        reach: From the axis to the middle of its knob [m].
-        knob: Radius of the knob [m].
-        friction: Of the knob on its pin [N m].
-    """
-
-    reach: Scalar
-    knob: Scalar
-    friction: Scalar
+    reach: Scalar  # from the axis to the middle of its knob [m]
+    knob: Scalar  # radius of the knob [m]
+    friction: Scalar  # of the knob on its pin [N m]
 
 
 def crank(sizes: Crank, low: Scalar, looks: HeadLooks) -> Body:
-    """Make a crank with its shaft and burr, the link `crank`, and its knob on a pin, the link `knob`.
-
-    Args:
-        sizes: Its sizes.
-        low: Height of the cap under it [m].
-        looks: How it is made.
-    """
+    """Make a crank with its shaft and burr, the link `crank`, and its knob on a pin, the link `knob`."""
     reach, thick = sizes.reach, 0.0030
     level = low + 0.0052  # of the underside of the arm
     end = level + 0.012  # the arm rises to its outer end

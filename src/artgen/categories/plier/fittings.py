@@ -50,14 +50,7 @@ PASSES = 0.40
 
 
 def jaw_face(forging: Forging, count: int, finish: Material, *, phase: int) -> Body:
-    """Make the flat of a jaw, as it is seen; its teeth fit between those of the other jaw.
-
-    Args:
-        forging: The half.
-        count: Teeth on it; 0 for a plain one.
-        finish: Its steel.
-        phase: 1 for this half, -1 for the other one, which is turned over.
-    """
+    """Make the flat of a jaw, as it is seen; its teeth fit between those of the other jaw."""
     low, high = forging.head.grips
     start, end = forging.level(low), forging.level(high)
     steps = max(2 * count, 1)
@@ -118,19 +111,12 @@ def rivet(forging: Forging, radius: Scalar, finish: Material) -> list[Body]:
 
 
 class Key(NamedTuple):
-    """The keyed bolt of a slip joint and the slot of two holes that it passes when it is aligned.
+    """The keyed bolt of a slip joint and the slot of two holes that it passes when it is aligned."""
 
-    Attributes:
-        radius: Of the bolt [m].
-        flats: Half of the distance between its flats [m].
-        hole: Radius of both holes [m].
-        way: From one hole to the other [m].
-    """
-
-    radius: Scalar
-    flats: Scalar
-    hole: Scalar
-    way: Scalar
+    radius: Scalar  # of the bolt [m]
+    flats: Scalar  # half of the distance between its flats [m]
+    hole: Scalar  # radius of both holes [m]
+    way: Scalar  # from one hole to the other [m]
 
     @staticmethod
     def of(length: Scalar) -> "Key":
@@ -199,13 +185,7 @@ def _rings(forging: Forging, style: Grip, width: Scalar, thick: Scalar) -> list[
 
 
 def off_middle(forging: Forging, style: Grip, width: Scalar) -> Scalar:
-    """Return how far handles stay off the middle between them, closed, where they begin to part [m].
-
-    Args:
-        forging: The half.
-        style: What is on its handle.
-        width: Of the bar in it [m].
-    """
+    """Return how far handles stay off the middle between them, closed, where they begin to part [m]."""
     off = [-x - width / 2.0 for _, x in forging.course[1:3]]
     if style != "bare":
         off += [-ring.x - ring.wide / 2.0 for ring in _rings(forging, style, width, width)[:3]]
@@ -218,14 +198,7 @@ def _below(ring: _Ring, down: float, share: float) -> _Ring:
 
 
 def sleeved(forging: Forging, style: Grip, width: Scalar, thick: Scalar) -> Solid:
-    """Make the sleeve of a handle: dipped in PVC, or a thick one of two plastics.
-
-    Args:
-        forging: The half.
-        style: Which of them.
-        width: Of the bar in it [m].
-        thick: Of the bar [m].
-    """
+    """Make the sleeve of a handle: dipped in PVC, or a thick one of two plastics."""
     return _along(_rings(forging, style, width, thick))
 
 
@@ -245,14 +218,7 @@ def grip_inlay(forging: Forging, width: Scalar, thick: Scalar, finish: Material,
 
 
 def hold_on(forging: Forging, solid: Solid, thick: Scalar, *, over: bool) -> Frame:
-    """Find where a hand from above takes hold of a handle, near its widest place.
-
-    Args:
-        forging: The half.
-        solid: Its sleeve or its bare bar.
-        thick: Thickness of it [m].
-        over: Whether this half is turned over, so that a hand from above comes from below.
-    """
+    """Find where a hand from above takes hold of a handle, near its widest place."""
     y, x = forging.course[5]
     return grasp_on(solid, approach=Z if over else -Z, closing=X, at=(x, y, 0.0), depth=0.8 * thick)
 

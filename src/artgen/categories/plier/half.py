@@ -28,31 +28,18 @@ _PLAY = 0.0003  # of a rivet in its hole [m]
 
 @dataclass(frozen=True)
 class Make:
-    """What pliers are made with.
+    """What pliers are made with."""
 
-    Attributes:
-        forging: The measures of their halves.
-        teeth: Teeth on the flat of a jaw; 0 for plain jaws.
-        steel: Of the halves.
-        grip: What is on their handles.
-        sleeve: Its material.
-        inlay: Of its soft part.
-        width: Of the bars of the handles, in the plane of the tool [m].
-        thick: Of these bars [m].
-        sprung: Whether a leaf spring opens them.
-        key: The keyed bolt of slip-joint pliers; None for a rivet.
-    """
-
-    forging: Forging
-    teeth: int
-    steel: Material
-    grip: Grip
-    sleeve: Material
-    inlay: Material
-    width: Scalar
-    thick: Float
-    sprung: bool
-    key: Key | None
+    forging: Forging  # the measures of their halves
+    teeth: int  # teeth on the flat of a jaw; 0 for plain jaws
+    steel: Material  # of the halves
+    grip: Grip  # what is on their handles
+    sleeve: Material  # its material
+    inlay: Material  # of its soft part
+    width: Scalar  # of the bars of the handles, in the plane of the tool [m]
+    thick: Float  # of these bars [m]
+    sprung: bool  # whether a leaf spring opens them
+    key: Key | None  # the keyed bolt of slip-joint pliers; None for a rivet
 
     def lower(self) -> Body:
         """Make the half whose jaw is at the right, with its plate below: the link `body`."""

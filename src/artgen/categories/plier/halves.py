@@ -29,26 +29,18 @@ _CLOSED = 0.0001  # from the middle to an edge that cuts [m]
 
 
 class Head(NamedTuple):
-    """Proportions of a style, in shares of the whole length unless it says otherwise.
+    """Proportions of a style, in shares of the whole length unless it says otherwise."""
 
-    Attributes:
-        jaw: From the pivot to the tip.
-        lap: Radius of the plates.
-        thick: Thickness at the pivot.
-        outline: Of a jaw, from its root to its tip: share of its length, and half width in radii of the lap;
-            it grows thinner as it grows narrower.
-        grips: The part of the jaw that has teeth, in shares of its length.
-        pipe: The middle and half of the length of the round grip for pipes; half of 0 for none.
-        cuts: The part of the jaw that has cutting edges.
-    """
-
-    jaw: float
-    lap: float
-    thick: float
+    jaw: float  # from the pivot to the tip
+    lap: float  # radius of the plates
+    thick: float  # thickness at the pivot
+    # of a jaw, from its root to its tip: share of its length, and half width in radii of the lap; it grows
+    # thinner as it grows narrower
     outline: tuple[tuple[float, float], ...]
-    grips: tuple[float, float]
+    grips: tuple[float, float]  # the part of the jaw that has teeth, in shares of its length
+    # the middle and half of the length of the round grip for pipes; half of 0 for none
     pipe: tuple[float, float]
-    cuts: tuple[float, float]
+    cuts: tuple[float, float]  # the part of the jaw that has cutting edges
 
 
 HEADS: dict[Style, Head] = {
@@ -94,19 +86,12 @@ HEADS: dict[Style, Head] = {
 
 @dataclass(frozen=True)
 class Forging:
-    """The measures of both halves.
+    """The measures of both halves."""
 
-    Attributes:
-        style: What they are for.
-        length: Over all [m].
-        slip: How far the pivot of slip-joint pliers moves; 0 for others [m].
-        spread: Half of the distance between the handles at their widest, closed [m].
-    """
-
-    style: Style
-    length: Float
-    slip: Scalar
-    spread: Float
+    style: Style  # what they are for
+    length: Float  # over all [m]
+    slip: Scalar  # how far the pivot of slip-joint pliers moves; 0 for others [m]
+    spread: Float  # half of the distance between the handles at their widest, closed [m]
 
     @property
     def head(self) -> Head:
@@ -232,11 +217,7 @@ class Forging:
         return -0.92 * self.lap - 0.55 * self.slip, -0.10 * self.lap - 0.55 * self.slip
 
     def plate(self, hole: Profile | None) -> Solid:
-        """Make the lower plate with a hole for the pivot, and its webs to the shoulders.
-
-        Args:
-            hole: What is cut out of it, inside 0.45 radii of the lap; or the slot of slip-joint pliers.
-        """
+        """Make the lower plate with a hole for the pivot, and its webs to the shoulders."""
         high = self.thick / 2.0 - LAP_GAP
         start, end = self._tail
         webs = [
@@ -279,13 +260,7 @@ class Forging:
         ]
 
     def handle_solid(self, width: Scalar, thick: Scalar, *, hidden: bool) -> Solid:
-        """Make the handle: a bar of rounded section.
-
-        Args:
-            width: Of the bar, in the plane of the tool [m].
-            thick: Across [m].
-            hidden: Whether its lower part is in a sleeve, which has the finer bends.
-        """
+        """Make the handle: a bar of rounded section."""
         left, right = self.neck
         bends = [bend for index, bend in enumerate(self.course) if not (hidden and index in (5, 7))]
         root = rectangle(right - left, self.thick, radius=0.0015)

@@ -66,25 +66,15 @@ Back = Literal["grille", "panel"]
 
 @dataclass(frozen=True)
 class Cell:
-    """A cold room of the cabinet, open in front.
+    """A cold room of the cabinet, open in front."""
 
-    Attributes:
-        left: Its left side along x [m].
-        right: Its right side [m].
-        low: Its floor [m].
-        high: Its ceiling [m].
-        rear: Its back along y [m].
-        humped: Whether the machine room takes the lower part of its rear.
-        top: Whether it is under the top of the cabinet.
-    """
-
-    left: Scalar
-    right: Scalar
-    low: Scalar
-    high: Scalar
-    rear: Scalar
-    humped: bool = False
-    top: bool = False
+    left: Scalar  # its left side along x [m]
+    right: Scalar  # its right side [m]
+    low: Scalar  # its floor [m]
+    high: Scalar  # its ceiling [m]
+    rear: Scalar  # its back along y [m]
+    humped: bool = False  # whether the machine room takes the lower part of its rear
+    top: bool = False  # whether it is under the top of the cabinet
 
     @cached_property
     def width(self) -> Scalar:
@@ -108,25 +98,15 @@ class Cell:
 
 @dataclass(frozen=True)
 class Case:
-    """The measures of a cabinet that everything else refers to.
+    """The measures of a cabinet that everything else refers to."""
 
-    Attributes:
-        width: Overall [m].
-        depth: From the fronts of the doors to the back, without handles [m].
-        top: Height of its top [m].
-        kick: Height of the lower edge of the lowest front [m].
-        thickness: Of the doors [m].
-        wall: Thickness of its sides [m].
-        gap: Between two fronts [m].
-    """
-
-    width: Scalar
-    depth: Scalar
-    top: Scalar
-    kick: Scalar
-    thickness: Scalar
-    wall: Scalar
-    gap: Scalar
+    width: Scalar  # overall [m]
+    depth: Scalar  # from the fronts of the doors to the back, without handles [m]
+    top: Scalar  # height of its top [m]
+    kick: Scalar  # height of the lower edge of the lowest front [m]
+    thickness: Scalar  # of the doors [m]
+    wall: Scalar  # thickness of its sides [m]
+    gap: Scalar  # between two fronts [m]
 
     @cached_property
     def front(self) -> Scalar:
@@ -165,18 +145,7 @@ def cabinet(
     back: Back,
     abreast: bool = False,
 ) -> Body:
-    """Make the cabinet with its cells, machine room, back, kick plate and feet: the link `body`.
-
-    Args:
-        case: Its measures.
-        cells: Its cold rooms, from below, or from the left where they are abreast.
-        finish: Of its outside.
-        liner: Of its inside.
-        corner: Radius of the round corners of its front; None for sharp ones [m].
-        kick: Of the plate above the floor.
-        back: What is seen at the back.
-        abreast: Whether the cells stand side by side.
-    """
+    """Make the cabinet with its cells, machine room, back, kick plate and feet: the link `body`."""
     deep = case.back - case.mouth
     high = case.top - FOOT
     if corner is None:

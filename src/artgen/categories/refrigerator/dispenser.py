@@ -9,15 +9,7 @@ _SHEET = 0.002
 
 
 def dispenser(*, width: Scalar, height: Scalar, deep: Scalar, trim: Material, show: str) -> Grip:
-    """Make a niche about the origin of the front y = 0, with spout, lever and tray, under a touch panel.
-
-    Args:
-        width: Of the niche [m].
-        height: Of the niche [m].
-        deep: How far it reaches into the door [m].
-        trim: Of the frame around it.
-        show: What the display shows.
-    """
+    """Make a niche about the origin of the front y = 0, with spout, lever and tray, under a touch panel."""
     cut = box(width, deep + 0.010, height).at(0.0, deep / 2 - 0.005, 0.0)
     walls = niche(width, height, deep, sheet=_SHEET)
     panel_high = 0.072

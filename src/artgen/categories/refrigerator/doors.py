@@ -69,33 +69,19 @@ _NO_ROOM = (
 
 @dataclass(frozen=True)
 class Dress:
-    """How the fronts of one refrigerator look.
+    """How the fronts of one refrigerator look."""
 
-    Attributes:
-        finish: Of the fronts.
-        metal: Of handles.
-        liner: Of the inner sides.
-        seal: Of the gaskets.
-        trim: Of bins and shelves.
-        form: Of the fronts.
-        bow: How far a bowed front swells [m].
-        grip: Kind of the handles.
-        bar: Style of a bar.
-        girth: Half of the thickness of a bar [m].
-        length: Of a handle, as a share of the front.
-    """
-
-    finish: Material
-    metal: Material
-    liner: Material
-    seal: Material
-    trim: Material
-    form: Front
-    bow: Scalar
-    grip: GripKind
-    bar: BarStyle
-    girth: Scalar
-    length: Scalar
+    finish: Material  # of the fronts
+    metal: Material  # of handles
+    liner: Material  # of the inner sides
+    seal: Material  # of the gaskets
+    trim: Material  # of bins and shelves
+    form: Front  # of the fronts
+    bow: Scalar  # how far a bowed front swells [m]
+    grip: GripKind  # kind of the handles
+    bar: BarStyle  # style of a bar
+    girth: Scalar  # half of the thickness of a bar [m]
+    length: Scalar  # of a handle, as a share of the front
 
     @property
     def front(self) -> Front:
@@ -114,17 +100,7 @@ class Dress:
 def slab(
     case: Case, dress: Dress, left: Scalar, right: Scalar, low: Scalar, high: Scalar, *, thick: Scalar = _SKIN
 ) -> Solid:
-    """Make the front part of a door or drawer.
-
-    Args:
-        case: The cabinet.
-        dress: How it looks.
-        left: Its left edge [m].
-        right: Its right edge [m].
-        low: Its lower edge [m].
-        high: Its upper edge [m].
-        thick: From front to back [m].
-    """
+    """Make the front part of a door or drawer."""
     middle, upward, ease = (left + right) / 2, (low + high) / 2, _EDGES[dress.front]
     if dress.front == "soft":
         outline = rectangle(right - left, high - low, radius=SOFT)
@@ -162,30 +138,13 @@ def framing(case: Case, dress: Dress, left: Scalar, right: Scalar, low: Scalar, 
 
 
 def lining(case: Case, left: Scalar, right: Scalar, low: Scalar, high: Scalar, *, thick: Scalar) -> Solid:
-    """Make the rear part of a door or drawer, a little narrower than its front part.
-
-    Args:
-        case: The cabinet.
-        left: Its left edge [m].
-        right: Its right edge [m].
-        low: Its lower edge [m].
-        high: Its upper edge [m].
-        thick: Of the front part [m].
-    """
+    """Make the rear part of a door or drawer, a little narrower than its front part."""
     deep = case.thickness - thick + 0.001
     return board((left, right), (case.face - deep, case.face), (low, high), bevel=0.005)
 
 
 def door(leaf: Leaf, dress: Dress, *, brand: str = "", display: str = "", water: bool = False) -> Body:
-    """Make a door: the link of that name, in its place.
-
-    Args:
-        leaf: Its measures.
-        dress: How it looks.
-        brand: The name on it; `""` for none.
-        display: What the display on it shows; `""` for none.
-        water: Whether it has a dispenser.
-    """
+    """Make a door: the link of that name, in its place."""
     case = leaf.case
     grip = dress.grip
     if grip in ("pocket", "channel") and leaf.meets:  # hands do not come between two doors

@@ -39,26 +39,16 @@ _HAND = 60.0  # the most that a hand pulls with [N]
 
 @dataclass(frozen=True)
 class Slot:
-    """The place of a drawer behind a door.
+    """The place of a drawer behind a door."""
 
-    Attributes:
-        left: Its left side along x [m].
-        right: Its right side [m].
-        low: Its underside [m].
-        height: Of the drawer [m].
-        front: Its front along y [m].
-        rear: The furthest that it may reach to the back [m].
-        lip: Height of its lip over its underside [m].
-        sides: The halves of the cell in which it is: -1 the left one, 1 the right one.
-    """
-
-    left: Scalar
-    right: Scalar
-    low: Scalar
-    height: Scalar
-    front: Scalar
-    rear: Scalar
-    lip: Scalar
+    left: Scalar  # its left side along x [m]
+    right: Scalar  # its right side [m]
+    low: Scalar  # its underside [m]
+    height: Scalar  # of the drawer [m]
+    front: Scalar  # its front along y [m]
+    rear: Scalar  # the furthest that it may reach to the back [m]
+    lip: Scalar  # height of its lip over its underside [m]
+    # the halves of the cell in which it is: -1 the left one, 1 the right one
     sides: tuple[int, ...] = (-1, 1)
 
 
@@ -78,21 +68,7 @@ def rows(
     lip: Scalar,
     finish: Material,
 ) -> tuple[list[Slot], list[Body]]:
-    """Place drawers in rows from below, and make the rails at both sides of them.
-
-    Args:
-        cell: Where they are.
-        counts: How many stand side by side in each row.
-        low: Underside of the lowest row [m].
-        height: Of a drawer [m].
-        front: Their fronts along y [m].
-        pitch: From row to row [m].
-        lip: Height of their lips over their undersides [m].
-        finish: Of the rails.
-
-    Returns:
-        The places, and what is to be welded to the cabinet.
-    """
+    """Place drawers in rows from below, and make the rails at both sides of them."""
     slots: list[Slot] = []
     rails: list[Body] = []
     hollow = filled(finish, 160.0)
@@ -117,15 +93,7 @@ def rows(
 
 
 def inner_drawer(slot: Slot, number: int, *, finish: Material, front: Material, lip: Material) -> Body:
-    """Make a drawer behind a door: the link `inner_drawer_<number>`.
-
-    Args:
-        slot: Its place.
-        number: Ends the name.
-        finish: Of its box.
-        front: Of its front.
-        lip: Of its lip.
-    """
+    """Make a drawer behind a door: the link `inner_drawer_<number>`."""
     made = drawer_box(
         slot.right - slot.left,
         slot.rear - slot.front,
@@ -141,15 +109,7 @@ def inner_drawer(slot: Slot, number: int, *, finish: Material, front: Material, 
 
 
 def inner_slide(slot: Slot, number: int, opened: Condition, *, share: Scalar, friction: Scalar) -> Joint:
-    """Make the slide of a drawer behind a door: it strikes the door unless that is open.
-
-    Args:
-        slot: Its place.
-        number: Ends the name.
-        opened: Where the doors have swung clear of its way.
-        share: How much of its depth it comes out.
-        friction: Plastic on plastic, 3-8 N [N].
-    """
+    """Make the slide of a drawer behind a door: it strikes the door unless that is open."""
     return Prismatic(
         f"inner_drawer_slide_{number}",
         axis=(0.0, -1.0, 0.0),
@@ -164,33 +124,17 @@ def inner_slide(slot: Slot, number: int, opened: Condition, *, share: Scalar, fr
 
 @dataclass(frozen=True)
 class Front:
-    """The front of a freezer drawer.
+    """The front of a freezer drawer."""
 
-    Attributes:
-        cell: What it closes.
-        left: Its left edge along x [m].
-        right: Its right edge [m].
-        low: Its lower edge [m].
-        high: Its upper edge [m].
-    """
-
-    cell: Cell
-    left: Scalar
-    right: Scalar
-    low: Scalar
-    high: Scalar
+    cell: Cell  # what it closes
+    left: Scalar  # its left edge along x [m]
+    right: Scalar  # its right edge [m]
+    low: Scalar  # its lower edge [m]
+    high: Scalar  # its upper edge [m]
 
 
 def outer_drawer(case: Case, front: Front, number: int, dress: Dress, *, finish: Material) -> Body:
-    """Make a freezer drawer with its front, gasket, handle and basket: the link `outer_drawer_<number>`.
-
-    Args:
-        case: The cabinet.
-        front: Its front.
-        number: Ends the name.
-        dress: How it looks.
-        finish: Of the basket.
-    """
+    """Make a freezer drawer with its front, gasket, handle and basket: the link `outer_drawer_<number>`."""
     left, right, low, high = front.left, front.right, front.low, front.high
     middle, upward = (left + right) / 2, (low + high) / 2
     skin = slab(case, dress, left, right, low, high)
@@ -257,15 +201,7 @@ def _basket(case: Case, cell: Cell, finish: Material) -> list[Body]:
 
 
 def outer_slide(case: Case, front: Front, number: int, *, share: Scalar, pull: Scalar) -> Joint:
-    """Make the slide of a freezer drawer on its runners.
-
-    Args:
-        case: The cabinet.
-        front: Its front.
-        number: Ends the name.
-        share: How much of its depth it comes out.
-        pull: Of gasket and runners, 15-30 N [N].
-    """
+    """Make the slide of a freezer drawer on its runners."""
     return Prismatic(
         f"outer_drawer_slide_{number}",
         axis=(0.0, -1.0, 0.0),

@@ -34,15 +34,6 @@ def door_swing(
 
     Opening a refrigerator takes 15-45 N at its handle to break the gasket's hold and about 5 N further on;
     a joint has one friction for all of its swing, so `pull` is the low end of the first.
-
-    Args:
-        name: Of the joint.
-        pivot: A point on the axis [m].
-        way: 1 for hinges at the right of a door that opens to the front, -1 at the left.
-        limit: How far it opens [rad].
-        pull: Force at the handle that moves it [N].
-        arm: From the axis to the handle [m].
-        damping: [N m s/rad].
     """
     return Revolute(
         name,
@@ -62,13 +53,6 @@ def hinge_cover(
     """Make the cover of the upper hinge on top of a cabinet; the axis is the Z axis, the top is z = 0.
 
     It reaches over the door in front of it.
-
-    Args:
-        finish: Of the cover.
-        way: 1 for the right end of a door, -1 for the left one.
-        inset: From the axis to the outer side of the cabinet [m].
-        reach: From the axis to its back [m].
-        high: Its height [m].
     """
     wide, lead = 0.052, 0.017  # its width, and how far it reaches before the axis [m]
     cap = extrude(rectangle(wide, reach + lead, radius=0.010), high, bevel=0.004)
@@ -77,15 +61,7 @@ def hinge_cover(
 
 
 def hinge_bracket(*, finish: Material, way: int, inset: Scalar, back: Scalar, thick: Scalar = 0.0018) -> Body:
-    """Make the bracket in the gap under a door, as it is seen: a plate with a pin through it, about z = 0.
-
-    Args:
-        finish: Its metal.
-        way: 1 for the right end of a door, -1 for the left one.
-        inset: From the axis to the outer side of the cabinet [m].
-        back: From the axis to the front of the cabinet [m].
-        thick: Thickness of the plate [m].
-    """
+    """Make the bracket in the gap under a door, as it is seen: a plate with a pin through it, about z = 0."""
     wide = inset + 0.018
     plate = box(wide, back + 0.012, thick, bevel=0.0005).at(
         way * (inset - wide / 2 - 0.002), (back - 0.010) / 2, 0.0

@@ -52,16 +52,7 @@ def shelf(
     trim: Material,
     glass: Material,
 ) -> Body:
-    """Make shelves from side to side of a cell.
-
-    Args:
-        cell: Where they are.
-        kind: Of glass, or of wires.
-        levels: Their heights [m].
-        front: Their front along y [m].
-        trim: Of their strips, or of their wires.
-        glass: Of their panes.
-    """
+    """Make shelves from side to side of a cell."""
     rear = cell.rear - DUCT - 0.004
     deep = rear - front
     places = [(cell.middle, front + deep / 2, level) for level in levels]
@@ -71,14 +62,7 @@ def shelf(
 
 
 def eggs(cell: Cell, level: Scalar, *, front: Scalar, finish: Material) -> Body:
-    """Make an egg tray on a glass shelf, at the right in front.
-
-    Args:
-        cell: Where it is.
-        level: The top of the shelf [m].
-        front: The front of the shelf along y [m].
-        finish: Of the tray.
-    """
+    """Make an egg tray on a glass shelf, at the right in front."""
     wide = 0.22
     return egg_tray(wide, 0.098, finish=finish, columns=4).at(
         cell.right - wide / 2 - 0.05, front + 0.075, level - 0.0004
@@ -95,17 +79,7 @@ def fittings(
     show: str,
     liner: Material,
 ) -> list[Body]:
-    """Make light and control at the ceiling of a cell, and the air duct on its rear.
-
-    Args:
-        cell: Where they are.
-        front: The front of its shelves along y [m].
-        low: Where the duct begins [m].
-        high: The ceiling: of the cell, or under an ice box [m].
-        control: What sets the temperature.
-        show: What a display shows.
-        liner: What housings are made of.
-    """
+    """Make light and control at the ceiling of a cell, and the air duct on its rear."""
     bodies = []
     wide = 0.34 * cell.width
     tall = max_(high - low - 0.03, 0.02)  # where there is no room, the category says so
@@ -140,14 +114,7 @@ def fittings(
 
 
 def ice_box(cell: Cell, *, low: Scalar, front: Scalar, liner: Material) -> list[Body]:
-    """Make the floor of an ice box under the ceiling of a cell, and the post on which its flap hangs.
-
-    Args:
-        cell: Where it is.
-        low: Underside of its floor [m].
-        front: Its front along y [m].
-        liner: What it is made of.
-    """
+    """Make the floor of an ice box under the ceiling of a cell, and the post on which its flap hangs."""
     deep = cell.rear - front
     floor = box(cell.width + 0.001, deep + 0.001, ICE_SHELF, bevel=0.004)
     plate = box(cell.width - 0.01, deep - 0.06, 0.001)
@@ -165,14 +132,7 @@ def ice_box(cell: Cell, *, low: Scalar, front: Scalar, liner: Material) -> list[
 
 
 def flap(cell: Cell, *, low: Scalar, front: Scalar, finish: Material) -> Body:
-    """Make the flap of an ice box, the link `freezer_door`, hinged at the left.
-
-    Args:
-        cell: Where it is.
-        low: Underside of the floor of the box [m].
-        front: The front of the box along y [m].
-        finish: Of the flap.
-    """
+    """Make the flap of an ice box, the link `freezer_door`, hinged at the left."""
     left, right = cell.left + _FLAP_INSET, cell.right - 0.012
     bottom, top = low + ICE_SHELF + 0.003, cell.high - 0.004
     board = box(right - left, _FLAP, top - bottom, bevel=0.004)
@@ -196,15 +156,7 @@ def flap_reach(cell: Cell) -> Scalar:
 
 
 def flap_swing(cell: Cell, opened: Condition, *, front: Scalar, far: Scalar, limit: Scalar) -> Joint:
-    """Make the hinge of the flap of an ice box; it strikes the door in front of it unless that is open.
-
-    Args:
-        cell: Where it is.
-        opened: Where the door has swung clear.
-        front: Of the flap along y [m].
-        far: The outer side of the ridge that its lip strikes along x [m].
-        limit: How far it opens [rad].
-    """
+    """Make the hinge of the flap of an ice box; it strikes the door in front of it unless that is open."""
     axis = cell.left + _FLAP_INSET + _FLAP / 2
     free = atan2(SLACK, far - axis)
     return Revolute(

@@ -27,39 +27,22 @@ _CLEARS = 0.004  # what an open door leaves to a drawer's way [m]
 
 @dataclass(frozen=True)
 class Leaf:
-    """A door that hinges at its left; one at the right is the mirror image of such a door.
+    """A door that hinges at its left; one at the right is the mirror image of such a door."""
 
-    Attributes:
-        label: Semantic label.
-        name: Name of the link.
-        case: The cabinet.
-        cell: What it closes.
-        left: Its edge with the hinges along x [m].
-        right: Its free edge [m].
-        low: Its lower edge [m].
-        high: Its upper edge [m].
-        limit: How far to the right what is on its inside may reach: a wall, or another door [m].
-        ridge: How deep its ridges reach into the cell [m]; None for a flat inside.
-        bins: How many bins hang between them.
-        mirrored: Whether it hinges at the right: all measures then are those of the mirror image.
-        handle: Where its handle is.
-        meets: Whether its free edge meets that of another door.
-    """
-
-    label: str
-    name: str
-    case: Case
-    cell: Cell
-    left: Scalar
-    right: Scalar
-    low: Scalar
-    high: Scalar
-    limit: Scalar
-    ridge: Scalar | None
-    bins: int
-    mirrored: bool = False
-    handle: Literal["low", "middle", "high"] = "middle"
-    meets: bool = False
+    label: str  # semantic label
+    name: str  # name of the link
+    case: Case  # the cabinet
+    cell: Cell  # what it closes
+    left: Scalar  # its edge with the hinges along x [m]
+    right: Scalar  # its free edge [m]
+    low: Scalar  # its lower edge [m]
+    high: Scalar  # its upper edge [m]
+    limit: Scalar  # how far to the right what is on its inside may reach: a wall, or another door [m]
+    ridge: Scalar | None  # how deep its ridges reach into the cell [m]; None for a flat inside
+    bins: int  # how many bins hang between them
+    mirrored: bool = False  # whether it hinges at the right: all measures then are those of the mirror image
+    handle: Literal["low", "middle", "high"] = "middle"  # where its handle is
+    meets: bool = False  # whether its free edge meets that of another door
 
     @cached_property
     def width(self) -> Scalar:
@@ -127,13 +110,7 @@ class Leaf:
         return max_(max_(angles[0], angles[1]), angles[-1])
 
     def hinge(self, *, limit: Scalar, pull: Scalar, damping: Scalar) -> Joint:
-        """Make its hinge.
-
-        Args:
-            limit: How far it opens [rad].
-            pull: Force at the handle that moves it [N].
-            damping: [N m s/rad].
-        """
+        """Make its hinge."""
         return door_swing(
             self.joint,
             pivot=self.pivot,

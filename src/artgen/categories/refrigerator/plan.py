@@ -28,23 +28,14 @@ _NO_LIGHT = (
 
 @dataclass(frozen=True)
 class Plan:
-    """How a refrigerator is divided.
+    """How a refrigerator is divided."""
 
-    Attributes:
-        cold: The cell of the refrigerator.
-        frozen: The cells of the freezer.
-        doors: The doors of the refrigerator.
-        freezer: The door of the freezer, if it has one.
-        fronts: The fronts of its drawers, if it has those.
-        abreast: Whether the freezer is beside the refrigerator, at the left.
-    """
-
-    cold: Cell
-    frozen: tuple[Cell, ...]
-    doors: tuple[Leaf, ...]
-    freezer: Leaf | None = None
-    fronts: tuple[Front, ...] = ()
-    abreast: bool = False
+    cold: Cell  # the cell of the refrigerator
+    frozen: tuple[Cell, ...]  # the cells of the freezer
+    doors: tuple[Leaf, ...]  # the doors of the refrigerator
+    freezer: Leaf | None = None  # the door of the freezer, if it has one
+    fronts: tuple[Front, ...] = ()  # the fronts of its drawers, if it has those
+    abreast: bool = False  # whether the freezer is beside the refrigerator, at the left
 
     @cached_property
     def cells(self) -> tuple[Cell, ...]:
@@ -65,23 +56,14 @@ class Plan:
 
 @dataclass(frozen=True)
 class Divided:
-    """What divides a cabinet.
+    """What divides a cabinet."""
 
-    Attributes:
-        case: The cabinet.
-        share: Of the freezer, in the height or the width.
-        ridge: How deep the bins of the refrigerator's doors reach into it [m].
-        freezer_ridge: The same for the freezer's door; None for a flat inside.
-        bins: On each door of the refrigerator.
-        drawers: Freezer drawers with fronts of their own.
-    """
-
-    case: Case
-    share: Scalar
-    ridge: Scalar
-    freezer_ridge: Scalar | None
-    bins: int
-    drawers: int
+    case: Case  # the cabinet
+    share: Scalar  # of the freezer, in the height or the width
+    ridge: Scalar  # how deep the bins of the refrigerator's doors reach into it [m]
+    freezer_ridge: Scalar | None  # the same for the freezer's door; None for a flat inside
+    bins: int  # on each door of the refrigerator
+    drawers: int  # freezer drawers with fronts of their own
 
     def plan(self, layout: Layout) -> Plan:
         """Divide the cabinet."""
@@ -213,14 +195,7 @@ class Divided:
 
 
 def hinges(plan: Plan, case: Case, *, cover: Material, metal: Material) -> list[Body]:
-    """Make the covers over the hinges on top of the cabinet, and the brackets under the doors.
-
-    Args:
-        plan: The doors.
-        case: The cabinet.
-        cover: What the covers are made of.
-        metal: What the brackets are made of.
-    """
+    """Make the covers over the hinges on top of the cabinet, and the brackets under the doors."""
     bodies = []
     for leaf in plan.leaves:
         x, y = leaf.left + PIN, case.front + PIN

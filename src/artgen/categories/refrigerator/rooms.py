@@ -17,61 +17,33 @@ _BARE = 0.10  # under the lowest shelf where there are no drawers, above the eve
 
 @dataclass(frozen=True)
 class Furniture:
-    """What a cell holds.
+    """What a cell holds."""
 
-    Attributes:
-        drawers: How many drawers stand side by side in each row, from below.
-        drawer_height: Of each; None lets them fill the cell [m].
-        shelves: How many there are above the drawers.
-        kind: Of the shelves.
-        trim: Of their strips, or wires.
-        liner: Of the cell, and of what is fixed to its walls.
-        ice_box: Whether there is one.
-        egg_tray: Whether there is one.
-        control: What sets the temperature.
-        show: What a display shows.
-    """
-
-    drawers: tuple[int, ...]
-    drawer_height: Scalar | None
-    shelves: int
-    kind: ShelfKind
-    trim: Material
-    liner: Material
-    ice_box: bool = False
-    egg_tray: bool = False
-    control: Literal["dial", "touch", "none"] = "none"
-    show: str = ""
+    drawers: tuple[int, ...]  # how many drawers stand side by side in each row, from below
+    drawer_height: Scalar | None  # of each; None lets them fill the cell [m]
+    shelves: int  # how many there are above the drawers
+    kind: ShelfKind  # of the shelves
+    trim: Material  # of their strips, or wires
+    liner: Material  # of the cell, and of what is fixed to its walls
+    ice_box: bool = False  # whether there is one
+    egg_tray: bool = False  # whether there is one
+    control: Literal["dial", "touch", "none"] = "none"  # what sets the temperature
+    show: str = ""  # what a display shows
 
 
 @dataclass(frozen=True)
 class Room:
-    """A furnished cell.
+    """A furnished cell."""
 
-    Attributes:
-        bodies: What is to be welded to the cabinet.
-        slots: The places of its drawers.
-        front: The front of its drawers along y [m].
-        ice: Underside of the floor of its ice box [m].
-        spread: From shelf to shelf [m].
-    """
-
-    bodies: tuple[Body, ...]
-    slots: tuple[Slot, ...]
-    front: Scalar
-    ice: Scalar
-    spread: Scalar
+    bodies: tuple[Body, ...]  # what is to be welded to the cabinet
+    slots: tuple[Slot, ...]  # the places of its drawers
+    front: Scalar  # the front of its drawers along y [m]
+    ice: Scalar  # underside of the floor of its ice box [m]
+    spread: Scalar  # from shelf to shelf [m]
 
 
 def furnish(case: Case, cell: Cell, ridge: Scalar | None, held: Furniture) -> Room:
-    """Furnish a cell.
-
-    Args:
-        case: The cabinet.
-        cell: The cell.
-        ridge: How deep the ridges of its door reach into it [m]; None for a flat inside.
-        held: What it holds.
-    """
+    """Furnish a cell."""
     glass = material("glass")
     front = drawer_front(case, ridge)
     shelf_front = case.mouth + 0.02 if ridge is None else case.face + ridge + _SHELF_SHY

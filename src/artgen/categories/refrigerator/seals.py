@@ -16,14 +16,6 @@ def door_gasket(
 
     It fills the gap of a closed door but for what the caller leaves: 0.3-0.5 mm is not seen, and lets door
     and cabinet be free of each other; or the gap is less, and `allow_contact` says so.
-
-    Args:
-        width: Between its outer sides [m].
-        height: Between its outer sides [m].
-        rubber: What it is made of.
-        deep: How far it stands out of the door [m].
-        size: Its width [m].
-        label: Semantic label.
     """
     bodies = [part(bar, label, rubber) for bar in _ring(width, height, deep, size, 0.45 * deep)]
     # a flat ring is the root by which it sits in the door's groove

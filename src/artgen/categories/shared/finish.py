@@ -29,12 +29,7 @@ FINISH_WEIGHTS = tuple(_HARDWARE[finish.name] for finish in FINISHES)
 
 
 def casting(finish: Material, share: float = 0.35) -> Material:
-    """Return the material of a hollow casting, a moulding or a tube with the looks of a finish.
-
-    Args:
-        finish: The metal or plastic that is seen.
-        share: What the hollow thing weighs as a share of a full one.
-    """
+    """Return the material of a hollow casting, a moulding or a tube with the looks of a finish."""
     return finish.with_(name=f"{finish.name}_hollow_{round(100 * share)}", density=share * finish.density)
 
 

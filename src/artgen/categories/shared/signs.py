@@ -6,11 +6,7 @@ from artgen import Profile, Scalar, polygon
 
 
 def recycling(size: Scalar) -> Profile:
-    """Make three arrows that chase each other around a triangle, about the origin.
-
-    Args:
-        size: Its height, about [m].
-    """
+    """Make three arrows that chase each other around a triangle, about the origin."""
     unit = polygon(
         [(-0.16, 0.30), (-0.16, 0.44), (0.14, 0.44), (0.14, 0.54), (0.34, 0.37), (0.14, 0.20), (0.14, 0.30)]
     )

@@ -113,17 +113,11 @@ _TUBE = 0.0023  # radius of the dip tube [m]
 
 @dataclass(frozen=True)
 class Sizes:
-    """Sizes of a bottle.
+    """Sizes of a bottle."""
 
-    Attributes:
-        width: Its width [m].
-        depth: Its depth over its width, of an oval or rectangular one.
-        height: From the table to its shoulder [m].
-    """
-
-    width: Scalar
-    depth: Scalar
-    height: Scalar
+    width: Scalar  # its width [m]
+    depth: Scalar  # its depth over its width, of an oval or rectangular one
+    height: Scalar  # from the table to its shoulder [m]
 
 
 def is_turned(shape: Shape) -> bool:
@@ -152,13 +146,7 @@ def outline(shape: Shape, sizes: Sizes, inset: Scalar = 0.0) -> Profile:
 
 
 def opaque(shape: Shape, sizes: Sizes, finish: Material) -> Body:
-    """Make a bottle that hides what is in it: the link `body`.
-
-    Args:
-        shape: Its outline.
-        sizes: Its sizes.
-        finish: Its material, of the density that it has with its content.
-    """
+    """Make a bottle that hides what is in it: the link `body`."""
     height = sizes.height
     if shape in _FORMS:
         return turned(bottle_runs(shape, sizes), "body", finish, sides=24)  # bottles are wide
@@ -205,16 +193,7 @@ def _oval(sizes: Sizes) -> Solid:
 def clear(
     shape: Shape, sizes: Sizes, glass: Material, soap: Material, *, fill: Scalar, plastic: Material
 ) -> Body:
-    """Make a bottle that shows its soap, with the pump's housing and tube in it: the link `body`.
-
-    Args:
-        shape: Its outline.
-        sizes: Its sizes.
-        glass: Its glass or clear plastic.
-        soap: What is in it.
-        fill: To which share of its height.
-        plastic: Of housing and tube.
-    """
+    """Make a bottle that shows its soap, with the pump's housing and tube in it: the link `body`."""
     height = sizes.height
     level = fill * height
     tube = plastic.with_(name=f"{plastic.name}_tube", density=420.0)

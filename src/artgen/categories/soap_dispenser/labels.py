@@ -74,17 +74,7 @@ def _printed(
 def marks(
     kind: Print, content: Content, maker: str, *, shape: Shape, sizes: Sizes, ink: Material, clear: bool
 ) -> list[Body]:
-    """Print a bottle.
-
-    Args:
-        kind: What it shows.
-        content: What is in it.
-        maker: Who made it.
-        shape: Outline of the bottle.
-        sizes: Its sizes.
-        ink: The print; that on a label is black.
-        clear: Whether it is a clear one.
-    """
+    """Print a bottle."""
     words = WORDS[content]
     match kind:
         case "word":

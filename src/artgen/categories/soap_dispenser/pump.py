@@ -67,29 +67,16 @@ _THREAD = 0.0165
 
 @dataclass(frozen=True)
 class PumpLooks:
-    """How a pump is made.
+    """How a pump is made."""
 
-    Attributes:
-        finish: Of collar and nozzle.
-        stem: Of the stem.
-        ribbed: Whether the collar has ribs for fingers.
-        ink: Of what is printed on it; None prints nothing.
-    """
-
-    finish: Material
-    stem: Material
-    ribbed: bool
-    ink: Material | None = None
+    finish: Material  # of collar and nozzle
+    stem: Material  # of the stem
+    ribbed: bool  # whether the collar has ribs for fingers
+    ink: Material | None = None  # of what is printed on it; None prints nothing
 
 
 def collar(nozzle: Nozzle, low: Scalar, looks: PumpLooks) -> Body:
-    """Make the collar that is screwed on a neck, with the sleeve in which the stem slides.
-
-    Args:
-        nozzle: Form of the nozzle.
-        low: Height of the shoulder on which it sits [m].
-        looks: How it is made.
-    """
+    """Make the collar that is screwed on a neck, with the sleeve in which the stem slides."""
     radius = _WIDE.get(nozzle, _THREAD)
     neck = 0.0105 if nozzle != "foamer" else 0.0150
     top = low + COLLAR
@@ -117,14 +104,7 @@ def _fluted() -> Profile:
 
 
 def nozzle_body(kind: Nozzle, *, reach: Scalar, travel: Scalar, looks: PumpLooks) -> Body:
-    """Make a nozzle with its stem: the link `nozzle`.
-
-    Args:
-        kind: Its form.
-        reach: From the axis to its mouth [m].
-        travel: How far it is pressed down [m].
-        looks: How it is made.
-    """
+    """Make a nozzle with its stem: the link `nozzle`."""
     low = -(travel + GAP + _ENGAGED)
     stem = cylinder_between((0.0, 0.0, low), (0.0, 0.0, 0.004), _STEM)
     make = {
@@ -310,15 +290,7 @@ def pump_slide(
     damping: Scalar,
     axis: tuple[float, float, float] = (0.0, 0.0, -1.0),
 ) -> Joint:
-    """Make the joint of what is pressed against the spring of a pump.
-
-    Args:
-        name: Name of the joint.
-        travel: How far it is pressed [m].
-        force: Of the spring when it is pressed home [N].
-        damping: Of the soap that is drawn in [N s/m].
-        axis: Which way it is pressed.
-    """
+    """Make the joint of what is pressed against the spring of a pump."""
     preload = 0.35 * force  # the spring of a lotion pump starts at a third of its force
     stiffness = (force - preload) / travel
     return Prismatic(

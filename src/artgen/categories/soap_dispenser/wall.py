@@ -54,14 +54,7 @@ def tile(wide: Scalar, finish: Material) -> Body:
 
 
 def holder(radius: Scalar, out: Scalar, ring_at: Scalar, metal: Material) -> Body:
-    """Make the holder of a bottle: a plate, a tray below it, and a ring around it.
-
-    Args:
-        radius: Of the bottle [m].
-        out: How far its axis is in front of the wall [m].
-        ring_at: Height of the middle of the ring [m].
-        metal: What it is made of.
-    """
+    """Make the holder of a bottle: a plate, a tray below it, and a ring around it."""
     plate = box_between((-0.014, -0.003, TRAY - 0.012), (0.014, 0.0006, ring_at + 0.016), bevel=0.001)
     arm = box_between((-0.008, -out, TRAY - 0.0055), (0.008, -0.001, TRAY - 0.0015), bevel=0.0008)
     disc = cylinder_between((0.0, -out, TRAY - 0.0035), (0.0, -out, TRAY), radius + _RIM, bevel=0.0010)
@@ -95,18 +88,7 @@ def wall_box(
     maker: str,
     word: str,
 ) -> Body:
-    """Make a box full of soap with the pump's block below it: the link `body`.
-
-    Args:
-        wide: Its width [m].
-        deep: How far it stands out [m].
-        finish: Its plastic or steel.
-        soap: What is seen in its window.
-        ink: The print.
-        fill: Up to which share of the window.
-        maker: Who made it.
-        word: What is in it.
-    """
+    """Make a box full of soap with the pump's block below it: the link `body`."""
     low, high = _BOX
     half = 0.5 * wide
     shell = finish.with_(name=f"{finish.name}_case", density=720.0)  # a cartridge of soap in a shell of 2 mm
@@ -164,16 +146,7 @@ def wall_box(
 def panel(
     wide: Scalar, deep: Scalar, *, press: Press, travel: Scalar, finish: Material, ink: Material
 ) -> Body:
-    """Make the panel that a hand presses: the link `button` or `lever`.
-
-    Args:
-        wide: Width of the box [m].
-        deep: How far the box stands out [m].
-        press: How it moves.
-        travel: How far a button goes in [m].
-        finish: What it is made of.
-        ink: Its print.
-    """
+    """Make the panel that a hand presses: the link `button` or `lever`."""
     low, _ = _BOX
     half = 0.5 * wide - _CHEEK - _PLAY
     front = 0.0015 - deep
@@ -196,14 +169,7 @@ def high_of(press: Press) -> float:
 
 
 def lever_hinge(deep: Scalar, *, swing: Scalar, force: Scalar, damping: Scalar) -> Joint:
-    """Make the joint of a lever, about its upper edge; positive presses it in.
-
-    Args:
-        deep: How far the box stands out [m].
-        swing: How far it swings [rad].
-        force: Of the spring at its lower end, pressed home [N].
-        damping: Of the soap [N m s/rad].
-    """
+    """Make the joint of a lever, about its upper edge; positive presses it in."""
     torque = 0.050 * force
     preload = 0.35 * torque
     stiffness = (torque - preload) / swing

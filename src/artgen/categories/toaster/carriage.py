@@ -63,12 +63,6 @@ def lever_slide(name: str, *, travel: Scalar, force: Scalar, damping: Scalar) ->
     """Make the joint of a lever; positive moves it down, where no magnet holds it without power.
 
     The spring of a toaster lifts the carriage with bread (about 0.15 kg), and takes 10-25 N at the bottom.
-
-    Args:
-        name: Name of the joint.
-        travel: How far it goes down [m].
-        force: Of the spring at the bottom [N].
-        damping: Of the dashpot that keeps the bread from jumping out [N s/m].
     """
     preload = 0.42 * force  # 4-10 N, over its own weight of 1-3 N
     stiffness = (force - preload) / travel
@@ -86,15 +80,7 @@ def lever_slide(name: str, *, travel: Scalar, force: Scalar, damping: Scalar) ->
 
 
 def lever(style: LeverStyle, *, finish: Material, accent: Material, slim: bool, name: str = "lever") -> Body:
-    """Make what a hand presses down, about the arm, in front of the panel.
-
-    Args:
-        style: Its form.
-        finish: What it is made of.
-        accent: Its inlay, on a tab or a paddle.
-        slim: Whether it has to be narrow, beside another one.
-        name: Name of the link; its label is `lever`.
-    """
+    """Make what a hand presses down, about the arm, in front of the panel."""
     bodies: list[Body] = []
     share = 0.62 if slim else 1.0
     match style:
@@ -144,15 +130,7 @@ def arm(reach: Scalar) -> Body:
 
 
 def carriage(plan: Plan, middles: Sequence[Float], *, post: Scalar, height: Scalar, travel: Scalar) -> Body:
-    """Make the carriage of one lever at rest, with the slots along y, to be welded to the lever.
-
-    Args:
-        plan: The toaster.
-        middles: The slots that it serves, along x [m].
-        post: Where its post stands in the bay, along x [m].
-        height: Height of the lever's arm at rest [m].
-        travel: How far it goes down [m].
-    """
+    """Make the carriage of one lever at rest, with the slots along y, to be welded to the lever."""
     level = plan.floor + _LOW + _STEEL / 2 + travel
     begin, end = plan.chamber
     front, back = plan.bay, end - _ENDS

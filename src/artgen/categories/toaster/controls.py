@@ -59,29 +59,17 @@ _ICONS = ("cross", "bagel", "defrost", "steam")  # cancel, one side only, frozen
 
 @dataclass(frozen=True)
 class Site:
-    """Where a panel is.
+    """Where a panel is."""
 
-    Attributes:
-        middle: Where its middle is along x [m].
-        plane: Where its face is along y [m].
-        low: Height of its lower edge [m].
-        high: Height of its upper edge [m].
-        half: Half of its width [m].
-        deep: How deep its opening is cut into the shell [m].
-        layout: How its controls are arranged.
-        levers: Where the arms of levers are, along x from its middle [m].
-        lean: 1 where what stands beside a lever is right of it, -1 where it is left.
-    """
-
-    middle: Scalar
-    plane: Scalar
-    low: Scalar
-    high: Scalar
-    half: Scalar
-    deep: Scalar
-    layout: Layout
-    levers: tuple[Scalar, ...]
-    lean: int
+    middle: Scalar  # where its middle is along x [m]
+    plane: Scalar  # where its face is along y [m]
+    low: Scalar  # height of its lower edge [m]
+    high: Scalar  # height of its upper edge [m]
+    half: Scalar  # half of its width [m]
+    deep: Scalar  # how deep its opening is cut into the shell [m]
+    layout: Layout  # how its controls are arranged
+    levers: tuple[Scalar, ...]  # where the arms of levers are, along x from its middle [m]
+    lean: int  # 1 where what stands beside a lever is right of it, -1 where it is left
 
     @cached_property
     def rest(self) -> Scalar:
@@ -136,54 +124,31 @@ def side_site(plan: Plan) -> Site:
 
 @dataclass(frozen=True)
 class PanelLooks:
-    """What the panel and its controls are made of.
+    """What the panel and its controls are made of."""
 
-    Attributes:
-        plate: The panel.
-        ink: What is printed on it.
-        button: The buttons.
-        button_ink: What is printed on them.
-        dial: The dials.
-        mark: The marks of dials.
-        metal: Caps of dials and plates around buttons.
-        shape: Form of the buttons.
-        style: Form of the dials.
-        scale: What is printed around them.
-        maker: Whose name is on the panel.
-    """
-
-    plate: Material
-    ink: Material
-    button: Material
-    button_ink: Material
-    dial: Material
-    mark: Material
-    metal: Material
-    shape: ButtonShape
-    style: DialStyle
-    scale: Scale
-    maker: str
+    plate: Material  # the panel
+    ink: Material  # what is printed on it
+    button: Material  # the buttons
+    button_ink: Material  # what is printed on them
+    dial: Material  # the dials
+    mark: Material  # the marks of dials
+    metal: Material  # caps of dials and plates around buttons
+    shape: ButtonShape  # form of the buttons
+    style: DialStyle  # form of the dials
+    scale: Scale  # what is printed around them
+    maker: str  # whose name is on the panel
 
 
 @dataclass(frozen=True)
 class Panel:
-    """What is on the panel.
+    """What is on the panel."""
 
-    Attributes:
-        site: Where it is.
-        travel: How far levers go down [m].
-        knobs: How many dials there are.
-        buttons: How many buttons there are.
-        radius: Of the dials [m].
-        looks: What it is made of.
-    """
-
-    site: Site
-    travel: Scalar
-    knobs: int
-    buttons: int
-    radius: Scalar
-    looks: PanelLooks
+    site: Site  # where it is
+    travel: Scalar  # how far levers go down [m]
+    knobs: int  # how many dials there are
+    buttons: int  # how many buttons there are
+    radius: Scalar  # of the dials [m]
+    looks: PanelLooks  # what it is made of
 
     @cached_property
     def _aside(self) -> Scalar:
@@ -282,13 +247,7 @@ class Panel:
         return detail(array(strip, at=at), "control_panel", recess(self.looks.plate))
 
     def attached(self, body: Body, force: Scalar, friction: Scalar) -> Body:
-        """Attach buttons and dials to a body that has the panel.
-
-        Args:
-            body: The toaster.
-            force: Of the springs of buttons pressed home [N].
-            friction: Of the detents of dials [N m].
-        """
+        """Attach buttons and dials to a body that has the panel."""
         looks = self.looks
         for number, key in enumerate(self._keys):
             tail, at = f"_{number}" if self.buttons > 1 else "", self._at(key)

@@ -98,12 +98,7 @@ KEYS: Any = shades(
 
 
 def sheet(finish: Material, share: float = 1.0) -> Material:
-    """Return a finish with the weight of the thin wall that it is.
-
-    Args:
-        finish: The finish.
-        share: How much of what is drawn is there, where walls are drawn thicker than they are.
-    """
+    """Return a finish with the weight of the thin wall that it is."""
     density = share * (_SHEET if finish.density > _HEAVY else _LINED * finish.density)
     return finish.with_(name=f"{finish.name}_sheet", density=density)
 

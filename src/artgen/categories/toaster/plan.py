@@ -37,31 +37,18 @@ _ROUND = _round(200)  # sides that do not show on a bulging sleeve
 
 @dataclass(frozen=True)
 class Plan:
-    """The sizes from which all else follows, in metres.
+    """The sizes from which all else follows, in metres."""
 
-    Attributes:
-        style: Form of the body.
-        slots: Number of slots side by side.
-        long: Whether two slices fit into a slot.
-        slot_width: Width of a slot.
-        slot_length: Length of a slot.
-        bridge: Between two slots.
-        shoulder: From the outer slots to the sides.
-        length: Length of the body along the slots.
-        height: Height of the body's top over the floor.
-        foot: Height of the body's underside over the floor.
-    """
-
-    style: BodyStyle
-    slots: int
-    long: bool
-    slot_width: Float
-    slot_length: Float
-    bridge: Float
-    shoulder: Float
-    length: Float
-    height: Float
-    foot: Float
+    style: BodyStyle  # form of the body
+    slots: int  # number of slots side by side
+    long: bool  # whether two slices fit into a slot
+    slot_width: Float  # width of a slot
+    slot_length: Float  # length of a slot
+    bridge: Float  # between two slots
+    shoulder: Float  # from the outer slots to the sides
+    length: Float  # length of the body along the slots
+    height: Float  # height of the body's top over the floor
+    foot: Float  # height of the body's underside over the floor
 
     @cached_property
     def span(self) -> Float:
@@ -211,16 +198,7 @@ def _cornered(
     steep: float = 1.0,
     radius: float = 0.0,
 ) -> Profile:
-    """Make a rectangle with its upper corners cut off, and its lower ones if they have a size.
-
-    Args:
-        x: Half of its width [m].
-        z: Half of its height [m].
-        upper: How much of the width is cut off at the upper corners [m].
-        lower: The same at the lower corners [m].
-        steep: How much more of the height is cut off.
-        radius: Radius to which corners are rounded [m].
-    """
+    """Make a rectangle with its upper corners cut off, and its lower ones if they have a size."""
     right: list[tuple[Scalar, Scalar]] = [(x, z - steep * upper), (x - upper, z)]
     right = [(x, -z), *right] if lower is None else [(x - lower, -z), (x, steep * lower - z), *right]
     left = [(-each, level) for each, level in reversed(right)]

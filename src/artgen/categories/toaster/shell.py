@@ -32,34 +32,22 @@ _SURROUND = 0.0065  # width of the trim around the slots [m]
 
 @dataclass(frozen=True)
 class ShellLooks:
-    """What the shell is made of.
+    """What the shell is made of."""
 
-    Attributes:
-        sleeve: The sleeve.
-        ends: Both ends.
-        trim: The trim around the slots.
-        piping: Bright lines where ends and sleeve meet; None for none.
-    """
-
-    sleeve: Material
-    ends: Material
-    trim: Material
-    piping: Material | None
+    sleeve: Material  # the sleeve
+    ends: Material  # both ends
+    trim: Material  # the trim around the slots
+    piping: Material | None  # bright lines where ends and sleeve meet; None for none
 
 
 @dataclass(frozen=True)
 class Cuts:
-    """What is cut out of the shell.
+    """What is cut out of the shell."""
 
-    Attributes:
-        front: The opening of the control panel in the front end; None for a panel on a broad side.
-        side: Openings in the sleeve.
-        back: Openings in the back end.
-    """
-
+    # the opening of the control panel in the front end; None for a panel on a broad side
     front: Solid | None = None
-    side: tuple[Solid, ...] = ()
-    back: tuple[Solid, ...] = ()
+    side: tuple[Solid, ...] = ()  # openings in the sleeve
+    back: tuple[Solid, ...] = ()  # openings in the back end
 
 
 def shell(plan: Plan, looks: ShellLooks, cuts: Cuts) -> Body:

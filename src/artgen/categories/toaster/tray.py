@@ -34,12 +34,7 @@ _TAB = (0.032, 0.024, 0.0046)  # width, length and thickness of its tab [m]
 
 
 class Tray:
-    """A crumb tray in the frame of its opening: it leaves along +y, and is turned to where it belongs.
-
-    Args:
-        plan: The toaster.
-        way: Where it leaves.
-    """
+    """A crumb tray in the frame of its opening: it leaves along +y, and is turned to where it belongs."""
 
     def __init__(self, plan: Plan, way: TrayWay) -> None:
         begin, end = plan.chamber
@@ -106,11 +101,7 @@ class Tray:
         )
 
     def slide(self, friction: Scalar) -> Joint:
-        """Make the joint of the tray; positive pulls it out.
-
-        Args:
-            friction: Of sheet on sheet with crumbs between, 1-3 N [N].
-        """
+        """Make the joint of the tray; positive pulls it out."""
         return Prismatic(
             "crumb_tray_slide",
             axis=self.direction,

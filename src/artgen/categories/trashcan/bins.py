@@ -54,27 +54,16 @@ _THIN = 0.00005  # the same of its ends, on which things rest [m]
 
 @dataclass(frozen=True)
 class Can:
-    """The shell of a bin.
+    """The shell of a bin."""
 
-    Attributes:
-        plan: Its outline seen from above.
-        width: Across, at the rim [m].
-        depth: From front to back, at the rim; of a round one, its width [m].
-        top: Height of the rim above the floor [m].
-        foot: Height of the lower edge of the wall above the floor [m].
-        corner: Radius of the corners at the rim, of a square or rectangular one [m].
-        sheet: Thickness of what weighs and collides of the wall [m].
-        taper: Share by which the foot is smaller than the rim.
-    """
-
-    plan: Plan
-    width: Scalar
-    depth: Scalar
-    top: Scalar
-    foot: Scalar = 0.005
-    corner: Scalar = 0.03
-    sheet: Scalar = 0.003
-    taper: Scalar = 0.0
+    plan: Plan  # its outline seen from above
+    width: Scalar  # across, at the rim [m]
+    depth: Scalar  # from front to back, at the rim; of a round one, its width [m]
+    top: Scalar  # height of the rim above the floor [m]
+    foot: Scalar = 0.005  # height of the lower edge of the wall above the floor [m]
+    corner: Scalar = 0.03  # radius of the corners at the rim, of a square or rectangular one [m]
+    sheet: Scalar = 0.003  # thickness of what weighs and collides of the wall [m]
+    taper: Scalar = 0.0  # share by which the foot is smaller than the rim
 
     @property
     def wall(self) -> Scalar:
@@ -125,14 +114,7 @@ class Can:
         return 1.0 - self.taper * (self.top - z) / (self.top - self.foot)
 
     def band(self, low: Scalar, high: Scalar, *, outer: Scalar = 0.0, inner: Scalar | None = None) -> Solid:
-        """Make a ring that follows the wall between two heights.
-
-        Args:
-            low: Its lower edge [m].
-            high: Its upper edge [m].
-            outer: How far it stays inside of the wall's outer face; negative ones stand out of it [m].
-            inner: The same for its inner side; by default the wall's inner face [m].
-        """
+        """Make a ring that follows the wall between two heights."""
         within = self.wall if inner is None else inner
         section = self.outline(outer) - self.outline(within)
         return self._drawn(section, low, high)
@@ -160,14 +142,7 @@ class Can:
     def shell(
         self, label: str, finish: Material, *, name: str | None = None, holes: Solid | None = None
     ) -> list[Body]:
-        """Make the wall from the foot to the rim: what weighs and collides, and its skin.
-
-        Args:
-            label: Semantic label.
-            finish: Its material, of a density that suits `sheet`.
-            name: Name of the link; by default the label.
-            holes: What is cut out of it.
-        """
+        """Make the wall from the foot to the rim: what weighs and collides, and its skin."""
         seen = self.band(self.foot, self.top)
         ring = self.facets(_HAIR) - self.facets(_HAIR + self.sheet)
         solid = self._drawn(ring, self.foot + _THIN, self.top - _THIN)
@@ -185,16 +160,7 @@ class Can:
         beside: Scalar = 0.0,
         behind: Scalar = 0.0,
     ) -> "Can":
-        """Make what stands in it, with a gap all round.
-
-        Args:
-            gap: Between the walls [m].
-            foot: Height of its lower edge [m].
-            top: Height of its rim [m].
-            sheet: Thickness of what weighs and collides of its wall [m].
-            beside: How much more gap there is at both sides [m].
-            behind: The same in front and behind; all round for a round one [m].
-        """
+        """Make what stands in it, with a gap all round."""
         less = 2.0 * (self.wall + gap)
         share = self.scale_at(top)
         narrower = 1.0 - self.scale_at(foot) / share if not _is_zero(self.taper) else 0.0

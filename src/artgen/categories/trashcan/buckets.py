@@ -40,14 +40,7 @@ _GRAVITY = 9.81  # [m/s2]
 
 
 def bucket(can: Can, *, finish: Material, loop: bool = True, band: Material | None = None) -> Body:
-    """Make a bucket: the link `bucket`.
-
-    Args:
-        can: Its shell.
-        finish: Its plastic or sheet.
-        loop: Whether it has a grip inside its rim, in front.
-        band: Material of the ring that holds the bag, only seen; none by default.
-    """
+    """Make a bucket: the link `bucket`."""
     floor = can.floor(can.foot, can.foot + 0.0022)
     lip = can.band(can.top - 0.010, can.top, outer=-0.0012, inner=0.0005)
     bodies = [
@@ -82,13 +75,7 @@ def bail_play(can: Can, gap: Scalar) -> Scalar:
 
 
 def bucket_slide(body: Body, *, travel: Scalar, needs: Condition | Dependency | None) -> Joint:
-    """Make the joint by which a bucket is lifted out, just above its weight.
-
-    Args:
-        body: The bucket.
-        travel: How far it rises [m].
-        needs: Where it may.
-    """
+    """Make the joint by which a bucket is lifted out, just above its weight."""
     return Prismatic(
         "bucket_slide",
         axis=Z,
@@ -102,14 +89,7 @@ def bucket_slide(body: Body, *, travel: Scalar, needs: Condition | Dependency | 
 
 
 def with_bail(body: Body, can: Can, *, finish: Material, needs: Condition | Dependency | None) -> Body:
-    """Hang a wire bail on a bucket; it lies on the level of the rim, towards the front: the link `handle`.
-
-    Args:
-        body: The bucket.
-        can: Its shell.
-        finish: Its metal.
-        needs: Where it may be raised.
-    """
+    """Hang a wire bail on a bucket; it lies on the level of the rim, towards the front: the link `handle`."""
     # the front of a half-round one closes in at once
     half = can.half_across(can.wall) - (0.005 if can.plan == "half_round" else 0.0)
     x, y = half - WIRE - 0.0022, -_REACH * can.depth / 2.0

@@ -47,15 +47,10 @@ _TAB = 0.014  # how far a tab stands up from a flap [m]
 
 @dataclass(frozen=True)
 class Flaps:
-    """Two flaps and their frame on a bin with straight sides.
+    """Two flaps and their frame on a bin with straight sides."""
 
-    Attributes:
-        can: The bin.
-        opening: How far they open [rad].
-    """
-
-    can: Can
-    opening: Scalar
+    can: Can  # the bin
+    opening: Scalar  # how far they open [rad]
 
     @property
     def top(self) -> Scalar:
@@ -194,11 +189,6 @@ class Flaps:
         )
 
     def clear(self, height: Scalar, beside: Scalar) -> Float:
-        """Return the angle at which both flaps leave free what rises between them [rad].
-
-        Args:
-            height: How high it rises above the axes [m].
-            beside: From an axis to its side [m].
-        """
+        """Return the angle at which both flaps leave free what rises between them [rad]."""
         del height  # it rises past the tips of the flaps
         return atan2(self.reach, beside - _THICK)

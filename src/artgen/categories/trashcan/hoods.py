@@ -58,21 +58,13 @@ _GRAVITY = 9.81  # [m/s2]
 
 @dataclass(frozen=True)
 class Hood:
-    """A hood over the rim of a bin.
+    """A hood over the rim of a bin."""
 
-    Attributes:
-        can: The bin.
-        kind: What turns in it.
-        rise: How high its slope is [m].
-        lean: Share by which its top is smaller than its skirt.
-        finish: Its material.
-    """
-
-    can: Can
-    kind: Turning
-    rise: Scalar
-    lean: float
-    finish: Material
+    can: Can  # the bin
+    kind: Turning  # what turns in it
+    rise: Scalar  # how high its slope is [m]
+    lean: float  # share by which its top is smaller than its skirt
+    finish: Material  # its material
 
     @property
     def label(self) -> str:

@@ -53,61 +53,36 @@ _STEEL = material("steel")
 
 @dataclass(frozen=True)
 class Lid:
-    """A lid and how it moves.
+    """A lid and how it moves."""
 
-    Attributes:
-        style: Its form.
-        opening: How far it opens [rad].
-        friction: Of its hinge [N m].
-        damping: Of its hinge, with a damper where it closes softly [N m s/rad].
-    """
-
-    style: LidStyle
-    opening: Scalar
-    friction: Scalar
-    damping: float
+    style: LidStyle  # its form
+    opening: Scalar  # how far it opens [rad]
+    friction: Scalar  # of its hinge [N m]
+    damping: float  # of its hinge, with a damper where it closes softly [N m s/rad]
 
 
 @dataclass(frozen=True)
 class Foot:
-    """What a foot works.
+    """What a foot works."""
 
-    Attributes:
-        crank: Of the lid [m].
-        travel: Of the foot plate [m].
-        width: Of the foot plate [m].
-        preload: Force of its spring at the foot plate at rest [N].
-        force: The same, pressed down [N].
-    """
-
-    crank: Scalar
-    travel: Scalar
-    width: Scalar
-    preload: Scalar
-    force: Scalar
+    crank: Scalar  # of the lid [m]
+    travel: Scalar  # of the foot plate [m]
+    width: Scalar  # of the foot plate [m]
+    preload: Scalar  # force of its spring at the foot plate at rest [N]
+    force: Scalar  # the same, pressed down [N]
 
 
 @dataclass(frozen=True)
 class Draft:
-    """What bins of all kinds share.
+    """What bins of all kinds share."""
 
-    Attributes:
-        can: The shell.
-        looks: Its materials.
-        dress: What goes around its wall.
-        carry: What the inner bucket is carried by.
-        inner: Material of the bucket.
-        maker: Whose name is on the lid.
-        model: Its number.
-    """
-
-    can: Can
-    looks: Looks
-    dress: Dress
-    carry: Carry
-    inner: Material
-    maker: str
-    model: int
+    can: Can  # the shell
+    looks: Looks  # its materials
+    dress: Dress  # what goes around its wall
+    carry: Carry  # what the inner bucket is carried by
+    inner: Material  # material of the bucket
+    maker: str  # whose name is on the lid
+    model: int  # its number
 
     def lift_out(
         self,
@@ -118,15 +93,7 @@ class Draft:
         needs: Condition | None,
         above: Scalar = GAP + _LOWER,
     ) -> Body:
-        """Put a bucket into a bin, to be lifted out.
-
-        Args:
-            body: The bin.
-            can: Shell of the bucket.
-            travel: How far it rises [m].
-            needs: Where it may.
-            above: From its rim to the lid over it [m].
-        """
+        """Put a bucket into a bin, to be lifted out."""
         inside = bucket(can, finish=self.inner, loop=self.carry == "loop")
         if self.carry == "bail":
             raised: Dependency | None = None if needs is None else needs.beyond(bail_play(can, above))

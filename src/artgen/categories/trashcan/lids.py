@@ -76,17 +76,11 @@ _LIP = 0.020  # how far a lip stands out in front [m]
 
 @dataclass(frozen=True)
 class Hinge:
-    """The hinge at the back of a bin.
+    """The hinge at the back of a bin."""
 
-    Attributes:
-        can: The bin.
-        behind: How far the axis is behind the rim's wall [m].
-        foot: Where the housing ends below [m].
-    """
-
-    can: Can
-    behind: Scalar
-    foot: Scalar
+    can: Can  # the bin
+    behind: Scalar  # how far the axis is behind the rim's wall [m]
+    foot: Scalar  # where the housing ends below [m]
 
     @property
     def axis(self) -> tuple[Scalar, Scalar]:
@@ -96,14 +90,7 @@ class Hinge:
     def housing(
         self, finish: Material, *, sill: bool = True, damper: bool = False, label: str = "hinge"
     ) -> Body:
-        """Make the block behind the rim that carries the pin: two cheeks, and the cover between them.
-
-        Args:
-            finish: Its plastic or metal.
-            sill: Whether it is closed below; a lever comes in there otherwise.
-            damper: Whether a rotary damper sits beside it, only seen.
-            label: Semantic label.
-        """
+        """Make the block behind the rim that carries the pin: two cheeks, and the cover between them."""
         y, z = self.axis
         finish = casting(finish, _SHELL)
         near, far = self.can.back - 0.004, y + 0.008
@@ -149,16 +136,7 @@ class Hinge:
         damping: Scalar = 0.05,
         name: str = "lid_hinge",
     ) -> Joint:
-        """Make the joint of the lid; positive opens it.
-
-        Args:
-            opening: How far it opens, where no pedal lifts it [rad].
-            linkage: The levers that lift it.
-            pedal: The joint of the pedal.
-            friction: Of the pin, and of what brakes it [N m].
-            damping: Of the soft-close damper [N m s/rad].
-            name: Name of the joint.
-        """
+        """Make the joint of the lid; positive opens it."""
         y, z = self.axis
         follows = None
         if linkage is not None and pedal is not None:
@@ -182,28 +160,14 @@ class Hinge:
         return self.axis[0] + 0.0083
 
     def clear(self, height: Scalar, before: Scalar) -> Float:
-        """Return the angle at which the lid leaves free what rises from the bin [rad].
-
-        Args:
-            height: How far that rises above the axis [m].
-            before: How far its rear is before the wall's outer face [m].
-        """
+        """Return the angle at which the lid leaves free what rises from the bin [rad]."""
         return atan2(height, self.behind + before - SPARE)
 
 
 def lid_panel(
     can: Can, *, low: Scalar, thick: Scalar, style: LidStyle, finish: Material, overhang: Scalar = 0.0015
 ) -> Body:
-    """Make the panel of a lid from its underside at a height: the link `lid`.
-
-    Args:
-        can: The bin, whose outline it follows.
-        low: Height of its underside [m].
-        thick: Thickness of the slab [m].
-        style: Its form.
-        finish: Its material, of an effective density: lids are hollow.
-        overhang: How far it reaches over the wall [m].
-    """
+    """Make the panel of a lid from its underside at a height: the link `lid`."""
     level = Can(can.plan, can.width, can.depth, low + thick, low, can.corner, can.sheet)
     slab = extrude(level.outline(-overhang), thick, bevel=_SOFT).at(0.0, 0.0, low + thick / 2.0)
     radius = can.width / 2.0 + overhang
@@ -262,15 +226,7 @@ def _cap(radius: Scalar, rise: Scalar) -> Solid:
 def lid_grip(
     can: Can, *, low: Scalar, thick: Scalar, style: Grip, lid: LidStyle
 ) -> tuple[list[Solid], list[Frame]]:
-    """Make what a hand lifts a lid by, to be part of it, and the frames at which it does.
-
-    Args:
-        can: The bin.
-        low: Height of the lid's underside [m].
-        thick: Thickness of its slab [m].
-        style: The grip.
-        lid: Form of the lid; a bar or a knob stands on its slab, in front of its middle.
-    """
+    """Make what a hand lifts a lid by, to be part of it, and the frames at which it does."""
     if style == "lip" or lid == "domed":
         wide = 0.34 * can.width
         lip = box(wide, _LIP + 0.012, 0.008, bevel=0.003)

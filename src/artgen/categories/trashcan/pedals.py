@@ -59,21 +59,13 @@ def asin(value: Scalar) -> Float:
 
 @dataclass(frozen=True)
 class Linkage:
-    """The levers between a pedal and a lid.
+    """The levers between a pedal and a lid."""
 
-    Attributes:
-        opening: How far the lid opens [rad].
-        crank: From the lid's axis to the pin that the rod lifts [m].
-        travel: How far down the middle of the foot plate goes [m].
-        plate: Where the middle of the foot plate is, along y [m].
-        rod: Where the rod is, along y [m].
-    """
-
-    opening: Scalar
-    crank: Scalar
-    travel: Scalar
-    plate: Scalar
-    rod: Scalar
+    opening: Scalar  # how far the lid opens [rad]
+    crank: Scalar  # from the lid's axis to the pin that the rod lifts [m]
+    travel: Scalar  # how far down the middle of the foot plate goes [m]
+    plate: Scalar  # where the middle of the foot plate is, along y [m]
+    rod: Scalar  # where the rod is, along y [m]
 
     @property
     def lift(self) -> Float:
@@ -110,11 +102,6 @@ class Linkage:
         """Make the joint of the pedal; positive presses the foot plate down.
 
         The lid's weight returns it through the rod, and a spring helps.
-
-        Args:
-            preload: Force of the spring at the foot plate at rest [N].
-            force: The same when it is pressed down [N].
-            damping: [N m s/rad].
         """
         stiffness = (force - preload) * self.front / self.angle
         y, z = self.pin
@@ -133,14 +120,7 @@ class Linkage:
         )
 
     def pedal(self, *, finish: Material, width: Scalar, deep: Scalar, sole: str = "pedal") -> Body:
-        """Make the lever with its foot plate, at rest: the link `pedal`.
-
-        Args:
-            finish: Its metal or plastic.
-            width: Width of the foot plate [m].
-            deep: Length of the foot plate [m].
-            sole: Icon on the foot plate.
-        """
+        """Make the lever with its foot plate, at rest: the link `pedal`."""
         front, rear = self.front, self.rear
         inner = front - 0.25 * deep
         arm = box(_ARM, inner + rear, _THICK, bevel=0.0012).at(0.0, (rear - inner) / 2.0, 0.0)
@@ -164,13 +144,7 @@ class Linkage:
         return body.rotate(X, -0.5 * self.angle).at(0.0, y, z)
 
     def bracket(self, *, floor: Scalar, depth: Scalar, finish: Material) -> Body:
-        """Make the two cheeks under the floor that carry the pin, to be welded to the bin.
-
-        Args:
-            floor: Height of the underside of the floor [m].
-            depth: Of the bin [m].
-            finish: Their material.
-        """
+        """Make the two cheeks under the floor that carry the pin, to be welded to the bin."""
         y, z = self.pin
         low = z - 0.008
         cheek = box(0.003, 0.018, floor - low + 0.001, bevel=0.0008)
@@ -191,12 +165,7 @@ class Linkage:
         return weld(*parts)
 
     def rod_body(self, *, axis: Scalar, finish: Material) -> Body:
-        """Make the rod at rest: the link `rod`.
-
-        Args:
-            axis: Height of the lid's axis [m].
-            finish: Its metal.
-        """
+        """Make the rod at rest: the link `rod`."""
         low = self.pin[1] - self.lift / 2.0 + ROLLER + _PLAY
         high = axis - self.lift / 2.0 - PIN - _SLACK
         bar = box(0.005, 0.005, high - low - 0.002, bevel=0.001).at(0.0, self.rod, (low + high) / 2.0)
@@ -217,11 +186,7 @@ class Linkage:
         )
 
     def cranks(self, *, axis: tuple[Scalar, Scalar]) -> list[Solid]:
-        """Make the crank of the lid at rest, to be welded to it: two plates and the pin between them.
-
-        Args:
-            axis: The lid's axis, y and z [m].
-        """
+        """Make the crank of the lid at rest, to be welded to it: two plates and the pin between them."""
         y, z = axis
         plate = box(0.0032, self.crank, 0.006, bevel=0.0008).at(0.0, -0.5 * self.crank, 0.0)
         pin = cylinder(PIN, 0.0164, axis=X).at(0.0, -self.crank, 0.0)

@@ -13,21 +13,13 @@ Dress = Literal["plain", "base_band", "beads", "ring"]
 
 @dataclass(frozen=True)
 class Looks:
-    """What a bin is made of.
+    """What a bin is made of."""
 
-    Attributes:
-        finish: Of its wall.
-        lid: Of its lid or hood.
-        trim: Of rim, base and hinge.
-        bright: Of rings and pins.
-        plastic: Of what is hidden, and of hinges.
-    """
-
-    finish: Material
-    lid: Material
-    trim: Material
-    bright: Material
-    plastic: Material
+    finish: Material  # of its wall
+    lid: Material  # of its lid or hood
+    trim: Material  # of rim, base and hinge
+    bright: Material  # of rings and pins
+    plastic: Material  # of what is hidden, and of hinges
 
 
 def stand(
@@ -40,17 +32,7 @@ def stand(
     rim: Scalar = 0.014,
     label: str = "body",
 ) -> Body:
-    """Make the wall, floor, feet and trim of a bin: the link `body`.
-
-    Args:
-        can: Its shell.
-        looks: What it is made of.
-        floor: Height of the underside of its floor [m].
-        dress: What goes around its wall.
-        holes: What is cut out of wall and bands.
-        rim: Height of the band around the rim, 0 for none [m].
-        label: Semantic label of the wall.
-    """
+    """Make the wall, floor, feet and trim of a bin: the link `body`."""
     bodies = [
         *can.shell(label, looks.finish, name="body", holes=holes),
         part(can.floor(floor, floor + 0.003), "base", looks.trim),

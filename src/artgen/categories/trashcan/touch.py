@@ -47,13 +47,9 @@ _GRAVITY = 9.81  # [m/s2]
 
 @dataclass(frozen=True)
 class Catch:
-    """The catch between a lid and the front of a bin.
+    """The catch between a lid and the front of a bin."""
 
-    Attributes:
-        can: The bin.
-    """
-
-    can: Can
+    can: Can  # the bin
 
     @property
     def _foot(self) -> Scalar:
@@ -110,15 +106,7 @@ class Catch:
 
 
 def sprung_lid(hinge: Hinge, lid: Body, *, opening: Scalar, needs: Dependency, damping: Scalar) -> Joint:
-    """Make the joint of a lid that a spring opens, a third stronger than its weight and its friction.
-
-    Args:
-        hinge: Its hinge.
-        lid: The lid.
-        opening: How far it opens [rad].
-        needs: What lets it go.
-        damping: Of its damper [N m s/rad].
-    """
+    """Make the joint of a lid that a spring opens, a third stronger than its weight and its friction."""
     y, z = hinge.axis
     weight: Float = _GRAVITY * mass(lid) * (y - center_of_mass(lid).y)
     start, end = 1.35 * weight + _FRICTION, 0.45 * weight

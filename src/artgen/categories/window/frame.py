@@ -42,32 +42,17 @@ TRACK = 0.004
 
 
 class Cell(NamedTuple):
-    """The opening of one sash in a frame.
+    """The opening of one sash in a frame."""
 
-    Attributes:
-        x: Where its middle is [m].
-        z: [m].
-        width: [m].
-        height: [m].
-        column: Which it is, from the left.
-    """
-
-    x: Scalar
-    z: Scalar
-    width: Scalar
-    height: Scalar
-    column: int
+    x: Scalar  # where its middle is [m]
+    z: Scalar  # [m]
+    width: Scalar  # [m]
+    height: Scalar  # [m]
+    column: int  # which it is, from the left
 
 
 def cells(width: Scalar, height: Scalar, columns: int, rows: Sequence[Scalar]) -> list[Cell]:
-    """Divide an opening by posts and transoms.
-
-    Args:
-        width: Of the opening [m].
-        height: [m].
-        columns: Sashes side by side, of one width.
-        rows: Shares of the height from the bottom up, one for each sash above another.
-    """
+    """Divide an opening by posts and transoms."""
     wide = (width - MULLION * (columns - 1)) / columns
     free = height - MULLION * (len(rows) - 1)
     found: list[Cell] = []
@@ -84,16 +69,7 @@ def cells(width: Scalar, height: Scalar, columns: int, rows: Sequence[Scalar]) -
 def rebated_frame(
     width: Scalar, height: Scalar, places: Sequence[Cell], section: Section, finish: Material, *, solid: bool
 ) -> Body:
-    """Make the frame around hinged sashes: a mitred ring, posts and transoms, stops and seals.
-
-    Args:
-        width: Of the whole opening [m].
-        height: [m].
-        places: The openings of the sashes.
-        section: Of the system.
-        finish: What it is made of.
-        solid: Whether the stops, which sashes come to within 4 mm, have mass and collide, or only are seen.
-    """
+    """Make the frame around hinged sashes: a mitred ring, posts and transoms, stops and seals."""
     deep, eased = section.back, section.eased
     outline = rectangle(section.frame, deep, radius=eased).at(-section.frame / 2.0, -deep / 2.0)
     around = Rect(-section.frame, 0.0, -deep, 0.0)
@@ -137,17 +113,11 @@ def _bars(width: Scalar, height: Scalar, places: Sequence[Cell], section: Sectio
 
 
 class Tracks(NamedTuple):
-    """Where sashes slide in a frame, along y.
+    """Where sashes slide in a frame, along y."""
 
-    Attributes:
-        outer: Middle of the outer sashes [m].
-        inner: Middle of the inner sashes [m].
-        back: Where the frame ends; it begins at 0 [m].
-    """
-
-    outer: float
-    inner: float
-    back: float
+    outer: float  # middle of the outer sashes [m]
+    inner: float  # middle of the inner sashes [m]
+    back: float  # where the frame ends; it begins at 0 [m]
 
     @staticmethod
     def of(section: Section) -> "Tracks":
@@ -158,15 +128,7 @@ class Tracks(NamedTuple):
 
 
 def tracked_frame(width: Scalar, height: Scalar, section: Section, finish: Material, *, head: Scalar) -> Body:
-    """Make the frame around sliding sashes: a mitred ring with three strips that make two tracks.
-
-    Args:
-        width: Of the opening [m].
-        height: [m].
-        section: Of the system.
-        finish: What it is made of.
-        head: How far the strips stand out [m].
-    """
+    """Make the frame around sliding sashes: a mitred ring with three strips that make two tracks."""
     tracks = Tracks.of(section)
     deep = tracks.back
     outline = rectangle(section.frame, deep, radius=section.eased).at(-section.frame / 2.0, -deep / 2.0)
@@ -189,16 +151,7 @@ def tracked_frame(width: Scalar, height: Scalar, section: Section, finish: Mater
 def sill_under(
     width: Scalar, front: Scalar, back: Scalar, top: Scalar, finish: Material, *, horns: Scalar
 ) -> Body:
-    """Make the sill that the frame stands on; its top falls to the outside, its nose has a drip groove.
-
-    Args:
-        width: Of the frame [m].
-        front: Where the outside of the frame is, towards -y [m].
-        back: Where its inside is [m].
-        top: Height of its top under the frame [m].
-        finish: What it is made of.
-        horns: How far it reaches past the frame at both sides [m].
-    """
+    """Make the sill that the frame stands on; its top falls to the outside, its nose has a drip groove."""
     nose = front - _OUT
     low = top - SILL
     section = polygon(
@@ -225,15 +178,7 @@ def drip_cap(width: Scalar, front: Scalar, top: Scalar, finish: Material) -> Bod
 
 
 def trickle_vent(x: Scalar, face: Scalar, z: Scalar, finish: Material, *, length: Scalar) -> Body:
-    """Make a trickle vent on the inside of the head: a case with a row of slots and a slider.
-
-    Args:
-        x: Of its middle [m].
-        face: Of the frame, on which it sits [m].
-        z: Of its middle [m].
-        finish: Of its plastic.
-        length: [m].
-    """
+    """Make a trickle vent on the inside of the head: a case with a row of slots and a slider."""
     case = box(length, 0.014, 0.020, bevel=0.004).at(x, face + 0.0068, z)
     slots = array(
         box(0.012, 0.002, 0.007, bevel=0.0008),

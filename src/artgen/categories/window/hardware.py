@@ -65,15 +65,10 @@ LeverStyle = Literal["straight", "tapered", "bent"]
 
 
 class Pin(NamedTuple):
-    """The axis of the hinges of a sash, parallel to Z.
+    """The axis of the hinges of a sash, parallel to Z."""
 
-    Attributes:
-        x: [m].
-        y: [m].
-    """
-
-    x: Scalar
-    y: Scalar
+    x: Scalar  # [m]
+    y: Scalar  # [m]
 
     @staticmethod
     def beside(width: Scalar, section: Section) -> "Pin":
@@ -91,20 +86,7 @@ def barrel_hinges(
     finish: Material,
     solid: bool = True,
 ) -> tuple[Body, Body]:
-    """Make barrel hinges: the upper half turns with the sash, the lower one stands on the frame.
-
-    Args:
-        pin: Their axis.
-        levels: Heights of their middles [m].
-        tall: Height of one [m].
-        to: Where the sash begins beside the axis, x [m].
-        face: Where the frame begins behind the axis, y [m].
-        finish: Their metal.
-        solid: Whether they have mass and collide, or only are seen.
-
-    Returns:
-        What is welded to the frame, and what is welded to the sash.
-    """
+    """Make barrel hinges: the upper half turns with the sash, the lower one stands on the frame."""
     half = tall / 2.0 - _APART
     up, down = _APART + half / 2.0, -_APART - half / 2.0
     barrel = cylinder(BARREL, half, axis=Z, bevel=0.001)
@@ -124,14 +106,7 @@ def barrel_hinges(
 
 
 def lever_turn(name: str, *, pivot: tuple[Scalar, Scalar, Scalar], limit: Scalar, friction: Scalar) -> Joint:
-    """Make the joint of a lever that hangs down while it locks, held by the detents of its gear.
-
-    Args:
-        name: Of the joint.
-        pivot: A point on its axis [m].
-        limit: How far it turns: a quarter, or half a turn with a position for airing [rad].
-        friction: Of gear, cams and detents; EN 13115 allows 10 N m for handles of class 1 [N m].
-    """
+    """Make the joint of a lever that hangs down while it locks, held by the detents of its gear."""
     return Revolute(
         name,
         axis=Y,
@@ -147,18 +122,7 @@ def lever_turn(name: str, *, pivot: tuple[Scalar, Scalar, Scalar], limit: Scalar
 def window_lever(
     at: tuple[Scalar, Scalar, Scalar], *, side: int, style: LeverStyle, length: Scalar, finish: Material
 ) -> tuple[Body, Body]:
-    """Make a lever and its rose on a stile.
-
-    Args:
-        at: Where its axis meets the face of the stile [m].
-        side: -1 for a face that looks to -y.
-        style: A straight bar, one that grows wider, or one whose end returns to the sash.
-        length: From the axis to the end [m].
-        finish: Their metal.
-
-    Returns:
-        The rose, to be welded to the sash, and the lever: the link `handle`.
-    """
+    """Make a lever and its rose on a stile."""
     x, face, z = at
     rose = box(0.028, 0.0115, 0.066, bevel=0.0045).at(x, face + side * 0.0055, z)
     caps = [
@@ -207,14 +171,7 @@ def _octagonal(wide: float, deep: float, tall: float, *, cut: float) -> Solid:
 
 
 def bow_pull(*, length: Scalar, girth: float, finish: Material, name: str) -> Body:
-    """Make an upright bow on the face y = 0, standing out to -y, with round flanges under its ends.
-
-    Args:
-        length: Over all [m].
-        girth: Radius of the rod [m].
-        finish: Its metal.
-        name: Of its grasp.
-    """
+    """Make an upright bow on the face y = 0, standing out to -y, with round flanges under its ends."""
     bow: Body = bar_pull(
         finish=finish, name=name, level=False, style="bow", length=length, projection=0.034, girth=girth
     )
@@ -224,50 +181,25 @@ def bow_pull(*, length: Scalar, girth: float, finish: Material, name: str) -> Bo
 
 
 def swings_out(arm: Scalar, back: Scalar, past: Scalar) -> Scalar:
-    """Return how far from the axis of a sash a corner comes before it has passed something beside it [m].
-
-    Args:
-        arm: From the axis to the corner across the sash [m].
-        back: From the axis to the corner in depth [m].
-        past: How far it has to come forward [m].
-    """
+    """Return how far from the axis of a sash a corner comes before it has passed something beside it [m]."""
     return past * (back - past / 2.0) / arm
 
 
 class CamLock(NamedTuple):
-    """Cams in the edge of a sash, which a lever slides behind keeps on the frame.
+    """Cams in the edge of a sash, which a lever slides behind keeps on the frame."""
 
-    Attributes:
-        rod: What slides: the link `bolt`.
-        keeps: To be welded to the frame.
-        slide: The joint of the rod.
-        passed: Angle of the pane at which the cams are out of the keeps' way [rad].
-        nears: How far a rod swings towards the keeps until it has passed them [m].
-        room: From the rod to the keeps [m].
-    """
-
-    rod: Body
-    keeps: Body
-    slide: Joint
-    passed: Float | Scalar
-    nears: Scalar
-    room: float
+    rod: Body  # what slides: the link `bolt`
+    keeps: Body  # to be welded to the frame
+    slide: Joint  # the joint of the rod
+    passed: Float | Scalar  # angle of the pane at which the cams are out of the keeps' way [rad]
+    nears: Scalar  # how far a rod swings towards the keeps until it has passed them [m]
+    room: float  # from the rod to the keeps [m]
 
 
 def cam_lock(
     turn: Joint, pin: Pin, width: Scalar, level: Scalar, reach: Scalar, *, name: str, finish: Material
 ) -> CamLock:
-    """Make cams at the lock edge of a sash, in the groove between it and the frame.
-
-    Args:
-        turn: The joint of the lever.
-        pin: Axis of the sash.
-        width: Of the opening [m].
-        level: Height of the lever [m].
-        reach: From the lever to the cams above and below [m].
-        name: Of the joint.
-        finish: Their metal.
-    """
+    """Make cams at the lock edge of a sash, in the groove between it and the frame."""
     edge = width / 2.0 - REBATE
     middle = 0.029  # of the cams, in depth [m]
     deep, tall = _CAM

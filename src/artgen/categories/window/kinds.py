@@ -77,65 +77,37 @@ _LOCK_MEETS = (
 
 @dataclass(frozen=True)
 class Draft:
-    """What every window has.
+    """What every window has."""
 
-    Attributes:
-        width: Of the opening in the frame [m].
-        height: [m].
-        section: Of the system.
-        glazing: What fills the sashes.
-        finish: Of the frame.
-        metal: Of levers, locks and hinges.
-        friction: Of the gear or detent of a lock [N m; N for a latch].
-    """
-
-    width: Float
-    height: Float
-    section: Section
-    glazing: Glazing
-    finish: Material
-    metal: Material
-    friction: Float
+    width: Float  # of the opening in the frame [m]
+    height: Float  # [m]
+    section: Section  # of the system
+    glazing: Glazing  # what fills the sashes
+    finish: Material  # of the frame
+    metal: Material  # of levers, locks and hinges
+    friction: Float  # of the gear or detent of a lock [N m; N for a latch]
 
 
 @dataclass(frozen=True)
 class Swing:
-    """How hinged sashes hang.
+    """How hinged sashes hang."""
 
-    Attributes:
-        limit: How far they open [rad].
-        friction: Of the hinges of a casement [N m].
-        damping: [N m s/rad].
-        lever: Style of the lever.
-        length: Of the lever [m].
-        turn: How far it turns [rad].
-        stay: What holds an awning: a friction stay, or nothing.
-        solid: Whether hinges and stops have mass and collide; those of many leaves only are seen, since
-            simulators look at all pairs of what is near.
-    """
-
-    limit: Float
-    friction: Float
-    damping: Float
-    lever: LeverStyle
-    length: Float
-    turn: float
-    stay: Literal["friction", "none"]
+    limit: Float  # how far they open [rad]
+    friction: Float  # of the hinges of a casement [N m]
+    damping: Float  # [N m s/rad]
+    lever: LeverStyle  # style of the lever
+    length: Float  # of the lever [m]
+    turn: float  # how far it turns [rad]
+    stay: Literal["friction", "none"]  # what holds an awning: a friction stay, or nothing
+    # whether hinges and stops have mass and collide; those of many leaves only are seen, since simulators
+    # look at all pairs of what is near
     solid: bool
 
 
 def casement(
     draft: Draft, swing: Swing, hands: tuple[int, ...], rows: Sequence[Scalar], *, inward: bool
 ) -> Body:
-    """Make casements beside and above each other, hung at their sides.
-
-    Args:
-        draft: What every window has.
-        swing: How they hang.
-        hands: For each column from the left, 1 for hinges at the left and -1 at the right.
-        rows: Shares of the height, from the bottom up.
-        inward: Whether they open to the inside.
-    """
+    """Make casements beside and above each other, hung at their sides."""
     places = cells(draft.width, draft.height, len(hands), rows)
     body = rebated_frame(draft.width, draft.height, places, draft.section, draft.finish, solid=swing.solid)
     for number, cell in enumerate(places):
@@ -171,23 +143,14 @@ def _seen(section: Section, *, inward: bool) -> Scalar:
 
 @dataclass(frozen=True)
 class _Hung:
-    """A sash in an opening about the origin, with hinges at its left.
+    """A sash in an opening about the origin, with hinges at its left."""
 
-    Attributes:
-        draft: What every window has.
-        swing: How it hangs.
-        width: Of the opening [m].
-        height: [m].
-        inward: Whether its lever is in front, where it opens to, or at its back.
-        falls: Whether its hinges are to be level.
-    """
-
-    draft: Draft
-    swing: Swing
-    width: Scalar
-    height: Scalar
-    inward: bool
-    falls: bool = False
+    draft: Draft  # what every window has
+    swing: Swing  # how it hangs
+    width: Scalar  # of the opening [m]
+    height: Scalar  # [m]
+    inward: bool  # whether its lever is in front, where it opens to, or at its back
+    falls: bool = False  # whether its hinges are to be level
 
     def body(self) -> Body:
         """Make what belongs to the frame, with the sash on it."""

@@ -33,36 +33,19 @@ LATCH_TOP = 0.044
 
 
 class SashLock(NamedTuple):
-    """A cam on the lower meeting rail that turns under a keeper on the upper one.
+    """A cam on the lower meeting rail that turns under a keeper on the upper one."""
 
-    Attributes:
-        base: To be welded to the lower sash.
-        cam: What turns: the link `lock`.
-        keeper: To be welded to the upper sash.
-        turn: The joint of the cam.
-        free: Where the cam has left the upper sash [rad].
-    """
-
-    base: Body
-    cam: Body
-    keeper: Body
-    turn: Joint
-    free: float
+    base: Body  # to be welded to the lower sash
+    cam: Body  # what turns: the link `lock`
+    keeper: Body  # to be welded to the upper sash
+    turn: Joint  # the joint of the cam
+    free: float  # where the cam has left the upper sash [rad]
 
 
 def sash_lock(
     x: Scalar, lower: Scalar, upper: Scalar, top: Scalar, *, friction: Scalar, finish: Material
 ) -> SashLock:
-    """Make the lock of a double-hung window.
-
-    Args:
-        x: Of its axis [m].
-        lower: Where the lower sash begins behind the upper one, y [m].
-        upper: Where the upper sash ends, y [m].
-        top: Height of both meeting rails [m].
-        friction: Of its detent [N m].
-        finish: Its metal.
-    """
+    """Make the lock of a double-hung window."""
     axis = lower + 0.015
     base = hull(
         box(0.056, 0.024, 0.004, bevel=0.0015).at(x, axis + 0.001, top + 0.0015),
@@ -105,14 +88,7 @@ def sash_lock(
 
 
 def sash_lifts(places: list[Scalar], face: Scalar, z: Scalar, finish: Material) -> Body:
-    """Make hook lifts on the bottom rail of a sash whose face looks to +y.
-
-    Args:
-        places: Where they are along x [m].
-        face: Of the rail, y [m].
-        z: Height of their plates' middles [m].
-        finish: Their metal.
-    """
+    """Make hook lifts on the bottom rail of a sash whose face looks to +y."""
     plate = box(0.054, 0.0035, 0.026, bevel=0.0014).at(0.0, face + 0.0012, z)
     hook = box_between((-0.023, face + 0.001, z + 0.001), (0.023, face + 0.020, z + 0.0065), bevel=0.0022)
     lip = box_between((-0.023, face + 0.016, z + 0.001), (0.023, face + 0.020, z + 0.0125), bevel=0.0018)
@@ -131,23 +107,14 @@ def sash_lifts(places: list[Scalar], face: Scalar, z: Scalar, finish: Material) 
 
 
 class Latch(NamedTuple):
-    """A latch on the stile of a sliding sash that drops behind a keep on the frame.
+    """A latch on the stile of a sliding sash that drops behind a keep on the frame."""
 
-    Attributes:
-        case: To be welded to the sash.
-        slider: What is lifted: the link `lock`.
-        keep: To be welded to the frame.
-        slide: The joint of the slider.
-        free: Height at which it clears the keep [m].
-        passed: Way of the sash at which it has passed the keep [m].
-    """
-
-    case: Body
-    slider: Body
-    keep: Body
-    slide: Joint
-    free: float
-    passed: float
+    case: Body  # to be welded to the sash
+    slider: Body  # what is lifted: the link `lock`
+    keep: Body  # to be welded to the frame
+    slide: Joint  # the joint of the slider
+    free: float  # height at which it clears the keep [m]
+    passed: float  # way of the sash at which it has passed the keep [m]
 
 
 def sliding_latch(
@@ -159,16 +126,7 @@ def sliding_latch(
     friction: Scalar,
     finish: Material,
 ) -> Latch:
-    """Make a latch on the face of a sash that looks to +y.
-
-    Args:
-        at: Middle of its slider, on the face [m].
-        floor: Height of the strip of the frame that carries the keep [m].
-        way: -1 for a sash that opens to -x.
-        name: Of the joint.
-        friction: Of its detent; it does not fall by its weight [N].
-        finish: Its metal.
-    """
+    """Make a latch on the face of a sash that looks to +y."""
     x, face, z = at
     tall, wide = 0.014, 0.010  # of the keep, and of what drops beside it [m]
     bottom = floor + 0.0015

@@ -47,23 +47,14 @@ SEALED = 0.0035
 
 @dataclass(frozen=True)
 class Section:
-    """The sections of a system of windows.
+    """The sections of a system of windows."""
 
-    Attributes:
-        frame: Face of the frame [m].
-        sash: Face of a sash, from its edge to the glass [m].
-        depth: From the front plane of the frame to the back of a sash in it [m].
-        lip: Thickness of the lip of a sash, in front of the frame [m].
-        slide: Thickness of a sash that slides [m].
-        eased: Radius of edges [m].
-    """
-
-    frame: float
-    sash: float
-    depth: float
-    lip: float
-    slide: float
-    eased: float
+    frame: float  # face of the frame [m]
+    sash: float  # face of a sash, from its edge to the glass [m]
+    depth: float  # from the front plane of the frame to the back of a sash in it [m]
+    lip: float  # thickness of the lip of a sash, in front of the frame [m]
+    slide: float  # thickness of a sash that slides [m]
+    eased: float  # radius of edges [m]
 
     @property
     def stop(self) -> float:
@@ -128,13 +119,7 @@ SILL_WEIGHTS = (1.0, 0.7, 1.2, 1.5, 1.0)
 
 
 def ring_along(section: Profile, width: Scalar, height: Scalar) -> Solid:
-    """Draw a section around a rectangle about the origin, mitred at its corners.
-
-    Args:
-        section: x leads from the rectangle to its middle, y to the front.
-        width: Of the rectangle [m].
-        height: [m].
-    """
+    """Draw a section around a rectangle about the origin, mitred at its corners."""
     x, z = width / 2.0, height / 2.0
     course = polyline([(-x, -z, 0.0), (x, -z, 0.0), (x, z, 0.0), (-x, z, 0.0)], closed=True)
     # swept on the floor, where the section's y is up, then stood up: up becomes the front
@@ -170,19 +155,7 @@ def ring_of(
     name: str | None = None,
     push: Frame | None = None,
 ) -> Body:
-    """Make a mitred ring as it is seen, over boards that weigh and collide as boxes, just under its surface.
-
-    Args:
-        section: See `ring_along`.
-        filled: What the boards fill of it, in the same axes.
-        width: Of the rectangle [m].
-        height: [m].
-        label: Semantic label.
-        finish: What it is made of.
-        eased: Radius of the edges of the section; boards stay inside of them [m].
-        name: Of the link; by default the label.
-        push: Where a hand pushes it.
-    """
+    """Make a mitred ring to be seen, over boards just under its surface that weigh and collide as boxes."""
     inside = under(eased)
     boards = []
     for rect in filled:

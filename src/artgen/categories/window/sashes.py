@@ -14,30 +14,16 @@ _SHEET = 0.004  # thickness of a sheet of glass [m]
 
 @dataclass(frozen=True)
 class Glazing:
-    """What fills sashes.
+    """What fills sashes."""
 
-    Attributes:
-        glass: Its looks.
-        sheets: 2 for insulating glass, 1 for a single sheet.
-        columns: Bars that stand upright on it.
-        rows: Bars that lie across it.
-        finish: Of the ring, the beads and the bars.
-    """
-
-    glass: Material
-    sheets: int
-    columns: int
-    rows: int
-    finish: Material
+    glass: Material  # its looks
+    sheets: int  # 2 for insulating glass, 1 for a single sheet
+    columns: int  # bars that stand upright on it
+    rows: int  # bars that lie across it
+    finish: Material  # of the ring, the beads and the bars
 
     def within(self, width: Scalar, height: Scalar, thickness: Scalar) -> list[Body]:
-        """Fill a ring about the origin, whose middle plane is y = 0.
-
-        Args:
-            width: Of the opening that the ring leaves [m].
-            height: [m].
-            thickness: Of the ring [m].
-        """
+        """Fill a ring about the origin, whose middle plane is y = 0."""
         heavy = self.glass.density * _SHEET * self.sheets / PANE
         glass = self.glass.with_(name=f"{self.glass.name}_{self.sheets}_sheets", density=heavy)
         opening = Opening(width, height, [(0.0, 0.0, 0.0)], 1, self.finish, "pane")
@@ -52,15 +38,7 @@ def lipped_sash(
     *,
     push: Frame | None = None,
 ) -> Body:
-    """Make a sash that closes an opening about the origin: its lip stands in front of the frame at y = 0.
-
-    Args:
-        width: Of the opening in the frame [m].
-        height: [m].
-        section: Of the system.
-        glazing: What fills it.
-        push: Where a hand pushes it.
-    """
+    """Make a sash that closes an opening about the origin: its lip stands in front of the frame at y = 0."""
     face, front = section.sash, SEALED + section.lip
     over = REBATE + LIP
     wide, high = width - 2.0 * REBATE, height - 2.0 * REBATE
@@ -103,15 +81,7 @@ def plain_sash(
     *,
     push: Frame | None = None,
 ) -> Body:
-    """Make a sash that slides in its track, about the origin.
-
-    Args:
-        width: Over all [m].
-        height: [m].
-        section: Of the system.
-        glazing: What fills it.
-        push: Where a hand pushes it.
-    """
+    """Make a sash that slides in its track, about the origin."""
     face, half = slide_face(section), section.slide / 2.0
     ring = ring_of(
         rectangle(face, section.slide, radius=section.eased).at(face / 2.0),

@@ -21,46 +21,24 @@ _LEDGE = 0.016  # thickness of the ledges that hold boards together [m]
 
 
 def _edge(reach: Scalar) -> Scalar:
-    """Return how far before the middle a leaf ends, so that its back corner swings past the other leaf [m].
-
-    Args:
-        reach: From its pin to the middle [m].
-    """
+    """Return the gap to the middle that lets a leaf's back corner swing past the other leaf [m]."""
     behind, free = _THICK - _PIN_IN, reach - 0.0003
     return max_(_MEETING / 2.0, reach - sqrt(free * free - behind * behind))
 
 
 class Shutters(NamedTuple):
-    """What a pair of shutters is like.
+    """What a pair of shutters is like."""
 
-    Attributes:
-        style: Louvres, or boards on ledges.
-        finish: Their paint.
-        metal: Of their hinges and pulls.
-        slats: Louvres in each half of a leaf, or twice the boards.
-        swing: How far they open [rad].
-        friction: Of the hinges of a leaf [N m].
-        solid: Whether these have mass and collide, or only are seen.
-    """
-
-    style: ShutterStyle
-    finish: Material
-    metal: Material
-    slats: int
-    swing: Scalar
-    friction: Scalar
-    solid: bool
+    style: ShutterStyle  # louvres, or boards on ledges
+    finish: Material  # their paint
+    metal: Material  # of their hinges and pulls
+    slats: int  # louvres in each half of a leaf, or twice the boards
+    swing: Scalar  # how far they open [rad]
+    friction: Scalar  # of the hinges of a leaf [N m]
+    solid: bool  # whether these have mass and collide, or only are seen
 
     def hung(self, body: Body, *, front: Scalar, width: Scalar, low: Scalar, high: Scalar) -> Body:
-        """Hang a pair in front of a frame.
-
-        Args:
-            body: The frame.
-            front: Its front plane, y [m].
-            width: Over both leaves with their hinges [m].
-            low: Height of their lower edges [m].
-            high: Height of their upper edges [m].
-        """
+        """Hang a pair in front of a frame."""
         pin = Pin(BARREL - width / 2.0, front - _OFF - _THICK + _PIN_IN)
         start = pin.x + BARREL + 0.002
         wide, tall = -_edge(-pin.x) - start, high - low

@@ -40,14 +40,7 @@ _MEETING = 0.002  # from the middle of a window to the edges of two sashes that 
 
 
 def sliding(draft: Draft, panels: int, *, bar: Scalar, drag: Scalar) -> Body:
-    """Make sashes that slide past fixed ones: one of two, or the middle ones of four.
-
-    Args:
-        draft: What every window has.
-        panels: 2 or 4.
-        bar: Length of the pulls [m].
-        drag: Friction of rollers and brushes [N].
-    """
+    """Make sashes that slide past fixed ones: one of two, or the middle ones of four."""
     body = tracked_frame(draft.width, draft.height, draft.section, draft.finish, head=_STRIP)
     if panels == 2:
         return weld(body, _sliding_pair(draft, draft.width, TRACK, bar, drag).at(-draft.width / 2.0))
@@ -98,13 +91,9 @@ def _level(bar: Scalar, height: Scalar) -> Scalar:
 
 @dataclass(frozen=True)
 class _Passing:
-    """Two sashes that pass each other, the inner one below the outer one, with a lock where they meet.
+    """Two sashes that pass each other, the inner one below the outer one, with a lock where they meet."""
 
-    Attributes:
-        draft: What every window has.
-    """
-
-    draft: Draft
+    draft: Draft  # what every window has
 
     @property
     def face(self) -> float:
@@ -139,12 +128,7 @@ class _Passing:
         return sash_lock(0.0, inner, outer, self.face / 2.0, friction=draft.friction, finish=draft.metal)
 
     def inner(self, gear: Body, name: str) -> Body:
-        """Make the inner sash with the lock, and `gear` in the axes of the sash's middle.
-
-        Args:
-            gear: What a hand moves it by.
-            name: Ends the names of its parts.
-        """
+        """Make the inner sash with the lock, and `gear` in the axes of the sash's middle."""
         draft, lock, y = self.draft, self.lock, Tracks.of(self.draft.section).inner
         sash = plain_sash(self.wide, self.tall, draft.section, draft.glazing).at(0.0, y, 0.0)
         level = (self.tall - self.face) / 2.0
@@ -155,9 +139,6 @@ class _Passing:
         """Make the outer sash with the keeper of the lock.
 
         A finger on its meeting rail, beside the glass, pushes it.
-
-        Args:
-            name: Ends the names of its parts.
         """
         draft, section = self.draft, self.draft.section
         y = Tracks.of(section).outer
@@ -176,11 +157,6 @@ def double_hung(draft: Draft, *, lifts: int, drag: Scalar) -> Body:
 
     Block-and-tackle and constant-force balances carry the weight of a sash at every height; brushes hold
     what is left (ANSI/AAMA 902). A soft spring that is drawn far out has a nearly constant force.
-
-    Args:
-        draft: What every window has.
-        lifts: How many lifts the lower sash has.
-        drag: Friction of brushes and balances [N].
     """
     pair = _Passing(draft)
     places: list[Scalar] = [0.0] if lifts == 1 else [-0.26 * pair.wide, 0.26 * pair.wide]
@@ -194,13 +170,7 @@ def double_hung(draft: Draft, *, lifts: int, drag: Scalar) -> Body:
 
 
 def sliding_both(draft: Draft, *, bar: Scalar, drag: Scalar) -> Body:
-    """Make two sashes that both slide, the inner one from the left, with a lock where they meet.
-
-    Args:
-        draft: What every window has.
-        bar: Length of the pull of the inner one [m].
-        drag: Friction of rollers and brushes [N].
-    """
+    """Make two sashes that both slide, the inner one from the left, with a lock where they meet."""
     glazing = replace(draft.glazing, columns=draft.glazing.rows, rows=draft.glazing.columns)
     # hung sashes laid on their side: what is below comes to the left
     pair = _Passing(replace(draft, width=draft.height, height=draft.width, glazing=glazing))

@@ -48,14 +48,6 @@ def tangents(mesh: Mesh, coordinates: Array) -> Array:
     """Return for each vertex the direction of growing u, and whether that of v is to its left.
 
     Readers may find tangents of their own; that these are given makes all draw the same.
-
-    Args:
-        mesh: The mesh.
-        coordinates: Texture coordinates, v upwards, shape (n, 2).
-
-    Returns:
-        Unit vectors at right angles to the normals, and 1.0 or -1.0 by which the cross product of normal and
-        tangent points to greater v, shape (n, 4).
     """
     sides = _sides(mesh.vertices[mesh.triangles])
     (du, dv), (eu, ev) = (side.T for side in _sides(coordinates[mesh.triangles]))

@@ -25,9 +25,6 @@ def opening(asset: Asset, joint: Joint) -> tuple[Stop, ...] | None:
     From each stop to the next one joint moves, with those that follow it. First come the joints that others
     have to wait for, then the joint itself to its upper limit and to its lower one, as far as they lie apart
     from rest; last everything goes back. A joint without limits makes a full turn.
-
-    Returns:
-        The stops; None if a dependency stands in the way.
     """
     planner = _Planner(asset)
     try:
@@ -87,11 +84,7 @@ class _Planner:
         self.stops.append({**self.stops[-1], name: position})
 
     def allow(self, name: str) -> None:
-        """Move other joints until a joint, and those that follow it, may move.
-
-        Raises:
-            _NoWayError: There is no way to.
-        """
+        """Move other joints until a joint, and those that follow it, may move."""
         if name in self._waiting:
             raise _NoWayError
         self._waiting.append(name)
@@ -122,11 +115,7 @@ class _Planner:
 
 
 def _within(joint: Joint, low: float, high: float) -> float:
-    """Return where a joint is taken to stand in an open interval: at a limit, as a hand would, if it may.
-
-    Raises:
-        _NoWayError: It cannot stand in it.
-    """
+    """Return where a joint is taken to stand in an open interval: at a limit, as a hand would, if it may."""
     ends = joint.limits or (-math.inf, math.inf)
     for end in reversed(ends):
         if low < end < high and math.isfinite(end):

@@ -17,13 +17,7 @@ _INPUTS: dict[Kind, tuple[str, str, Sdf.ValueTypeName]] = {
 
 
 def write_openpbr(material_prim: Sdf.PrimSpec, material: Material, maps: Mapping[Kind, str]) -> None:
-    """Add an OpenPBR surface to the prim of a material.
-
-    Args:
-        material_prim: The prim.
-        material: The material.
-        maps: Path of the file of each of its maps.
-    """
+    """Add an OpenPBR surface to the prim of a material."""
     shader = define(material_prim, "openpbr", "Shader")
     write(shader, TYPES.Token, {"info:id": "ND_open_pbr_surface_surfaceshader"}, uniform=True)
     mapped = {_INPUTS[kind][0] for kind in maps}

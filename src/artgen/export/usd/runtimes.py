@@ -71,15 +71,7 @@ def write_runtime_collider(layers: Layers, prim: Sdf.PrimSpec, *, hull: bool) ->
 def write_runtime_joint(
     layers: Layers, prim: Sdf.PrimSpec, asset: Asset, joint: Joint, position: float
 ) -> None:
-    """Write friction, armature, largest speed and coupling of a joint, and where it stands.
-
-    Args:
-        layers: Where the words of each simulator are written.
-        prim: The prim of the joint.
-        asset: The asset.
-        joint: The joint, which can move.
-        position: Where it stands [rad or m].
-    """
+    """Write friction, armature, largest speed and coupling of a joint, and where it stands."""
     physx = layers.runtime("physx", prim)
     _physx_joint(physx, joint)
     if position != 0.0:

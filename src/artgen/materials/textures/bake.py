@@ -45,11 +45,7 @@ class Maps:
 
 
 def baked(recipe: Recipe, variant: int, size: int) -> Maps:
-    """Return a recipe's maps; they are made once for all processes where the recipe is kept.
-
-    Raises:
-        ExportError: They cannot be kept on disk.
-    """
+    """Return a recipe's maps; they are made once for all processes where the recipe is kept."""
     return MEMORY.get((recipe, variant, size), lambda: _kept(recipe, variant, size), lambda made: made.weight)
 
 

@@ -21,19 +21,12 @@ _STRIP = 1 << 16  # texels worked on at a time
 
 
 class Cells(NamedTuple):
-    """Distances from the nearest of points strewn over a tile.
+    """Distances from the nearest of points strewn over a tile."""
 
-    Attributes:
-        nearest: Distance from the nearest point [m], shape (n, n).
-        second: Distance from the second nearest point [m], shape (n, n).
-        number: Which point is the nearest, shape (n, n).
-        total: How many points there are.
-    """
-
-    nearest: Array
-    second: Array
-    number: NDArray[np.int64]
-    total: int
+    nearest: Array  # distance from the nearest point [m], shape (n, n)
+    second: Array  # distance from the second nearest point [m], shape (n, n)
+    number: NDArray[np.int64]  # which point is the nearest, shape (n, n)
+    total: int  # how many points there are
 
 
 class Tile:
@@ -56,12 +49,7 @@ class Tile:
         self.v: Array = centres[::-1, None] * extent[1]
 
     def noise(self, spectrum: Callable[[Array, Array], Array]) -> Array:
-        """Return noise of some spectrum, mean 0 and deviation 1, shape (n, n).
-
-        Args:
-            spectrum: Returns the amplitude of waves from their frequencies across and along the grain
-                [cycles/m], shapes (1, m) and (m, 1).
-        """
+        """Return noise of some spectrum, mean 0 and deviation 1, shape (n, n)."""
         half = max(self.size, _WHOLE) // 2
         wave = np.arange(half)
         amplitude = np.broadcast_to(
@@ -90,13 +78,7 @@ class Tile:
         )
 
     def cloud(self, longest: float, slope: float = 2.0, stretch: float = 1.0) -> Array:
-        """Return noise of all scales, mean 0 and deviation 1, shape (n, n).
-
-        Args:
-            longest: Length of the longest waves [m].
-            slope: How fast amplitudes fall with frequency: 1 rough, 2 as clouds, 3 smooth.
-            stretch: How many times longer features are along the grain than across.
-        """
+        """Return noise of all scales, mean 0 and deviation 1, shape (n, n)."""
         lowest = 1.0 / longest
         return self.noise(lambda u, v: np.maximum(u**2 + (stretch * v) ** 2, lowest**2) ** (-0.5 * slope))
 
@@ -210,14 +192,7 @@ def in_strips(make: Callable[..., NDArray[Value]], *fields: NDArray[Any]) -> NDA
 
 
 def hairlines(tile: Tile, width: float, length: float, least: float) -> Array:
-    """Return scarce fine scratches of some width and length [m] along and across, 0..2, shape (n, n).
-
-    Args:
-        tile: Where they are.
-        width: How wide they are [m].
-        length: How long they are [m].
-        least: How many deviations noise has to reach to be seen as a scratch.
-    """
+    """Return scarce fine scratches of some width and length [m] along and across, 0..2, shape (n, n)."""
     ways = ((width, length), (length, width))
     along, across = (smoothstep(least, 3.4, tile.streaks(*way)) for way in ways)
     return along + across

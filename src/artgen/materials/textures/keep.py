@@ -75,11 +75,7 @@ def read(name: str, suffix: str) -> bytes | None:
 
 
 def write(name: str, suffix: str, content: bytes) -> None:
-    """Keep content on disk under a name for this version of the code.
-
-    Raises:
-        ExportError: The folder cannot be written.
-    """
+    """Keep content on disk under a name for this version of the code."""
     if not _version():
         return
     try:

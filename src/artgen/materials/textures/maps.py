@@ -36,11 +36,7 @@ def check_size(size: int) -> None:
 
 
 def recipe_of(material: Material) -> Recipe:
-    """Return the recipe of a material's maps.
-
-    Raises:
-        ParameterError: It has none, or there is no such recipe.
-    """
+    """Return the recipe of a material's maps."""
     if not material.texture:
         raise ParameterError(
             f"material {material.name!r} has no texture; give it one: with_(texture='fine_grain')"

@@ -13,13 +13,6 @@ def pores(tile: Tile, chance: Array, density: float, length: float, width: float
     """Strew pores over a tile, and return how much of each texel they take, shape (n, n).
 
     A texel that is wider than a pore is darkened by its share, so that small maps are large ones, averaged.
-
-    Args:
-        tile: The tile.
-        chance: Share of the pores that there are at each texel, 0..1, shape (n, n).
-        density: How many pores there are where the chance is 1 [1/m^2].
-        length: Median of their lengths [m].
-        width: Mean of their widths [m].
     """
     count = round(density * tile.extent[0] * tile.extent[1])
     drawn = tile.stream.random((4, count))

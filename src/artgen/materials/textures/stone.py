@@ -21,19 +21,13 @@ _FROSTED_TILE = (0.06, 0.06)
 
 @dataclass(frozen=True)
 class Granite:
-    """The minerals of a granite.
+    """The minerals of a granite."""
 
-    Attributes:
-        mean: Linear RGB mean of its albedo.
-        minerals: Linear RGB of each, size of its grains [m], and how common it is; the first to the last.
-        mica: Linear RGB of dark flecks.
-        flecks: How many deviations of noise a fleck must exceed: lower is more.
-    """
-
-    mean: Color
+    mean: Color  # linear RGB mean of its albedo
+    # linear RGB of each, size of its grains [m], and how common it is; the first to the last
     minerals: tuple[tuple[Color, float, float], ...]
-    mica: Color
-    flecks: float
+    mica: Color  # linear RGB of dark flecks
+    flecks: float  # how many deviations of noise a fleck must exceed: lower is more
 
 
 _GREY_GRANITE = Granite(

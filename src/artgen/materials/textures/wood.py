@@ -28,41 +28,24 @@ _EARLY = (0.12, 0.42)  # until where in a ring pores are crowded, and from where
 
 @dataclass(frozen=True)
 class Species:
-    """What tells one wood from another.
+    """What tells one wood from another."""
 
-    Attributes:
-        mean: Linear RGB mean of its albedo.
-        early: Colour where a ring begins, relative to the mean.
-        late: Colour where it ends, relative to the mean.
-        rings: How many rings the width of a tile has in straight grain.
-        contrast: How much of the way from early to late a ring goes.
-        sharpness: Exponent of the rise within a ring: 1 even, 4 dark at its end only.
-        pores: How much darker a pore is.
-        porous: Share of the pores that lie only where a ring begins: 1 ring-porous, 0 diffuse-porous.
-        density: How many pores there are where they are the most [1/m^2].
-        length: Median length of a pore [m].
-        width: Mean width of a pore [m].
-        flecks: How much darker rays make short flecks.
-        stripes: How much broad ribbons and coloured streaks vary.
-        fibre: How much fine fibres vary.
-        curl: How much figure shimmers across the grain.
-    """
-
-    mean: Color
-    early: Color
-    late: Color
-    rings: int
-    contrast: float
-    sharpness: float = 2.2
-    pores: float = 0.0
+    mean: Color  # linear RGB mean of its albedo
+    early: Color  # colour where a ring begins, relative to the mean
+    late: Color  # colour where it ends, relative to the mean
+    rings: int  # how many rings the width of a tile has in straight grain
+    contrast: float  # how much of the way from early to late a ring goes
+    sharpness: float = 2.2  # exponent of the rise within a ring: 1 even, 4 dark at its end only
+    pores: float = 0.0  # how much darker a pore is
+    # share of the pores that lie only where a ring begins: 1 ring-porous, 0 diffuse-porous
     porous: float = 0.0
-    density: float = 0.0
-    length: float = 0.004
-    width: float = 0.00015
-    flecks: float = 0.0
-    stripes: float = 0.3
-    fibre: float = 0.26
-    curl: float = 0.0
+    density: float = 0.0  # how many pores there are where they are the most [1/m^2]
+    length: float = 0.004  # median length of a pore [m]
+    width: float = 0.00015  # mean width of a pore [m]
+    flecks: float = 0.0  # how much darker rays make short flecks
+    stripes: float = 0.3  # how much broad ribbons and coloured streaks vary
+    fibre: float = 0.26  # how much fine fibres vary
+    curl: float = 0.0  # how much figure shimmers across the grain
 
 
 SPECIES = {

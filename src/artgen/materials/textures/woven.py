@@ -13,31 +13,18 @@ Color = tuple[float, float, float]
 
 @dataclass(frozen=True)
 class Weave:
-    """A plain weave.
+    """A plain weave."""
 
-    Attributes:
-        mean: Linear RGB mean of its albedo.
-        tile: The size of one repeat [m].
-        threads: How many lie side by side across the tile, and as many along it; even.
-        width: Share of its place that a thread fills.
-        depth: How high a thread rises over the one it crosses [m].
-        unevenness: How much threads differ in lightness.
-        slubs: How much their thickness varies along them.
-        twist: How much the strands of a thread show.
-        gap: How dark it is between threads, relative to them.
-        split: Whether threads are split canes, with lines along them, instead of twisted strands.
-    """
-
-    mean: Color
-    tile: tuple[float, float]
-    threads: int
-    width: float
-    depth: float
-    unevenness: float
-    slubs: float
-    twist: float
-    gap: float
-    split: bool = False
+    mean: Color  # linear RGB mean of its albedo
+    tile: tuple[float, float]  # the size of one repeat [m]
+    threads: int  # how many lie side by side across the tile, and as many along it; even
+    width: float  # share of its place that a thread fills
+    depth: float  # how high a thread rises over the one it crosses [m]
+    unevenness: float  # how much threads differ in lightness
+    slubs: float  # how much their thickness varies along them
+    twist: float  # how much the strands of a thread show
+    gap: float  # how dark it is between threads, relative to them
+    split: bool = False  # whether threads are split canes, with lines along them, instead of twisted strands
 
 
 _LINEN = Weave((0.75, 0.71, 0.64), (0.060, 0.060), 72, 0.90, 90e-6, 0.05, 0.14, 0.06, 0.62)

@@ -68,11 +68,7 @@ def _materials(color: str) -> tuple[Material, Material, Material]:
 
 
 def _width(string: str, style: str) -> float:
-    """Return the width of a text in heights of its figures.
-
-    Raises:
-        BuildError: The style cannot show it.
-    """
+    """Return the width of a text in heights of its figures."""
     try:
         if style == "dot_matrix":
             return dot_matrix_width(string) if dots_of(string).any() else 0.0

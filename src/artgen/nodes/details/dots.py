@@ -45,11 +45,7 @@ def dot_matrix_width(string: str) -> float:
 
 
 def dots_of(string: str) -> NDArray[np.bool_]:
-    """Return which dots of a line shine, shape (rows, columns).
-
-    Raises:
-        ValueError: The font lacks a character.
-    """
+    """Return which dots of a line shine, shape (rows, columns)."""
     columns: list[list[bool]] = []
     for character in string:
         if character not in FONT:

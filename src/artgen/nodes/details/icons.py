@@ -29,11 +29,7 @@ ICONS: tuple[str, ...] = tuple(sorted(_DRAWINGS))
 
 
 def checked_icon(name: str) -> str:
-    """Return the name of an icon.
-
-    Raises:
-        ValueError: There is none of that name; the message has the nearest one.
-    """
+    """Return the name of an icon."""
     if name not in _DRAWINGS:
         raise ValueError(f"there is no icon {name!r}.{nearest(name, ICONS)} artgen.ICONS lists all")
     return name

@@ -19,13 +19,7 @@ _SHARP = math.radians(32.0)  # a line that turns more has a corner
 
 
 def drawing(marks: Iterable[Mark], weight: float, what: str) -> Outline:
-    """Return what marks leave, in units.
-
-    Args:
-        marks: In the order in which they are made.
-        weight: Width of the pen, in units.
-        what: Names the drawing where nothing is left.
-    """
+    """Return what marks leave, in units."""
     region = CrossSection()
     rings: list[Array] = []
     for mark in marks:

@@ -26,20 +26,14 @@ _TAKES = {"M": 2, "L": 2, "H": 1, "V": 1, "C": 6, "Q": 4, "A": 3}
 
 @dataclass(frozen=True, eq=False)
 class Mark:
-    """One touch of the pen.
+    """One touch of the pen."""
 
-    Attributes:
-        kind: A `stroke` along the line or the `fill` of what it surrounds; a `cut` takes such a fill out of
-            what was drawn before, and a `gap` a stroke.
-        points: The line, shape (n, 2), in units.
-        closed: Whether it returns to its first point.
-        weight: Width of the stroke, in widths of the pen.
-    """
-
+    # a `stroke` along the line or the `fill` of what it surrounds; a `cut` takes such a fill out of what
+    # was drawn before, and a `gap` a stroke
     kind: Kind
-    points: Array
-    closed: bool = False
-    weight: float = 1.0
+    points: Array  # the line, shape (n, 2), in units
+    closed: bool = False  # whether it returns to its first point
+    weight: float = 1.0  # width of the stroke, in widths of the pen
 
 
 def steps_of(radius: float, sweep: float) -> int:

@@ -17,10 +17,6 @@ def prisms(contours: Sequence[Contour], length: float) -> Skin:
 
     Every vertex has three copies at either end: for the side that arrives, for the side that leaves and for
     the flat end. A loop over the contours would take ten times as long for hundreds of them.
-
-    Args:
-        contours: Outer borders and holes.
-        length: Length along z [m].
     """
     plan = np.concatenate([contour.points for contour in contours])
     counts = np.array([len(contour.points) for contour in contours])

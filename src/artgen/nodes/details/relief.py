@@ -32,15 +32,7 @@ FRONT = (0.0, -1.0, 0.0)
 
 
 def facing_frame(facing: Array, up: Array | None) -> Array:
-    """Return the rotation, shape (3, 3), whose columns are right, up and out of a face that is read.
-
-    Args:
-        facing: Out of the face, to the reader.
-        up: Upward for the reader; by default Z, or Y on a face that looks up or down.
-
-    Raises:
-        ValueError: A direction has no length, or `up` runs along `facing`.
-    """
+    """Return the rotation, shape (3, 3), whose columns are right, up and out of a face that is read."""
     out = inputs.direction("facing", facing)
     if up is None:
         up = np.array([0.0, 1.0, 0.0]) if abs(out[2]) > 0.9 else np.array([0.0, 0.0, 1.0])

@@ -63,11 +63,7 @@ _BARS = _bars()
 
 
 def _cells(string: str) -> tuple[list[tuple[str, float]], float]:
-    """Return the characters with the places where they start, and the width, in heights of a figure.
-
-    Raises:
-        ValueError: Seven segments cannot show a character.
-    """
+    """Return the characters with the places where they start, and the width, in heights of a figure."""
     places: list[tuple[str, float]] = []
     pen = 0.0
     for shown in string:
@@ -89,11 +85,7 @@ def _cells(string: str) -> tuple[list[tuple[str, float]], float]:
 
 
 def seven_segment_width(string: str) -> float:
-    """Return the width of seven-segment figures without their slant, in heights of a figure.
-
-    Raises:
-        ValueError: Seven segments cannot show a character.
-    """
+    """Return the width of seven-segment figures without their slant, in heights of a figure."""
     return _cells(string)[1]
 
 

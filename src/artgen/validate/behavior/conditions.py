@@ -14,17 +14,7 @@ _OPEN_TRAVEL = 0.5  # how far inside a region that has no end a position is chos
 def state_for(
     asset: Asset, conditions: Iterable[Condition], *, ignore: str = "", extreme: Collection[str] = ()
 ) -> dict[str, float] | None:
-    """Find positions of free joints in which conditions hold and no other joint is blocked.
-
-    Args:
-        asset: The asset.
-        conditions: What has to hold.
-        ignore: A free joint that cannot be asked for: it is the one that is moved.
-        extreme: Joints that shall stand at the end of their range, if they cannot stay closed.
-
-    Returns:
-        Positions of the joints that the conditions speak of, by name; None if there are no such positions.
-    """
+    """Find positions of free joints in which conditions hold and no other joint is blocked."""
     wanted = list(conditions)
     far = {leader_of(asset, asset.joint(name))[0] for name in extreme}
     for _ in range(len(asset.joints) + 1):

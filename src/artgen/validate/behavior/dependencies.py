@@ -81,22 +81,14 @@ def _states(
 
 @dataclass(frozen=True)
 class _Push:
-    """One push, where a condition fails.
+    """One push, where a condition fails."""
 
-    Attributes:
-        simulation: The asset.
-        motion: The free joint that is pushed.
-        joint: The joint that depends: the same, or one that follows it.
-        needs: On what it depends.
-        state: Where the other joints stand.
-        broken: The joints for which the condition fails: nothing but the asset itself holds them.
-    """
-
-    simulation: Simulation
-    motion: Motion
-    joint: Joint
-    needs: Dependency
-    state: Mapping[str, float]
+    simulation: Simulation  # the asset
+    motion: Motion  # the free joint that is pushed
+    joint: Joint  # the joint that depends: the same, or one that follows it
+    needs: Dependency  # on what it depends
+    state: Mapping[str, float]  # where the other joints stand
+    # the joints for which the condition fails: nothing but the asset itself holds them
     broken: frozenset[str]
 
     def run(self, way: int) -> Finding | None:
@@ -154,11 +146,7 @@ class _Push:
         )
 
     def _pushed(self, way: int, loose: Mapping[str, float]) -> float:
-        """Return how far the joint moves at most [rad or m].
-
-        Raises:
-            UnstableError: The simulation exploded.
-        """
+        """Return how far the joint moves at most [rad or m]."""
         simulation, motions = self.simulation, self.simulation.motions
         begun = {**self.state, **self._end_of_slack(way)}
         simulation.begin(begun, f"{self.joint.name} is pushed", jammed=True)

@@ -18,25 +18,15 @@ _TRAVEL = 1.0  # what is looked at of a slide without limits [m]
 
 @dataclass(frozen=True, eq=False)
 class Motion:
-    """A free joint with all that moves with it.
+    """A free joint with all that moves with it."""
 
-    Attributes:
-        joint: The free joint.
-        members: The joint itself and those that follow it.
-        ratios: How far each member moves with the joint, shape (n,).
-        offsets: Where each member stands when the joint is at 0, shape (n,).
-        positions: Indices of the members in MuJoCo's positions, shape (n,).
-        speeds: Indices of the members in MuJoCo's velocities and forces, shape (n,).
-        bodies: MuJoCo's bodies that move with the joint.
-    """
-
-    joint: Joint
-    members: tuple[Joint, ...]
-    ratios: Array
-    offsets: Array
-    positions: NDArray[np.int64]
-    speeds: NDArray[np.int64]
-    bodies: frozenset[int]
+    joint: Joint  # the free joint
+    members: tuple[Joint, ...]  # the joint itself and those that follow it
+    ratios: Array  # how far each member moves with the joint, shape (n,)
+    offsets: Array  # where each member stands when the joint is at 0, shape (n,)
+    positions: NDArray[np.int64]  # indices of the members in MuJoCo's positions, shape (n,)
+    speeds: NDArray[np.int64]  # indices of the members in MuJoCo's velocities and forces, shape (n,)
+    bodies: frozenset[int]  # muJoCo's bodies that move with the joint
 
     @property
     def name(self) -> str:
@@ -91,11 +81,7 @@ class Motion:
 
 
 def motions_of(asset: Asset, model: Any) -> dict[str, Motion]:
-    """Return the free joints of an asset by name, as they are in MuJoCo's model of it.
-
-    Raises:
-        KeyError: The model lacks a joint or a link.
-    """
+    """Return the free joints of an asset by name, as they are in MuJoCo's model of it."""
     for link in asset.links:
         model.body(link.name)
     return {joint.name: _motion(asset, model, joint) for joint in asset.free_joints}

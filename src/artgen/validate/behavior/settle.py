@@ -102,17 +102,7 @@ def _freed(asset: Asset, motions: Sequence[Motion]) -> dict[str, float]:
 def start_pose(
     asset: Asset, motions: Mapping[str, Motion], share: float, given: Mapping[str, float] | None = None
 ) -> dict[str, float]:
-    """Put each free joint at a share of its way from closed to open, but those that are blocked there.
-
-    Args:
-        asset: The asset.
-        motions: Its free joints.
-        share: 0 for closed, 0.5 for the middle of the range, 1 for open.
-        given: Where some of them stand instead, by name [rad or m].
-
-    Returns:
-        Positions by joint name [rad or m].
-    """
+    """Put each free joint at a share of its way from closed to open, but those that are blocked there."""
     q = {}
     for name, motion in motions.items():
         low, high = motion.limits
@@ -130,28 +120,18 @@ def start_pose(
 
 @dataclass
 class _Drift:
-    """How one joint drifts.
+    """How one joint drifts."""
 
-    Attributes:
-        motion: The joint.
-        start: Where it was let go [rad or m].
-        causes: Directions in which gravity or a spring moves it, of -1 and 1.
-        why: What moves it, or holds it.
-        furthest: How far it has moved at most [rad or m].
-        since: When it had moved too far without a cause; None if it has not [s].
-        pushed: What pushes it, or has since it lay still, of what gravity or a spring moves: a blow may be
-            over when the joint has come that far.
-        touching: What presses on it then.
-    """
-
-    motion: Motion
-    start: float
-    causes: set[int]
-    why: str
-    furthest: float = 0.0
-    since: float | None = None
+    motion: Motion  # the joint
+    start: float  # where it was let go [rad or m]
+    causes: set[int]  # directions in which gravity or a spring moves it, of -1 and 1
+    why: str  # what moves it, or holds it
+    furthest: float = 0.0  # how far it has moved at most [rad or m]
+    since: float | None = None  # when it had moved too far without a cause; None if it has not [s]
+    # what pushes it, or has since it lay still, of what gravity or a spring moves: a blow may be over when
+    # the joint has come that far
     pushed: list[str] = field(default_factory=list)
-    touching: list[str] = field(default_factory=list)
+    touching: list[str] = field(default_factory=list)  # what presses on it then
 
     @property
     def moved(self) -> bool:

@@ -15,15 +15,7 @@ _UNREAD = ("absent", "nothing to read")
 
 
 def ask_clients(directory: str | Path, clients: Sequence[Client], *, by_name: bool) -> list[Outcome]:
-    """Return what clients make of an export, in their order.
-
-    Args:
-        directory: The directory of the export.
-        clients: Which.
-        by_name: Whether each was asked for by its name: then one that is absent, or that has nothing to read,
-            is a fault. Otherwise an absent one is said to be so, and one with nothing to read is left out;
-            where none is left that reads the export, all are faults.
-    """
+    """Return what clients make of an export, in their order."""
     try:
         exported = read_exported(directory)
     except ArtgenError as error:

@@ -14,15 +14,10 @@ MOVED = ("moved", "steps", "finite")
 
 @dataclass(frozen=True)
 class Unavoidable:
-    """A message that a client prints at every asset of a kind, whatever is written.
+    """A message that a client prints at every asset of a kind, whatever is written."""
 
-    Attributes:
-        pattern: Regular expression that matches the whole of one line of its output.
-        reason: Why no asset can avoid it.
-    """
-
-    pattern: str
-    reason: str
+    pattern: str  # regular expression that matches the whole of one line of its output
+    reason: str  # why no asset can avoid it
 
 
 MACHINE = (
@@ -36,39 +31,24 @@ MACHINE = (
 
 @dataclass(frozen=True)
 class Client:
-    """A program that reads exported assets, and how to ask it what it read.
+    """A program that reads exported assets, and how to ask it what it read."""
 
-    Attributes:
-        name: Identifier, such as `pybullet` or `newton_usd`.
-        format: The format that it reads.
-        distribution: Python distribution whose version is shown; empty for a program of the system.
-        environment: Name of its environment, see `artgen.validate.clients.environments`.
-        driver: Name of its script in `artgen/validate/clients/drivers`, which runs in that environment.
-        layouts: Layouts of exports whose main file of that format it reads.
-        seconds: How long one asset may take.
-        length_tolerance: By how much positions of links and limits may differ [m or rad].
-        relative_tolerance: By which share masses, moments and gains may differ.
-        unavoidable: Messages that are no fault.
-        light: Whether it comes with `artgen[test]`; others need an environment of their own.
-        tells: Keys that its answer must have, so that a reader that falls silent is noticed; such as
-            `links`, or `joints.damping` for a quantity of each joint.
-        withholds: What it has no words for, of what others have to tell, such as `joints.kind`.
-        obtain: How to get it, where no environment of artgen's brings it.
-        misplaces: Whether it places a link wrongly that moves by several joints, whatever is written.
-    """
-
-    name: str
-    format: FormatName
-    distribution: str
-    environment: str
-    driver: str
-    layouts: tuple[str, ...] = ("flat",)
-    seconds: float = 120.0
-    length_tolerance: float = 1e-6
-    relative_tolerance: float = 1e-6
-    unavoidable: tuple[Unavoidable, ...] = ()
-    light: bool = False
+    name: str  # identifier, such as `pybullet` or `newton_usd`
+    format: FormatName  # the format that it reads
+    distribution: str  # python distribution whose version is shown; empty for a program of the system
+    environment: str  # name of its environment, see `artgen.validate.clients.environments`
+    driver: str  # name of its script in `artgen/validate/clients/drivers`, which runs in that environment
+    layouts: tuple[str, ...] = ("flat",)  # layouts of exports whose main file of that format it reads
+    seconds: float = 120.0  # how long one asset may take
+    length_tolerance: float = 1e-6  # by how much positions of links and limits may differ [m or rad]
+    relative_tolerance: float = 1e-6  # by which share masses, moments and gains may differ
+    unavoidable: tuple[Unavoidable, ...] = ()  # messages that are no fault
+    light: bool = False  # whether it comes with `artgen[test]`; others need an environment of their own
+    # keys that its answer must have, so that a reader that falls silent is noticed; such as `links`, or
+    # `joints.damping` for a quantity of each joint
     tells: tuple[str, ...] = ()
+    # what it has no words for, of what others have to tell, such as `joints.kind`
     withholds: tuple[str, ...] = ()
-    obtain: str = ""
+    obtain: str = ""  # how to get it, where no environment of artgen's brings it
+    # whether it places a link wrongly that moves by several joints, whatever is written
     misplaces: bool = False

@@ -25,16 +25,7 @@ _UNLIMITED = 1.0  # how far an unlimited joint is driven [rad or m]
 
 
 def differences(client: Client, exported: Exported, response: Mapping[str, Any]) -> Iterator[Finding]:
-    """Yield where a client's answer is not what the asset is.
-
-    Args:
-        client: The client with its tolerances.
-        exported: What it read.
-        response: Its answer; see `drivers/README.md`.
-
-    Raises:
-        LookupError, TypeError, ValueError: The answer is damaged.
-    """
+    """Yield where a client's answer is not what the asset is."""
     asset = exported.asset
     yield from silences(client, exported, response)
     if "links" in response:
@@ -208,11 +199,7 @@ def _force(joint: Joint) -> str:
 
 
 def _array(value: Any, *shape: int) -> Array:
-    """Return numbers of a shape.
-
-    Raises:
-        ValueError: They have another shape.
-    """
+    """Return numbers of a shape."""
     result = np.array(value, float)
     if result.shape != shape:
         raise ValueError(f"an array of shape {result.shape} stands where one of shape {shape} belongs")

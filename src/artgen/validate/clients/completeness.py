@@ -16,11 +16,6 @@ def silences(client: Client, exported: Exported, response: Mapping[str, Any]) ->
 
     A key of `Client.tells` such as `joints.damping` is a quantity of each joint. A client that tells of
     links has to tell masses, centres and inertias, one that tells of joints their kinds and limits.
-
-    Args:
-        client: The client, with what it has to tell.
-        exported: What it read.
-        response: Its answer; see `drivers/README.md`.
     """
     whole = [key for key in client.tells if "." not in key]
     missing = [key for key in whole if key not in response]

@@ -19,19 +19,12 @@ _POSES = 4  # beside the one as the asset stands
 
 @dataclass(frozen=True)
 class Exported:
-    """An asset with the directory that it was exported to.
+    """An asset with the directory that it was exported to."""
 
-    Attributes:
-        directory: The directory.
-        asset: What `asset.json` says.
-        layout: How the files lie.
-        mains: The file that a client opens, by format.
-    """
-
-    directory: Path
-    asset: Asset
-    layout: str
-    mains: Mapping[str, Path]
+    directory: Path  # the directory
+    asset: Asset  # what `asset.json` says
+    layout: str  # how the files lie
+    mains: Mapping[str, Path]  # the file that a client opens, by format
 
     def is_read_by(self, client: Client) -> bool:
         """Return whether there is something for a client: a file of its format, in a layout that it reads."""
@@ -80,12 +73,7 @@ class Exported:
 
 
 def read_exported(directory: str | Path) -> Exported:
-    """Read an export.
-
-    Raises:
-        ExportError: The directory holds none that can be read.
-        AssetError: Its `asset.json` is of another format, or damaged.
-    """
+    """Read an export."""
     folder = Path(directory)
     asset = Asset.load(folder)
     layout = json.loads((folder / ASSET_FILE).read_text(encoding="utf-8")).get("layout", "flat")

@@ -32,18 +32,6 @@ def install(
     """Make the environment of some clients, unless it is there already.
 
     It counts as there only when pip is through, so an install that was interrupted is begun anew.
-
-    Args:
-        environment: Its name, a key of the requirements.
-        directory: Where the environments lie.
-        python: The Python program that it is made of; by default artgen's own.
-        requirements: What is installed in each environment.
-
-    Returns:
-        What was done. An environment that somebody else made is left as it is.
-
-    Raises:
-        ClientError: There is no such environment, or it cannot be made.
     """
     if environment not in requirements:
         raise ClientError(f"there is no environment {environment!r}.{nearest(environment, requirements)}")

@@ -19,11 +19,7 @@ UNFINISHED = ".artgen-unfinished"
 
 
 def environments_directory() -> Path:
-    """Return the folder of the clients' environments: `$ARTGEN_CLIENTS`, or `clients` in artgen's cache.
-
-    Raises:
-        ClientError: There is none: the cache is off, or the user has no home.
-    """
+    """Return the folder of the clients' environments: `$ARTGEN_CLIENTS`, or `clients` in artgen's cache."""
     if chosen := os.environ.get(VARIABLE):
         return Path(chosen)
     cache = cache_directory()

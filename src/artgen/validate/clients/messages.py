@@ -32,10 +32,6 @@ def sorted_messages(client: Client, messages: Sequence[str]) -> tuple[tuple[str,
 
     A pattern has to match all of a message, or the beginning of it; what follows, such as a line of the
     source that warns, must not speak of an error itself.
-
-    Args:
-        client: The client, with the patterns of what no asset can avoid.
-        messages: What it said; further lines of a message were indented.
     """
     faults: list[str] = []
     tolerated: dict[str, Tolerated] = {}

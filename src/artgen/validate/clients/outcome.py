@@ -10,42 +10,25 @@ State = Literal["passed", "failed", "timed out", "absent", "nothing to read"]
 
 @dataclass(frozen=True)
 class Tolerated:
-    """Messages of a client that are no fault.
+    """Messages of a client that are no fault."""
 
-    Attributes:
-        message: The first of them.
-        count: How many there were.
-        reason: Why no asset can avoid it.
-    """
-
-    message: str
-    count: int
-    reason: str
+    message: str  # the first of them
+    count: int  # how many there were
+    reason: str  # why no asset can avoid it
 
 
 @dataclass(frozen=True)
 class Outcome:
-    """What a client made of an export.
+    """What a client made of an export."""
 
-    Attributes:
-        client: Name of the client.
-        format: The format that it reads.
-        version: The client's version; empty if it is absent.
-        state: Only `passed` is a pass.
-        findings: What is wrong, or for an absent client how to get it.
-        note: A few words of the client, or of what it told.
-        seconds: How long it took.
-        tolerated: Its messages that are no fault.
-    """
-
-    client: str
-    format: str
-    version: str
-    state: State
-    findings: tuple[Finding, ...] = ()
-    note: str = ""
-    seconds: float = 0.0
-    tolerated: tuple[Tolerated, ...] = ()
+    client: str  # name of the client
+    format: str  # the format that it reads
+    version: str  # the client's version; empty if it is absent
+    state: State  # only `passed` is a pass
+    findings: tuple[Finding, ...] = ()  # what is wrong, or for an absent client how to get it
+    note: str = ""  # a few words of the client, or of what it told
+    seconds: float = 0.0  # how long it took
+    tolerated: tuple[Tolerated, ...] = ()  # its messages that are no fault
 
     @property
     def fault(self) -> bool:
@@ -78,13 +61,9 @@ class Outcome:
 
 @dataclass(frozen=True)
 class ClientReport(Report):
-    """What all checks and some clients said of one asset.
+    """What all checks and some clients said of one asset."""
 
-    Attributes:
-        outcomes: One for each client.
-    """
-
-    outcomes: tuple[Outcome, ...] = ()
+    outcomes: tuple[Outcome, ...] = ()  # one for each client
 
     @property
     def passed(self) -> bool:

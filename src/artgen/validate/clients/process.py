@@ -18,19 +18,12 @@ _PATIENCE = 5.0  # how long to wait for output after the group was killed [s]
 
 @dataclass(frozen=True)
 class Finished:
-    """How a program ended.
+    """How a program ended."""
 
-    Attributes:
-        code: Its exit code, or minus the number of the signal that ended it.
-        output: What it and its children printed to stdout and stderr, in order, the first part of it.
-        seconds: How long it ran.
-        timed_out: Whether it was killed because its time was over.
-    """
-
-    code: int
-    output: str
-    seconds: float
-    timed_out: bool
+    code: int  # its exit code, or minus the number of the signal that ended it
+    output: str  # what it and its children printed to stdout and stderr, in order, the first part of it
+    seconds: float  # how long it ran
+    timed_out: bool  # whether it was killed because its time was over
 
     @property
     def ending(self) -> str:
@@ -46,17 +39,7 @@ class Finished:
 def run_process(
     command: Sequence[str | Path], directory: Path, environment: Mapping[str, str], seconds: float
 ) -> Finished:
-    """Run a program to its end, or until its time is over; then nothing that it started is left.
-
-    Args:
-        command: Program and arguments.
-        directory: Its working directory.
-        environment: Its environment variables.
-        seconds: How long it may take.
-
-    Raises:
-        OSError: It cannot be started.
-    """
+    """Run a program to its end, or until its time is over; then nothing that it started is left."""
     start = time.monotonic()
     process = subprocess.Popen(  # noqa: S603 - the command is artgen's own
         list(command),

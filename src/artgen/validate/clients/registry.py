@@ -17,14 +17,7 @@ ALL = "all"
 
 
 def chosen_clients(names: str) -> tuple[Sequence[Client], bool]:
-    """Return the clients that a text names, such as `all` or `pybullet,drake_urdf`, each once.
-
-    Returns:
-        The clients, and whether each was asked for by its name.
-
-    Raises:
-        ParameterError: There is no client of some name, or none is named.
-    """
+    """Return the clients that a text names, such as `all` or `pybullet,drake_urdf`, each once."""
     words = list(dict.fromkeys(word for part in names.split(",") if (word := part.strip())))
     if not words:
         raise ParameterError(f"{names!r} names no client; give {ALL!r} or some of: {', '.join(CLIENTS)}")

@@ -106,19 +106,13 @@ def _ask(client: Client, exports: Sequence[Exported]) -> list[Outcome]:
 
 @dataclass(frozen=True)
 class _Session:
-    """One process of a client.
+    """One process of a client."""
 
-    Attributes:
-        finished: How it ended.
-        answers: Its answer to each request; None where there is none, a text where it cannot be read.
-        messages: What it printed that is a fault.
-        tolerated: What it printed that is none.
-    """
-
-    finished: Finished
+    finished: Finished  # how it ended
+    # its answer to each request; None where there is none, a text where it cannot be read
     answers: Sequence[Mapping[str, Any] | str | None]
-    messages: tuple[str, ...] = ()
-    tolerated: tuple[Tolerated, ...] = field(default=())
+    messages: tuple[str, ...] = ()  # what it printed that is a fault
+    tolerated: tuple[Tolerated, ...] = field(default=())  # what it printed that is none
 
 
 def _session(client: Client, program: Path, exports: Sequence[Exported]) -> _Session:

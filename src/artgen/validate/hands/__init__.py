@@ -111,11 +111,7 @@ def _force_findings(asset: Asset, forces: Mapping[str, float], faulty: Collectio
 
 
 def _come(space: HandSpace, affordance: Affordance) -> tuple[Opened, list[Finding]]:
-    """Bring a hand where its joint may move, and open what it strikes there, if it can be opened.
-
-    Returns:
-        What was opened, and a note that says so; or what keeps the hand from coming, with nothing opened.
-    """
+    """Bring a hand where its joint may move, and open what it strikes there, if it can be opened."""
     opened: dict[str, Condition] = {}
     faults, struck = _faults(space, affordance, opened)
     first = faults

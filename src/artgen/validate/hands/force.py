@@ -60,19 +60,13 @@ def hand_forces(asset: Asset) -> dict[str, float]:
 
 @dataclass(frozen=True)
 class _Place:
-    """A joint at one place of its range.
+    """A joint at one place of its range."""
 
-    Attributes:
-        load: With what springs and weight push it on, towards larger positions [N m or N].
-        friction: Dry friction of the joint and of those that follow it [N m or N].
-        poses: How links are displaced a step before and a step behind that place.
-        apart: The way of the joint between these poses [rad or m].
-    """
-
-    load: float
-    friction: float
+    load: float  # with what springs and weight push it on, towards larger positions [N m or N]
+    friction: float  # dry friction of the joint and of those that follow it [N m or N]
+    # how links are displaced a step before and a step behind that place
     poses: tuple[Mapping[str, Array], Mapping[str, Array]]
-    apart: float
+    apart: float  # the way of the joint between these poses [rad or m]
 
 
 def _places(asset: Asset, joint: Joint) -> list[_Place]:

@@ -24,15 +24,7 @@ _MESH = 7
 
 
 def read_mjcf(asset: Asset, path: Path) -> Reading:
-    """Read a model and its meshes.
-
-    Args:
-        asset: The asset whose links are looked for.
-        path: The file.
-
-    Raises:
-        ImportError: MuJoCo is not installed.
-    """
+    """Read a model and its meshes."""
     import mujoco
 
     # it keeps meshes, and takes a file that was changed within the same second for the one before

@@ -17,12 +17,7 @@ _PLAIN = {"contype": 1.0, "conaffinity": 1.0, "condim": 3.0, "margin": 0.0, "gap
 
 
 def strange_words(root: Any, file: str) -> Iterator[Finding]:
-    """Yield elements that move links, hold them, or let them touch otherwise than `asset.json` says.
-
-    Args:
-        root: The element `mujoco`.
-        file: Name of the file.
-    """
+    """Yield elements that move links, hold them, or let them touch otherwise than `asset.json` says."""
     for tag in _ACTING:
         if root.find(f".//{tag}") is not None:
             yield Finding(_CHECK, f"{file} has <{tag}>, which is no part of an asset", hint=_SCENE)
@@ -40,14 +35,7 @@ def strange_words(root: Any, file: str) -> Iterator[Finding]:
 
 
 def model_findings(model: Any, links: list[str], base: str, file: str) -> Iterator[Finding]:
-    """Yield what a compiled model has beyond the links of an asset, and contacts that are not plain.
-
-    Args:
-        model: MuJoCo's model.
-        links: Names of the asset's links.
-        base: Name of the first of them.
-        file: Name of the file.
-    """
+    """Yield what a compiled model has beyond the links of an asset, and contacts that are not plain."""
     import mujoco
 
     for body in range(model.nbody):

@@ -16,11 +16,7 @@ _ROUNDING = 1e-6  # relative, of moments of inertia
 
 
 def mjcf_findings(path: Path) -> Iterator[Finding]:
-    """Yield what hides contacts or changes gravity, and names and numbers that MuJoCo refuses.
-
-    Args:
-        path: The file.
-    """
+    """Yield what hides contacts or changes gravity, and names and numbers that MuJoCo refuses."""
     from lxml import etree
 
     root = etree.parse(path).getroot()

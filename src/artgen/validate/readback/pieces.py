@@ -29,25 +29,16 @@ _SHOWN = 3  # colliders of a link
 
 @dataclass(frozen=True, eq=False)
 class Piece:
-    """A collider, in the frame of its link.
+    """A collider, in the frame of its link."""
 
-    Attributes:
-        name: What the file calls it.
-        bounds: Corners of the bounding box, shape (2, 3) [m].
-        middle: Mean of its vertices; of a primitive its centre, shape (3,) [m].
-        volume: [m^3].
-        friction: Coefficient of sliding friction; None where the file does not say.
-        vertices: Those of a mesh, each once, shape (n, 3) [m].
-        flaw: What a simulator would refuse or silently change, with the number.
-    """
-
-    name: str
-    bounds: Array
-    middle: Array
-    volume: float
-    friction: float | None = None
+    name: str  # what the file calls it
+    bounds: Array  # corners of the bounding box, shape (2, 3) [m]
+    middle: Array  # mean of its vertices; of a primitive its centre, shape (3,) [m]
+    volume: float  # [m^3]
+    friction: float | None = None  # coefficient of sliding friction; None where the file does not say
+    # those of a mesh, each once, shape (n, 3) [m]
     vertices: Array = field(default_factory=lambda: np.zeros((0, 3)))
-    flaw: str = ""
+    flaw: str = ""  # what a simulator would refuse or silently change, with the number
 
     @staticmethod
     def primitive(name: str, convex: Convex, friction: float | None = None, flaw: str = "") -> "Piece":
@@ -128,15 +119,7 @@ def expected_pieces(asset: Asset, *, capsules: bool) -> dict[str, tuple[Piece, .
 def piece_findings(
     check: str, link: Link, file: str, wanted: Sequence[Piece], found: Sequence[Piece]
 ) -> Iterator[Finding]:
-    """Yield how the colliders of a link in a file differ from those of the asset.
-
-    Args:
-        check: Name of the check.
-        link: The link.
-        file: Name of the file.
-        wanted: The colliders of the asset.
-        found: Those of the file, in any order.
-    """
+    """Yield how the colliders of a link in a file differ from those of the asset."""
     complaints: list[tuple[str, float | None]] = [
         (f"its collider {piece.name} {piece.flaw} in {file}", None) for piece in found if piece.flaw
     ]

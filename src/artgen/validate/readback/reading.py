@@ -20,47 +20,29 @@ Frames = Callable[[Mapping[str, float]], dict[str, Array]]
 
 @dataclass(frozen=True, eq=False)
 class Inertial:
-    """Mass properties of a link as a file has them.
+    """Mass properties of a link as a file has them."""
 
-    Attributes:
-        mass: [kg].
-        center: Centre of mass in the link's frame, shape (3,) [m].
-        inertia: About the centre, along the axes of the link's frame, shape (3, 3) [kg m^2].
-    """
-
-    mass: float
-    center: Array
-    inertia: Array
+    mass: float  # [kg]
+    center: Array  # centre of mass in the link's frame, shape (3,) [m]
+    inertia: Array  # about the centre, along the axes of the link's frame, shape (3, 3) [kg m^2]
 
 
 @dataclass(frozen=True)
 class Said:
-    """One number of a joint's dynamics that a file states.
+    """One number of a joint's dynamics that a file states."""
 
-    Attributes:
-        field: Which of `artgen.asset.joint.DYNAMICS`.
-        value: In SI units.
-        source: What the file calls it.
-    """
-
-    field: str
-    value: float
-    source: str
+    field: str  # which of `artgen.asset.joint.DYNAMICS`
+    value: float  # in SI units
+    source: str  # what the file calls it
 
 
 @dataclass(frozen=True, eq=False)
 class Faces:
-    """Visible faces of a link as a file has them, in the link's frame.
+    """Visible faces of a link as a file has them, in the link's frame."""
 
-    Attributes:
-        name: What the file calls them.
-        bounds: Corners of the bounding box, shape (2, 3) [m].
-        count: Number of triangles.
-    """
-
-    name: str
-    bounds: Array
-    count: int
+    name: str  # what the file calls them
+    bounds: Array  # corners of the bounding box, shape (2, 3) [m]
+    count: int  # number of triangles
 
 
 @dataclass(frozen=True, eq=False)

@@ -24,19 +24,14 @@ _UPRIGHT = 1e-6  # error of an axis
 
 @dataclass(frozen=True, eq=False)
 class Names:
-    """What the names of a layout stand for.
+    """What the names of a layout stand for."""
 
-    Attributes:
-        links: Link of the asset, by name of the body.
-        joints: Joint of the asset, and -1 where it is turned round, else 1, by name in the file.
-        couplings: Leader, ratio and offset of each joint that follows, in the names of the file.
-        axes: From the asset's coordinates to those of the bodies, shape (3, 3): right angles only.
-    """
-
-    links: Mapping[str, str]
+    links: Mapping[str, str]  # link of the asset, by name of the body
+    # joint of the asset, and -1 where it is turned round, else 1, by name in the file
     joints: Mapping[str, tuple[str, int]]
+    # leader, ratio and offset of each joint that follows, in the names of the file
     couplings: Mapping[str, Law]
-    axes: Array
+    axes: Array  # from the asset's coordinates to those of the bodies, shape (3, 3): right angles only
 
     @property
     def bodies(self) -> dict[str, str]:
@@ -59,11 +54,7 @@ class Names:
 
 
 def read_names(path: Path) -> Names | None:
-    """Read what the names in a file stand for; None where it has those of the asset.
-
-    Args:
-        path: The main file of a format.
-    """
+    """Read what the names in a file stand for; None where it has those of the asset."""
     table = path.parent / NAMES_FILE
     if not table.exists():
         return None
@@ -77,13 +68,7 @@ def read_names(path: Path) -> Names | None:
 
 
 def translated(reading: Reading, names: Names, base: str) -> Reading:
-    """Return a reading in the names, axes and positions of the asset.
-
-    Args:
-        reading: What a file says, by the links of the asset and the joints of the file.
-        names: What its names stand for.
-        base: The asset's first link.
-    """
+    """Return a reading in the names, axes and positions of the asset."""
     back = names.axes.T
     turn = np.eye(4)
     turn[:3, :3] = names.axes

@@ -17,12 +17,7 @@ Array = NDArray[np.float64]
 
 
 def read_urdf(asset: Asset, path: Path) -> Reading:
-    """Read a file and its meshes.
-
-    Args:
-        asset: The asset whose links are looked for.
-        path: The file.
-    """
+    """Read a file and its meshes."""
     import yourdfpy
     from lxml import etree
 

@@ -13,11 +13,7 @@ _OF_GAZEBO = ("springStiffness", "springReference")
 
 
 def urdf_findings(path: Path) -> Iterator[Finding]:
-    """Yield names that are there twice or not at all, and limits that cannot be.
-
-    Args:
-        path: The file.
-    """
+    """Yield names that are there twice or not at all, and limits that cannot be."""
     from lxml import etree
 
     robot = etree.parse(path).getroot()

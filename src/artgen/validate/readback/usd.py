@@ -25,12 +25,7 @@ _TURNS = {"X": np.eye(3)[:, [1, 2, 0]], "Y": np.eye(3)[:, [2, 0, 1]], "Z": np.ey
 
 
 def read_usd(asset: Asset, path: Path) -> Reading:
-    """Read a stage, and run OpenUSD's validators on it.
-
-    Args:
-        asset: The asset whose links are looked for.
-        path: The file.
-    """
+    """Read a stage, and run OpenUSD's validators on it."""
     with listening() as said:
         diagnostics = UsdUtils.CoalescingDiagnosticDelegate()
         stage = Usd.Stage.Open(str(path))

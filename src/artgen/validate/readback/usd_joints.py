@@ -17,29 +17,17 @@ _UNREACHABLE = 1e5  # [rad or m]: limits beyond are none; some simulators want t
 
 @dataclass(frozen=True, eq=False)
 class Arm:
-    """A joint as a file has it: it moves along or about an axis of its frames.
+    """A joint as a file has it: it moves along or about an axis of its frames."""
 
-    Attributes:
-        prim: The prim; it lives as long as its stage.
-        name: Name of the joint.
-        kind: `revolute`, `prismatic`, or empty for a fixed joint.
-        parent: Name of the body that it hangs on; empty for the world.
-        child: Name of the body that it moves; empty for the world.
-        before: Its frame in the parent, shape (4, 4).
-        after: Its frame in the child, shape (4, 4).
-        column: Number of the axis: 0 for x.
-        limits: Lowest and highest position [rad or m].
-    """
-
-    prim: Any
-    name: str
-    kind: str
-    parent: str
-    child: str
-    before: Array
-    after: Array
-    column: int = 0
-    limits: tuple[float, float] | None = None
+    prim: Any  # the prim; it lives as long as its stage
+    name: str  # name of the joint
+    kind: str  # `revolute`, `prismatic`, or empty for a fixed joint
+    parent: str  # name of the body that it hangs on; empty for the world
+    child: str  # name of the body that it moves; empty for the world
+    before: Array  # its frame in the parent, shape (4, 4)
+    after: Array  # its frame in the child, shape (4, 4)
+    column: int = 0  # number of the axis: 0 for x
+    limits: tuple[float, float] | None = None  # lowest and highest position [rad or m]
 
     @property
     def to_world(self) -> bool:

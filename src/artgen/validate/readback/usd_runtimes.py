@@ -18,15 +18,10 @@ _NEWTON, _PHYSX, _MUJOCO = "Newton", "PhysX", "MuJoCo"
 
 @dataclass(frozen=True, eq=False)
 class Profile:
-    """What a stage says of the joints to a simulator.
+    """What a stage says of the joints to a simulator."""
 
-    Attributes:
-        dynamics: Springs, friction and so on of each joint.
-        couplings: Leader, ratio and offset of each joint that follows, by simulator.
-    """
-
-    dynamics: dict[str, tuple[Said, ...]]
-    couplings: dict[str, dict[str, Law]]
+    dynamics: dict[str, tuple[Said, ...]]  # springs, friction and so on of each joint
+    couplings: dict[str, dict[str, Law]]  # leader, ratio and offset of each joint that follows, by simulator
 
 
 def variants(stage: Any) -> Iterator[str]:
@@ -48,13 +43,7 @@ def variants(stage: Any) -> Iterator[str]:
 
 
 def profile(stage: Any, asset: Asset, variant: str) -> Profile:
-    """Read what a stage says with a variant enabled.
-
-    Args:
-        stage: The stage.
-        asset: The asset.
-        variant: Name of the variant; empty for a stage that says everything at once.
-    """
+    """Read what a stage says with a variant enabled."""
     said = {arm.name: tuple(dynamics(arm)) for arm in arms(stage) if arm.kind and arm.parent}
     if variant == _PHYSX:
         return Profile(said, {_PHYSX: physx_couplings(stage)})

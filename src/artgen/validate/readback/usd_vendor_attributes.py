@@ -30,11 +30,7 @@ _ZERO = ("physxRigidBody:angularDamping",)  # PhysX damps by itself where it is 
 
 
 def strange_opinions(prim: Any) -> Iterator[Finding]:
-    """Yield what a body, joint or collider says that no asset says, and values that change with time.
-
-    Args:
-        prim: Any prim.
-    """
+    """Yield what a body, joint or collider says that no asset says, and values that change with time."""
     joint = prim.IsA(UsdPhysics.Joint)
     body = prim.HasAPI(UsdPhysics.RigidBodyAPI)
     known = (

@@ -17,15 +17,10 @@ _SIDES = np.concatenate([np.eye(3), -np.eye(3)])
 
 @dataclass
 class _Group:
-    """A link with all that hangs on it, already apart.
+    """A link with all that hangs on it, already apart."""
 
-    Attributes:
-        box: The corners of the space that it takes, shape (2, 3) [m].
-        shifts: How far each of its links is moved, by name, shape (3,) [m].
-    """
-
-    box: Array
-    shifts: dict[str, Array]
+    box: Array  # the corners of the space that it takes, shape (2, 3) [m]
+    shifts: dict[str, Array]  # how far each of its links is moved, by name, shape (3,) [m]
 
     def moved(self, shift: Array) -> "_Group":
         """Return the group moved as a whole, by shape (3,) [m]."""

@@ -30,11 +30,7 @@ _QUALITY = 84  # of JPEG
 
 
 def find_assets(directory: Path) -> list[Path]:
-    """Return the directories of exported assets in a folder, in order; the folder may be one itself.
-
-    Raises:
-        ExportError: There are none.
-    """
+    """Return the directories of exported assets in a folder, in order; the folder may be one itself."""
     found = sorted(
         path.parent
         for path in directory.rglob(ASSET_FILE)
@@ -56,22 +52,7 @@ def write_gallery(
     textures: int,
     progress: Callable[[int], None] | None = None,
 ) -> tuple[Path, list[str]]:
-    """Write a gallery.
-
-    Args:
-        assets: The directories of exported assets.
-        source: The folder that they are in, which gives the gallery its title; all paths are absolute.
-        target: The folder to write to: a new or empty one, or that of an earlier gallery.
-        textures: Texels on a side of the maps of the viewers; 0 for colours alone.
-        progress: Called with how many assets are done.
-
-    Returns:
-        The gallery's page, and why assets are left out, for each.
-
-    Raises:
-        ExportError: The target holds something else, or cannot be written.
-        AssetError: No asset can be read.
-    """
+    """Write a gallery."""
     _check_target(target)
     drawn = _Pictures()
     entries, failed = [], []
@@ -156,11 +137,7 @@ def _index(title: str, entries: Sequence[Mapping[str, Any]]) -> str:
 
 
 def _check_target(target: Path) -> None:
-    """Refuse a folder that holds anything but an earlier gallery.
-
-    Raises:
-        ExportError: It does, or it is no folder.
-    """
+    """Refuse a folder that holds anything but an earlier gallery."""
     try:
         names = {path.name for path in target.iterdir()} if target.exists() else set()
         known = INDEX in names and _MARK in (target / INDEX).read_text(encoding="utf-8")[:2000]
@@ -171,11 +148,7 @@ def _check_target(target: Path) -> None:
 
 
 def _ready(path: Path) -> Path:
-    """Return a path whose folder is there.
-
-    Raises:
-        ExportError: It cannot be made.
-    """
+    """Return a path whose folder is there."""
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
     except OSError as error:

@@ -121,11 +121,7 @@ def read(name: str) -> str:
 
 @lru_cache(maxsize=1)
 def three_js() -> str:
-    """Return three.js with its loader of glTF, which come with trimesh: a script that defines `THREE`.
-
-    Raises:
-        AssetError: This version of trimesh has another viewer.
-    """
+    """Return three.js with its loader of glTF, which come with trimesh: a script that defines `THREE`."""
     content = files("trimesh").joinpath("resources/templates/viewer.zip").read_bytes()
     with zipfile.ZipFile(BytesIO(content)) as archive:
         page = archive.read("viewer.html.template").decode()
@@ -156,11 +152,7 @@ def check_page(path: Path) -> None:
 
 
 def write_file(path: Path, content: bytes) -> Path:
-    """Write a file as a whole or not at all.
-
-    Raises:
-        ExportError: The disk refuses.
-    """
+    """Write a file as a whole or not at all."""
     part = path.with_name(f".{path.name}.part")
     try:
         part.write_bytes(content)

@@ -35,12 +35,7 @@ _RIBS = 4  # around it
 
 
 def strain_relief(*, radius: Scalar = CORD, length: Scalar = _RELIEF) -> list[Solid]:
-    """Make the ribbed sleeve that keeps a cord from kinking: from y = 0 back, about the y axis.
-
-    Args:
-        radius: Radius of the cord [m].
-        length: Its length [m].
-    """
+    """Make the ribbed sleeve that keeps a cord from kinking: from y = 0 back, about the y axis."""
     pitch, edge = length / _RIBS, 0.0004
     core = radius + 0.0007
     line: list[tuple[Scalar, Scalar]] = [(0.0, 0.0)]
@@ -65,15 +60,7 @@ def cord_stub(
     reach: Scalar = 0.045,
     label: str = "cord",
 ) -> Body:
-    """Make a strain relief on the plane y = 0 and a cord that hangs from it to the floor at the back (+y).
-
-    Args:
-        height: Height of the outlet, which is the origin, above the floor [m].
-        finish: What it is made of; by default black rubber.
-        radius: Radius of the cord [m].
-        reach: How far behind the plane it comes down, more than 0.035 [m].
-        label: Semantic label.
-    """
+    """Make a strain relief on the plane y = 0 and a cord that hangs from it to the floor at the back (+y)."""
     fall = -(height - radius)
     path = polyline(_down(reach, fall), fillet=_bend(fall))
     return _seen([*strain_relief(radius=radius), sweep(circle(radius), path)], label, finish)
@@ -89,17 +76,7 @@ def mains_cord(
     reach: Scalar = 0.045,
     label: str = "cord",
 ) -> Body:
-    """Make a cord with its plug: from its outlet on y = 0 down to the floor and along it to one side.
-
-    Args:
-        height: Height of the outlet, which is the origin, above the floor [m].
-        length: How far to the side the plug lies, more than 0.1 [m].
-        side: 1 for a plug at +x, -1 for -x.
-        finish: What it is made of; by default black rubber.
-        radius: Radius of the cord [m].
-        reach: How far behind the plane it lies, more than 0.04 [m].
-        label: Semantic label.
-    """
+    """Make a cord with its plug: from its outlet on y = 0 down to the floor and along it to one side."""
     fall = -(height - radius)
     run = side * 1.0 * (length - 0.052)
     path = polyline([*_down(reach, fall), (run, reach, fall)], fillet=_bend(fall))

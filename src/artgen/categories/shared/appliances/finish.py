@@ -86,13 +86,7 @@ _CABINETS: dict[Look, str] = {
 
 
 def fronts(*looks: Look, color: float = 0.04, roughness: float = 0.03) -> Any:
-    """Draw the material of a front by the parameter `look`.
-
-    Args:
-        looks: The looks that the category has; all by default.
-        color: Largest relative change of the base colour.
-        roughness: Largest change of the roughness.
-    """
+    """Draw the material of a front by the parameter `look`."""
     cases = {}
     for look in looks or LOOKS:
         stock, weights = FRONTS[look]
@@ -101,11 +95,7 @@ def fronts(*looks: Look, color: float = 0.04, roughness: float = 0.03) -> Any:
 
 
 def grip_metals(*looks: Look) -> Any:
-    """Draw the metal (or lacquer) of handles by the parameter `look`.
-
-    Args:
-        looks: The looks that the category has; all by default.
-    """
+    """Draw the metal (or lacquer) of handles by the parameter `look`."""
     cases = {
         look: shades(*_METALS[look], weights=tuple(_METALS[look].values()), color=0.03, roughness=0.03)
         for look in looks or LOOKS
@@ -126,13 +116,7 @@ def cabinet_finish(look: Look, finish: Material) -> Material:
 
 
 def filled(finish: Material, density: float, what: str = "filled") -> Material:
-    """Return a finish on sheet metal that is filled with foam, wool or air.
-
-    Args:
-        finish: What is seen.
-        density: What the whole weighs by its volume [kg/m3].
-        what: Ends the name of the material.
-    """
+    """Return a finish on sheet metal that is filled with foam, wool or air."""
     return finish.with_(name=f"{finish.name}_{what}_{round(density)}", density=density)
 
 

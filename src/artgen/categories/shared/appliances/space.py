@@ -8,21 +8,13 @@ from artgen import Float, Scalar
 
 @dataclass(frozen=True, kw_only=True)
 class ApplianceSpace:
-    """The measures that appliances share.
+    """The measures that appliances share."""
 
-    Attributes:
-        width: Of everything [m].
-        height: Of everything but what stands on a range [m].
-        depth: Of everything, a handle included [m].
-        projection: Of a handle before the door [m].
-        thickness: Of the door [m].
-    """
-
-    width: Float
-    height: Float
-    depth: Float
-    projection: Scalar
-    thickness: Float
+    width: Float  # of everything [m]
+    height: Float  # of everything but what stands on a range [m]
+    depth: Float  # of everything, a handle included [m]
+    projection: Scalar  # of a handle before the door [m]
+    thickness: Float  # of the door [m]
 
     @cached_property
     def half(self) -> Scalar:

@@ -67,44 +67,26 @@ _HERE = ((0.0, 0.0, 0.0),)
 
 @dataclass(frozen=True)
 class Basket:
-    """An open basket of wires.
+    """An open basket of wires."""
 
-    Attributes:
-        width: Overall width along x [m].
-        depth: Overall depth along y, without grips [m].
-        front: Height of the front rim above the lowest wires [m].
-        back: Height of the rear rim [m].
-        columns: How many wires run from front to back, an odd number: every other one is solid.
-        rows: How many wires run from side to side.
-        finish: Coating of the wires.
-        label: Semantic label of the wires.
-        wire: Radius of the wires of the grid [m].
-        rim: Radius of the wire around the top [m].
-        bend: Radius in which wires turn up the walls [m].
-        band: Height of a second wire around the walls, as a share of the front height; 0 for none.
-    """
-
-    width: Float
-    depth: Float
-    front: Float
-    back: Float
-    columns: int
-    rows: int
-    finish: Material
-    label: str = "rack"
-    wire: Scalar = 0.0019
-    rim: Scalar = 0.0027
-    bend: Scalar = 0.014
-    band: float = 0.5
+    width: Float  # overall width along x [m]
+    depth: Float  # overall depth along y, without grips [m]
+    front: Float  # height of the front rim above the lowest wires [m]
+    back: Float  # height of the rear rim [m]
+    columns: int  # how many wires run from front to back, an odd number: every other one is solid
+    rows: int  # how many wires run from side to side
+    finish: Material  # coating of the wires
+    label: str = "rack"  # semantic label of the wires
+    wire: Scalar = 0.0019  # radius of the wires of the grid [m]
+    rim: Scalar = 0.0027  # radius of the wire around the top [m]
+    bend: Scalar = 0.014  # radius in which wires turn up the walls [m]
+    band: float = 0.5  # height of a second wire around the walls, as a share of the front height; 0 for none
 
     def wires(self, name: str | None = None) -> Body:
         """Make floor, walls and rims.
 
         What is solid, and collides, are straight wires: those of the floor, the rim and the band. They run
         inside the bent ones, which are seen.
-
-        Args:
-            name: Name of the link; by default the label.
         """
         return weld(*self._solid(name), *self._seen())
 
@@ -209,18 +191,7 @@ class Basket:
         lean: Scalar = 0.0,
         across: bool = True,
     ) -> Body:
-        """Make rows of tines that stand on the floor; their rails collide, the tines are only seen.
-
-        Args:
-            first: Where the middle of the first row stands, x and y [m].
-            step: From one row to the next, along x and y [m].
-            rows: How many rows there are.
-            count: How many tines a row has.
-            pitch: Distance between them [m].
-            height: Above the floor [m].
-            lean: How far they lean to the front, or to the left, as a share of their height.
-            across: Whether a row runs from side to side, or from front to back.
-        """
+        """Make rows of tines that stand on the floor; their rails collide, the tines are only seen."""
         along, aside = (X, Y) if across else (Y, X)
         # rails along x lie beside the wires that run so, those along y on top of them
         level = (3.0 if across else 5.0) * self.wire - 2.0 * _SUNK
@@ -247,16 +218,7 @@ class Basket:
         label: str = "grip",
         name: str | None = None,
     ) -> Body:
-        """Make a grip in front of the rim, with the grasp frame of a hand from the front.
-
-        Args:
-            style: A round bar on two arms, or a flat plate.
-            length: Of the grip [m].
-            material: What it is made of.
-            height: Of its middle above the lowest wires; by default that of the front rim [m].
-            label: Semantic label.
-            name: By which its grasp is named; by default the label.
-        """
+        """Make a grip in front of the rim, with the grasp frame of a hand from the front."""
         z = self.front - self.rim if height is None else height
         front = -self.depth / 2.0
         out = front - GRIP_REACH + 0.0055
@@ -282,16 +244,7 @@ def rollers(
     rise: float = 0.0,
     label: str = "roller",
 ) -> Body:
-    """Make rollers on both sides of a basket, each on a bracket that reaches inward to its wires.
-
-    Args:
-        places: Along y and the height of the axle for each pair, from the origin of the basket [m].
-        x: From the middle to the middle of the treads [m].
-        radius: Of the rollers [m].
-        material: Of the rollers.
-        rise: From the axles up to the middle of the brackets [m].
-        label: Semantic label.
-    """
+    """Make rollers on both sides of a basket, each on a bracket that reaches inward to its wires."""
     both = [(side, y, z) for y, z in places for side in (-1, 1)]
     wheel = cylinder(radius, _TREAD, axis=X, bevel=0.0012)
     tall = 2.0 * rise + 0.009
@@ -306,15 +259,7 @@ def rollers(
 def rack_slide(
     name: str, *, travel: Scalar, friction: Scalar, damping: Scalar, needs: Condition | Dependency
 ) -> Joint:
-    """Make the joint by which a rack is drawn out; its effort is what a hand gives without opening the door.
-
-    Args:
-        name: Of the joint.
-        travel: How far [m].
-        friction: Of what it runs on [N].
-        damping: [N s/m].
-        needs: Where the door has to stand.
-    """
+    """Make the slide of a rack; its effort is the force of a hand that leaves the door in place."""
     return Prismatic(
         name,
         axis=-Y,

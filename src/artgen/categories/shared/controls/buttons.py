@@ -41,13 +41,7 @@ _BEVEL = 0.0007  # of the rim of a cap [m]
 
 
 def button_outline(shape: ButtonShape, width: Scalar, height: Scalar) -> Profile:
-    """Make the outline of a cap, x to the right and y upward.
-
-    Args:
-        shape: Its form; a round one is as high as wide.
-        width: Its width [m].
-        height: Its height [m].
-    """
+    """Make the outline of a cap, x to the right and y upward."""
     if shape == "round":
         return circle(width / 2)
     share = {"square": 0.2, "pill": 0.499, "bar": 0.12}[shape]
@@ -66,19 +60,7 @@ def push_button(
     ink: Material | None = None,
     name: str = "button",
 ) -> Body:
-    """Make the cap of a button with its push frame; attach it by `button_press`.
-
-    Args:
-        finish: What it is made of.
-        shape: Its form.
-        width: Its width [m].
-        height: Its height; by default its width [m].
-        proud: How far it stands out of the face, a little more than its travel [m].
-        deep: How far it reaches behind the face [m].
-        icon: What is printed on it, as `details.icon` knows it; nothing by default.
-        ink: The print.
-        name: Name of the link; its label is `button`.
-    """
+    """Make the cap of a button with its push frame; attach it by `button_press`."""
     high = width if height is None or shape == "round" else height
     length = proud + deep
     if shape == "round":
@@ -106,15 +88,6 @@ def button_press(
     """Make the joint of a button that a spring returns; positive moves it into its panel (+y).
 
     Keys of appliances close at 2-4 N, and start at a fifth of that or more, so that they do not rattle.
-
-    Args:
-        name: Name of the joint.
-        travel: How far it is pressed [m].
-        preload: Force of the spring at rest [N].
-        force: Force of the spring when it is pressed home [N].
-        damping: [N s/m].
-        effort: Of a finger [N].
-        pivot: Where the frame of the joint lies [m].
     """
     stiffness = (force - preload) / travel
     return Prismatic(
@@ -137,12 +110,6 @@ def button_hole(
     """Make the tool that cuts the hole of a cap; it is rectangular for all shapes, which colliders like.
 
     A `button_plate` covers the corners that round caps leave open.
-
-    Args:
-        width: Width of the cap [m].
-        height: Its height; by default its width [m].
-        through: How far behind the face it cuts: the panel's thickness and more [m].
-        play: Gap around the cap [m].
     """
     high = width if height is None else height
     hole = box(width + 2 * play, _BEFORE + through, high + 2 * play)
@@ -159,17 +126,7 @@ def button_plate(
     proud: Scalar = 0.0006,
     label: str = "bezel",
 ) -> Body:
-    """Make the thin plate around a cap, with a hole of its shape; it is only seen.
-
-    Args:
-        finish: What it is made of.
-        shape: Form of the cap, which the plate follows; where that is round, the plate is a soft square.
-        width: Width of the cap [m].
-        height: Its height; by default its width [m].
-        border: How far the plate reaches beyond the cap [m].
-        proud: How far it stands out of the face [m].
-        label: Semantic label.
-    """
+    """Make the thin plate around a cap, with a hole of its shape; it is only seen."""
     high = width if height is None or shape == "round" else height
     hole = button_outline(shape, width + 2 * PLAY, high + 2 * PLAY)
     wide, tall = width + 2 * border, high + 2 * border

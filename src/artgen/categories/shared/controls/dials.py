@@ -66,18 +66,7 @@ def dial(
     name: str = "knob",
     label: str = "knob",
 ) -> Body:
-    """Make a knob with its grasp frame, its mark upward; attach it by `dial_turn`.
-
-    Args:
-        finish: What it is made of.
-        style: Its form.
-        radius: Its largest radius [m].
-        depth: How far it stands out of the panel, at least 0.01 [m].
-        mark: The colour of its mark.
-        cap: The metal of the cap of a `capped` one; by default the finish.
-        name: Name of the link.
-        label: Its label.
-    """
+    """Make a knob with its grasp frame, its mark upward; attach it by `dial_turn`."""
     step = GAP + 0.3 * (depth - GAP)  # where the grip of a knob with a base begins
     bevel = 0.0012
     solids: list[Solid]
@@ -134,15 +123,6 @@ def dial_turn(
     """Make the joint of a dial; positive turns it clockwise for who looks at it.
 
     Rotary switches of appliances turn at 0.02-0.06 N m; their detents are felt as friction.
-
-    Args:
-        name: Name of the joint.
-        low: Lowest angle [rad].
-        high: Highest angle [rad].
-        friction: What holds it where it is left [N m].
-        damping: [N m s/rad].
-        pivot: A point on the axis [m].
-        endless: Whether it turns without stops, as that of an encoder.
     """
     return Revolute(
         name,
@@ -167,18 +147,7 @@ def dial_print(
     start: Scalar | None = None,
     height: Scalar = 0.0034,
 ) -> Body:
-    """Print the scale around a dial on the face y = 0.
-
-    Args:
-        radius: Radius of the dial [m].
-        ink: The print.
-        style: Numbers from 1 on with ticks, ticks only, a band that grows clockwise, or icons.
-        count: How many places there are.
-        icons: The icons of an `icons` scale, in order.
-        sweep: How far the dial turns, both ways together [rad].
-        start: Where the scale begins, clockwise from the top [rad]; by default it is symmetric.
-        height: Height of the numbers, or half of that of icons [m].
-    """
+    """Print the scale around a dial on the face y = 0."""
     out = radius + 0.002
     match style:
         case "numbers":

@@ -45,13 +45,7 @@ def ink_on(face: Material) -> Material:
 
 
 def places(count: int, pitch: Scalar, *, middle: Scalar = 0.0) -> list[Scalar]:
-    """Return the middles of things in a row along x [m].
-
-    Args:
-        count: How many there are.
-        pitch: Distance between neighbours [m].
-        middle: The middle of the row [m].
-    """
+    """Return the middles of things in a row along x [m]."""
     return [middle + (index - (count - 1) / 2.0) * pitch for index in range(count)]
 
 
@@ -65,17 +59,7 @@ def inlay(
     proud: Scalar = PANE,
     label: str = "panel",
 ) -> Body:
-    """Make a thin pane on the face, about the origin.
-
-    Args:
-        width: Its width [m].
-        height: Its height [m].
-        finish: What it is made of; by default black glass.
-        radius: Of its corners [m].
-        holes: What is cut out of it, such as the holes of buttons.
-        proud: How far it stands out of the face [m].
-        label: Semantic label.
-    """
+    """Make a thin pane on the face, about the origin."""
     outline = rectangle(width, height, radius=radius)
     if holes is None:
         solid = details.relief(outline, proud=proud, sunk=0.0006, bevel=0.0003)
@@ -87,15 +71,7 @@ def inlay(
 def button_holes(
     shape: ButtonShape, width: Scalar, height: Scalar, at: Sequence[Scalar], *, level: Scalar = 0.0
 ) -> Profile:
-    """Make the holes of a row of buttons, to be cut out of an `inlay` with gaps around the caps.
-
-    Args:
-        shape: Form of the caps.
-        width: Width of a cap [m].
-        height: Height of a cap [m].
-        at: The middles of the caps along x [m].
-        level: Their height on the face [m].
-    """
+    """Make the holes of a row of buttons, to be cut out of an `inlay` with gaps around the caps."""
     hole = button_outline(shape, width + 2.0 * PLAY, height + 2.0 * PLAY)
     holes = hole.at(at[0], level)
     for place in at[1:]:
@@ -112,16 +88,7 @@ def icon_row(
     ink: Material = LIGHT_INK,
     proud: Scalar = PANE,
 ) -> Body:
-    """Print a row of icons as one film.
-
-    Args:
-        icons: Their names, known while building; `""` leaves a place out.
-        at: Their middles along x [m].
-        height: Of an icon [m].
-        level: Their height on the face [m].
-        ink: The print.
-        proud: How far the face that they are printed on stands out of y = 0 [m].
-    """
+    """Print a row of icons as one film."""
     found = [
         details.icon(name, height).at(place, level) for name, place in zip(icons, at, strict=False) if name
     ]
@@ -139,15 +106,7 @@ def lamp_row(
     color: Literal["white", "green", "blue", "amber", "red"] = "white",
     proud: Scalar = PANE,
 ) -> Body:
-    """Make a row of small lamps, one of which shines.
-
-    Args:
-        at: Their middles along x [m].
-        level: Their height on the face [m].
-        lit: Which one shines; any other number leaves all dark.
-        color: In which colour.
-        proud: How far the face stands out of y = 0 [m].
-    """
+    """Make a row of small lamps, one of which shines."""
     dark = MATERIALS["abs"].with_(name="lamp_dark", base_color=(0.10, 0.10, 0.10), texture="", tile=None)
     groups = [
         ([place for index, place in enumerate(at) if (index == lit) == shines], each)
@@ -183,21 +142,6 @@ def control_panel(
     """Make a touch panel about the origin: a pane with a display and a row of icons, each with a lamp.
 
     The display is in the middle with half of the icons at either side, or above the icons of an upright one.
-
-    Args:
-        width: Its width [m].
-        height: Its height [m].
-        icons: Their names, known while building.
-        pitch: Distance between icons [m].
-        icon_height: [m].
-        show: What the display shows; `""` leaves it out.
-        screen: Width and height of the display [m].
-        color: Of the figures.
-        style: Of the figures.
-        upright: Whether display and icons stand in a column.
-        finish: Of the pane; by default black glass.
-        ink: Of the icons; by default what shows on the pane.
-        radius: Of the corners of the pane [m].
     """
     face = finish or MATERIALS["black_glass"]
     print_ = ink or ink_on(face)

@@ -81,14 +81,7 @@ def _toothed() -> Profile:
 
 
 def gas_burner(size: BurnerSize, *, spreader: Material = ALUMINIUM, cap: Material, igniter: int = 1) -> Body:
-    """Make a gas burner: its cup, the spreader with slots all around, the cap, the igniter, the thermocouple.
-
-    Args:
-        size: How large it is; a wok's has an outer and an inner ring of flames.
-        spreader: Its metal.
-        cap: What the cap on it is enamelled with.
-        igniter: On which side of it the igniter is, -1 or 1.
-    """
+    """Make a gas burner: cup, slotted spreader, cap, igniter and thermocouple."""
     radius = GAS_RADIUS[size]
     edge = 1.34 * radius
     well = revolve(polygon([(0.0, -0.0004), (edge, -0.0004), (edge - 0.0015, 0.0009), (0.0, 0.0012)]))
@@ -171,11 +164,6 @@ def coil_burner(radius: float, *, bowl: Material, turn: float = 0.0) -> Body:
     """Make a coil on three bars in its drip bowl, which reaches 11 mm down into the plate.
 
     The bars carry a pot; the coil, half a millimetre higher, is only seen.
-
-    Args:
-        radius: Outer radius of the coil [m].
-        bowl: What the bowl is made of.
-        turn: Where the ends of the tube leave, from the back on [rad].
     """
     lip = radius + 0.008
     line: list[VectorLike] = [
@@ -222,12 +210,7 @@ def _spiral(radius: float) -> Solid:
 
 
 def radiant_zone(radius: Scalar, *, dual: bool) -> Profile:
-    """Make what is printed over a radiant heater: a fine circle, its band, and one more inside of dual ones.
-
-    Args:
-        radius: Of the heater [m].
-        dual: Whether an inner part of it can be heated alone.
-    """
+    """Make the print over a radiant heater: a fine circle, its band, and an inner circle on dual heaters."""
     zone = ring(radius, radius - 0.0011) | ring(radius - 0.0030, radius - 0.0036)
     if dual:
         zone = zone | ring(0.62 * radius, 0.62 * radius - 0.0011)
@@ -235,12 +218,7 @@ def radiant_zone(radius: Scalar, *, dual: bool) -> Profile:
 
 
 def induction_zone(radius: Scalar, *, style: str) -> Profile:
-    """Make what is printed over an induction coil.
-
-    Args:
-        radius: Of the coil [m].
-        style: `cross`, a cross in the middle with four arcs; `corners` of a square; `dots` on a circle.
-    """
+    """Make what is printed over an induction coil."""
     arm = rectangle(0.030, 0.0011) | rectangle(0.0011, 0.030)
     if style == "cross":
         gap = rectangle(3.0 * radius, 0.55 * radius) | rectangle(0.55 * radius, 3.0 * radius)
@@ -260,13 +238,7 @@ def induction_zone(radius: Scalar, *, style: str) -> Profile:
 
 
 def printed_zones(zones: Sequence[tuple[Place, Profile]], top: Scalar, ink: Material) -> Body:
-    """Print zones on a glass whose upper face is at a height, as one film.
-
-    Args:
-        zones: Where they are, and their outlines.
-        top: Height of the face [m].
-        ink: The print.
-    """
+    """Print zones on a glass whose upper face is at a height, as one film."""
     place, film = zones[0]
     whole = film.at(place.x, place.y)
     for place, film in zones[1:]:

@@ -90,17 +90,7 @@ def grate(
     iron: Material,
     feet: Material,
 ) -> Body:
-    """Make a grate over one burner, or over several behind each other.
-
-    Args:
-        name: Of the link.
-        burners: Under it, from the front to the back.
-        half: Half its width, and half its depth about each burner, to the middles of its bars [m].
-        plate: Height of the plate's upper face [m].
-        style: How its bars run.
-        iron: What it is cast of.
-        feet: The rubber at its feet.
-    """
+    """Make a grate over one burner, or over several behind each other."""
     top = plate + TOP
     wide, deep = half
     first, last = burners[0], burners[-1]
@@ -142,15 +132,7 @@ def grate_lift(name: str) -> Joint:
 def grates(
     columns: Sequence[Column], *, plate: Scalar, style: GrateStyle, iron: Material, feet: Material
 ) -> list[tuple[Body, Joint]]:
-    """Make all grates of a cooktop with the joints by which they are lifted.
-
-    Args:
-        columns: The burners.
-        plate: Height of the plate's upper face [m].
-        style: How their bars run.
-        iron: What they are cast of.
-        feet: The rubber at their feet.
-    """
+    """Make all grates of a cooktop with the joints by which they are lifted."""
     inset = _APART + _WIDE / 2
     groups: list[tuple[Sequence[Place], tuple[Scalar, Scalar]]] = []
     for column in columns:

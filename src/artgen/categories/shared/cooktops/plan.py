@@ -55,63 +55,37 @@ _SIZES: dict[tuple[int, int], tuple[BurnerSize, ...]] = {
 
 @dataclass(frozen=True)
 class Place:
-    """Where a burner is.
+    """Where a burner is."""
 
-    Attributes:
-        x: Its middle [m].
-        y: Its middle [m].
-        size: How large it is.
-        reach: Half the width of the square around it that is its own [m].
-    """
-
-    x: Scalar
-    y: Scalar
-    size: BurnerSize
-    reach: Scalar
+    x: Scalar  # its middle [m]
+    y: Scalar  # its middle [m]
+    size: BurnerSize  # how large it is
+    reach: Scalar  # half the width of the square around it that is its own [m]
 
 
 @dataclass(frozen=True)
 class Column:
-    """Burners behind each other.
+    """Burners behind each other."""
 
-    Attributes:
-        x: Middle of the column [m].
-        width: Its width [m].
-        depth: Its depth [m].
-        burners: Its burners, from the front to the back.
-    """
-
-    x: Scalar
-    width: Scalar
-    depth: Scalar
-    burners: tuple[Place, ...]
+    x: Scalar  # middle of the column [m]
+    width: Scalar  # its width [m]
+    depth: Scalar  # its depth [m]
+    burners: tuple[Place, ...]  # its burners, from the front to the back
 
 
 @dataclass(frozen=True)
 class Plan:
-    """The plan of a cooktop.
+    """The plan of a cooktop."""
 
-    Attributes:
-        burners: How many burners there are.
-        rows: In how many rows.
-        dials: How many dials there are, the burners' first.
-        side: Where they are.
-        width: Of the plate [m].
-        depth: Of the plate [m].
-        radius: Of the dials [m].
-        pitch: Distance between dials, where there is room for it [m].
-        mirrored: Whether the large burners are on the right.
-    """
-
-    burners: int
-    rows: int
-    dials: int
-    side: DialSide
-    width: Scalar
-    depth: Scalar
-    radius: Scalar
-    pitch: Scalar
-    mirrored: bool
+    burners: int  # how many burners there are
+    rows: int  # in how many rows
+    dials: int  # how many dials there are, the burners' first
+    side: DialSide  # where they are
+    width: Scalar  # of the plate [m]
+    depth: Scalar  # of the plate [m]
+    radius: Scalar  # of the dials [m]
+    pitch: Scalar  # distance between dials, where there is room for it [m]
+    mirrored: bool  # whether the large burners are on the right
 
     @cached_property
     def strip(self) -> Scalar:

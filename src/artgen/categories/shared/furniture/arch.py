@@ -11,17 +11,11 @@ _STEPS = 24
 
 @dataclass(frozen=True)
 class Arch:
-    """An arch over the middle of the asset.
+    """An arch over the middle of the asset."""
 
-    Attributes:
-        half: Half of its span [m].
-        radius: Radius of its circle [m].
-        center: Height of the circle's centre [m].
-    """
-
-    half: Float
-    radius: Float
-    center: Float
+    half: Float  # half of its span [m]
+    radius: Float  # radius of its circle [m]
+    center: Float  # height of the circle's centre [m]
 
     @staticmethod
     def over(span: Float, *, spring: Scalar, rise: Float) -> "Arch":
@@ -58,13 +52,7 @@ class Arch:
         return polygon(points)
 
     def bands(self, width: Scalar, *, count: int = 1, beyond: Scalar = 0.0) -> list[Profile]:
-        """Make the band of a width outside the arch, in equal lengths from right to left.
-
-        Args:
-            width: Of the band [m].
-            count: How many lengths it is made of.
-            beyond: How far both ends reach on along the circle [m].
-        """
+        """Make the band of a width outside the arch, in equal lengths from right to left."""
         whole = 2.0 * (self.angle + beyond / self.radius)
         middle, sweep = self.radius + width / 2.0, whole / count
         starts = [(math.pi - whole) / 2.0 + index * sweep for index in range(count)]

@@ -50,31 +50,19 @@ _PITCH = 0.032  # of rows of holes: the 32 mm system [m]
 
 @dataclass(frozen=True)
 class Carcass:
-    """A box of boards.
+    """A box of boards."""
 
-    Attributes:
-        width: Over its sides [m].
-        low: Underside of its bottom board above the floor [m].
-        high: Upper side of its top board [m].
-        front: Where its front edges are along y [m].
-        rear: Where it ends along y [m].
-        thick: Thickness of its boards [m].
-        finish: Of its boards.
-        inside: Of its back and shelves.
-        foot: Where its sides end below [m]; at its bottom board by default, on the floor with a plinth.
-        label: Semantic label of its boards.
-    """
-
-    width: Scalar
-    low: Scalar
-    high: Scalar
-    front: Scalar
-    rear: Scalar
-    thick: Scalar
-    finish: Material
-    inside: Material
+    width: Scalar  # over its sides [m]
+    low: Scalar  # underside of its bottom board above the floor [m]
+    high: Scalar  # upper side of its top board [m]
+    front: Scalar  # where its front edges are along y [m]
+    rear: Scalar  # where it ends along y [m]
+    thick: Scalar  # thickness of its boards [m]
+    finish: Material  # of its boards
+    inside: Material  # of its back and shelves
+    # where its sides end below [m]; at its bottom board by default, on the floor with a plinth
     foot: Scalar | None = None
-    label: str = "body"
+    label: str = "body"  # semantic label of its boards
 
     @property
     def right(self) -> Scalar:
@@ -130,12 +118,7 @@ class Carcass:
         ]
 
     def partition(self, x: Scalar, *, low: Scalar | None = None) -> Body:
-        """Make an upright board up to the top.
-
-        Args:
-            x: Its middle [m].
-            low: Where it begins, by default on the bottom [m].
-        """
+        """Make an upright board up to the top."""
         solid = board(
             (x - self.thick / 2, x + self.thick / 2),
             (self.front + _SEAM, self.behind + _BITE),
@@ -145,11 +128,7 @@ class Carcass:
         return part(solid, self.label, self.finish)
 
     def deck(self, z: Scalar) -> Body:
-        """Make a board all across, over an open compartment.
-
-        Args:
-            z: Its upper face [m].
-        """
+        """Make a board all across, over an open compartment."""
         inner = self.right + _BITE
         solid = board(
             (-inner, inner), (self.front + _SEAM, self.behind + _BITE), (z - self.thick, z), bevel=EASE
@@ -166,16 +145,7 @@ class Carcass:
         deep: Scalar = 0.06,
         solid: bool = True,
     ) -> Body:
-        """Make a rail between two uprights, behind the front edges.
-
-        Args:
-            left: Face of the upright on its left [m].
-            right: Face of the upright on its right [m].
-            z: Its middle [m].
-            high: Its height [m].
-            deep: From front to back [m].
-            solid: Whether it has mass and collides, or only is seen.
-        """
+        """Make a rail between two uprights, behind the front edges."""
         made = board(
             (left - _BITE, right + _BITE),
             (self.front + _SEAM, self.front + deep),
@@ -188,14 +158,7 @@ class Carcass:
     def shelves(
         self, levels: Sequence[Scalar], *, thick: Scalar, setback: Scalar, finish: Material
     ) -> list[Body]:
-        """Make shelves on pins, and the rows of holes that they can be put in.
-
-        Args:
-            levels: Undersides of the shelves [m].
-            thick: Their thickness [m].
-            setback: From the front of the carcass to theirs [m].
-            finish: Of the shelves: board or glass.
-        """
+        """Make shelves on pins, and the rows of holes that they can be put in."""
         if not levels:
             return []
         near, far = self.front + setback, self.behind - 0.002
@@ -231,14 +194,7 @@ class Carcass:
         ]
 
     def standing(self, stand: Stand, *, setback: Scalar, leg: LegStyle, finish: Material) -> list[Body]:
-        """Make what carries it.
-
-        Args:
-            stand: What that is.
-            setback: From its front to the board of a plinth [m].
-            leg: Form of legs.
-            finish: Of legs.
-        """
+        """Make what carries it."""
         match stand:
             case "plinth":
                 return self.plinth(setback, self.finish)
@@ -256,12 +212,7 @@ class Carcass:
                 return [part(each, "bracket", material("abs")) for each in both]
 
     def plinth(self, setback: Scalar, finish: Material) -> list[Body]:
-        """Make the board between the sides under the bottom board, and a stretcher at the back.
-
-        Args:
-            setback: From the front of the carcass to the board [m].
-            finish: Of the board.
-        """
+        """Make the board between the sides under the bottom board, and a stretcher at the back."""
         low = require(
             self.low, self.low > 0.02, "a plinth is higher than its boards: stand_height over 0.02 m"
         )
@@ -272,13 +223,7 @@ class Carcass:
         return [part(near, "plinth", finish), part(far, "plinth", finish)]
 
     def legs(self, style: LegStyle, finish: Material, *, inset: Scalar = 0.045) -> list[Body]:
-        """Make four legs under the corners of the bottom board.
-
-        Args:
-            style: Their form.
-            finish: What they are made of.
-            inset: From the sides, the front and the rear to their middles [m].
-        """
+        """Make four legs under the corners of the bottom board."""
         low = require(self.low, self.low > 0.05, "legs are higher: stand_height over 0.05 m")
         core, skin = _leg(style, low + 0.0008)
         x, y = self.width / 2 - inset, (self.front + inset, self.rear - inset)
@@ -299,15 +244,7 @@ class Carcass:
     def worktop(
         self, thick: Scalar, finish: Material, *, before: Scalar, beside: Scalar, bevel: Scalar = 0.002
     ) -> Body:
-        """Make the top on the carcass.
-
-        Args:
-            thick: Its thickness [m].
-            finish: What it is made of.
-            before: How far it stands out of the front edges [m].
-            beside: How far it stands out of each side [m].
-            bevel: Radius of its edges [m].
-        """
+        """Make the top on the carcass."""
         out = self.width / 2 + beside
         slab = board(
             (-out, out),

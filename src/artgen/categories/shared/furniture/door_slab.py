@@ -13,23 +13,14 @@ _FROM_EDGE = 0.094  # from the lock edge to where hands push: beside a pull, sti
 
 @dataclass(frozen=True)
 class Fittings:
-    """What a leaf carries besides its lock.
+    """What a leaf carries besides its lock."""
 
-    Attributes:
-        finish: Their metal.
-        letters: Whether it has a letter plate.
-        number: The number of the house; empty for none.
-        viewer: Whether one can look out.
-        kick: Whether a plate protects its foot.
-        sweep: Whether a brush seals the gap to the floor.
-    """
-
-    finish: Material
-    letters: bool = False
-    number: str = ""
-    viewer: bool = False
-    kick: bool = False
-    sweep: bool = False
+    finish: Material  # their metal
+    letters: bool = False  # whether it has a letter plate
+    number: str = ""  # the number of the house; empty for none
+    viewer: bool = False  # whether one can look out
+    kick: bool = False  # whether a plate protects its foot
+    sweep: bool = False  # whether a brush seals the gap to the floor
 
     def bare(self) -> "Fittings":
         """Return those of a leaf that nobody enters by."""
@@ -38,29 +29,17 @@ class Fittings:
 
 @dataclass(frozen=True)
 class Blank:
-    """What every leaf has in common.
+    """What every leaf has in common."""
 
-    Attributes:
-        width: [m].
-        bottom: Height of its bottom above the floor [m].
-        top: Height of its top above the floor, of the crown of an arch [m].
-        thickness: [m].
-        rise: Rise of an arched top over its ends [m]; None for a straight one.
-        cut: What the hardware needs taken out of the lock stile; None for nothing.
-        finish: What the leaf is made of.
-        fittings: What an entrance has besides its lock.
-        reach: Height above the floor at which hands push it [m].
-    """
-
-    width: Float
-    bottom: Float
-    top: Float
-    thickness: Float
-    rise: Float | None
-    cut: Solid | None
-    finish: Material
-    fittings: Fittings
-    reach: Float
+    width: Float  # [m]
+    bottom: Float  # height of its bottom above the floor [m]
+    top: Float  # height of its top above the floor, of the crown of an arch [m]
+    thickness: Float  # [m]
+    rise: Float | None  # rise of an arched top over its ends [m]; None for a straight one
+    cut: Solid | None  # what the hardware needs taken out of the lock stile; None for nothing
+    finish: Material  # what the leaf is made of
+    fittings: Fittings  # what an entrance has besides its lock
+    reach: Float  # height above the floor at which hands push it [m]
 
     @property
     def straight(self) -> Scalar:

@@ -123,12 +123,7 @@ HARDWARE: dict[str, float] = {
 
 
 def boards(*looks: CaseLook, color: float = 0.05) -> Any:
-    """Draw the material of fronts and carcass by the parameter `look`.
-
-    Args:
-        looks: The looks that the category has.
-        color: Largest relative change of the base colour.
-    """
+    """Draw the material of fronts and carcass by the parameter `look`."""
     stock: dict[CaseLook, tuple[tuple[Material, ...], tuple[float, ...]]] = {
         "wood": (WOODS, tuple(_WOODS.values())),
         "lacquer": (LACQUERS, tuple(_LACQUERS.values())),

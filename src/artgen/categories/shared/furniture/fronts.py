@@ -14,25 +14,15 @@ down to the panel; one whose panel rises to a field; one with a pane."""
 
 @dataclass(frozen=True)
 class FrontLook:
-    """How fronts look.
+    """How fronts look."""
 
-    Attributes:
-        style: Their build.
-        finish: What they are made of.
-        rail: Width of stiles and rails [m].
-        moulding: Of the edge of the frame around a shaker panel.
-        slope: Width of the slope of a ramped front [m].
-        glass: Of the pane of a glazed one.
-        panes: Panes side by side, and above each other.
-    """
-
-    style: FrontStyle
-    finish: Material
-    rail: Scalar
-    moulding: Sticking
-    slope: Scalar
-    glass: Material
-    panes: tuple[int, int] = (1, 1)
+    style: FrontStyle  # their build
+    finish: Material  # what they are made of
+    rail: Scalar  # width of stiles and rails [m]
+    moulding: Sticking  # of the edge of the frame around a shaker panel
+    slope: Scalar  # width of the slope of a ramped front [m]
+    glass: Material  # of the pane of a glazed one
+    panes: tuple[int, int] = (1, 1)  # panes side by side, and above each other
 
     @property
     def framed(self) -> bool:
@@ -47,16 +37,7 @@ class FrontLook:
 def front(
     look: FrontLook, width: Scalar, height: Scalar, thickness: Scalar, *, label: str, name: str | None = None
 ) -> list[Body]:
-    """Make a front about the origin in the X-Z plane, its faces half of its thickness before and behind it.
-
-    Args:
-        look: How it looks.
-        width: [m].
-        height: [m].
-        thickness: [m].
-        label: Semantic label.
-        name: Name of the link; by default the label.
-    """
+    """Make a front in the X-Z plane, with the origin in its middle."""
     if look.style in ("flat", "beaded"):
         slab = part(box(width, thickness, height, bevel=0.0014), label, look.finish, name=name)
         return (

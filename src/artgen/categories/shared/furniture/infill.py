@@ -43,23 +43,14 @@ Sticking = Literal["ogee", "ovolo", "square", "ramp"]
 
 
 class Opening(NamedTuple):
-    """The openings of a row, all of one size.
+    """The openings of a row, all of one size."""
 
-    Attributes:
-        width: [m].
-        height: [m].
-        centers: Where their centres are [m].
-        columns: How many there are.
-        finish: What surrounds them.
-        label: Semantic label of the leaf.
-    """
-
-    width: Scalar
-    height: Scalar
-    centers: Sequence[VectorLike]
-    columns: int
-    finish: Material
-    label: str = "door"
+    width: Scalar  # [m]
+    height: Scalar  # [m]
+    centers: Sequence[VectorLike]  # where their centres are [m]
+    columns: int  # how many there are
+    finish: Material  # what surrounds them
+    label: str = "door"  # semantic label of the leaf
 
     def everywhere(self, solid: Solid) -> Solid:
         """Return copies of a solid, made about the origin, in all openings."""
@@ -86,15 +77,7 @@ _SECTIONS: dict[str, tuple[tuple[float, float], ...]] = {
 
 
 def _sticking(opening: Opening, thickness: Scalar, depth: Scalar, reach: Scalar, style: str) -> list[Body]:
-    """Make the moulding around the openings on both faces, down to the filling.
-
-    Args:
-        opening: What it surrounds.
-        thickness: Of the leaf [m].
-        depth: How far below the face the filling lies [m].
-        reach: How far the moulding covers the filling [m].
-        style: Which section it has.
-    """
+    """Make the moulding around the openings on both faces, down to the filling."""
     corners = [(out * reach, -down * depth) for out, down in _SECTIONS[style]]
     last = -_SECTIONS[style][-1][1] * depth
     # united with its foot: a union is smooth where corners are blunt
@@ -135,16 +118,7 @@ def panes_in(
     *,
     pane: float = _PANE,
 ) -> list[Body]:
-    """Make a pane in its beads, and the muntins over it.
-
-    Args:
-        opening: What is glazed.
-        thickness: Of the leaf [m].
-        columns: Panes side by side.
-        lights: Panes above each other.
-        glass: Their material.
-        pane: Thickness of the glass [m].
-    """
+    """Make a pane in its beads, and the muntins over it."""
     width, height = opening.width - 0.002, opening.height - 0.002
     bodies = [
         part(opening.everywhere(box(width, pane, height)), "glass", glass),
@@ -170,14 +144,7 @@ def panes_in(
 
 
 def slats_in(opening: Opening, thickness: Scalar, slats: int, *, joined: bool = False) -> list[Body]:
-    """Make slats of which each begins in height where the last one ends, so that nobody sees through.
-
-    Args:
-        opening: What they fill.
-        thickness: Of the leaf [m].
-        slats: How many.
-        joined: Whether they are of one paint, and only are seen before a thin board that carries their mass.
-    """
+    """Make slats of which each begins in height where the last one ends, so that nobody sees through."""
     pitch = opening.height / slats
     depth = thickness - 0.010
     rise = 0.98 * pitch

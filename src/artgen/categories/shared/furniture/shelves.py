@@ -53,14 +53,6 @@ def glass_shelf(
     """Make glass shelves between two walls, on ledges, with strips at their fronts and backs.
 
     The middle of the underside of a pane is the origin.
-
-    Args:
-        width: Between the walls [m].
-        depth: Front to back [m].
-        trim: Of the strips and ledges.
-        glass: Of the pane; by default clear glass.
-        at: Where there is one [m].
-        label: Semantic label.
     """
     pane = box(width + 2 * _IN_WALL, depth, GLASS, bevel=0.001).at(0.0, 0.0, GLASS / 2)
     strip = box(width - 0.001, _TRIM_DEEP, _TRIM_HIGH, bevel=0.003)
@@ -87,13 +79,6 @@ def wire_shelf(
     """Make wire shelves between two walls, the middle of the frame of one on z = 0.
 
     Its front, its back and three rods across collide; the wires between them only are seen.
-
-    Args:
-        width: Between the walls [m].
-        depth: Front to back [m].
-        finish: Of its wires.
-        at: Where there is one [m].
-        label: Semantic label.
     """
     wire, rod = 0.0016, 0.003
     rack = details.wire_rack(
@@ -119,16 +104,7 @@ def open_box(
     front: Scalar = _SHEET,
     floor: Scalar | None = None,
 ) -> list[Solid]:
-    """Make floor, back, sides and front of a box without a lid; its front is y = 0 and its floor z = 0.
-
-    Args:
-        width: Along X [m].
-        depth: From the front to +y [m].
-        height: Of its sides [m].
-        wall: Thickness of back and sides [m].
-        front: Thickness of the front [m].
-        floor: Thickness of the floor [m]; by default that of the walls.
-    """
+    """Make floor, back, sides and front of a box without a lid; its front is y = 0 and its floor z = 0."""
     ease, less = 0.0012, 0.0006  # boards end inside of those that they meet
     sole = wall if floor is None else floor
     deep = depth - (front + wall) / 2
@@ -154,17 +130,7 @@ def door_bin(
     at: Sequence[VectorLike] = ORIGIN,
     label: str = "bin",
 ) -> Body:
-    """Make bins that hang on the inside of a door: the back of one is y = 0, it faces +y, its floor is z = 0.
-
-    Args:
-        width: Along X [m].
-        depth: From the door to its front [m].
-        height: Of its front [m].
-        finish: Of its walls.
-        trim: Of the strip along the top of its front; none by default.
-        at: Where there is one [m].
-        label: Semantic label.
-    """
+    """Make bins for the inside of a door: back of a bin at y = 0, front to +y, floor at z = 0."""
     boards = [board.rotate(Z, math.pi).at(0.0, depth, 0.0) for board in open_box(width, depth, height)]
     first, *others = (array(board, at=at) for board in boards)
     bodies = [
@@ -180,15 +146,7 @@ def door_bin(
 def egg_tray(
     width: Scalar, depth: Scalar, *, finish: Material, columns: int = 6, label: str = "egg_tray"
 ) -> Body:
-    """Make a tray with two rows of holes for eggs; it stands on z = 0 about the origin.
-
-    Args:
-        width: Along X [m], at least 0.045 for each column.
-        depth: Along Y [m], at least 0.09.
-        finish: Of the tray.
-        columns: Holes in a row.
-        label: Semantic label.
-    """
+    """Make a tray with two rows of holes for eggs; it stands on z = 0 about the origin."""
     high, sheet = 0.028, 0.003
     plate = box(width, depth, sheet, bevel=0.0012).at(0.0, 0.0, high - sheet / 2)
     leg = box(0.004, depth - 0.004, high - 0.001, bevel=0.001)
@@ -221,19 +179,7 @@ def drawer_box(
     lip_at: Scalar,
     name: str | None = None,
 ) -> Body:
-    """Make a drawer with a lip in front by which it is drawn: the front is y = 0, the floor z = 0.
-
-    Args:
-        width: Along X [m], at least 0.12.
-        depth: From the front to +y [m].
-        height: Of its sides [m].
-        label: Semantic label.
-        finish: Of its box.
-        front: Of its front.
-        lip: Of its lip and of the band along its top.
-        lip_at: Height of the lip [m].
-        name: Name of the link; by default its label.
-    """
+    """Make a drawer with a lip in front by which it is drawn: the front is y = 0, the floor z = 0."""
     face, *walls = open_box(width, depth, height, front=_FRONT)
     long = width - 0.004
     ledge = box(long, _LIP_DEEP + _IN_WALL, _LIP_HIGH, bevel=0.003)

@@ -51,15 +51,10 @@ _FINGERS = 0.005  # between an open finger and what it closes on [m]
 
 @dataclass(frozen=True)
 class Grip:
-    """A grip that is let into a front.
+    """A grip that is let into a front."""
 
-    Attributes:
-        cut: What to cut out of the front.
-        shell: Its lining, with the label `handle` and the grasp; to be welded to the front.
-    """
-
-    cut: Solid
-    shell: Body
+    cut: Solid  # what to cut out of the front
+    shell: Body  # its lining, with the label `handle` and the grasp; to be welded to the front
 
     def at(self, x: Scalar, y: Scalar, z: Scalar) -> "Grip":
         """Move it [m]."""
@@ -82,18 +77,7 @@ def bar_handle(
     projection: Float = uniform(0.044, 0.058, "m", doc="face of the front to the middle of the bar"),
     girth: Float = uniform(0.0075, 0.0105, "m", doc="half of the thickness of the bar"),
 ) -> Body:
-    """Make a bar handle on the plane y = 0, upright about the origin, to be welded to a front.
-
-    Args:
-        length: Overall length [m], at least 0.12.
-        finish: Its metal; it is a tube, or cast hollow.
-        style: What it looks like.
-        level: Whether it lies along X instead of standing along Z.
-        name: Begins the name of its grasp, which has to be the only one of an asset.
-        overhang: From the posts of a round bar to its ends [m].
-        projection: From the front to the middle of the bar [m].
-        girth: Half of its thickness [m].
-    """
+    """Make a bar handle on the plane y = 0, upright about the origin, to be welded to a front."""
     makers: dict[BarStyle, Callable[[Scalar, Scalar, Scalar], list[Solid]]] = {
         "round": partial(_round, overhang=overhang),
         "square": _square,
@@ -179,14 +163,7 @@ def _arched(out: Scalar, length: Scalar, girth: Scalar) -> list[Solid]:
 
 
 def niche(width: Scalar, height: Scalar, deep: Scalar, *, sheet: Scalar = 0.0015) -> list[Solid]:
-    """Make the lining of a recess in the front y = 0, about the origin: floor, sides and ends.
-
-    Args:
-        width: Of the recess [m].
-        height: Of the recess [m].
-        deep: Of the recess [m].
-        sheet: Thickness of the lining [m].
-    """
+    """Make the lining of a recess in the front y = 0, about the origin: floor, sides and ends."""
     bite = _BITE
     side = box(sheet + bite, deep, height + 2 * bite)
     end = box(width + 4 * bite, deep - bite, sheet + 2 * bite)
@@ -212,15 +189,6 @@ def pocket_grip(
 
     The door's front is y = 0 and its free edge x = 0, the door lies at x < 0 and y > 0. A long one is the
     channel of a front without handles.
-
-    Args:
-        length: Its height, about the origin [m], at least 0.04.
-        finish: Of its lining.
-        lip: What is left of the door before the pocket [m].
-        gap: How wide it is, from the lip to its back [m]; a finger of 9 mm has to come in.
-        deep: How far it reaches into the door [m].
-        lining: Thickness of the shell in the cut [m].
-        name: Begins the name of its grasp, which has to be the only one of an asset.
     """
     cut = box(deep + 0.010, gap, length).at(0.005 - deep / 2, lip + gap / 2, 0.0)
     bite = _BITE  # boards lie in the walls of the cut, and no two of them end at one corner
@@ -248,14 +216,7 @@ def pocket_grip(
 
 
 def boards_around(x: Span, z: Span, hole: tuple[Span, Span], y: Span) -> list[Solid]:
-    """Make the boards of a front around a rectangular opening: left, right, below and above.
-
-    Args:
-        x: Left and right edge of the front [m].
-        z: Lower and upper edge of it [m].
-        hole: The edges of the opening, along x and z [m].
-        y: From its face to its back [m].
-    """
+    """Make the boards of a front around a rectangular opening: left, right, below and above."""
     (left, right), (bottom, top) = hole
     lap = 0.0005  # so that boards have no corners in common
     across, thin = (left - lap, right + lap), (y[0] + lap, y[1] - lap)
@@ -281,16 +242,6 @@ def recessed_grip(
     """Make a recess in a front with a blade in its middle that fingers close on, level with the front.
 
     The front is y = 0; the recess is upright about the origin, or lies along X.
-
-    Args:
-        length: Along the blade [m], at least 0.06.
-        finish: Of the blade and of the rim.
-        lining: Of the inside of the recess.
-        width: Across the blade [m]: two fingers of 9 mm with room beside them have to come in.
-        deep: How far it reaches into the front [m].
-        level: Whether it lies along X instead of standing along Z.
-        name: Begins the name of its grasp, which has to be the only one of an asset.
-        thin: Whether the lining is only seen, since the walls of the cut collide.
     """
     sheet, thick = 0.0015, 0.010
     cut = box(width, deep + 0.010, length).at(0.0, deep / 2 - 0.005, 0.0)

@@ -38,14 +38,6 @@ def bent_bar(
     """Make a bar along axes: its straight runs, then its bends, each of which is nearly convex.
 
     The hull around a bend stands off its inner side by 0.3 of the radius there, or 0.08 if bends are halved.
-
-    Args:
-        section: Section of the bar.
-        corners: Where it starts, bends and ends [m].
-        ways: Direction of each run between two corners.
-        bend: Radius of the bends [m].
-        halves: Whether each bend is made of two.
-        run: Makes a straight run between two points; by default a sweep of the section.
     """
     straight = run or straight_run(section)
     points = [vector(*corner) for corner in corners]

@@ -10,15 +10,7 @@ _OUT = 0.0018  # how far that cylinder stands out of its plate [m]
 
 
 def plug(*, face: Scalar, side: int, finish: Material, radius: Scalar, below: Scalar = 0.0) -> list[Body]:
-    """Make the plug of a cylinder with its keyway, 0.7 mm proud.
-
-    Args:
-        face: Distance of the face around it from the middle of the leaf [m].
-        side: The side of the leaf, -1 for the front.
-        finish: Its metal.
-        radius: Of the plug [m].
-        below: How far below the spindle it sits [m].
-    """
+    """Make the plug of a cylinder with its keyway, 0.7 mm proud."""
     upright = slot(0.0080, 0.0017).rotate(math.pi / 2.0)
     keyway = upright | rectangle(0.0026, 0.0014).at(0.0004, 0.0012)  # a ward of its key
     disc = extrude(circle(radius) - keyway, 0.0012, axis=Y)
@@ -37,14 +29,7 @@ def plug(*, face: Scalar, side: int, finish: Material, radius: Scalar, below: Sc
 
 
 def key_cylinder(*, face: Scalar, side: int, finish: Material, below: Scalar) -> list[Body]:
-    """Make the end of a euro-profile cylinder in a plate, which is only seen.
-
-    Args:
-        face: Distance of the face of the plate from the middle of the leaf [m].
-        side: The side of the leaf, -1 for the front.
-        finish: Its metal.
-        below: How far the middle of its plug lies below the spindle [m].
-    """
+    """Make the end of a euro-profile cylinder in a plate, which is only seen."""
     profile = circle(0.0085) | rectangle(0.0100, 0.0245, radius=0.0045).at(0.0, -0.01225)
     body = extrude(profile, 2.0 * _OUT, axis=Y, bevel=0.0006)
     return [

@@ -20,16 +20,7 @@ def feet(
     finish: Material | None = None,
     label: str = "foot",
 ) -> Body:
-    """Make feet at places of the floor, z = 0; weld them to what stands `height` above it.
-
-    Args:
-        at: Where they stand, x and y [m].
-        radius: Radius at the floor [m].
-        height: From the floor to the underside of what they carry, into which they reach by 1 mm [m].
-        style: Their form.
-        finish: What they are made of; by default rubber.
-        label: Semantic label.
-    """
+    """Make feet at places of the floor, z = 0; weld them to what stands `height` above it."""
     tall = height + _SUNK
     if style == "pad":  # a cylinder is one collider
         one = cylinder(radius, tall, bevel=0.0009).at(0.0, 0.0, tall / 2)
@@ -56,18 +47,7 @@ def corner_feet(
     finish: Material | None = None,
     label: str = "foot",
 ) -> Body:
-    """Make four feet under the corners of a rectangle about the origin.
-
-    Args:
-        width: Width of what stands on them [m].
-        depth: Its depth [m].
-        inset: From its sides to the middles of the feet [m].
-        radius: Radius at the floor [m].
-        height: From the floor to its underside [m].
-        style: Their form.
-        finish: What they are made of; by default rubber.
-        label: Semantic label.
-    """
+    """Make four feet under the corners of a rectangle about the origin."""
     x, y = width / 2 - inset, depth / 2 - inset
     corners = [(-x, -y), (x, -y), (x, y), (-x, y)]
     return feet(corners, radius=radius, height=height, style=style, finish=finish, label=label)

@@ -60,15 +60,7 @@ def knob_pull(
     radius: Float = uniform(0.0135, 0.0180, "m", within=(0.010, 0.030)),
     projection: Float = uniform(0.025, 0.032, "m", doc="face of the front to the end of the knob"),
 ) -> Body:
-    """Make a knob of a drawer or a cabinet, 27-36 mm across.
-
-    Args:
-        finish: What it is made of.
-        name: Begins the name of its grasp, which has to be the only one of an asset.
-        style: A low dome, a ball, a flat disc, a cone with a flat end, or a square block.
-        radius: Half of its width [m].
-        projection: From the face of the front to its end [m].
-    """
+    """Make a knob of a drawer or a cabinet, 27-36 mm across."""
     head, widest, skin = _head(style, radius, projection)
     neck = cylinder_between((0.0, _SUNK, 0.0), (0.0, widest, 0.0), 0.40 * radius)
     foot = cylinder(0.62 * radius, 0.003, axis=Y, bevel=0.0009).at(0.0, _SUNK - 0.0015, 0.0)
@@ -81,11 +73,7 @@ def knob_pull(
 
 
 def _head(style: str, radius: Scalar, projection: Scalar) -> tuple[Solid, Scalar, list[Solid]]:
-    """Make the head of a knob, which collides as one piece.
-
-    Returns:
-        The head; where it is widest along y [m]; and what only is seen of it.
-    """
+    """Make the head of a knob, which collides as one piece."""
     end, out = -projection, (0.0, -1.0, 0.0)
     match style:
         case "ball":
@@ -121,18 +109,7 @@ def bar_pull(
     projection: Float = uniform(0.028, 0.036, "m", doc="face of the front to the middle of the bar"),
     girth: Float = uniform(0.0048, 0.0064, "m", doc="half of the thickness of the bar"),
 ) -> Body:
-    """Make a bar pull of furniture, 96-192 mm from post to post.
-
-    Args:
-        finish: Its metal.
-        name: Begins the name of its grasp, which has to be the only one of an asset.
-        level: Whether it lies along X instead of standing along Z.
-        room: How long it may be on its front [m].
-        style: What it looks like; see `bar_handle`.
-        length: Overall length [m].
-        projection: From the face of the front to the middle of the bar [m].
-        girth: Half of its thickness [m].
-    """
+    """Make a bar pull of furniture, 96-192 mm from post to post."""
     length = require(length, length < room, "the bar is longer than its front has room: lower handle.length")
     if style == "bow":
         bow = _bow(length, projection, girth, finish, name)
@@ -175,15 +152,7 @@ def cup_pull(
     height: Float = uniform(0.025, 0.033, "m"),
     projection: Float = uniform(0.023, 0.027, "m", doc="face of the front to the lip"),
 ) -> Body:
-    """Make a cup pull (bin pull): a quarter of a shell, open below.
-
-    Args:
-        finish: Its metal.
-        name: Begins the name of its grasp, which has to be the only one of an asset.
-        width: Across [m]; a gripper closes on its ends.
-        height: From the lip to the top [m].
-        projection: From the face of the front to the lip [m].
-    """
+    """Make a cup pull (bin pull): a quarter of a shell, open below."""
     bulge, end = 0.006, 0.024  # its widest place is so far in front of the face; radius of its ends [m]
     a, b, c = width / 2, projection - bulge, height
     half = board((-a - 0.01, a + 0.01), (-projection - 0.01, _SUNK), (0.0, c + 0.01))
@@ -240,16 +209,6 @@ def groove_pull(
 
     The origin is in the middle of the upper edge of the front's face. Hands come to one end of it, from
     beside the furniture, with one finger before the lip and the other one in the groove.
-
-    Args:
-        length: Of the edge [m].
-        thick: Of the front [m].
-        front: What the front is made of.
-        finish: Metal of a profile.
-        end: The end at which a hand comes: 1 for the right one, -1 for the left one.
-        name: Begins the name of its grasp, which has to be the only one of an asset.
-        style: Milled into the front, or a profile of metal on its upper edge.
-        lip: Thickness of the lip [m].
     """
     foot = 0.006  # of the slope from the groove to the back [m]
     plate = board((-length / 2, length / 2), (0.0, lip), (-GROOVE, 0.0), bevel=0.0010)
@@ -277,14 +236,6 @@ def edge_pull(
 
     The origin is on the edge between the face and the upper edge of the front. One that stands is for the
     right edge of a door.
-
-    Args:
-        finish: Its metal.
-        name: Begins the name of its grasp, which has to be the only one of an asset.
-        level: Whether it lies along X; else it stands along Z.
-        room: Length of the edge [m].
-        length: Along the edge [m].
-        reach: How far it stands out of the face [m].
     """
     length = require(
         length, length <= room, "the pull is longer than the edge of its door: lower handle.length"

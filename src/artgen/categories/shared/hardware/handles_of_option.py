@@ -6,14 +6,7 @@ from artgen import Generator, require
 
 
 def require_suited(handle: Generator, option: str, chosen: str, handles: Mapping[str, Generator]) -> None:
-    """Rule out a sample with the handle of another value of an option; a caller's own handle is let through.
-
-    Args:
-        handle: The parameter `handle`.
-        option: Name of the parameter that brings it.
-        chosen: Its value.
-        handles: The handle of each of its values.
-    """
+    """Rule out a sample with the handle of another option value; a caller's own handle passes."""
     own = [value for value, each in handles.items() if handle == each]
     require(
         not own or chosen in own,

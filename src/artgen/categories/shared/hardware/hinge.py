@@ -109,18 +109,7 @@ def hinge_leaf(
     levels: Sequence[Scalar] = (0.0,),
     sheets: bool = True,
 ) -> Body:
-    """Make the half of a butt hinge that turns with the leaf.
-
-    Args:
-        height: Height of the hinge, 0.076-0.102 in houses [m].
-        radius: Radius of the knuckles, 0.005-0.007 [m].
-        depth: How far the plate reaches along the edge of the leaf, 0.028-0.034 [m].
-        finish: Its metal.
-        knuckles: 3 or 5, those of both halves together.
-        levels: Heights of the middles of all hinges of the door [m].
-        sheets: Whether tabs and plates have mass and collide; those of small hinges only are seen, since
-            simulators look closely at what is so near.
-    """
+    """Make the half of a butt hinge that turns with the leaf."""
     return _stacked(_half(height, radius, depth, knuckles, 1, finish, sheets=sheets), levels)
 
 
@@ -134,18 +123,7 @@ def hinge_frame(
     levels: Sequence[Scalar] = (0.0,),
     sheets: bool = True,
 ) -> Body:
-    """Make the half of a butt hinge that stays on the jamb, with the heads of its pin.
-
-    Args:
-        height: Height of the hinge, 0.076-0.102 in houses [m].
-        radius: Radius of the knuckles, 0.005-0.007 [m].
-        depth: How far the plate reaches along the jamb [m].
-        finish: Its metal.
-        knuckles: 3 or 5, those of both halves together.
-        levels: Heights of the middles of all hinges of the door [m].
-        sheets: Whether tabs and plates have mass and collide; those of small hinges only are seen, since
-            simulators look closely at what is so near.
-    """
+    """Make the half of a butt hinge that stays on the jamb, with the heads of its pin."""
     head = dome(radius * 0.92, height=radius * 0.55).at(0.0, 0.0, height / 2 - 0.0003)
     heads = [detail(each, "hinge", finish) for each in (head, head.rotate(X, math.pi))]
     return _stacked([*_half(height, radius, depth, knuckles, -1, finish, sheets=sheets), *heads], levels)

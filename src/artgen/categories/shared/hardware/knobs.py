@@ -52,17 +52,6 @@ def knob_handle(
     """Make a knob on each face of the leaf, joined by the spindle: the link `handle`.
 
     Attach it by `spring_turn`. A privacy lock is attached to it as the link `lock`.
-
-    Args:
-        thickness: Thickness of the leaf [m].
-        rose_depth: How far the roses stand out, from which the necks keep a gap [m].
-        finish: Metal of the knobs.
-        faces: Which faces have a knob.
-        lock: What a privacy lock has in the middle of one knob: nothing, a small knob or a pin.
-        lock_side: The face with that knob, -1 for the front.
-        style: Ball, flat with a round rim, tulip (a cone with a domed end), or a lying egg.
-        radius: Radius of the knob [m].
-        projection: From the face of the leaf to the end of the knob [m].
     """
     solids: list[Solid] = []
     grasps: list[Frame] = []

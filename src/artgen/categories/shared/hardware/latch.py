@@ -39,15 +39,10 @@ BoltName = Literal["latch", "deadbolt"]
 
 @dataclass(frozen=True)
 class Bolt:
-    """The section of a bolt.
+    """The section of a bolt."""
 
-    Attributes:
-        width: Across the leaf, along Y [m].
-        height: Along Z [m].
-    """
-
-    width: float
-    height: float
+    width: float  # across the leaf, along Y [m]
+    height: float  # along Z [m]
 
 
 LATCH = Bolt(0.012, 0.018)
@@ -66,13 +61,7 @@ _PROUD = 0.0003  # plates stand out of the wood by this much, so that they are s
 
 
 def latch_bolt(*, backset: Scalar, throw: Scalar, finish: Material) -> Body:
-    """Make a sprung bolt: flat towards -y, where it holds the door, slanted towards +y, where it closes.
-
-    Args:
-        backset: Distance from the spindle to the lock edge of the leaf [m].
-        throw: How far the bolt stands out of the edge at rest [m].
-        finish: Metal of the bolt.
-    """
+    """Make a sprung bolt: flat towards -y, where it holds the door, slanted towards +y, where it closes."""
     half = LATCH.width / 2
     section = polygon(
         [
@@ -87,25 +76,12 @@ def latch_bolt(*, backset: Scalar, throw: Scalar, finish: Material) -> Body:
 
 
 def latch_slide(leader: Joint, *, throw: Scalar, release: Scalar, name: str = "latch_slide") -> Joint:
-    """Make the joint of a latch bolt that a handle draws into the leaf; positive is drawn back.
-
-    Args:
-        leader: Joint of the handle, which turns or slides from 0 upwards.
-        throw: How far the bolt stands out at rest [m].
-        release: Position of the handle at which the bolt is flush with the edge [rad or m].
-        name: Name of the joint.
-    """
+    """Make the joint of a latch bolt that a handle draws into the leaf; positive is drawn back."""
     return Prismatic(name, axis=-X, follows=(throw / release) * leader, damping=2.0, friction=0.2)
 
 
 def latch_pocket(*, backset: Scalar, throw: Scalar, through: bool = False) -> Solid:
-    """Make the tool that cuts the bolt's pocket into the lock edge of the leaf.
-
-    Args:
-        backset: Distance from the spindle to the lock edge [m].
-        throw: How far the bolt stands out at rest [m].
-        through: Whether it reaches to the spindle, as the case of a mortise lock does.
-    """
+    """Make the tool that cuts the bolt's pocket into the lock edge of the leaf."""
     deep = backset if through else _TAIL + _OVERTRAVEL * throw + 0.005
     return _slot(LATCH, deep + 0.005, backset + 0.005)  # 5 mm past the edge, through the faceplate
 
@@ -116,14 +92,7 @@ def _slot(bolt: Bolt, length: Scalar, end: Scalar) -> Solid:
 
 
 def faceplate(*, backset: Scalar, finish: Material, bolt: BoltName = "latch", mark: str = "") -> Body:
-    """Make the plate on the lock edge through which a bolt comes out, 23 by 57 mm as is common, with screws.
-
-    Args:
-        backset: Distance from the axis of the lock to the lock edge [m].
-        finish: Metal of the plate.
-        bolt: `latch` or `deadbolt`.
-        mark: The maker's name, engraved below the bolt; empty for none.
-    """
+    """Make the faceplate on the lock edge with its hole and screws: 23 by 57 mm, as is common."""
     section = LATCH if bolt == "latch" else DEADBOLT
     width, height, thick = 0.0235, 0.057, 0.0024
     face, level = backset + _PROUD, section.height / 2 + 0.0095
@@ -158,14 +127,7 @@ def _plate_screws(x: Scalar, facing: Way, height: Scalar, finish: Material) -> l
 
 
 def strike_pocket(*, backset: Scalar, gap: Scalar, throw: Scalar, bolt: Bolt = LATCH) -> Solid:
-    """Make the tool that cuts the hole for a thrown bolt into the jamb.
-
-    Args:
-        backset: Distance from the axis to the lock edge [m].
-        gap: Gap between the leaf and the jamb [m].
-        throw: How far the bolt comes out of the leaf [m].
-        bolt: Its section.
-    """
+    """Make the tool that cuts the hole for a thrown bolt into the jamb."""
     front = backset + gap - 0.002
     back = backset + throw + 0.004
     low, high = -bolt.width / 2 - _OPENING_PLAY, bolt.width / 2 + _EASY
@@ -182,16 +144,7 @@ def strike_plate(
     finish: Material,
     bolt: BoltName = "latch",
 ) -> Body:
-    """Make the plate on the jamb that a bolt enters, to be welded to a jamb cut with `strike_pocket`.
-
-    Args:
-        backset: Distance from the axis to the lock edge [m].
-        gap: Gap between the leaf and the jamb [m].
-        throw: How far the bolt comes out of the leaf [m].
-        thickness: Thickness of the leaf; the plate reaches to the front of the jamb, level with the leaf [m].
-        finish: Metal of the plate.
-        bolt: `latch` or `deadbolt`.
-    """
+    """Make the plate on the jamb that a bolt enters, to be welded to a jamb cut with `strike_pocket`."""
     section = LATCH if bolt == "latch" else DEADBOLT
     face = backset + gap - _PROUD
     low, high = -thickness / 2 + 0.0005, section.width / 2 + 0.008
@@ -220,12 +173,6 @@ def strike_plate(
 
 
 def clear_angle(*, thickness: Scalar, reach: Scalar, bolt: Bolt = LATCH) -> Scalar:
-    """Return the angle of a door at which its thrown latch has left the strike, 2 mm to spare [rad].
-
-    Args:
-        thickness: Thickness of the leaf, level with the front of the jamb [m].
-        reach: Distance from the hinge's pin to the lock edge [m].
-        bolt: Section of the latch.
-    """
+    """Return the angle of a door at which its thrown latch has left the strike, 2 mm to spare [rad]."""
     # small angles: the bolt moves by angle * reach, a little more at its nose
     return (thickness / 2 + bolt.width / 2 + 0.002) / reach * 1.02

@@ -53,17 +53,7 @@ def spring_turn(
     damping: Scalar = 0.06,
     friction: Scalar = 0.02,
 ) -> Joint:
-    """Make the joint of a lever or knob that a spring turns back; positive moves the free end down.
-
-    Args:
-        name: Name of the joint.
-        limit: How far it turns [rad].
-        pivot: A point on the spindle [m].
-        preload: Torque of the spring at rest; a lever must not sag under its weight (about 0.3) [N m].
-        torque: Torque of the spring at the limit, above the preload [N m].
-        damping: [N m s/rad].
-        friction: [N m].
-    """
+    """Make the joint of a lever or knob that a spring turns back; positive moves the free end down."""
     stiffness = (torque - preload) / limit
     return Revolute(
         name,
@@ -95,17 +85,6 @@ def lever_handle(
     """Make a lever on each face of the leaf, joined by the spindle: the link `handle`.
 
     Attach it by `spring_turn`.
-
-    Args:
-        thickness: Thickness of the leaf [m].
-        rose_depth: How far the roses stand out, from which the necks keep a gap [m].
-        finish: Metal of the lever.
-        faces: Which faces have a lever.
-        style: A straight bar, a bar whose tip returns to the leaf, or a waved lever.
-        section: A round bar or a rounded flat one; a waved lever is always oval.
-        length: From the spindle to the tip [m].
-        projection: From the face of the leaf to the middle of the lever [m].
-        girth: Half the height of the grip [m].
     """
     solids: list[Solid] = []
     grasps: list[Frame] = []

@@ -57,12 +57,7 @@ _GAP = 0.0005  # between a rosette and what turns on it [m]
 
 
 def deadbolt(*, backset: Scalar, finish: Material) -> Body:
-    """Make a deadbolt, drawn back: the link `deadbolt`.
-
-    Args:
-        backset: Distance from its axis to the lock edge of the leaf [m].
-        finish: Metal of the bolt.
-    """
+    """Make a deadbolt, drawn back: the link `deadbolt`."""
     length = THROW + _TAIL
     bolt = box(length, DEADBOLT.width, DEADBOLT.height, bevel=0.001)
     return part(bolt.align((backset - _RECESSED, 0.0, 0.0), x=1.0), "deadbolt", finish)
@@ -95,13 +90,7 @@ def thumb_turn_joint(
 
 
 def thumb_turn(*, thickness: Scalar, finish: Material, side: int = -1) -> Body:
-    """Make a thumb turn, upright while the bolt is drawn: the link `lock`.
-
-    Args:
-        thickness: Thickness of the leaf [m].
-        finish: Its metal.
-        side: The face with the turn, -1 for the front (-y).
-    """
+    """Make a thumb turn, upright while the bolt is drawn: the link `lock`."""
     start = thickness / 2 + _ROSETTE_DEPTH + _GAP
     base = cylinder(0.012, 0.004, axis=Y, bevel=0.0012).at(0.0, side * (start + 0.002), 0.0)
     wing = enclosed(box(0.007, 0.018, 0.034, bevel=0.003)).at(0.0, side * (start + 0.012), 0.0)
@@ -112,13 +101,7 @@ def thumb_turn(*, thickness: Scalar, finish: Material, side: int = -1) -> Body:
 
 
 def deadbolt_cover(*, thickness: Scalar, finish: Material, side: int = -1) -> Body:
-    """Make the rosette under a thumb turn and, on the other face, the key cylinder; weld it to the leaf.
-
-    Args:
-        thickness: Thickness of the leaf [m].
-        finish: Its metal.
-        side: The face with the thumb turn, -1 for the front (-y).
-    """
+    """Make the rosette under a thumb turn and, on the other face, the key cylinder; weld it to the leaf."""
     deep = _ROSETTE_DEPTH + 0.0005
     middle = thickness / 2 - 0.0005 + deep / 2
     rosette = cylinder(_ROSETTE, deep, axis=Y, bevel=0.0022)
@@ -137,15 +120,7 @@ def deadbolt_cover(*, thickness: Scalar, finish: Material, side: int = -1) -> Bo
 def turn_button(
     *, face: Scalar, depth: Scalar, finish: Material, side: int = -1, below: Scalar = 0.0
 ) -> Body:
-    """Make the small turning knob of a privacy lock: the link `lock`.
-
-    Args:
-        face: Distance of the face that it turns on from the middle of the leaf [m].
-        depth: Depth of its hole [m].
-        finish: Its metal.
-        side: The side of the leaf, -1 for the front.
-        below: How far below the spindle it sits [m].
-    """
+    """Make the small turning knob of a privacy lock: the link `lock`."""
     disc = cylinder(0.0055, 0.003, axis=Y, bevel=0.0008).at(0.0, side * (face + _GAP + 0.0015), -below)
     wing = box(0.0032, 0.007, 0.0105, bevel=0.0012).at(0.0, side * (face + _GAP + 0.0050), -below)
     inner, outer = face - depth + 0.0015, face + 0.002
@@ -171,15 +146,7 @@ def _hold_from_below(face: Scalar, side: int, below: Scalar) -> Frame:
 def push_button(
     *, face: Scalar, depth: Scalar, finish: Material, side: int = -1, below: Scalar = 0.0
 ) -> Body:
-    """Make the pin of a privacy lock that is pressed in: the link `lock`.
-
-    Args:
-        face: Distance of the face around it from the middle of the leaf [m].
-        depth: Depth of its hole, at least 0.007 [m].
-        finish: Its metal.
-        side: The side of the leaf, -1 for the front.
-        below: How far below the spindle it sits [m].
-    """
+    """Make the pin of a privacy lock that is pressed in: the link `lock`."""
     inner, outer = face - depth + PIN_TRAVEL + 0.0015, face + PIN_TRAVEL + 0.0015
     pin = cylinder_between((0.0, side * inner, -below), (0.0, side * outer, -below), PIN, bevel=0.0008)
     # a finger presses the lower half of the pin, away from the neck of a lever above it
@@ -211,17 +178,7 @@ def with_button(
     side: int = -1,
     below: Scalar = 0.0,
 ) -> Body:
-    """Attach the knob or the pin of a privacy lock to a body that has the hole for it.
-
-    Args:
-        body: The knob or the rose.
-        style: A small knob that turns, or a pin that is pressed.
-        face: Distance of the face around it from the middle of the leaf [m].
-        depth: Depth of its hole, at least 0.007 [m].
-        finish: Its metal.
-        side: The side of the leaf, -1 for the front.
-        below: How far below the spindle it sits [m].
-    """
+    """Attach the knob or the pin of a privacy lock to a body that has the hole for it."""
     make = turn_button if style == "turn" else push_button
     button = make(face=face, depth=depth, finish=finish, side=side, below=below)
     joint = button_turn(pivot=(0.0, 0.0, -below)) if style == "turn" else button_push(side=side)

@@ -56,12 +56,7 @@ _SUNK = 0.0005  # how deep a rose is let into the leaf [m]
 
 
 def spindle_hole(thickness: Scalar, *, height: Scalar = _HOLE) -> Solid:
-    """Make the tool that cuts the hole for a spindle through a leaf (4 mm past either face).
-
-    Args:
-        thickness: Thickness of the leaf [m].
-        height: Height of the hole: that of a bolt's pocket lets both end in the same planes [m].
-    """
+    """Make the tool that cuts the hole for a spindle through a leaf (4 mm past either face)."""
     return box(_HOLE, thickness + 0.008, height)
 
 
@@ -79,21 +74,7 @@ def rose(
     fixing: Fixing = "hidden",
     keyed: bool = False,
 ) -> Body:
-    """Make the roses of a handle on the faces of a leaf, to be welded to it.
-
-    Args:
-        thickness: Thickness of the leaf [m].
-        depth: How far a rose stands out of the leaf, 0.007-0.012 [m].
-        across: Diameter of a round rose, side of a square one, width of a plate [m].
-        finish: Its metal.
-        style: A round or square rose, or a long plate.
-        height: Height of a plate [m].
-        faces: Which faces have one.
-        pin: Whether there is a hole for the pin of a privacy lock, `PIN_BELOW` the spindle.
-        pin_side: The face with that hole, -1 for the front.
-        fixing: Whether screws hold a round or square rose through its face; they always hold a plate.
-        keyed: Whether a plate has a key cylinder.
-    """
+    """Make the roses of a handle on the faces of a leaf, to be welded to it."""
     if faces == "both" and not pin:
         front = weld(
             *_one_rose(thickness, depth, across, finish, style, height, -1, fixing, pin=False, keyed=keyed)
@@ -165,13 +146,7 @@ def _one_rose(
 
 
 def spindle(thickness: Scalar, rose_depth: Scalar, faces: Faces = "both") -> Solid:
-    """Make the spindle that joins the handles on both faces, or ends in the middle of the leaf.
-
-    Args:
-        thickness: Thickness of the leaf [m].
-        rose_depth: How far the roses stand out [m].
-        faces: Which faces have a handle.
-    """
+    """Make the spindle that joins the handles on both faces, or ends in the middle of the leaf."""
     reach = thickness / 2 + rose_depth + 0.006  # 6 mm into the neck of the handle
     if faces == "both":
         return cylinder(SPINDLE, 2 * reach, axis=Y)

@@ -37,17 +37,7 @@ def screws(
     head: Head = "countersunk",
     sunk: Scalar = 0.0,
 ) -> list[Body]:
-    """Make heads of screws on a face, each with a recess whose floor lies in the dark.
-
-    Args:
-        at: Their middles, on the face [m].
-        facing: The way that the face looks.
-        radius: Of a head [m].
-        finish: Their metal.
-        drive: What turns them.
-        head: A countersunk one stands out of its seat by a sixth of its radius.
-        sunk: How far below the face they are seated [m].
-    """
+    """Make heads of screws on a face, each with a recess whose floor lies in the dark."""
     out = FACING[facing]
     seat = tuple(-sunk * each for each in out)
     reach, high = _FLOOR[head]

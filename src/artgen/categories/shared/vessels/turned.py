@@ -58,35 +58,17 @@ def path_of(run: Run) -> Path:
 
 
 def drawn(form: Sequence[Sequence[Drawn]], radius: Scalar, low: Scalar, height: Scalar) -> list[Run]:
-    """Return the outline of a thing from its drawing.
-
-    Args:
-        form: Its runs.
-        radius: Radius of the thing [m].
-        low: Height of its lower end [m].
-        height: Its height [m].
-    """
+    """Return the outline of a thing from its drawing."""
     return [[(r * radius, low + share * height + rest * radius) for r, share, rest in run] for run in form]
 
 
 def core(runs: Sequence[Run], *, sides: int = SIDES, within: Scalar = _WITHIN) -> Solid:
-    """Make the solid of few facets that lies within a turned thing.
-
-    Args:
-        runs: Its outline; runs meet in sharp knees, with steps where they are apart.
-        sides: Facets of the full circle.
-        within: How deep its straight runs lie below the outline at most [m].
-    """
+    """Make the solid of few facets that lies within a turned thing."""
     return revolve(half_section([path_of(run) for run in runs], within=within), sides=sides)
 
 
 def skin(runs: Sequence[Run], *, bore: Scalar = 0.0) -> Solid:
-    """Make the smooth solid of a turned thing, to be a `detail` around its core.
-
-    Args:
-        runs: Its outline.
-        bore: Radius of a hole along its axis [m].
-    """
+    """Make the smooth solid of a turned thing, to be a `detail` around its core."""
     return revolve(half_section([path_of(run) for run in runs], bore=bore), sides=_SMOOTH)
 
 
@@ -102,19 +84,7 @@ def turned(
     name: str | None = None,
     grasp: Frame | Sequence[Frame] = (),
 ) -> Body:
-    """Make a closed turned thing about z.
-
-    Args:
-        runs: Its outline; runs meet in sharp knees, with steps where they are apart.
-        label: Semantic label.
-        finish: Its material.
-        hole: What is cut out of its core: a square hole costs four colliders for each bend of the outline.
-        spare: How far the colliders around the hole may stand off the core [m].
-        bore: Radius of the hole along the axis that is seen [m].
-        sides: Facets of the core.
-        name: Name of the link; by default the label.
-        grasp: Where a hand takes hold.
-    """
+    """Make a closed turned thing about z."""
     body = core(runs, sides=sides)
     if hole is not None:
         body = coarse(body, spare) - hole
@@ -137,15 +107,6 @@ def blown(
 
     Where it is full, it collides as if it were solid; above, as 21 sectors for each bend of its outline, so
     that straight slopes are worth having.
-
-    Args:
-        path: Its outline from the edge of its floor, on z = 0, up: without sharp knees, convex to the level.
-        label: Semantic label.
-        finish: Its glass or plastic.
-        foot: Radius of its floor [m].
-        wall: Thickness of its wall [m].
-        level: Up to which height it is `filled` [m].
-        name: Name of the link; by default the label.
     """
     vessel = revolve(half_section(path, wall=wall), sides=_GLASS_SIDES)
     upper = split(vessel, point=(0.0, 0.0, level), normal=Z)
@@ -161,13 +122,7 @@ def blown(
 
 
 def filled(path: Path, *, wall: Scalar, level: Scalar) -> Solid:
-    """Make what fills a blown vessel up to a height, a hair off its wall.
-
-    Args:
-        path: The outline of the vessel.
-        wall: Thickness of its wall [m].
-        level: Where the filling ends [m].
-    """
+    """Make what fills a blown vessel up to a height, a hair off its wall."""
     inside = revolve(half_section(path, inset=wall + 0.0002))
     kept = split(inside, point=(0.0, 0.0, level), normal=-Z)
     return split(kept, point=(0.0, 0.0, 1.4 * wall + 0.0002), normal=Z)

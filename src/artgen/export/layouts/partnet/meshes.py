@@ -30,19 +30,13 @@ _LIBRARY = "materials.mtl"
 
 @dataclass(frozen=True)
 class ObjectMeshes:
-    """The mesh files of an asset.
+    """The mesh files of an asset."""
 
-    Attributes:
-        files: Content by path relative to the asset's directory, maps included.
-        surfaces: File name of each surface, by link, in the link's order.
-        colliders: File name of each collider, by link and number of the collider; hulls only, each in its own
-            frame.
-        middles: Where that frame lies in the dataset's coordinates of the asset, shape (3,) [m].
-    """
-
-    files: Mapping[str, bytes]
-    surfaces: Mapping[str, tuple[str, ...]]
+    files: Mapping[str, bytes]  # content by path relative to the asset's directory, maps included
+    surfaces: Mapping[str, tuple[str, ...]]  # file name of each surface, by link, in the link's order
+    # file name of each collider, by link and number of the collider; hulls only, each in its own frame
     colliders: Mapping[str, Mapping[int, str]]
+    # where that frame lies in the dataset's coordinates of the asset, shape (3,) [m]
     middles: Mapping[str, Mapping[int, Array]]
 
 

@@ -69,36 +69,22 @@ _KINDS = {"prismatic": "slider", "revolute": "hinge"}
 
 @dataclass(frozen=True)
 class Part:
-    """The visible faces of a link that share a semantic label.
+    """The visible faces of a link that share a semantic label."""
 
-    Attributes:
-        number: Its number in `result.json`.
-        name: What it is called; holds "handle" where a hand takes hold.
-        label: The label of its surfaces.
-    """
-
-    number: int
-    name: str
-    label: str
+    number: int  # its number in `result.json`
+    name: str  # what it is called; holds "handle" where a hand takes hold
+    label: str  # the label of its surfaces
 
 
 @dataclass(frozen=True, eq=False)
 class Step:
-    """One joint of the URDF.
+    """One joint of the URDF."""
 
-    Attributes:
-        name: Name of the joint.
-        parent: Name of the body nearer to the base.
-        child: Name of the body that moves.
-        sign: -1 where the joint is turned round so that its lower limit is the closed end, else 1.
-        segment: The joint with its frames, in artgen's names and coordinates.
-    """
-
-    name: str
-    parent: str
-    child: str
-    sign: int
-    segment: Segment
+    name: str  # name of the joint
+    parent: str  # name of the body nearer to the base
+    child: str  # name of the body that moves
+    sign: int  # -1 where the joint is turned round so that its lower limit is the closed end, else 1
+    segment: Segment  # the joint with its frames, in artgen's names and coordinates
 
     @property
     def limits(self) -> tuple[float, float] | None:
@@ -116,19 +102,12 @@ class Step:
 
 @dataclass(frozen=True, eq=False)
 class Coupled:
-    """A joint that follows another, as written.
+    """A joint that follows another, as written."""
 
-    Attributes:
-        follower: The joint that follows.
-        leader: The joint that it follows.
-        ratio: Positions of the follower for one of the leader.
-        offset: Position of the follower where the leader is at 0 [rad or m].
-    """
-
-    follower: Step
-    leader: Step
-    ratio: float
-    offset: float
+    follower: Step  # the joint that follows
+    leader: Step  # the joint that it follows
+    ratio: float  # positions of the follower for one of the leader
+    offset: float  # position of the follower where the leader is at 0 [rad or m]
 
     @property
     def siblings(self) -> bool:
@@ -191,12 +170,7 @@ def closed_end_first(joint: Joint) -> int:
 
 
 def kind_of(joints: Sequence[Joint], base: str = "fixed") -> str:
-    """Return what `semantics.txt` calls the motion of a link.
-
-    Args:
-        joints: The joints between the link and its parent; none for the asset's base.
-        base: Whether the asset's base is `fixed` or `free`.
-    """
+    """Return what `semantics.txt` calls the motion of a link."""
     if not joints:
         return "static" if base == "fixed" else "free"
     kinds = [_KINDS[joint.kind] for joint in joints if not joint.locked]

@@ -54,11 +54,7 @@ def _far(limits: tuple[float, float] | None, closed: float) -> float:
 
 
 class _Grid:
-    """Cubic cells around a box.
-
-    Args:
-        box: Its corners, shape (2, 3) [m].
-    """
+    """Cubic cells around a box."""
 
     def __init__(self, box: Array) -> None:
         longest = float((box[1] - box[0]).max())

@@ -21,12 +21,7 @@ UNDATED = "undated: equal bytes for equal seeds, whenever they are made"
 
 
 def metadata(asset: Asset, variants: Sequence[str]) -> dict[str, Any]:
-    """Return the metadata of the layer that is opened.
-
-    Args:
-        asset: The asset, which the default prim is named as.
-        variants: Names of the variant sets of the simulators.
-    """
+    """Return the metadata of the layer that is opened."""
     found = _simready(asset, variants)
     # the oldest version of the profile's core wants these outside as well
     outside = ("asset_name", "asset_type", "source_file", "usd_date_generated")

@@ -20,26 +20,14 @@ NOTHING = -1
 
 @dataclass(frozen=True, eq=False)
 class Seen:
-    """What is seen at each pixel.
+    """What is seen at each pixel."""
 
-    Attributes:
-        owner: Number of the triangle, `NOTHING` where there is none, shape (size, size).
-        depth: How far it is along the view, infinity where there is none, shape (size, size) [m].
-    """
-
-    owner: Indices
-    depth: Array
+    owner: Indices  # number of the triangle, `NOTHING` where there is none, shape (size, size)
+    depth: Array  # how far it is along the view, infinity where there is none, shape (size, size) [m]
 
 
 def rasterize(corners: Array, size: int) -> Seen:
-    """Find the nearest triangle that faces the viewer at each pixel.
-
-    Args:
-        corners: Corners of the triangles, anticlockwise as seen from their front, shape (n, 3, 3): to the
-            right and upwards in pixels from the lower left of the picture, and the distance along the view
-            [m].
-        size: Pixels on a side.
-    """
+    """Find the nearest triangle that faces the viewer at each pixel."""
     grid = np.rint(corners[:, :, :2] * _GRID).astype(np.int64)
     facing = np.flatnonzero(_doubled_area(grid) > 0)
     number, row = _rows(grid[facing], size)
@@ -61,13 +49,7 @@ def rasterize(corners: Array, size: int) -> Seen:
 
 
 def weights(corners: Array, column: Array, row: Array) -> Array:
-    """Return how much each corner of a triangle counts at the middle of a pixel, shape (n, 3).
-
-    Args:
-        corners: Corners of one triangle for each pixel, shape (n, 3, 3), as in `rasterize`.
-        column: Pixels to the right, shape (n,).
-        row: Pixels upwards, shape (n,).
-    """
+    """Return how much each corner of a triangle counts at the middle of a pixel, shape (n, 3)."""
     x, y = corners[:, :, 0], corners[:, :, 1]
     px, py = (column + 0.5)[:, None], (row + 0.5)[:, None]
     ahead, behind = np.roll(np.arange(3), -1), np.roll(np.arange(3), 1)

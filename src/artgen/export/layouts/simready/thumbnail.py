@@ -40,34 +40,21 @@ def thumbnail(asset: Asset) -> NDArray[np.uint8]:
 
 @dataclass(frozen=True, eq=False)
 class _Scene:
-    """The triangles of an asset.
+    """The triangles of an asset."""
 
-    Attributes:
-        corners: Where their corners are, shape (n, 3, 3) [m].
-        normals: Normals at their corners, shape (n, 3, 3).
-        stuff: Number of the material of each, shape (n,).
-        materials: The materials.
-    """
-
-    corners: Array
-    normals: Array
-    stuff: Indices
-    materials: tuple[Material, ...]
+    corners: Array  # where their corners are, shape (n, 3, 3) [m]
+    normals: Array  # normals at their corners, shape (n, 3, 3)
+    stuff: Indices  # number of the material of each, shape (n,)
+    materials: tuple[Material, ...]  # the materials
 
 
 @dataclass(frozen=True, eq=False)
 class _View:
-    """A parallel projection.
+    """A parallel projection."""
 
-    Attributes:
-        axes: Right, up and the view in asset coordinates, in rows, shape (3, 3).
-        scale: Pixels a metre.
-        shift: Pixels to the right and upwards at which the asset's origin is.
-    """
-
-    axes: Array
-    scale: float = 1.0
-    shift: tuple[float, float] = (0.0, 0.0)
+    axes: Array  # right, up and the view in asset coordinates, in rows, shape (3, 3)
+    scale: float = 1.0  # pixels a metre
+    shift: tuple[float, float] = (0.0, 0.0)  # pixels to the right and upwards at which the asset's origin is
 
     @staticmethod
     def along(direction: tuple[float, float, float]) -> "_View":
@@ -97,15 +84,10 @@ class _View:
 
 @dataclass(frozen=True, eq=False)
 class _Picture:
-    """A picture while it is drawn, with its lowest row first.
+    """A picture while it is drawn, with its lowest row first."""
 
-    Attributes:
-        light: Linear RGB, shape (size, size, 3).
-        depth: How far what is drawn already is, shape (size, size) [m].
-    """
-
-    light: Array
-    depth: Array
+    light: Array  # linear RGB, shape (size, size, 3)
+    depth: Array  # how far what is drawn already is, shape (size, size) [m]
 
 
 def _scene(asset: Asset) -> _Scene:

@@ -31,15 +31,7 @@ _TEXTURES = "textures"
 
 
 def write_package(asset: Asset, textures: int) -> Written:
-    """Write an asset in the SimReady layout.
-
-    Args:
-        asset: The asset.
-        textures: Texels on a side of the materials' maps; 0 for colours alone.
-
-    Returns:
-        All files, and what USD cannot say.
-    """
+    """Write an asset in the SimReady layout."""
     name = asset.name
     base, physics, meshes = (new_layer(kind, name) for kind in (".usda", ".usda", ".usdc"))
     runtimes = {runtime: new_layer(".usda", name) for runtime in RUNTIMES}

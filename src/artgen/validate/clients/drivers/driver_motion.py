@@ -19,15 +19,10 @@ _SETTLE = 1.0  # before anything is driven [s]
 
 
 class Simulation(Protocol):
-    """What a client does for driving.
+    """What a client does for driving."""
 
-    Attributes:
-        steps: How many steps were simulated.
-        finite: Whether all positions stayed finite.
-    """
-
-    steps: int
-    finite: bool
+    steps: int  # how many steps were simulated
+    finite: bool  # whether all positions stayed finite
 
     def position(self, name: str) -> float:
         """Return where a joint stands [rad or m]."""
@@ -40,12 +35,7 @@ class Simulation(Protocol):
 
 
 def drive_all(simulation: Simulation, request: dict[str, Any]) -> dict[str, list[float]]:
-    """Drive each free joint to both ends, those that others block at last.
-
-    Returns:
-        The lowest and highest position that each reached [rad or m]; a joint that stays blocked wherever the
-        others stand at their ends is left out, since it may need them somewhere between.
-    """
+    """Drive each free joint to both ends, those that others block at last."""
     simulation.advance(_SETTLE)
     joints = [joint for joint in request["joints"] if joint["follows"] is None]
     moved: dict[str, list[float]] = {}
@@ -84,11 +74,7 @@ def _drive_blocked(
 def _drive(
     simulation: Simulation, joint: dict[str, Any], held: dict[str, float]
 ) -> tuple[float, float, list[float]]:
-    """Push a joint to one side and then to the other, by a force that grows until it moves.
-
-    Returns:
-        How far it came to both sides [rad or m], and the forces that hold it there [N m or N].
-    """
+    """Push a joint to one side and then to the other, by a force that grows until it moves."""
     name = joint["name"]
     lower, upper = ends(joint)
     span = upper - lower

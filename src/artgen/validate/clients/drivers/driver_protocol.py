@@ -14,12 +14,7 @@ _MISSING = 3  # exit code
 
 
 def serve(read: Callable[[dict[str, Any]], dict[str, Any]], *needs: str) -> None:
-    """Answer each request that the command line names.
-
-    Args:
-        read: Returns the response to a request.
-        needs: Modules without which the client is not there.
-    """
+    """Answer each request that the command line names."""
     if any(importlib.util.find_spec(name) is None for name in needs):
         sys.exit(_MISSING)
     paths = [Path(argument) for argument in sys.argv[1:]]

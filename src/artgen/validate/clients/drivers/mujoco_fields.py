@@ -10,13 +10,7 @@ _KINDS = {2: "prismatic", 3: "revolute"}  # of mjtJoint; 0 and 1 have more than 
 
 
 class Fields:
-    """The numbers of a model, with the names that MuJoCo has for what they are of.
-
-    Args:
-        model: The model as MuJoCo compiled it, which has the names.
-        get: Returns an array of the client's model by MuJoCo's name for it.
-        prefix: What stands before the names of the asset.
-    """
+    """The numbers of a model, with the names that MuJoCo has for what they are of."""
 
     def __init__(self, model: Any, get: Callable[[str], Any], prefix: str = "") -> None:
         self.model, self.prefix = model, prefix
@@ -82,13 +76,7 @@ class Fields:
         }
 
     def frames(self, positions: Any, turns: Any, links: list[str]) -> dict[str, Any]:
-        """Return the frame of each link in that of the base.
-
-        Args:
-            positions: Position of each body, shape (n, 3) [m].
-            turns: Rotation of each body, shape (n, 3, 3).
-            links: Names of the links, the base first.
-        """
+        """Return the frame of each link in that of the base."""
         bodies = {name: self.model.body(self.prefix + name).id for name in links}
         found = {name: transform(turns[body], positions[body]) for name, body in bodies.items()}
         base = np.linalg.inv(found[links[0]])

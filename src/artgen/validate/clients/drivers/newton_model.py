@@ -85,19 +85,12 @@ def _beyond(joint: dict[str, Any] | None) -> bool:
 
 @dataclass(frozen=True)
 class _Degree:
-    """One degree of freedom.
+    """One degree of freedom."""
 
-    Attributes:
-        kind: `revolute` or `prismatic`.
-        place: Its index among positions.
-        speed: Its index among speeds.
-        start: Where it stands when the model has it at 0, which an MJCF may choose [rad or m].
-    """
-
-    kind: str
-    place: int
-    speed: int
-    start: float
+    kind: str  # `revolute` or `prismatic`
+    place: int  # its index among positions
+    speed: int  # its index among speeds
+    start: float  # where it stands when the model has it at 0, which an MJCF may choose [rad or m]
 
 
 def _degrees(newton: Any, model: Any, request: dict[str, Any]) -> dict[str, _Degree]:

@@ -144,12 +144,7 @@ def _driven(mujoco: Any, fields: Fields, joint: dict[str, Any], request: dict[st
 
 
 def _push(mujoco: Any, model: Any, data: Any, degree: int, speed: float, effort: float, more: float) -> float:
-    """Take a step with the torque that brings a degree of freedom to a speed.
-
-    Returns:
-        By how much more than its inertia and springs ask for it is pushed, which grows while it hardly
-        moves, as a catch does that rubs on what it holds [N m or N].
-    """
+    """Take a step with the torque that brings a degree of freedom to a speed."""
     mujoco.mj_forward(model, data)
     if abs(data.qvel[degree]) < 0.5 * abs(speed) or data.qvel[degree] * speed < 0.0:
         more = min(effort, max(_LEAST * effort, more * (1.0 + _GROWTH * model.opt.timestep)))

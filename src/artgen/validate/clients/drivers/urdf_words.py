@@ -5,12 +5,7 @@ from typing import Any
 
 
 def joints_and_couplings(moving: Mapping[str, Any], kinds: Mapping[str, str]) -> dict[str, Any]:
-    """Return `joints` and `couplings` of a response.
-
-    Args:
-        moving: The joints that can move, by name.
-        kinds: What URDF calls the type of each.
-    """
+    """Return `joints` and `couplings` of a response."""
     return {
         "joints": {name: _joint(joint, kinds[name]) for name, joint in moving.items()},
         "couplings": {

@@ -28,12 +28,7 @@ _METADATA = re.compile(r"^    ((?:defaultPrim|kilogramsPerUnit|metersPerUnit|upA
 
 @contextmanager
 def enabled(request: dict[str, Any], runtime: str) -> Iterator[str]:
-    """Give the path of a stage for a simulator: the asset's file itself where a layout has no variants.
-
-    Args:
-        request: What the driver is asked.
-        runtime: Name of the set of variants of the simulator.
-    """
+    """Give the path of a stage for a simulator: the asset's file itself where a layout has no variants."""
     if request["layout"] != "simready":
         yield request["file"]
         return
