@@ -18,7 +18,7 @@ from artgen import (
     polygon,
     rectangle,
 )
-from artgen.categories.shared.signs import recycling
+from artgen.categories.shared import recycling
 
 _FILM = 0.00012  # by which print and labels stand out [m]
 

@@ -46,8 +46,8 @@ from artgen.categories.shared.furniture.finish import (
     worktops,
 )
 from artgen.categories.shared.furniture.fronts import FrontLook, FrontStyle
+from artgen.categories.shared.hardware import require_suited
 from artgen.categories.shared.hardware.furniture_pulls import bar_pull, cup_pull, edge_pull, knob_pull
-from artgen.categories.shared.hardware.handles_of_option import require_suited
 
 _HANDLES = {"knob": knob_pull, "bar": bar_pull, "cup": cup_pull, "edge": edge_pull}
 _GLASS = known("glass", "frosted_glass", "tinted_glass")

@@ -5,7 +5,7 @@ from functools import cached_property
 from typing import Literal
 
 from artgen import Float, Scalar, atan2, cos, min_, sin, sqrt
-from artgen.categories.shared.appliances.space import ApplianceSpace
+from artgen.categories.shared.appliances.finish import ApplianceSpace
 
 Build = Literal["built_in", "freestanding"]
 """For a kitchen front, with bare sheet sides, or with painted sides and a worktop."""

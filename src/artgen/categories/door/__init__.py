@@ -70,8 +70,7 @@ from artgen.categories.shared.finish import (
     weighing,
 )
 from artgen.categories.shared.furniture.door_slab import Blank, Fittings
-from artgen.categories.shared.hardware import HARDWARE_LABELS
-from artgen.categories.shared.hardware.handles_of_option import require_suited
+from artgen.categories.shared.hardware import HARDWARE_LABELS, require_suited
 from artgen.categories.shared.hardware.knobs import knob_handle
 from artgen.categories.shared.hardware.latch import DEADBOLT
 from artgen.categories.shared.hardware.levers import lever_handle

@@ -20,7 +20,7 @@ from artgen import (
 )
 from artgen.categories.shared.finish import casting, recess
 from artgen.categories.shared.furniture.door_slab import Fittings
-from artgen.categories.shared.hardware.screws import screws
+from artgen.categories.shared.hardware.fixings import screws
 
 LETTER_PLATE = 0.30
 """Width of a letter plate [m]."""

@@ -31,7 +31,7 @@ from artgen import (
     sweep,
     weld,
 )
-from artgen.categories.shared.furniture.arch import Arch
+from artgen.categories.shared.furniture.door_slab import Arch
 
 JAMB = 0.034
 """Thickness of jambs and head [m]."""

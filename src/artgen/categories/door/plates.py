@@ -17,7 +17,7 @@ from artgen import (
     weld,
 )
 from artgen.categories.shared.furniture.door_slab import Blank
-from artgen.categories.shared.hardware.screws import Way, screws
+from artgen.categories.shared.hardware.fixings import Way, screws
 
 ASTRAGAL_GAP = 0.002
 """Between the active leaf and the strip behind it [m]."""

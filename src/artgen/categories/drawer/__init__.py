@@ -33,17 +33,19 @@ from artgen import (
     weld,
 )
 from artgen.categories.drawer.boxes import (
+    INDEXES,
     BoxLook,
     Mounting,
     Rows,
     drawer_box,
     fixed_members,
+    label_holder,
+    lock,
     slide,
 )
 from artgen.categories.drawer.boxes import (
     drawer as drawer_of,
 )
-from artgen.categories.drawer.files import INDEXES, label_holder, lock
 from artgen.categories.drawer.runners import RunnerStyle
 from artgen.categories.shared.furniture.carcass import Carcass, LegStyle
 from artgen.categories.shared.furniture.finish import (
@@ -59,8 +61,8 @@ from artgen.categories.shared.furniture.finish import (
     worktops,
 )
 from artgen.categories.shared.furniture.fronts import FrontLook, FrontStyle
+from artgen.categories.shared.hardware import require_suited
 from artgen.categories.shared.hardware.furniture_pulls import bar_pull, cup_pull, groove_pull, knob_pull
-from artgen.categories.shared.hardware.handles_of_option import require_suited
 
 _FINISH, _ACCENT = boards("wood", "lacquer", "melamine", "decor", "steel"), accents()
 _WORKTOP, _LEG, _METAL = worktops(), leg_finishes(), hardware()

@@ -21,7 +21,7 @@ from artgen import (
     part,
 )
 from artgen.categories.shared.furniture.finish import CREAM_STEEL, ZINC
-from artgen.categories.shared.hardware.screws import screws
+from artgen.categories.shared.hardware.fixings import screws
 
 SIDE_PLAY = 0.0125
 """From the side of a drawer to the face beside it [m]."""

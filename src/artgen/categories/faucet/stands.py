@@ -12,32 +12,165 @@ from artgen import (
     Material,
     Scalar,
     Vector,
+    VectorLike,
     X,
     Y,
     Z,
+    array,
+    board,
+    box,
+    box_between,
     cylinder,
     cylinder_between,
+    detail,
+    details,
+    frustum,
     material,
     part,
+    torus,
+    union,
     vector,
     weld,
 )
-from artgen.categories.faucet.drain import FLANGE, HANGS
+from artgen.categories.faucet.drain import FLANGE, HANGS, HOLE
 from artgen.categories.faucet.handles import LeverStyle, mixer
-from artgen.categories.faucet.mounts import (
-    BEHIND,
-    PADS,
-    bar,
-    column,
-    deck,
-    elbows,
-    pedestal,
-    raised_deck,
-    risers,
-    wall_board,
-)
 from artgen.categories.faucet.spouts import core_radius
 from artgen.categories.shared.finish import casting
+from artgen.categories.shared.hardware.fixings import corner_feet
+
+PADS = 0.004
+"""Height of the rubber pads under a deck or a foot [m]."""
+
+BAR = 0.0125
+"""Radius of the bar between two valves [m]."""
+
+BEHIND = 0.062
+"""From a wall to the bar before it [m]."""
+
+_SOLID, _FOLDED = 5000.0, 1500.0  # a slab of metal is 1.5 mm of sheet folded around a board [kg/m^3]
+_ROSE = 0.030  # radius of the flanges on a wall [m]
+
+
+def deck(*, width: Scalar, depth: Scalar, thick: Scalar, finish: Material) -> Body:
+    """Make a sample deck on pads, its upper face at `PADS + thick`."""
+    slab = box(width, depth, thick, bevel=0.003).at(0.0, 0.0, PADS + thick / 2)
+    pads = corner_feet(width, depth, inset=0.016, radius=0.008, height=PADS)
+    return weld(part(slab, "deck", _slab(finish)), pads)
+
+
+def _slab(finish: Material) -> Material:
+    """Return what a slab weighs of which this is seen."""
+    if finish.density < _SOLID:
+        return finish
+    return finish.with_(name=f"{finish.name}_on_board", density=_FOLDED)
+
+
+def raised_deck(
+    *,
+    width: Scalar,
+    front: Scalar,
+    back: Scalar,
+    top: Scalar,
+    thick: Scalar,
+    finish: Material,
+    drain_at: Scalar,
+    rod_at: Scalar,
+) -> Body:
+    """Make a piece of a vanity top with the holes of a drain and its rod, on two frames of flat steel."""
+    slab = board((-width / 2, width / 2), (front, back), (top - thick, top), bevel=0.003)
+    holes = union(
+        box(HOLE, HOLE, 2.0).at(0.0, drain_at, 0.0),
+        box(0.008, 0.008, 2.0).at(0.0, rod_at, 0.0),
+    )
+    x, bar = width / 2 - 0.030, 0.006  # flat bars of 25 x 6 mm
+    wide = (-x - 0.0125, -x + 0.0125)
+    near, far, high = front + 0.020, back - 0.020, top - thick + 0.0003
+    rails = [board(wide, (near, far), (low, low + bar), bevel=0.001) for low in (PADS, high - bar)]
+    posts = [
+        board((wide[0] + 0.0002, wide[1] - 0.0002), (y, y + bar), (PADS + bar - 0.0003, high - bar + 0.0003))
+        for y in (near + 0.0003, far - bar - 0.0003)
+    ]
+    frame = union(*rails, *posts)
+    steel = material("powder_coat_black")
+    pads = corner_feet(2.0 * x + 0.025, far - near, inset=0.012, radius=0.008, height=PADS)
+    return weld(
+        part(slab - holes, "deck", _slab(finish)),
+        part(frame, "deck", steel),
+        part(frame.mirror(X), "deck", steel),
+        pads.at(0.0, 0.5 * (near + far), 0.0),
+    )
+
+
+def wall_board(*, width: Scalar, height: Scalar, thick: Scalar, finish: Material, metal: Material) -> Body:
+    """Make a board that stands for a wall, its face on y = 0, on a foot of steel before it."""
+    panel = box_between((-0.5 * width, 0.0, PADS + 0.004), (0.5 * width, thick, height), bevel=0.003)
+    foot = box_between((-0.42 * width, -0.19, PADS), (0.42 * width, thick + 0.03, PADS + 0.008), bevel=0.002)
+    pads = corner_feet(0.84 * width, 0.22 + thick, inset=0.016, radius=0.008, height=PADS)
+    steel = metal.with_(name="foot_steel", density=5000.0)
+    screws = [
+        details.screw(0.005, (side * 0.45 * width, 0.0, height - 0.03), material=material("stainless"))
+        for side in (-1, 1)
+    ]
+    middle = 0.5 * (thick + 0.03 - 0.19)
+    return weld(part(panel, "deck", finish), part(foot, "deck", steel), pads.at(0.0, middle, 0.0), *screws)
+
+
+def column(*, radius: Scalar, height: Scalar, finish: Material) -> Body:
+    """Make a round column with its flange, on z = 0."""
+    metal = casting(finish, 0.3)
+    shaft = cylinder(radius, height + 0.0004, bevel=0.0006).align((0.0, 0.0, height), z=1)
+    flange = frustum(radius + 0.0065, radius + 0.0045, 0.0065, bevel=0.0015).align((0.0, 0.0, -0.0004), z=-1)
+    return weld(part(flange, "escutcheon", metal), part(shaft, "body", metal))
+
+
+def pedestal(*, radius: Scalar, height: Scalar, finish: Material) -> Body:
+    """Make the foot of a spout between two handles: a flange and a short column, on z = 0."""
+    metal = casting(finish, 0.45)
+    shaft = frustum(radius + 0.0085, radius + 0.0065, height, bevel=0.0008).align((0.0, 0.0, height), z=1)
+    flange = frustum(radius + 0.0165, radius + 0.0135, 0.008, bevel=0.0015).align((0.0, 0.0, -0.0004), z=-1)
+    return weld(part(flange, "escutcheon", metal), part(shaft, "body", metal))
+
+
+def bar(*, half: Scalar, finish: Material, below: bool = False) -> Body:
+    """Make the bar that joins two valves, along x at the origin, with the boss of the spout in its middle.
+
+    The valves' axes are at `half` to either side; the boss reaches 22 mm up, and the sockets of valves 15 mm.
+    """
+    metal = casting(finish, 0.35)
+    long = cylinder(BAR, 2.0 * half, axis=X)
+    boss = cylinder(0.0205, 0.039, bevel=0.001).align(
+        (0.0, 0.0, -0.022 if below else 0.022), z=-1 if below else 1
+    )
+    socket = cylinder(0.0185, 0.034, bevel=0.0012)
+    sockets = array(socket.at(0.0, 0.0, -0.002), at=[(-half, 0.0, 0.0), (half, 0.0, 0.0)])
+    rings: list[Body] = []
+    for side in (-1, 1):
+        for near in (0.026, half - 0.024):
+            ring = torus(BAR + 0.0004, 0.0019, axis=X).at(side * near, 0.0, 0.0)
+            rings.append(detail(ring, "body", finish))
+    return weld(part(union(long, boss, sockets), "body", metal), *rings)
+
+
+def risers(*, half: Scalar, height: Scalar, finish: Material) -> Body:
+    """Make the two columns that carry a bar at a height over a deck on z = 0."""
+    metal = casting(finish, 0.35)
+    shaft = cylinder(0.0125, height).at(0.0, 0.0, 0.5 * height)
+    flange = frustum(0.0265, 0.0235, 0.009, bevel=0.0015).align((0.0, 0.0, -0.0004), z=-1)
+    nut = cylinder(0.0165, 0.012, bevel=0.0015).at(0.0, 0.0, 0.016)
+    at: list[VectorLike] = [(-half, 0.0, 0.0), (half, 0.0, 0.0)]
+    both = array(union(shaft, nut, flange), at=at)
+    return part(both, "body", metal, separate="the bar joins them")
+
+
+def elbows(*, half: Scalar, finish: Material) -> Body:
+    """Make the two arms that carry a bar before a wall on y = 0: the bar is at y = -62 mm, on z = 0."""
+    metal = casting(finish, 0.35)
+    arm = cylinder_between((0.0, 0.0005, 0.0), (0.0, -BEHIND, 0.0), 0.0125)
+    rose = frustum(_ROSE, _ROSE - 0.005, 0.011, axis=-Y, bevel=0.0018).at(0.0, -0.0053, 0.0)
+    nut = cylinder_between((0.0, -0.014, 0.0), (0.0, -0.026, 0.0), 0.0165, bevel=0.0015)
+    both = array(union(arm, rose, nut), at=[(-half, 0.0, 0.0), (half, 0.0, 0.0)])
+    return part(both, "body", metal, separate="the bar joins them")
+
 
 ROD_AT = 0.053
 """The rod of a drain behind the axis of the spout [m]."""

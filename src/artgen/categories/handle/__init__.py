@@ -39,8 +39,7 @@ from artgen import (
 )
 from artgen.categories.handle.grip_set import grip, thumb_piece, thumb_press
 from artgen.categories.shared.finish import FINISH_WEIGHTS, FINISHES, known, paints, recess
-from artgen.categories.shared.hardware import HARDWARE_LABELS
-from artgen.categories.shared.hardware.handles_of_option import require_suited
+from artgen.categories.shared.hardware import HARDWARE_LABELS, require_suited
 from artgen.categories.shared.hardware.knobs import knob_handle
 from artgen.categories.shared.hardware.latch import faceplate, latch_bolt, latch_pocket, latch_slide
 from artgen.categories.shared.hardware.levers import lever_handle, spring_turn

@@ -27,7 +27,7 @@ from artgen import (
     weld,
 )
 from artgen.categories.shared.finish import casting
-from artgen.categories.shared.hardware.cylinders import plug
+from artgen.categories.shared.hardware.roses import plug
 
 THUMB_RANGE = 0.28
 """How far a thumb piece is pressed down [rad]."""

@@ -1,6 +1,37 @@
 """Lamps that point their light: which arms carry which shade."""
 
-from artgen.categories.lamp.arc import arc_arm
+import math
+
+from artgen import (
+    Scalar,
+    Y,
+    atan2,
+    center_of_mass,
+    circle,
+    clamp,
+    cylinder,
+    frame,
+    mass,
+    min_,
+    norm,
+    part,
+    require,
+    spline,
+    sqrt,
+    sweep,
+    switch,
+    vector,
+    weld,
+)
+from artgen.categories.lamp.arms import (
+    GRAVITY,
+    TURRET,
+    Load,
+    bracket,
+    braked_hinge,
+    eyes,
+)
+from artgen.categories.lamp.bases import hollow
 from artgen.categories.lamp.jointed import (
     ArmLooks,
     ArmSizes,
@@ -11,6 +42,64 @@ from artgen.categories.lamp.jointed import (
     two_arms,
 )
 from artgen.categories.lamp.lampshades import Head
+
+_HANG = 0.024  # from the hinge of the shade to the top of its housing [m]
+_TUBE = 0.0105  # radius of the bow [m]
+_SWING = 0.6  # of the shade either way, where the bow lets it [rad]
+_LEAST_SWING = 0.1  # [rad]
+_OFF = 0.004  # what a shade keeps from the bow [m]
+_MEETS_BOW = "the shade meets the bow: take a larger reach, or a smaller shade_radius or shade_height"
+_TURN = 2.595  # of the ellipse that the bow follows, from its side on [rad]
+_STEPS = 9  # points on it
+
+
+def arc_arm(head: Head, *, height: Scalar, reach: Scalar, looks: ArmLooks) -> Carried:
+    """Make the bow with its shade; it turns about z on the plane z = 0."""
+    finish = looks.finish
+    foot = cylinder(2.3 * _TUBE, 0.022, bevel=0.003).at(0.0, 0.0, TURRET + 0.011)
+    # straight up, then a quarter and more of an ellipse
+    rise = 0.50 * height
+    wide, high = reach / (1.0 - math.cos(_TURN)), height - rise
+    bend = [
+        (wide * (1.0 - math.cos(turn)), 0.0, rise + high * math.sin(turn))
+        for turn in (_TURN * step / _STEPS for step in range(_STEPS + 1))
+    ]
+    end, before = vector(*bend[-1]), vector(*bend[-2])
+    last = end + (before - end) * (0.034 / norm(before - end))  # from here on it runs in the inner lane
+    course = spline([(0.0, 0.0, 0.018), (0.0, 0.0, 0.84 * rise), *bend[:-1], last])
+    neck = cylinder(0.0048, 0.040, axis=end - last).at((end + last) * 0.5)
+    grip = frame((0.0, 0.0, 0.5 * rise), approach=Y, closing=(1.0, 0.0, 0.0))
+    towards: Scalar = _SWING  # how far the shade swings to the bow
+    for corner, below in head.corners:
+        deep = below + _HANG
+        # where the corner is when it has swung up, and how far forward the bow is there
+        level = end.z - deep * math.cos(_SWING) + corner * math.sin(_SWING)
+        share = clamp((level - rise) / high, 0.0, 1.0)
+        room = reach - wide * (1.0 - sqrt(1.0 - share * share)) - _TUBE - _OFF
+        far = sqrt(corner * corner + deep * deep)
+        sine = clamp(room / far, 0.0, 1.0)
+        meets = atan2(sine, sqrt(1.0 - sine * sine)) - atan2(corner, deep)
+        towards = min_(towards, switch(room < far, meets, _SWING))
+    bow = weld(
+        part(sweep(circle(_TUBE), course), "arm_lower", hollow(finish), grasp=grip),
+        part(foot, "arm_lower", finish),
+        part(neck, "arm_lower", finish),
+        *(each.at(end) for each in eyes(finish, label="arm_lower", outer=False)),
+    )
+    shade = weld(head.body.at(0.0, 0.0, -_HANG), *bracket(finish, length=_HANG)).at(end)
+    lever = norm(center_of_mass(shade) - end)
+    hinge = braked_hinge(
+        "shade_hinge",
+        pivot=end,
+        limits=(-_SWING, require(towards, towards > _LEAST_SWING, _MEETS_BOW)),
+        load=Load().free(GRAVITY * mass(shade), lever),
+        feel=4.0,
+        reach=0.12,
+        damping=0.02,
+    )
+    moment = mass(bow) * 0.45 * reach + mass(shade) * (reach + lever)
+    return Carried(bow.attach(shade, hinge), 1.0 * moment, looks.turn())
+
 
 POLE = 0.0095
 """Radius of the pole on which the arm of a reading lamp slides [m]."""

@@ -26,8 +26,7 @@ from artgen import (
 from artgen.categories.microwave.space import FRAME, SHAFT, SHEET, Space
 from artgen.categories.shared.appliances.cords import mains_cord
 from artgen.categories.shared.appliances.finish import DARK, filled
-from artgen.categories.shared.hardware.feet import feet
-from artgen.categories.shared.hardware.screws import screws
+from artgen.categories.shared.hardware.fixings import feet, screws
 
 _LAP = 0.0005  # by which boards reach into each other, so that they have no corners in common [m]
 _WALL = 0.0035  # thickness of the cavity's right wall [m]

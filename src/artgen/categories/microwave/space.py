@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from artgen import Float, Scalar, Span, min_
-from artgen.categories.shared.appliances.space import ApplianceSpace
+from artgen.categories.shared.appliances.finish import ApplianceSpace
 
 SEAL = 0.0028
 """Between the inside of the door and the cavity's frame, of which the choke leaves 2-3 mm [m]."""

@@ -23,8 +23,7 @@ from artgen import (
 from artgen.categories.oven.space import LAP, Space
 from artgen.categories.shared.appliances.cords import cord_stub
 from artgen.categories.shared.appliances.finish import DARK, filled
-from artgen.categories.shared.hardware.feet import feet
-from artgen.categories.shared.hardware.screws import screws
+from artgen.categories.shared.hardware.fixings import feet, screws
 
 FOOT = 0.022
 """Height of the feet of a range [m]."""

@@ -5,7 +5,7 @@ from functools import cached_property
 from typing import Literal
 
 from artgen import Float, Scalar, Span, atan2, sqrt
-from artgen.categories.shared.appliances.space import ApplianceSpace
+from artgen.categories.shared.appliances.finish import ApplianceSpace
 
 Build = Literal["built_in", "range"]
 """For a kitchen cabinet, or standing on its own with burners on it."""

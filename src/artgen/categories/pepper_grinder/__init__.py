@@ -35,9 +35,12 @@ from artgen.categories.pepper_grinder.finish import (
     STEELS,
     WOOD_WEIGHTS,
     WOODS,
+    Mark,
+    letter_mark,
+    maker_mark,
+    word_mark,
 )
 from artgen.categories.pepper_grinder.forms import HEAD_HEIGHT, BodyForm, Top, end_radius, fitting
-from artgen.categories.pepper_grinder.marks import Mark, letter_mark, maker_mark, word_mark
 from artgen.categories.pepper_grinder.works import Crank, Finial, HeadLooks, crank, head, head_turn
 
 Build = Literal["wood", "lacquer", "steel", "clear"]

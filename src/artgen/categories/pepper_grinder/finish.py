@@ -1,7 +1,68 @@
 """What pepper mills are made of."""
 
-from artgen import coloured, material
+from typing import Literal
+
+from artgen import Body, Material, Scalar, Z, coloured, details, material, text
+from artgen.categories.pepper_grinder.forms import BodyForm, body_runs
 from artgen.categories.shared.finish import known, weighing
+from artgen.categories.shared.vessels.turned import path_of
+
+Mark = Literal["none", "letter", "word"]
+"""How a mill says what is in it: not at all, by a letter on its head, or by a word around its body."""
+
+_LIGHT = 0.22  # mean of the colour from which dark print shows better
+_FOOT = {  # the run of the body that has the maker's name, and at which height: over the radius
+    "classic": (0, 0.15),
+    "baluster": (0, 0.15),
+    "hourglass": (1, 0.20),
+    "tower": (0, 0.11),
+    "cone": (1, 0.20),
+    "barrel": (1, 0.30),
+    "spool": (0, 0.15),
+    "ripple": (0, 0.10),
+    "cylinder": (1, 0.24),
+}
+_WORD = {  # the run with the word, and at which share of the height
+    "classic": (2, 0.40),
+    "baluster": (2, 0.34),
+    "hourglass": (1, 0.66),
+    "tower": (2, 0.55),
+    "cone": (1, 0.55),
+    "barrel": (1, 0.50),
+    "spool": (4, 0.72),
+    "ripple": (2, 0.375),
+    "cylinder": (3, 0.62),
+}
+
+
+def ink_on(finish: Material) -> Material:
+    """Return what print on a finish is made of: burnt into light wood, light on what is dark."""
+    mean = sum(finish.base_color) / 3.0
+    return coloured("abs", "anthracite" if mean > _LIGHT else "silver")
+
+
+def maker_mark(maker: str, form: BodyForm, radius: Scalar, height: Scalar, finish: Material) -> Body:
+    """Print the maker's name around the foot."""
+    run, level = _FOOT[form]
+    path = path_of(body_runs(form, radius, 0.0, height)[run])
+    mark = details.lettering((maker.upper(),), 0.072 * radius, tracking=0.35, fineness="coarse")
+    return details.wrapped(mark, path, level * radius, material=ink_on(finish))
+
+
+def word_mark(word: str, form: BodyForm, radius: Scalar, height: Scalar, finish: Material) -> Body:
+    """Print what is in a mill around its body, or around its clear tube, of the radius of that."""
+    run, share = _WORD[form]
+    path = path_of(body_runs(form, radius, 0.0, height)[run])
+    mark = details.lettering((word.upper(),), 0.15 * radius, tracking=0.3)
+    return details.wrapped(mark, path, share * height, material=ink_on(finish), proud=0.0003)
+
+
+def letter_mark(word: str, radius: Scalar, top: Scalar, finish: Material) -> Body:
+    """Print the first letter of what is in a mill on its flat head, before the nut."""
+    letter = text(word[0].upper(), 0.24 * radius)
+    at = (0.0, -0.56 * radius, top)
+    return details.printed(letter, at, material=ink_on(finish), facing=Z, up=(0.0, 1.0, 0.0))
+
 
 _EBONY = material("walnut").with_(name="ebonised_beech", base_color=(0.034, 0.026, 0.021), density=720.0)
 _OLIVE = material("ash_flat_sawn").with_(name="olive_wood", base_color=(0.46, 0.28, 0.11), density=920.0)

@@ -36,7 +36,7 @@ from artgen import (
 )
 from artgen.categories.shared.appliances.cords import cord_stub
 from artgen.categories.shared.appliances.finish import DARK, filled
-from artgen.categories.shared.hardware.feet import feet
+from artgen.categories.shared.hardware.fixings import feet
 
 SEAL_GAP = 0.010
 """Between a closed door and the cabinet, filled by the gasket [m]."""

@@ -21,8 +21,7 @@ from artgen import (
 )
 from artgen.categories.refrigerator.case import HUMP_DEEP, HUMP_HIGH, SEAL_GAP, Case, Cell
 from artgen.categories.refrigerator.doors import Dress, framing, lining, slab
-from artgen.categories.refrigerator.leaf import CHEEK
-from artgen.categories.refrigerator.seals import door_gasket
+from artgen.categories.refrigerator.leaf import CHEEK, door_gasket
 from artgen.categories.shared.appliances.finish import filled
 from artgen.categories.shared.furniture.shelves import LIP_REACH, drawer_box, open_box
 from artgen.categories.shared.hardware.bar_handles import bar_handle, recessed_grip

@@ -32,7 +32,7 @@ from artgen import (
 from artgen.categories.shared.appliances.cords import cord_stub, mains_cord
 from artgen.categories.shared.controls.buttons import ButtonShape
 from artgen.categories.shared.controls.dials import DialStyle
-from artgen.categories.shared.hardware.feet import corner_feet
+from artgen.categories.shared.hardware.fixings import corner_feet
 from artgen.categories.toaster.carriage import LeverStyle, arm, carriage, lever, lever_slide
 from artgen.categories.toaster.chamber import chamber
 from artgen.categories.toaster.controls import (

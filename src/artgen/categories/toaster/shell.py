@@ -22,7 +22,7 @@ from artgen import (
     rectangle,
     weld,
 )
-from artgen.categories.shared.hardware.screws import screws
+from artgen.categories.shared.hardware.fixings import screws
 from artgen.categories.toaster.plan import Plan
 
 _STEPS = (0.0, 0.3, 0.65, 1.0)  # of a quarter turn over a rounded end

@@ -20,15 +20,33 @@ from artgen import (
     weld,
 )
 from artgen.categories.trashcan.bins import Can
-from artgen.categories.trashcan.buckets import bail_play, bucket, bucket_slide, with_bail
 from artgen.categories.trashcan.finish import lid_of
-from artgen.categories.trashcan.flaps import Flaps
-from artgen.categories.trashcan.hoods import Hood, Turning
-from artgen.categories.trashcan.lids import GAP, SPARE, STEP, Grip, Hinge, LidStyle, lid_grip, lid_panel
+from artgen.categories.trashcan.hoods import Flaps, Hood, Turning
+from artgen.categories.trashcan.lids import (
+    GAP,
+    ROOM,
+    SPARE,
+    STEP,
+    Catch,
+    Grip,
+    Hinge,
+    LidStyle,
+    lid_grip,
+    lid_panel,
+    sprung_lid,
+)
 from artgen.categories.trashcan.marks import bag, plate, top_mark
 from artgen.categories.trashcan.pedals import SLOT, Linkage
-from artgen.categories.trashcan.shells import Dress, Looks, rolled_rim, stand
-from artgen.categories.trashcan.touch import ROOM, Catch, sprung_lid
+from artgen.categories.trashcan.shells import (
+    Dress,
+    Looks,
+    bail_play,
+    bucket,
+    bucket_slide,
+    rolled_rim,
+    stand,
+    with_bail,
+)
 
 Carry = Literal["none", "loop", "bail"]
 """By what an inner bucket is carried; none has no bucket."""

@@ -13,7 +13,7 @@ from artgen import (
     details,
     material,
 )
-from artgen.categories.shared.signs import recycling
+from artgen.categories.shared import recycling
 from artgen.categories.trashcan.bins import Can
 
 Sort = Literal["none", "recycling", "paper", "plastic", "glass", "food"]

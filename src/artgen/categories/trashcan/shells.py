@@ -3,9 +3,126 @@
 from dataclasses import dataclass
 from typing import Literal
 
-from artgen import Body, Material, Scalar, Solid, detail, material, part, weld
-from artgen.categories.shared.hardware.feet import feet
+from artgen import (
+    Body,
+    Condition,
+    Dependency,
+    Joint,
+    Material,
+    Prismatic,
+    Revolute,
+    Scalar,
+    Solid,
+    X,
+    Z,
+    box,
+    center_of_mass,
+    circle,
+    coarse,
+    cylinder,
+    detail,
+    grasp_on,
+    mass,
+    material,
+    min_,
+    part,
+    spline,
+    sweep,
+    weld,
+)
+from artgen.categories.shared.finish import casting
+from artgen.categories.shared.hardware.fixings import feet
 from artgen.categories.trashcan.bins import Can
+
+WIRE = 0.0028
+"""Radius of the bail [m]."""
+
+_REACH = 0.62  # how far the bail reaches forward, as a share of half the bucket's depth
+_BEHIND = 0.028  # from the wall to the middle of a fixed grip: a finger has room between them [m]
+_GRIP = 0.0058  # radius of the grip on it [m]
+_PLASTIC = material("black_abs")
+_GRAVITY = 9.81  # [m/s2]
+
+
+def bucket(can: Can, *, finish: Material, loop: bool = True, band: Material | None = None) -> Body:
+    """Make a bucket: the link `bucket`."""
+    floor = can.floor(can.foot, can.foot + 0.0022)
+    lip = can.band(can.top - 0.010, can.top, outer=-0.0012, inner=0.0005)
+    bodies = [
+        *can.shell("bucket", finish),
+        part(floor, "bucket", finish),
+        detail(lip, "bucket", finish if band is None else band),
+    ]
+    if loop:
+        bodies += _loop(can, finish)
+    return weld(*bodies)
+
+
+def _loop(can: Can, finish: Material) -> list[Body]:
+    """Make a level bar inside the rim, on two ribs, for fingers to reach behind."""
+    finish = casting(finish)  # it is pressed of sheet, or moulded hollow
+    wall = can.front + 0.6 * can.wall
+    y, z = wall + _BEHIND, can.top - 0.006
+    # in a narrow one it is shorter: its ribs stand where the corners hardly draw the wall in yet
+    corner = can.corner if can.plan in ("square", "rectangle") else 0.0
+    beside = min_(0.064 / 2.0 - 0.004, can.width / 2.0 - 0.5 * corner - 0.003)
+    bar = box(2.0 * (beside + 0.004), 0.009, 0.011, bevel=0.003).at(0.0, y, z)
+    rib = box(0.006, _BEHIND, 0.009, bevel=0.0015)
+    middle = wall + _BEHIND / 2.0
+    ribs = [rib.at(side * beside, middle, z) for side in (-1, 1)]
+    hold = grasp_on(bar, approach=-Z, closing=(0.0, 1.0, 0.0), depth=0.010)
+    return [part(bar, "bucket", finish, grasp=hold), *(part(each, "bucket", finish) for each in ribs)]
+
+
+def bail_play(can: Can, gap: Scalar) -> Scalar:
+    """Return how far a bail can turn before it strikes what is a gap above the rim, a little less [rad]."""
+    return 0.9 * gap / (_REACH * can.depth / 2.0)
+
+
+def bucket_slide(body: Body, *, travel: Scalar, needs: Condition | Dependency | None) -> Joint:
+    """Make the joint by which a bucket is lifted out, just above its weight."""
+    return Prismatic(
+        "bucket_slide",
+        axis=Z,
+        limits=(0.0, travel),
+        friction=0.15,  # it rubs on the wall here and there; a lid that leans on it must not hold it up
+        damping=2.0,
+        effort=1.1 * _GRAVITY * mass(body) + 1.0,  # a hand that lifts it, and does not force the lid open
+        velocity=1.0,
+        needs=needs,
+    )
+
+
+def with_bail(body: Body, can: Can, *, finish: Material, needs: Condition | Dependency | None) -> Body:
+    """Hang a wire bail on a bucket; it lies on the level of the rim, towards the front: the link `handle`."""
+    # the front of a half-round one closes in at once
+    half = can.half_across(can.wall) - (0.005 if can.plan == "half_round" else 0.0)
+    x, y = half - WIRE - 0.0022, -_REACH * can.depth / 2.0
+    z = can.top - WIRE
+    way = spline([(x, 0.0, z), (0.93 * x, 0.45 * y, z), (0.55 * x, 0.88 * y, z), (0.0, y, z),
+                  (-0.55 * x, 0.88 * y, z), (-0.93 * x, 0.45 * y, z), (-x, 0.0, z)])  # fmt: skip
+    wire = coarse(sweep(circle(WIRE), way), 0.00075)
+    grip = cylinder(_GRIP, 0.07, axis=X, bevel=0.0015).at(0.0, y, z - 0.003)
+    hold = grasp_on(grip, approach=-Z, closing=(0.0, 1.0, 0.0))
+    inner, outer = x + WIRE + 0.0005, can.half_across(can.wall) + 0.001
+    eye = cylinder(0.004, outer - inner, axis=X)
+    eyes = [eye.at(side * (inner + outer) / 2.0, 0.0, z) for side in (-1, 1)]
+    bail = weld(part(wire, "handle", finish), part(grip, "handle", _PLASTIC, grasp=hold))
+    weight = _GRAVITY * mass(bail) * (0.0 - center_of_mass(bail).y)
+    turn = Revolute(
+        "handle_hinge",
+        axis=-X,
+        pivot=(0.0, 0.0, z),
+        limits=(0.0, 1.5),
+        friction=1.2 * weight,  # it stays up: its ends are bent to grip the eyes
+        damping=0.01,
+        armature=0.0002,
+        effort=3.2 * weight + 0.01,  # raises it, and does not force the lid open
+        velocity=8.0,
+        needs=needs,
+    )
+    return weld(body, *(detail(eye, "bucket", finish) for eye in eyes)).attach(bail, turn)
+
 
 Dress = Literal["plain", "base_band", "beads", "ring"]
 """What goes around a wall: nothing, a band at the foot, two beads, or a bright ring under the rim."""

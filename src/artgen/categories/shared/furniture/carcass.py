@@ -28,7 +28,7 @@ from artgen import (
     union,
 )
 from artgen.categories.shared.furniture.finish import ZINC
-from artgen.categories.shared.hardware.feet import corner_feet
+from artgen.categories.shared.hardware.fixings import corner_feet
 
 LegStyle = Literal["tapered", "splayed", "square", "turned", "metal"]
 """Round and slimmer below; the same, leaning outward; square posts; a bun under a neck; a slim tube."""

@@ -26,7 +26,7 @@ from artgen import (
     rectangle,
     weld,
 )
-from artgen.categories.shared.hardware.screws import screws
+from artgen.categories.shared.hardware.fixings import screws
 
 KNUCKLE_CLEARANCE = 0.001
 """Distance from the knuckles to the face of the leaf [m]."""

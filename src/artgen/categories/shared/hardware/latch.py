@@ -28,7 +28,7 @@ from artgen import (
     rectangle,
     weld,
 )
-from artgen.categories.shared.hardware.screws import Way, screws
+from artgen.categories.shared.hardware.fixings import Way, screws
 
 PLAY = 0.0004
 """Clearance around a sliding bolt [m]."""

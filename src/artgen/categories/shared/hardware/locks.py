@@ -35,9 +35,8 @@ from artgen import (
 )
 from artgen.asset.gripper import GRIPPER
 from artgen.categories.shared.finish import casting
-from artgen.categories.shared.hardware.cylinders import plug
 from artgen.categories.shared.hardware.latch import DEADBOLT, PLAY
-from artgen.categories.shared.hardware.roses import PIN, SPINDLE, spindle_hole
+from artgen.categories.shared.hardware.roses import PIN, SPINDLE, plug, spindle_hole
 
 THROW = 0.025
 """How far a deadbolt comes out: 1 inch, the least that ANSI/BHMA A156.5 accepts [m]."""

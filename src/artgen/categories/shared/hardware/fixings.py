@@ -1,0 +1,110 @@
+"""Rows of screws as they are seen: heads with a recess, in places on a face; they only are details."""
+
+from collections.abc import Sequence
+from typing import Literal
+
+from artgen import (
+    Body,
+    Material,
+    Scalar,
+    VectorLike,
+    array,
+    cylinder,
+    detail,
+    details,
+    enclosed,
+    material,
+    part,
+)
+from artgen.categories.shared.finish import recess
+
+FootStyle = Literal["pad", "round", "levelling"]
+"""A rubber pad, a rounded knob, or a disc on a screw by which an appliance is levelled."""
+
+_SUNK = 0.001  # how deep feet reach into what stands on them [m]
+
+
+def feet(
+    at: Sequence[tuple[Scalar, Scalar]],
+    *,
+    radius: Scalar = 0.009,
+    height: Scalar = 0.008,
+    style: FootStyle = "pad",
+    finish: Material | None = None,
+    label: str = "foot",
+) -> Body:
+    """Make feet at places of the floor, z = 0; weld them to what stands `height` above it."""
+    tall = height + _SUNK
+    if style == "pad":  # a cylinder is one collider
+        one = cylinder(radius, tall, bevel=0.0009).at(0.0, 0.0, tall / 2)
+    else:
+        one = enclosed(details.foot(radius, tall, style=style))
+    places: list[VectorLike] = [(x, y, 0.0) for x, y in at]
+    solid = array(one, at=places)
+    return part(
+        solid,
+        label,
+        material("rubber") if finish is None else finish,
+        separate="each foot is fixed to what stands on it",
+    )
+
+
+def corner_feet(
+    width: Scalar,
+    depth: Scalar,
+    *,
+    inset: Scalar = 0.02,
+    radius: Scalar = 0.009,
+    height: Scalar = 0.008,
+    style: FootStyle = "pad",
+    finish: Material | None = None,
+    label: str = "foot",
+) -> Body:
+    """Make four feet under the corners of a rectangle about the origin."""
+    x, y = width / 2 - inset, depth / 2 - inset
+    corners = [(-x, -y), (x, -y), (x, y), (-x, y)]
+    return feet(corners, radius=radius, height=height, style=style, finish=finish, label=label)
+
+
+Drive = Literal["slot", "phillips", "hex"]
+"""What turns a screw."""
+
+Head = Literal["pan", "countersunk"]
+"""A low dome on a face, or a disc that is let into it."""
+
+Way = Literal["+x", "-x", "+y", "-y"]
+"""The way that a face looks."""
+
+FACING: dict[Way, tuple[float, float, float]] = {
+    "+x": (1.0, 0.0, 0.0),
+    "-x": (-1.0, 0.0, 0.0),
+    "+y": (0.0, 1.0, 0.0),
+    "-y": (0.0, -1.0, 0.0),
+}
+"""Unit vectors of the ways."""
+
+_TURN = 0.5  # how far recesses are turned [rad]
+_FLOOR = {"pan": (0.54, 0.26), "countersunk": (0.60, 0.09)}  # reach and height of what is dark, in radii
+
+
+def screws(
+    at: Sequence[VectorLike],
+    *,
+    facing: Way,
+    radius: Scalar,
+    finish: Material,
+    drive: Drive = "phillips",
+    head: Head = "countersunk",
+    sunk: Scalar = 0.0,
+) -> list[Body]:
+    """Make heads of screws on a face, each with a recess whose floor lies in the dark."""
+    out = FACING[facing]
+    seat = tuple(-sunk * each for each in out)
+    reach, high = _FLOOR[head]
+    solid = details.screw_head(radius, seat, facing=out, drive=drive, head=head, turn=_TURN)
+    bottom = details.drive_recess(reach * radius, drive).rotate(_TURN)
+    floor = details.relief(bottom, seat, facing=out, proud=high * radius, sunk=0.02 * radius)
+    return [
+        detail(array(solid, at=at), "screw", finish),
+        detail(array(floor, at=at), "screw", recess(finish)),
+    ]
