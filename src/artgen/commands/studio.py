@@ -2,6 +2,7 @@
 
 import time
 import webbrowser
+from pathlib import Path
 from typing import Annotated
 
 import typer
@@ -16,9 +17,12 @@ def studio(
     seed: Seed = 0,
     overrides: Overrides = None,
     host: Annotated[
-        str, typer.Option(help="Where to serve; 0.0.0.0 lets other machines in, which may then export files.")
+        str, typer.Option(help="Where to serve; 0.0.0.0 lets in other machines that have the token.")
     ] = "127.0.0.1",
     port: Annotated[int, typer.Option(help="Where to serve; 0 takes any that is free.")] = 8080,
+    out: Annotated[
+        Path, typer.Option(metavar="DIRECTORY", help="The page exports files below this folder only.")
+    ] = Path("out"),
     opening: Annotated[bool, typer.Option("--open/--no-open", help="Open it in the browser.")] = True,
 ) -> None:
     """Turn the parameters and joints of a category in the browser; needs artgen[studio].
@@ -29,7 +33,7 @@ def studio(
     from artgen.studio.app import Studio
 
     session = Session(Source(category), seed, parse_overrides(overrides or []))
-    served = Studio(session, host, port)
+    served = Studio(session, host, port, out=out)
     try:
         typer.echo(f"{session.source.generator.name} in the studio: {served.address} (Ctrl-C ends it)")
         if opening:

@@ -8,6 +8,7 @@ import threading
 import time
 import traceback
 from collections.abc import Callable, Iterator
+from pathlib import Path
 from typing import Any
 
 from artgen.errors import ArtgenError, ParameterError, RenderError
@@ -18,6 +19,7 @@ from artgen.studio.signs import Sign
 from artgen.studio.stage import Stage
 
 HOST, PORT = "127.0.0.1", 8080
+OUT = Path("out")
 
 _BREATH = 0.1  # after which files, proofs and what was replaced are looked at [s]
 _CALM = 0.5  # that nothing must have changed before a proof is begun [s]
@@ -36,16 +38,24 @@ class Studio:
         panel: The controls.
         host: Where it is served.
         port: The same.
+        out: The folder that browsers export below.
         updates: How long each of the last changes took, from the wish to all being sent [s].
     """
 
     def __init__(
-        self, session: Session, host: str = HOST, port: int = PORT, *, rich_light: bool = True
+        self,
+        session: Session,
+        host: str = HOST,
+        port: int = PORT,
+        *,
+        out: Path = OUT,
+        rich_light: bool = True,
     ) -> None:
         """Begin to serve."""
         self.session = session
         self.host = host
-        self._server = _server(host, port)
+        self.out = out.resolve()
+        self._server, self._token = _server(host, port)
         self.port: int = self._server.get_port()
         self._wishes: dict[str, tuple[float, Callable[[], None]]] = {}
         self._changed = threading.Condition()
@@ -59,16 +69,23 @@ class Studio:
         self.stage = Stage(self._server)
         self.stage.light(rich=rich_light)
         self.panel = Panel(
-            self._server, session, self.ask, self._actions(), waits=self._waits, rich_light=rich_light
+            self._server,
+            session,
+            self.ask,
+            self._actions(),
+            out=self.out,
+            waits=self._waits,
+            rich_light=rich_light,
         )
         self._thread = threading.Thread(target=self._run, name="artgen studio", daemon=True)
         self._thread.start()
 
     @property
     def address(self) -> str:
-        """The address for browsers."""
+        """The address for browsers, with the token of the session."""
         host = "127.0.0.1" if self.host in ("0.0.0.0", "::") else self.host  # noqa: S104 - a test, no binding
-        return f"http://{host}:{self.port}"
+        host = f"[{host}]" if ":" in host else host
+        return f"http://{host}:{self.port}/?token={self._token}"
 
     def ask(self, name: str, wish: Callable[[], None]) -> None:
         """Take a wish; an earlier one of that name that is not granted yet is forgotten."""
@@ -235,17 +252,32 @@ class Studio:
 
     def _export(self, folder: str, formats: tuple[str, ...]) -> None:
         try:
-            path = self.session.export(folder, formats)
+            path = self.session.export(self._below(folder) if folder.strip() else "", formats)
         except ArtgenError as error:
             tell(self.panel.exported, message_of(error), "fault")
         else:
             tell(self.panel.exported, f"written to {path.resolve()}", "plain")
 
+    def _below(self, folder: str) -> Path:
+        """Return a folder below `out`, links followed."""
+        try:
+            path = (self.out / folder.strip()).resolve()
+        except (OSError, RuntimeError, ValueError):  # a loop of links, a NUL character
+            path = None
+        if path is None or not path.is_relative_to(self.out):
+            raise ParameterError(
+                f"folder {folder!r} is not allowed: give one below {self.out}, "
+                "or start the studio with another --out"
+            )
+        return path
 
-def _server(host: str, port: int) -> Any:
-    """Return a viser server at that very port: viser itself takes the next free one without a word."""
+
+def _server(host: str, port: int) -> tuple[Any, str]:
+    """Return a guarded viser server at this very port, not the next free one, and the token of its guard."""
     try:
         import viser
+
+        from artgen.studio.guard import Guard
     except ImportError as error:
         raise RenderError(
             f'the studio needs viser, which cannot be loaded ({error}): pip install "artgen[studio]"'
@@ -253,12 +285,19 @@ def _server(host: str, port: int) -> Any:
     if not 0 <= port <= _PORTS:
         raise ParameterError(f"--port {port} is not allowed: it must be in 0..{_PORTS}; 0 takes any free one")
     _check_free(host, port)
-    with _quiet():
+    guard = Guard(host)
+    with _quiet(), guard.installing():
         server = viser.ViserServer(host=host, port=port, verbose=False)
+    if not guard.installed:  # viser does not start its server as the guard expects
+        _stop(server)
+        raise RenderError(
+            f"viser {viser.__version__} cannot be guarded against other web pages: install another one, "
+            'such as pip install "viser==1.1.1"'
+        )
     if port and server.get_port() != port:  # taken since
         _stop(server)
         raise ParameterError(_taken(host, port))
-    return server
+    return server, guard.token
 
 
 def _quiet() -> contextlib.redirect_stdout[io.StringIO]:

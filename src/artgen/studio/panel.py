@@ -44,12 +44,14 @@ class Panel:
         ask: Ask,
         actions: Mapping[str, Callable[..., None]],
         *,
+        out: Path,
         waits: Callable[[str], bool],
         rich_light: bool,
     ) -> None:
         self._gui = server.gui
         self._session = session
         self._ask = ask
+        self._out = out
         self._waits = waits
         self._actions = actions
         self._controls: dict[str, tuple[tuple[Any, ...], Any]] = {}
@@ -77,11 +79,11 @@ class Panel:
             )
             self.seed.on_update(self._by_person(lambda value: self._actions["seed"](int(value)), "seed"))
             buttons = self._gui.add_button_group("draw", ("resample", "reset"), order=-1.0)
-            buttons.on_click(lambda event: self._actions[event.target.value]())
+            buttons.on_click(self._press)
         with self._joints:
             self.held = self._gui.add_html("", visible=False)
             buttons = self._gui.add_button_group("all", ("close", "open"))
-            buttons.on_click(lambda event: self._actions[event.target.value]())
+            buttons.on_click(self._press)
         with self._proof:
             self.verdict = self._gui.add_html("")
 
@@ -104,7 +106,7 @@ class Panel:
         return self._by_person(lambda value: self._actions["sign"](kind, value), f"sign {kind}")
 
     def _add_export(self) -> None:
-        self._folder = self._gui.add_text("folder", "", hint="made if there is none")
+        self._folder = self._gui.add_text("folder", "", hint=f"below {self._out}; created if missing")
         self._formats = {
             name: self._gui.add_checkbox(name, initial_value=name in DEFAULT_FORMATS) for name in FORMATS
         }
@@ -114,6 +116,11 @@ class Panel:
         self.exported = self._gui.add_html("", visible=False)
         self._gui.add_markdown("**As Python**")
         self.python = self._gui.add_html("")
+
+    def _press(self, event: Any) -> None:
+        """Run the action of the pressed button; a malformed message names another one."""
+        if event.target.value in event.target.options:
+            self._actions[event.target.value]()
 
     def _chosen(self) -> tuple[str, ...]:
         return tuple(name for name, box in self._formats.items() if box.value)
@@ -137,7 +144,7 @@ class Panel:
         self._show_parameters(self._session.controls())
         self._show_joints(self._session.joints())
         if not self._folder.value or self._folder.value == getattr(self, "_suggested", ""):
-            self._suggested = str(Path("out") / self._session.asset.name)
+            self._suggested = self._session.asset.name
             self._folder.value = self._suggested
 
     def _show_parameters(self, controls: tuple[Control, ...]) -> None:
