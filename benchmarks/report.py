@@ -1,13 +1,18 @@
 """What a benchmark hands over: tables, what they compare, and what the numbers say."""
 
+import sys
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from pathlib import Path
 
 from rich import box
 from rich.console import Console, Group, RenderableType
 from rich.markup import escape
 from rich.table import Table as RichTable
 from rich.text import Text
+
+sys.path.append(str(Path(__file__).parents[1] / "scripts"))
+
 from surveys.markdown import escaped
 
 Cell = str | float | int | bool | None

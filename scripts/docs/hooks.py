@@ -6,8 +6,11 @@
 import hashlib
 import io
 import os
+import sys
 from pathlib import Path
 from typing import Any
+
+sys.path.append(str(Path(__file__).parents[1]))
 
 import category_pages
 import gallery_page

@@ -36,7 +36,7 @@ class NodePage:
 
 PAGES = (
     NodePage(
-        "numbers",
+        "scalar_handles",
         "Numbers and conditions",
         "`Float` and `Bool` stand for numbers that are not known yet. Operators work on them; these "
         "functions do what Python's own `min`, `math.sin` or `if` cannot.",
@@ -84,7 +84,7 @@ PAGES = (
         "Combining, placing and measuring solids",
         "`a | b` unites, `a - b` cuts away, `a & b` keeps what both have. Methods place and measure; "
         "what they return is known at evaluation, like every socket.",
-        ("csg", "arrays", "coarse"),
+        ("csg", "arrays", "simplified_collider"),
         ("Solid",),
     ),
     NodePage(
@@ -93,7 +93,7 @@ PAGES = (
         "A `Body` is a link with everything that is joined to it. Only `part` makes links; `attach` "
         "and `repeat` join them, `weld` adds more to the same link. A red arrow shows where a hand "
         "acts.",
-        ("body", "weigh", "hold"),
+        ("body", "weigh", "grasp_frames"),
         ("Body",),
     ),
     NodePage(

@@ -29,8 +29,8 @@ def test_source_reads_as_an_author_would_write_it():
     assert Graph(leaf - cylinder(0.01, 0.2, axis=(0, 1, 0)).at(leaf.anchor(x=-1))).to_python("leaf") == (
         "from artgen.nodes.handles import Solid\n"
         "from artgen.nodes.measure import anchor\n"
-        "from artgen.nodes.scalar_handles import Float\n"
         "from artgen.nodes.primitive import box, cylinder\n"
+        "from artgen.nodes.scalar_handles import Float\n"
         "from artgen.nodes.transform import translate\n"
         "\n"
         "\n"

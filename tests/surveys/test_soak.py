@@ -176,7 +176,9 @@ def test_a_killed_run_goes_on_and_loses_nothing(tmp_path: Path) -> None:
         "from test_soak import NAMES, brief, soak\n"
         f"soak(Path({str(path)!r}), run=0, names=NAMES, seconds=60.0, jobs=2, task=brief)"
     )
-    paths = os.pathsep.join([str(Path(__file__).parent), os.environ.get("PYTHONPATH", "")])
+    paths = os.pathsep.join(
+        [str(Path(__file__).parent), str(ROOT / "scripts"), os.environ.get("PYTHONPATH", "")]
+    )
     run = subprocess.Popen([sys.executable, "-c", program], env={**os.environ, "PYTHONPATH": paths})
     while not path.exists() or path.read_text().count("\n") < 5:
         assert run.poll() is None
@@ -375,9 +377,10 @@ class TestCommands:
 def script(*arguments: str) -> list[str]:
     # whoever runs the tests may have told its processes to ignore Ctrl-C
     program = (
-        "import runpy, signal, sys\n"
+        "import os, runpy, signal, sys\n"
         "signal.signal(signal.SIGINT, signal.default_int_handler)\n"
         f"sys.argv[0] = {str(ROOT / 'scripts' / 'soak.py')!r}\n"
+        "sys.path.append(os.path.dirname(sys.argv[0]))\n"
         "runpy.run_path(sys.argv[0], run_name='__main__')"
     )
     return [sys.executable, "-c", program, *arguments]

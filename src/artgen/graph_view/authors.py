@@ -66,13 +66,14 @@ class Authors:
         self._sources: dict[str, Source] = {}
 
     def group_of(self, node: Node) -> str:
-        """Return the name of the author's function that made a node, such as `fridge_doors.shelf`."""
+        """Return the name of the author's function that made a node, such as `doors.shelf`."""
         if node.op == PARAMETER:
             return PARAMETERS
         file, line = _place(node)
         function = self._source(file).function(line)
-        stem = PurePath(file).stem
-        return stem if function is None else f"{stem}.{function.name}"
+        path = PurePath(file)
+        module = path.parent.name if path.stem == "__init__" else path.stem
+        return module if function is None else f"{module}.{function.name}"
 
     def line_of(self, node: Node) -> tuple[str, str]:
         """Return the place of the line that made a node, without folders, and its statement."""
