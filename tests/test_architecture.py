@@ -1,0 +1,126 @@
+"""The rules of the layout: no circles of imports, parts beside their users, files worth opening."""
+
+import ast
+from collections import defaultdict
+from functools import cache
+from pathlib import Path
+
+import architecture
+import grimp
+import numpy as np
+import pytest
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components
+
+SOURCE = Path(__file__).parents[1] / "src" / "artgen"
+BOUND = ("artgen.asset.asset", "artgen.asset_methods")  # the one import that only type checkers see
+PROGRAMS = ("starter", "drivers")  # templates, and programs of other environments
+LEAST_LINES = 60
+LEAST_LINES_OF_ONE_USER = 200
+
+
+@cache
+def files() -> dict[str, Path]:
+    """Return the files of the package by the name of their module."""
+    found = [path for path in SOURCE.rglob("*.py") if not set(PROGRAMS) & set(path.parts)]
+    return {_dotted(path): path for path in found}
+
+
+def _dotted(path: Path) -> str:
+    return ".".join(["artgen", *path.relative_to(SOURCE).with_suffix("").parts]).removesuffix(".__init__")
+
+
+@cache
+def imports() -> dict[str, set[str]]:
+    """Return the modules that each module imports, in functions too."""
+    graph = grimp.build_graph("artgen", cache_dir=None)
+    found = {name: graph.find_modules_directly_imported_by(name) & {*files()} for name in files()}
+    found[BOUND[0]] -= {BOUND[1]}
+    return found
+
+
+def users(module: str) -> set[str]:
+    return {name for name, targets in imports().items() if module in targets}
+
+
+def circles(graph: dict[str, set[str]]) -> list[set[str]]:
+    """Return the groups of modules that import each other."""
+    names = sorted(graph)
+    edges = [(names.index(first), names.index(second)) for first in names for second in graph[first]]
+    rows, columns = np.array(edges).reshape(-1, 2).T
+    table = coo_array((np.ones(len(edges)), (rows, columns)), shape=(len(names), len(names)))
+    _, groups = connected_components(table, connection="strong")
+    members = defaultdict(set)
+    for name, group in zip(names, groups, strict=True):
+        members[group].add(name)
+    return [group for group in members.values() if len(group) > 1]
+
+
+def test_no_imports_form_a_circle() -> None:
+    assert circles(imports()) == []
+
+
+def test_a_circle_is_found() -> None:
+    added = imports() | {"artgen.errors": {"artgen.catalog"}}
+    assert any({"artgen.errors", "artgen.catalog"} <= group for group in circles(added))
+
+
+@pytest.mark.parametrize("module", sorted(name for name in files() if ".categories.shared." in name))
+def test_a_shared_part_has_two_categories(module: str) -> None:
+    found, waiting = set(), [module]
+    while waiting:
+        new = users(waiting.pop()) - found
+        found |= new
+        waiting += new
+    categories = {name.split(".")[2] for name in found if name.startswith("artgen.categories.")} - {"shared"}
+    assert len(categories) > 1 or files()[module].name == "__init__.py", f"{module} serves {categories} only"
+
+
+def test_a_file_does_not_repeat_its_folder() -> None:
+    repeated = [str(path) for path in files().values() if path.stem.startswith(f"{path.parent.name}_")]
+    assert repeated == []
+
+
+@pytest.mark.parametrize("module", sorted(files()))
+def test_a_file_is_worth_opening(module: str) -> None:
+    """Small files belong to their customer, except for the front of a package and the one place of a fact."""
+    path = files()[module]
+    lines = len(path.read_text(encoding="utf-8").splitlines())
+    if path.name in ("__init__.py", "__main__.py", "version.py"):
+        return
+    assert lines >= LEAST_LINES, f"{module} has {lines} lines: merge it with the file that uses it"
+    siblings = [name for name in users(module) if files()[name].parent == path.parent]
+    if len(users(module)) == len(siblings) == 1 and files()[siblings[0]].name != "__init__.py":
+        assert lines >= LEAST_LINES_OF_ONE_USER, f"only {siblings[0]} uses {module} ({lines} lines)"
+
+
+def test_a_class_name_has_one_meaning() -> None:
+    homes = defaultdict(list)
+    for name, path in files().items():
+        if ".categories." in name:
+            continue
+        for node in ast.parse(path.read_text(encoding="utf-8")).body:
+            if isinstance(node, ast.ClassDef) and not node.name.startswith("_"):
+                homes[node.name].append(name)
+    assert {name: found for name, found in homes.items() if len(found) > 1} == {}
+
+
+def test_private_functions_have_docstrings_of_one_line() -> None:
+    long = [
+        f"{name}:{node.lineno} {node.name}"
+        for name, path in files().items()
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+        if isinstance(node, ast.FunctionDef | ast.ClassDef) and node.name.startswith("_")
+        if not node.name.startswith("__") and "Args:" in (ast.get_docstring(node) or "")
+    ]
+    assert long == []
+
+
+def test_the_page_of_the_architecture_is_that_of_the_code() -> None:
+    page = architecture.PAGE.read_text(encoding="utf-8")
+    assert architecture.drawn(page) == page, "run: python scripts/architecture.py"
+
+
+def test_a_wrong_name_on_the_page_is_found() -> None:
+    with pytest.raises(LookupError, match=r"names artgen\.proof\.certfy, which does not exist"):
+        architecture.drawn("see `artgen.proof.certfy`")
