@@ -9,8 +9,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
+from artgen._caching import cached_per_object
 from artgen.asset.link import Link
-from artgen.asset.once import once_per_link
 from artgen.asset.unique_rows import distinct_rows
 
 few = st.integers(-2, 2)
@@ -27,7 +27,7 @@ def test_distinct_rows_are_those_of_numpy(rows) -> None:
 def test_a_link_is_asked_once_and_forgotten_with_the_link() -> None:
     asked = []
 
-    @once_per_link
+    @cached_per_object
     def name(link: Link) -> str:
         asked.append(link.name)
         return link.name
@@ -44,7 +44,7 @@ def test_a_link_is_asked_once_and_forgotten_with_the_link() -> None:
 def test_what_is_raised_is_not_kept() -> None:
     fails = [True]
 
-    @once_per_link
+    @cached_per_object
     def says(link: Link) -> str:
         if fails.pop():
             raise ValueError("a file is missing")

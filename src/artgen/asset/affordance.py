@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from artgen._caching import FrozenArrays
 from artgen.asset.hold import Grasp
 
 if TYPE_CHECKING:
@@ -17,7 +18,7 @@ Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)
-class Affordance:
+class Affordance(FrozenArrays):
     """One thing that a hand can do with an asset.
 
     Attributes:

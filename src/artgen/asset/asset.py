@@ -2,12 +2,12 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from functools import cached_property
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
+from artgen._caching import cached_property
 from artgen.asset.affordance import Affordance, affordances
 from artgen.asset.assembly import assembled
 from artgen.asset.certificate import Certificate

@@ -2,13 +2,13 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
-from functools import cached_property
 from typing import Any, Literal, get_args
 
 import numpy as np
 from manifold3d import Manifold, OpType
 from numpy.typing import NDArray
 
+from artgen._caching import cached_property
 from artgen.asset import Asset, Collider, Link
 from artgen.asset.geometry_override import DerivedLink, fields_of, need_solids
 from artgen.asset.link import MOST_COLLIDERS, boxes_overlap

@@ -1,7 +1,6 @@
 """Distances to surfaces of triangles, and points spread over them."""
 
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 from manifold3d import Manifold
@@ -9,6 +8,7 @@ from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 from trimesh.triangles import closest_point
 
+from artgen._caching import FrozenArrays, cached_property
 from artgen.asset.unique_rows import distinct_rows
 
 Array = NDArray[np.float64]
@@ -20,7 +20,7 @@ _ON = 1e-6  # points nearer than this to a surface are on it [m]
 
 
 @dataclass(frozen=True, eq=False)
-class Faces:
+class Faces(FrozenArrays):
     """Triangles of a surface."""
 
     corners: Array  # the corners of each triangle, shape (m, 3, 3) [m]

@@ -1,9 +1,9 @@
 """Links that are written with other colliders or surfaces than they were made with."""
 
 from dataclasses import dataclass, field
-from functools import cached_property
 from typing import Any
 
+from artgen._caching import cached_property
 from artgen.asset import Asset, Collider, Link, Surface
 from artgen.asset.mass import MassProperties
 from artgen.errors import AssetError

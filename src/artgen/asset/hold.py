@@ -6,11 +6,13 @@ from typing import Self
 import numpy as np
 from numpy.typing import NDArray
 
+from artgen._caching import FrozenArrays
+
 Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)
-class Hold:
+class Hold(FrozenArrays):
     """A frame at which a hand acts.
 
     Attributes:

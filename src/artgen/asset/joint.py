@@ -7,6 +7,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from artgen._caching import FrozenArrays
 from artgen.errors import AssetError
 
 Array = NDArray[np.float64]
@@ -129,7 +130,7 @@ class Dependency:
 
 
 @dataclass(frozen=True, eq=False)
-class Joint:
+class Joint(FrozenArrays):
     """One degree of freedom between two links.
 
     Several joints may join one pair of links; they act in order, the first nearest to the parent.

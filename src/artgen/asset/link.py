@@ -2,13 +2,13 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
-from functools import cached_property
 from typing import Any, overload
 
 import numpy as np
 from manifold3d import Manifold, OpType
 from numpy.typing import NDArray
 
+from artgen._caching import FrozenArrays, cached_property
 from artgen.asset.hold import Grasp, Push
 from artgen.asset.mass import MassProperties, Moments, polyhedron_moments, total
 from artgen.asset.record import rounded_link
@@ -25,7 +25,7 @@ MOST_COLLIDERS = 64
 
 
 @dataclass(frozen=True, eq=False)
-class Reading:
+class Reading(FrozenArrays):
     """How print is read, so that the mirror image of a product does not have mirrored print.
 
     Attributes:
@@ -113,7 +113,7 @@ class Surface:
 
 
 @dataclass(frozen=True, eq=False)
-class Link:
+class Link(FrozenArrays):
     """A rigid body.
 
     Attributes:

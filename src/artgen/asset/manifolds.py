@@ -1,11 +1,10 @@
 """The watertight surfaces of manifold3d: made of triangles, mended and moved."""
 
-from functools import lru_cache
-
 import numpy as np
 from manifold3d import Manifold, Mesh64
 from numpy.typing import ArrayLike, NDArray
 
+from artgen._caching import cached
 from artgen.colliders.triangles import cross
 
 Array = NDArray[np.float64]
@@ -48,7 +47,7 @@ def manifold_of(table: Array, triangles: ArrayLike, merged: ArrayLike, target: A
     corners = np.array(triangles, np.uint64, order="C").reshape(-1, 3)
     return Manifold(
         Mesh64(
-            table,
+            np.array(table),  # manifold3d takes no read-only arrays
             corners,
             np.array(merged, np.uint64),
             np.array(target, np.uint64),
@@ -125,7 +124,7 @@ def connected(triangles: Indices, targets: Indices) -> tuple[Indices, Indices, I
     return _remembered(*(np.asarray(each, np.int64).tobytes() for each in (triangles, targets)))
 
 
-@lru_cache(maxsize=512)
+@cached(512)
 def _remembered(triangles: bytes, targets: bytes) -> tuple[Indices, Indices, Indices]:
     found = _connect(np.frombuffer(triangles, np.int64).reshape(-1, 3), np.frombuffer(targets, np.int64))
     for each in found:

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from artgen._caching import FrozenArrays
 from artgen.colliders.triangles import cross
 from artgen.errors import AssetError
 
@@ -20,7 +21,7 @@ _DIGITS = 12  # that mass properties keep: beyond, the order of additions shows
 
 
 @dataclass(frozen=True, eq=False)
-class Moments:
+class Moments(FrozenArrays):
     """Integrals over a solid about the origin: 1, x, and x x^T, each times density.
 
     Attributes:
@@ -39,7 +40,7 @@ class Moments:
 
 
 @dataclass(frozen=True, eq=False)
-class MassProperties:
+class MassProperties(FrozenArrays):
     """What a rigid body's motion depends on.
 
     Attributes:

@@ -5,11 +5,13 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from artgen._caching import FrozenArrays
+
 Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)
-class Contour:
+class Contour(FrozenArrays):
     """A closed polygon with the normals of the curve that it samples.
 
     Attributes:
@@ -25,7 +27,7 @@ class Contour:
 
 
 @dataclass(frozen=True, eq=False)
-class Outline:
+class Outline(FrozenArrays):
     """A region of the plane: the value of a `Profile`.
 
     Attributes:
@@ -39,7 +41,7 @@ class Outline:
 
 
 @dataclass(frozen=True, eq=False)
-class Curve:
+class Curve(FrozenArrays):
     """A line in space: the value of a `Path`.
 
     Attributes:

@@ -2,12 +2,12 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import cached_property
 
 import numpy as np
 from manifold3d import Error, Manifold
 from numpy.typing import NDArray
 
+from artgen._caching import FrozenArrays, cached_property, frozen
 from artgen.asset.manifolds import (
     PROPERTIES,
     TURNED_OVER,
@@ -33,7 +33,7 @@ _UNTURNED = np.eye(3)
 
 
 @dataclass(frozen=True, eq=False)
-class Mesh:
+class Mesh(FrozenArrays):
     """Triangles with normals, texture coordinates and paint.
 
     Attributes:
@@ -192,6 +192,7 @@ class MovedShape(Shape):
             paints=source.paints,
             united=(),
         )
+        frozen(vars(self))
 
     @cached_property
     def manifold(self) -> Manifold:
@@ -272,6 +273,7 @@ class MeshShape(Shape):
             paints=paint_materials or {},
             united=(),
         )
+        frozen(vars(self))
 
     @cached_property
     def manifold(self) -> Manifold:
@@ -317,6 +319,7 @@ class ComposedShape(Shape):
             paints={number: paint for shape in shapes for number, paint in shape.paints.items()},
             united=tuple(member for shape in shapes for member in shape.members),
         )
+        frozen(vars(self))
 
     @cached_property
     def manifold(self) -> Manifold:

@@ -2,7 +2,6 @@
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
-from functools import cached_property
 
 import numpy as np
 from manifold3d import Manifold, Mesh64
@@ -11,8 +10,8 @@ from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 from scipy.spatial import cKDTree
 
+from artgen._caching import FrozenArrays, cached_per_object, cached_property
 from artgen.asset import Link, Mesh
-from artgen.asset.once import once_per_link
 from artgen.asset.unique_rows import distinct_rows
 
 Array = NDArray[np.float64]
@@ -23,7 +22,7 @@ _WELD_FILES = 4e-7  # [m]: mesh files have 7 decimals
 
 
 @dataclass(frozen=True, eq=False)
-class Shell:
+class Shell(FrozenArrays):
     """A connected part of a surface; solids that share an edge are one."""
 
     label: str  # label of the piece or surface that it belongs to
@@ -75,10 +74,10 @@ class Shell:
     @cached_property
     def manifold(self) -> Manifold:
         """The enclosed solid without its hollows, as a manifold whose status is not checked."""
-        wall = Manifold(Mesh64(self.points, self.triangles.astype(np.uint64)))
+        wall = Manifold(Mesh64(np.array(self.points), self.triangles.astype(np.uint64)))
         for hollow in self.hollows:
             turned = hollow.triangles[:, ::-1].astype(np.uint64)
-            wall -= Manifold(Mesh64(hollow.points, turned))
+            wall -= Manifold(Mesh64(np.array(hollow.points), turned))
         return wall
 
     def winds_around(self, point: Array) -> float:
@@ -96,7 +95,7 @@ class Shell:
 
 
 @dataclass(frozen=True, eq=False)
-class Skin:
+class Skin(FrozenArrays):
     """The surface of a piece, or of all of a link that was read from files."""
 
     label: str  # label of the piece; empty for a whole link
@@ -153,7 +152,7 @@ _JUDGED = 2e-5  # [m]: lower triangles have no normal to speak of in mesh files
 _AGAINST = 0.5  # cosine between a face and the normal at a corner, below which it leans away: 60 degrees
 
 
-@once_per_link
+@cached_per_object
 def skins(link: Link) -> tuple[Skin, ...]:
     """Return the surface of each piece of a link, or of the whole link if it was read from files."""
     if link.pieces:
@@ -258,7 +257,7 @@ def _against(mesh: Mesh) -> Indices:
 
 
 @dataclass(frozen=True, eq=False)
-class _Edges:
+class _Edges(FrozenArrays):
     """The edges of triangles."""
 
     open: Indices  # ends of the edges with one face, shape (k, 2)

@@ -8,9 +8,9 @@ import numpy as np
 from manifold3d import Error, Manifold, Mesh64
 from numpy.typing import NDArray
 
+from artgen._caching import FrozenArrays, cached_per_object
 from artgen.asset import Link, Surface
 from artgen.asset.collision import Part, solid_parts
-from artgen.asset.once import once_per_link
 from artgen.colliders.connected import connected_parts
 from artgen.errors import AssetError
 
@@ -21,7 +21,7 @@ _ONE_BOX = 1e-6  # [m] that a bounding box may be off in a file
 
 
 @dataclass(frozen=True, eq=False)
-class Details:
+class Details(FrozenArrays):
     """What the data of a link that was read from files records as only seen."""
 
     boxes: Mapping[str, Array] = field(default_factory=dict)  # bounding boxes by label, shape (n, 2, 3) [m]
@@ -46,7 +46,7 @@ def mesh_precision(*links: Link) -> float:
     return max((float(data.get("mesh_precision", 0.0)) for data in read), default=0.0)
 
 
-@once_per_link
+@cached_per_object
 def link_parts(link: Link) -> tuple[Part, ...]:
     """Return the solids of a link; where it was read from files, the closed parts of its meshes.
 

@@ -1,11 +1,11 @@
 """Polytopes around and within round things, with few faces and a known error."""
 
 import math
-from functools import lru_cache
 
 import numpy as np
 from manifold3d import Manifold
 
+from artgen._caching import cached
 from artgen.colliders.polytope import SLIVER, Array, Polytope
 
 MOST_SIDES = 64
@@ -35,7 +35,7 @@ def inscribed_circle(radius: float, sides: int) -> Array:
     return np.column_stack((np.cos(angle), np.sin(angle))) * radius
 
 
-@lru_cache(maxsize=_MOST_FREQUENCY)
+@cached(_MOST_FREQUENCY)
 def _geodesic(frequency: int) -> tuple[Array, float]:
     """Return points of a subdivided icosahedron on the unit sphere and the distance of its nearest face."""
     golden = (1.0 + math.sqrt(5.0)) / 2.0

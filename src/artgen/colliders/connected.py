@@ -31,7 +31,7 @@ def connected_parts(solid: Manifold) -> list[Manifold]:
         around = next((number for number, part in enumerate(parts) if _inside(wall, part)), None)
         if around is not None:
             vertices, triangles = closed_mesh(wall)
-            hollow = Manifold(Mesh64(vertices, triangles[:, ::-1].astype(np.uint64)))
+            hollow = Manifold(Mesh64(np.array(vertices), triangles[:, ::-1].astype(np.uint64)))
             parts[around] -= hollow
     return parts
 

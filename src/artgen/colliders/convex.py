@@ -2,13 +2,13 @@
 
 import math
 from dataclasses import dataclass, field
-from functools import cached_property, lru_cache
 from typing import Literal
 
 import numpy as np
 from manifold3d import Manifold
 from numpy.typing import NDArray
 
+from artgen._caching import FrozenArrays, cached, cached_property
 from artgen.colliders.approximate import (
     circle_sides,
     circumscribed_circle,
@@ -32,7 +32,7 @@ _IDENTITY.setflags(write=False)
 
 
 @dataclass(frozen=True, eq=False)
-class Convex:
+class Convex(FrozenArrays):
     """A convex piece of a solid, in asset coordinates.
 
     Attributes:
@@ -226,7 +226,7 @@ class Convex:
         return Convex(self.kind, pose, self.size)
 
 
-@lru_cache(maxsize=64)  # an asset's knobs and screws are alike
+@cached(64)  # an asset's knobs and screws are alike
 def _ball(radius: float, length: float, tolerance: float, *, inscribed: bool) -> Polytope:
     """Return a polytope around or within a ball at the origin, drawn out along z by a length [m]."""
     points = sphere_points(radius, tolerance, inscribed=inscribed)

@@ -1,13 +1,13 @@
 """Polytopes of few vertices around convex solids of many."""
 
 from dataclasses import dataclass
-from functools import cached_property, lru_cache
 from typing import Self
 
 import numpy as np
 from manifold3d import Manifold, Mesh64
 from numpy.typing import NDArray
 
+from artgen._caching import cached, cached_property
 from artgen.colliders.convex import TOLERANCE, Array, Convex
 from artgen.colliders.hull import hull_of
 from artgen.colliders.polytope import SNAP
@@ -171,7 +171,7 @@ def few_vertices(piece: Convex, most_vertices: int, tolerance: float) -> list[Co
     return [found.transformed(matrix) for found in _few_vertices(source, most_vertices, tolerance)]
 
 
-@lru_cache(maxsize=32)
+@cached(32)
 def _few_vertices(piece: Convex, most_vertices: int, tolerance: float) -> tuple[Convex, ...]:
     """Return pieces around a piece, remembered: a solid is often there several times."""
     halvings = _MOST_HALVINGS - (tolerance > TOLERANCE)

@@ -5,6 +5,7 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
+from artgen._caching import frozen
 from artgen.colliders.convex import Array, Convex
 from artgen.colliders.enclose import few_vertices
 from artgen.colliders.merge import joined
@@ -120,7 +121,7 @@ class _Transformed(Pieces):
     def __init__(self, base: Pieces, matrix: Array) -> None:
         super().__init__()
         self._base = base
-        self._matrix = matrix
+        self._matrix = frozen(matrix)
         linear = matrix[:3, :3]
         self._scale = 1.0
         if not is_rigid(linear):

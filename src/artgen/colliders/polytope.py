@@ -7,13 +7,13 @@ does not drift.
 """
 
 from dataclasses import dataclass
-from functools import cached_property
 from typing import Self
 
 import numpy as np
 from manifold3d import Manifold
 from numpy.typing import NDArray
 
+from artgen._caching import FrozenArrays, cached_property
 from artgen._cyclic import successors
 from artgen.colliders.hull import hull_of
 from artgen.colliders.triangles import cross, triangles_of
@@ -40,7 +40,7 @@ _BOX_CONTACT = _BOX_SIGNS @ _BOX_NORMALS.T == 0.5
 
 
 @dataclass(frozen=True, eq=False)
-class Polytope:
+class Polytope(FrozenArrays):
     """A convex solid bounded by planes.
 
     Attributes:

@@ -2,10 +2,10 @@
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 
+from artgen._caching import cached_property
 from artgen.colliders.convex import Array, Convex
 from artgen.colliders.enclose import few_vertices
 from artgen.colliders.polytope import SLIVER, SNAP, Polytope

@@ -2,9 +2,9 @@
 
 from collections.abc import Iterator, Mapping
 from dataclasses import asdict, dataclass, replace
-from functools import cached_property
 from typing import Any, ClassVar, Literal, Self, get_args
 
+from artgen._caching import cached_property
 from artgen.asset.asset import Asset, Base
 from artgen.asset.collision import Collision
 from artgen.catalog import find, is_file

@@ -15,12 +15,12 @@ import uuid
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager, suppress
 from datetime import UTC, datetime
-from functools import cached_property
 from pathlib import Path, PurePosixPath
 from typing import Any
 from urllib.parse import urlsplit
 from urllib.request import url2pathname
 
+from artgen._caching import cached_property
 from artgen.asset.files import ASSET_FILE
 from artgen.dataset.disk import Disk
 from artgen.dataset.target import LOCK_FILE, PLAN_FILE, Target, unseen

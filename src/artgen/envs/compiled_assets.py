@@ -3,11 +3,11 @@
 import copy
 from collections import OrderedDict
 from collections.abc import Hashable
-from functools import cached_property
 from typing import Any
 
 import numpy as np
 
+from artgen._caching import cached_property
 from artgen.asset import Asset
 from artgen.envs.assets import Assets
 from artgen.envs.motion import Target

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Mapping
 
+from artgen._caching import OPENUSD
 from artgen.asset import Asset
 from artgen.export.glb import write_glb
 from artgen.export.losses import Written
@@ -13,9 +14,10 @@ Writer = Callable[[Asset, int], Written]
 
 def write_usd(asset: Asset, textures: int) -> Written:
     """Write an asset as USD; see `artgen.export.usd.write_usd`."""
-    from artgen.export.usd import write_usd as write
+    with OPENUSD:
+        from artgen.export.usd import write_usd as write
 
-    return write(asset, textures)
+        return write(asset, textures)
 
 
 FORMATS: Mapping[str, Writer] = {

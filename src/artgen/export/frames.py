@@ -12,6 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from artgen._caching import FrozenArrays
 from artgen.asset import Asset, Coupling, Joint, Link
 
 Array = NDArray[np.float64]
@@ -27,7 +28,7 @@ INTERMEDIATE_INERTIA = 1e-9
 
 
 @dataclass(frozen=True, eq=False)
-class Frame:
+class Frame(FrozenArrays):
     """The frame of a body.
 
     Attributes:
@@ -46,7 +47,7 @@ class Frame:
 
 
 @dataclass(frozen=True, eq=False)
-class Segment:
+class Segment(FrozenArrays):
     """One joint between two frames; the origin of the child frame is the joint's pivot.
 
     Attributes:
@@ -64,7 +65,7 @@ class Segment:
 
 
 @dataclass(frozen=True, eq=False)
-class BodyJoint:
+class BodyJoint(FrozenArrays):
     """A joint as the body that it moves sees it, where one body takes several joints.
 
     Attributes:
@@ -81,7 +82,7 @@ class BodyJoint:
 
 
 @dataclass(frozen=True, eq=False)
-class BodyFrame:
+class BodyFrame(FrozenArrays):
     """A body with all joints between it and its parent.
 
     Attributes:

@@ -2,11 +2,11 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
 
+from artgen._caching import FrozenArrays, cached
 from artgen.asset import Asset
 from artgen.asset.record import DECIMALS
 from artgen.colliders import Convex
@@ -27,7 +27,7 @@ _MIDDLE_DECIMALS = 6  # of where a hull lies in its link's frame [m]
 
 
 @dataclass(frozen=True, eq=False)
-class Hull:
+class Hull(FrozenArrays):
     """The surface of a convex piece, about its own middle.
 
     PhysX keeps what it derives from a hull in single precision: of pieces of a few millimetres whose vertices
@@ -79,7 +79,7 @@ def _with_areas(vertices: Array, triangles: Indices) -> Surface:
     return vertices, triangles
 
 
-@lru_cache(maxsize=1)  # several formats are written of one asset after another
+@cached(1)  # several formats are written of one asset after another
 def hulls(asset: Asset) -> Mapping[str, Mapping[int, Hull]]:
     """Return the hulls among the colliders of each link, by the collider's number."""
     numbers = {

@@ -2,8 +2,8 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from functools import lru_cache
 
+from artgen._caching import cached
 from artgen.asset import Asset
 from artgen.asset.files import MESH_DIRECTORY
 from artgen.materials import Material
@@ -33,7 +33,7 @@ class MapFiles:
         return self.names.get(material.name, {})
 
 
-@lru_cache(maxsize=1)  # several formats are written of one asset after another
+@cached(1)  # several formats are written of one asset after another
 def map_files(asset: Asset, size: int) -> MapFiles:
     """Return the maps of the materials that are seen.
 

@@ -3,11 +3,11 @@
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
 
+from artgen._caching import FrozenArrays, cached
 from artgen.asset import Asset, Mesh
 from artgen.asset.files import (
     MESH_DIRECTORY,
@@ -29,7 +29,7 @@ Indices = NDArray[np.int64]
 
 
 @dataclass(frozen=True)
-class MeshFiles:
+class MeshFiles(FrozenArrays):
     """The mesh files of an asset.
 
     Attributes:
@@ -53,7 +53,7 @@ class MeshFiles:
         return f"{MESH_DIRECTORY}/{name}"
 
 
-@lru_cache(maxsize=1)  # two formats are written of one asset after another
+@cached(1)  # two formats are written of one asset after another
 def mesh_files(asset: Asset, textures: int = 0) -> MeshFiles:
     """Write the surfaces and hull colliders of all links.
 

@@ -5,10 +5,11 @@ four at a time; characters that are not shown are NUL until the end.
 """
 
 from collections.abc import Sequence
-from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
+
+from artgen._caching import cached
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
@@ -58,7 +59,7 @@ def text(rows: Bytes) -> bytes:
     return rows.tobytes().translate(None, b"\0")
 
 
-@lru_cache(maxsize=64)
+@cached(64)
 def _words(*characters: str) -> Words:
     """Return strings of at most four characters as one number each, whose bytes they are."""
     return np.frombuffer("".join(each.ljust(4, "\0") for each in characters).encode("ascii"), np.uint32)

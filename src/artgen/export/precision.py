@@ -2,12 +2,12 @@
 
 import math
 from dataclasses import dataclass, field, replace
-from functools import cached_property
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from artgen._caching import cached_property
 from artgen.asset import Asset, Mesh, Surface
 from artgen.asset.asset import remember
 from artgen.asset.decimate import coarser

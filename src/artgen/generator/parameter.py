@@ -5,11 +5,11 @@ import typing
 from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property
 from typing import Any, Literal
 
 import numpy as np
 
+from artgen._caching import cached_property
 from artgen.errors import ParameterError
 from artgen.graph import Handle
 from artgen.materials import MATERIALS, Material

@@ -6,6 +6,7 @@ import typing
 from collections import Counter, OrderedDict
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from threading import Lock
 from time import perf_counter
 from typing import Any
 
@@ -29,6 +30,7 @@ class Cache:
     def __init__(self, capacity: int = 4096) -> None:
         self.capacity = capacity
         self._values: OrderedDict[str, Any] = OrderedDict()
+        self._lock = Lock()  # held while the order changes, never while a value is computed
 
     def __contains__(self, key: str) -> bool:
         return key in self._values
@@ -38,17 +40,18 @@ class Cache:
 
     def get(self, key: str, default: Any = None) -> Any:
         """Return the value kept under a key, or the default."""
-        value = self._values.get(key, default)
-        if key in self._values:
-            self._values.move_to_end(key)
-        return value
+        with self._lock:
+            if key in self._values:
+                self._values.move_to_end(key)
+            return self._values.get(key, default)
 
     def put(self, key: str, value: Any) -> None:
         """Keep a value."""
-        self._values[key] = value
-        self._values.move_to_end(key)
-        if len(self._values) > self.capacity:
-            self._values.popitem(last=False)
+        with self._lock:
+            self._values[key] = value
+            self._values.move_to_end(key)
+            if len(self._values) > self.capacity:
+                self._values.popitem(last=False)
 
     def clear(self) -> None:
         """Forget all values."""

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from artgen._caching import FrozenArrays
 from artgen._cyclic import successors
 from artgen.asset.outline import Contour
 
@@ -13,7 +14,7 @@ Indices = NDArray[np.int64]
 
 
 @dataclass(frozen=True, eq=False)
-class Rail:
+class Rail(FrozenArrays):
     """The columns that a contour gives to a grid: two at each corner and at the seam (its first vertex)."""
 
     vertex: Indices  # contour vertex of each column, shape (c,)

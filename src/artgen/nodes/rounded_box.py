@@ -1,10 +1,9 @@
 """The mesh of a box with rounded edges: a sphere's, pulled apart to the corners of the box."""
 
-from functools import lru_cache
-
 import numpy as np
 from numpy.typing import NDArray
 
+from artgen._caching import cached
 from artgen.nodes.surfaces import Skin
 from artgen.nodes.unwrap import grain_of
 
@@ -12,7 +11,7 @@ Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
 
-@lru_cache(maxsize=16)
+@cached(16)
 def _unit_box(steps: int) -> tuple[Array, Array, Array, Indices, Indices]:
     """Return directions, signs and arcs (n, 3) of a box with rounded edges, its triangles and its targets.
 
@@ -67,7 +66,7 @@ def rounded_box(size: Array, bevel: float, steps: int) -> Skin:
     return Skin(vertices, directions, uvs, triangles, targets)
 
 
-@lru_cache(maxsize=128)
+@cached(128)
 def _layout(count: int, grains: tuple[int, ...]) -> tuple[Indices, Indices, Array]:
     """Return which coordinates are u and v of each vertex, and which way u runs, all shape (count,)."""
     sides = [

@@ -7,12 +7,12 @@ normals or texture coordinates jump; `targets` says which of them are one point 
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from functools import lru_cache
 
 import numpy as np
 from manifold3d import triangulate
 from numpy.typing import NDArray
 
+from artgen._caching import FrozenArrays, cached
 from artgen._cyclic import predecessors, successors
 from artgen.asset.outline import Contour
 from artgen.asset.shape import GRAIN, Shape
@@ -58,7 +58,7 @@ def bevel_steps(bevel: float) -> int:
 
 
 @dataclass(frozen=True, eq=False)
-class Skin:
+class Skin(FrozenArrays):
     """The closed surface of a solid."""
 
     vertices: Array  # positions, shape (n, 3) [m]
@@ -300,7 +300,7 @@ def _turned(plane: Array, cosine: Array, sine: Array) -> Array:
     return out
 
 
-@lru_cache(maxsize=64)
+@cached(64)
 def _turns(steps: int, angle: float) -> tuple[Array, Array]:
     """Return cosines and sines of the rows of a lathe, exact in the quarters of a full turn."""
     turn = np.arange(steps + 1) * (angle / steps)

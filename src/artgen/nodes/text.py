@@ -4,11 +4,13 @@ import functools
 from collections.abc import Iterator, Sequence
 from io import BytesIO
 from pathlib import Path
+from threading import Lock
 from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
+from artgen._caching import cached
 from artgen.asset.outline import Contour, Outline
 from artgen.graph import kernel
 from artgen.nodes import validators as inputs
@@ -20,6 +22,7 @@ Array = NDArray[np.float64]
 _SMOOTH = 0.94
 """Cosine of the turn (20 degrees) below which curves of a letter join smoothly."""
 
+_READING = Lock()  # fontTools reads a font while it is used
 _STEP = 0.45  # [rad]: how much of a curve's turn one side takes
 
 
@@ -74,27 +77,28 @@ def _contour(curves: list[Array]) -> Contour | None:
     )
 
 
-@functools.lru_cache(maxsize=256)
+@cached(256)
 def _glyph(character: str) -> tuple[tuple[Contour, ...], float]:
     """Return the contours of a character and how far it moves the pen, in capital heights."""
     from fontTools.pens.recordingPen import DecomposingRecordingPen
 
     font = _font()
-    name = font.getBestCmap().get(ord(character))
-    if name is None:
-        family = font["name"].getDebugName(4)
-        raise ValueError(
-            f"the font {family} has no character {character!r} (U+{ord(character):04X}): spell it with "
-            "others, or draw it with polygon() or details.icon()"
-        )
-    glyphs = font.getGlyphSet()
-    pen = DecomposingRecordingPen(glyphs)
-    glyphs[name].draw(pen)
-    unit = 1.0 / font["OS/2"].sCapHeight
+    with _READING:
+        name = font.getBestCmap().get(ord(character))
+        if name is None:
+            family = font["name"].getDebugName(4)
+            raise ValueError(
+                f"the font {family} has no character {character!r} (U+{ord(character):04X}): spell it with "
+                "others, or draw it with polygon() or details.icon()"
+            )
+        glyphs = font.getGlyphSet()
+        pen = DecomposingRecordingPen(glyphs)
+        glyphs[name].draw(pen)
+        unit, width = 1.0 / font["OS/2"].sCapHeight, glyphs[name].width
     contours = [_contour(curves) for curves in _borders(pen.value)]
     kept = (contour for contour in contours if contour is not None)
     scaled = tuple(Contour(each.points * unit, each.normals_in, each.normals_out) for each in kept)
-    return scaled, glyphs[name].width * unit
+    return scaled, width * unit
 
 
 def _borders(drawing: Sequence[tuple[str, tuple[Any, ...]]]) -> Iterator[list[Array]]:

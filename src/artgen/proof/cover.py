@@ -3,11 +3,11 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
-from weakref import WeakKeyDictionary
 
 import numpy as np
 from numpy.typing import NDArray
 
+from artgen._caching import FrozenArrays, cached_per_object
 from artgen.asset import Link
 from artgen.asset.link import MovedLink
 from artgen.colliders import Convex
@@ -22,11 +22,9 @@ FINE = 2e-5
 _FILE_DECIMALS = 5e-8  # half the last digit of a mesh file [m]
 _SINGLE = 2.0**-24  # relative error of single precision, in which USD keeps points
 
-_EXCESS: "WeakKeyDictionary[Link, float | None]" = WeakKeyDictionary()
-
 
 @dataclass(frozen=True, eq=False)
-class Cover:
+class Cover(FrozenArrays):
     """Convex pieces whose union contains the solids of a link.
 
     Attributes:
@@ -51,10 +49,14 @@ def collider_cover(link: Link) -> Cover:
     source: Link = link
     while isinstance(source, MovedLink):
         source = source.source
-    if source not in _EXCESS:
-        pieces = [each.convex.outer_polytope(FINE) for each in source.colliders]
-        _EXCESS[source] = excess(source, pieces, labels)
-    return Cover(points, labels, _with_rounding(_EXCESS[source], points))
+    return Cover(points, labels, _with_rounding(_collider_excess(source), points))
+
+
+@cached_per_object
+def _collider_excess(link: Link) -> float | None:
+    """Return how far the solids stick out of the colliders; None if farther than 0.1 mm [m]."""
+    pieces = [each.convex.outer_polytope(FINE) for each in link.colliders]
+    return excess(link, pieces, tuple(each.label for each in link.colliders))
 
 
 def fine_cover(link: Link) -> Cover:

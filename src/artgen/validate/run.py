@@ -2,10 +2,10 @@
 
 import tempfile
 from collections.abc import Callable, Collection
-from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from artgen._caching import cached_property
 from artgen.asset import Asset
 from artgen.asset.report import CheckResult, Finding, Report
 from artgen.errors import ArtgenError, ParameterError, nearest

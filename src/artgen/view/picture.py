@@ -2,12 +2,12 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cached_property
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
+from artgen._caching import cached_property
 from artgen.errors import AssetError, ExportError, nearest
 from artgen.view.camera import Camera
 

@@ -1,7 +1,6 @@
 """The detergent dispenser inside the door of a dishwasher, with its sliding flap and a cap for rinse aid."""
 
 from dataclasses import dataclass
-from functools import cached_property
 
 from artgen import (
     Body,
@@ -23,6 +22,7 @@ from artgen import (
     rectangle,
     weld,
 )
+from artgen._caching import cached_property
 from artgen.categories.dishwasher.space import DISH, Space
 
 FLAP_TRAVEL = 0.036

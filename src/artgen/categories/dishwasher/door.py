@@ -2,7 +2,6 @@
 
 import math
 from dataclasses import dataclass
-from functools import cached_property
 from typing import Literal
 
 from artgen import (
@@ -28,6 +27,7 @@ from artgen import (
     sin,
     weld,
 )
+from artgen._caching import cached_property
 from artgen.categories.dishwasher.console import LAP, Console
 from artgen.categories.dishwasher.dispenser import Dispenser
 from artgen.categories.dishwasher.space import DISH, Controls, Space

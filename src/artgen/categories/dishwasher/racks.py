@@ -1,7 +1,6 @@
 """What is inside a dishwasher: racks with their fittings, and spray arms."""
 
 from dataclasses import dataclass
-from functools import cached_property
 
 from artgen import (
     Body,
@@ -32,6 +31,7 @@ from artgen import (
     vector,
     weld,
 )
+from artgen._caching import cached_property
 from artgen.categories.dishwasher.space import ROLLER, UNDER, Size, Space
 from artgen.categories.shared.appliances.wire_baskets import Basket, Grip, rack_slide, rollers
 

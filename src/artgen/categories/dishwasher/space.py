@@ -1,10 +1,10 @@
 """Where things are in a dishwasher: the planes that door, tub and racks share, and what follows from them."""
 
 from dataclasses import dataclass
-from functools import cached_property
 from typing import Literal
 
 from artgen import Float, Scalar, atan2, cos, min_, sin, sqrt
+from artgen._caching import cached_property
 from artgen.categories.shared.appliances.finish import ApplianceSpace
 
 Build = Literal["built_in", "freestanding"]

@@ -1,7 +1,6 @@
 """The cabinet of a dishwasher: the tub as a cavity of boards, its sides, base, top and back."""
 
 from dataclasses import dataclass
-from functools import cached_property
 
 from artgen import (
     Body,
@@ -28,6 +27,7 @@ from artgen import (
     sweep,
     weld,
 )
+from artgen._caching import cached_property
 from artgen.categories.dishwasher.space import Build, Space
 from artgen.categories.shared.appliances.cords import cord_stub
 from artgen.categories.shared.appliances.finish import DARK, filled

@@ -5,7 +5,6 @@ A drawer is made with the lower edge of its front at z = 0, its middle at x = 0,
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cached_property
 from typing import Literal
 
 from artgen import (
@@ -29,6 +28,7 @@ from artgen import (
     text,
     weld,
 )
+from artgen._caching import cached_property
 from artgen.categories.drawer.runners import SIDE_PLAY, RunnerStyle, fixed_member, moving_member
 from artgen.categories.shared.furniture.carcass import Carcass
 from artgen.categories.shared.furniture.fronts import FrontLook, front

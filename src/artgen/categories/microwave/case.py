@@ -1,7 +1,6 @@
 """The case of a microwave oven: the cavity as boards, the room of its latches, the sheet around, its back."""
 
 from dataclasses import dataclass
-from functools import cached_property
 
 from artgen import (
     Body,
@@ -23,6 +22,7 @@ from artgen import (
     rectangle,
     weld,
 )
+from artgen._caching import cached_property
 from artgen.categories.microwave.space import FRAME, SHAFT, SHEET, Space
 from artgen.categories.shared.appliances.cords import mains_cord
 from artgen.categories.shared.appliances.finish import DARK, filled

@@ -1,7 +1,6 @@
 """The control panel of a microwave oven: display, keypad, dials, and the button that opens the door."""
 
 from dataclasses import dataclass
-from functools import cached_property
 from typing import Literal
 
 from artgen import (
@@ -19,6 +18,7 @@ from artgen import (
     rectangle,
     weld,
 )
+from artgen._caching import cached_property
 from artgen.categories.microwave.door import PANE, FaceStyle
 from artgen.categories.microwave.space import EDGE, Space
 from artgen.categories.shared.appliances.finish import filled

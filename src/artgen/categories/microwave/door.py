@@ -1,7 +1,6 @@
 """The door of a microwave oven, hinged at its left, with the latches that hold it and let it go."""
 
 from dataclasses import dataclass
-from functools import cached_property
 from typing import Literal
 
 from artgen import (
@@ -27,6 +26,7 @@ from artgen import (
     rectangle,
     weld,
 )
+from artgen._caching import cached_property
 from artgen.categories.microwave.space import Space
 from artgen.categories.shared.appliances.finish import filled
 from artgen.categories.shared.controls.panels import ink_on

@@ -1,9 +1,9 @@
 """Where things are in a microwave oven: the planes that door, panel, cavity and turntable share."""
 
 from dataclasses import dataclass
-from functools import cached_property
 
 from artgen import Float, Scalar, Span, min_
+from artgen._caching import cached_property
 from artgen.categories.shared.appliances.finish import ApplianceSpace
 
 SEAL = 0.0028

@@ -1,7 +1,6 @@
 """The cabinet of an oven: the enamelled cavity as boards, its sides and back, what is below the door."""
 
 from dataclasses import dataclass
-from functools import cached_property
 
 from artgen import (
     Body,
@@ -20,6 +19,7 @@ from artgen import (
     ring,
     weld,
 )
+from artgen._caching import cached_property
 from artgen.categories.oven.space import LAP, Space
 from artgen.categories.shared.appliances.cords import cord_stub
 from artgen.categories.shared.appliances.finish import DARK, filled

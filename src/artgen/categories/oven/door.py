@@ -1,7 +1,6 @@
 """The door of an oven: a front of steel or glass with its window, a handle, and springs that carry it."""
 
 from dataclasses import dataclass
-from functools import cached_property
 from typing import Literal
 
 from artgen import (
@@ -28,6 +27,7 @@ from artgen import (
     sin,
     weld,
 )
+from artgen._caching import cached_property
 from artgen.categories.oven.space import LAP, SKIN, Space
 from artgen.categories.shared.appliances.finish import DARK, filled
 from artgen.categories.shared.controls.panels import ink_on

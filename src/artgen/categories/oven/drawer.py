@@ -1,7 +1,6 @@
 """The drawer under the oven of a range: for pans, on runners, with a grip let into its front."""
 
 from dataclasses import dataclass
-from functools import cached_property
 
 from artgen import (
     Body,
@@ -21,6 +20,7 @@ from artgen import (
     rectangle,
     weld,
 )
+from artgen._caching import cached_property
 from artgen.categories.oven.body import FOOT, LOW
 from artgen.categories.oven.space import LAP, UNDER, Space
 from artgen.categories.shared.appliances.finish import filled

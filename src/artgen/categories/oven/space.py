@@ -1,10 +1,10 @@
 """Where things are in an oven: the planes that door, cavity, racks, panel and drawer share."""
 
 from dataclasses import dataclass
-from functools import cached_property
 from typing import Literal
 
 from artgen import Float, Scalar, Span, atan2, sqrt
+from artgen._caching import cached_property
 from artgen.categories.shared.appliances.finish import ApplianceSpace
 
 Build = Literal["built_in", "range"]

@@ -1,7 +1,6 @@
 """The top of a range: gas burners under grates that lift off, or glass with its zones."""
 
 from dataclasses import dataclass
-from functools import cached_property
 from typing import Literal
 
 from artgen import (
@@ -20,6 +19,7 @@ from artgen import (
     rectangle,
     weld,
 )
+from artgen._caching import cached_property
 from artgen.categories.oven.space import LAP, TOP, UNDER, Space
 from artgen.categories.shared.appliances.finish import DARK, filled
 from artgen.categories.shared.controls.panels import ink_on

@@ -2,9 +2,9 @@
 
 import math
 from dataclasses import dataclass
-from functools import cached_property
 
 from artgen import Body, Float, Material, Scalar, Solid, Y, material, max_, min_, part, union, weld
+from artgen._caching import cached_property
 from artgen.categories.plier.fittings import (
     Grip,
     Key,

@@ -10,11 +10,11 @@ the pivot, and within a sector that the other half does not sweep when it opens.
 
 import math
 from dataclasses import dataclass
-from functools import cached_property
 from itertools import pairwise
 from typing import Literal, NamedTuple
 
 from artgen import Float, Profile, Scalar, Solid, Y, Z, circle, extrude, loft, min_, polygon, rectangle, union
+from artgen._caching import cached_property
 
 Style = Literal["combination", "needle_nose", "cutter", "slip_joint"]
 

@@ -6,7 +6,6 @@ A refrigerator is centred in x and y; its doors are in front, at y from `Case.fr
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cached_property
 from itertools import pairwise
 from typing import Literal
 
@@ -34,6 +33,7 @@ from artgen import (
     sweep,
     weld,
 )
+from artgen._caching import cached_property
 from artgen.categories.shared.appliances.cords import cord_stub
 from artgen.categories.shared.appliances.finish import DARK, filled
 from artgen.categories.shared.hardware.fixings import feet

@@ -1,7 +1,6 @@
 """The measures of a refrigerator's door: where it hinges, how far its inside reaches, when it clears what."""
 
 from dataclasses import dataclass
-from functools import cached_property
 from typing import Literal
 
 from artgen import (
@@ -24,6 +23,7 @@ from artgen import (
     vector,
     weld,
 )
+from artgen._caching import cached_property
 from artgen.categories.refrigerator.case import SEAL_GAP, Case, Cell
 from artgen.categories.refrigerator.hinges import door_swing
 

@@ -1,10 +1,10 @@
 """How a refrigerator is divided: its cells, the doors and drawer fronts before them."""
 
 from dataclasses import dataclass
-from functools import cached_property
 from typing import Literal
 
 from artgen import Body, Material, Scalar, X, min_, require
+from artgen._caching import cached_property
 from artgen.categories.refrigerator.case import HUMP_HIGH, Case, Cell
 from artgen.categories.refrigerator.drawers import Front
 from artgen.categories.refrigerator.hinges import hinge_bracket, hinge_cover

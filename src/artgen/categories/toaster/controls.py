@@ -4,7 +4,6 @@ It stands in the finished toaster, looking to -y. Its controls are named by heig
 """
 
 from dataclasses import dataclass
-from functools import cached_property
 from typing import Literal
 
 from artgen import (
@@ -25,6 +24,7 @@ from artgen import (
     vector,
     weld,
 )
+from artgen._caching import cached_property
 from artgen.categories.shared.controls.buttons import (
     PLAY,
     ButtonShape,

@@ -6,10 +6,10 @@ the finished shell is turned by a quarter, which takes the wall at -x to the fro
 
 import math
 from dataclasses import dataclass
-from functools import cached_property
 from typing import Literal
 
 from artgen import Float, Profile, Scalar, min_, polygon, rectangle
+from artgen._caching import cached_property
 
 BodyStyle = Literal["box", "rounded", "retro", "steel", "classic"]
 """A plain box; one with round shoulders; a bulging one; a steel sleeve between plastic ends; bevelled."""

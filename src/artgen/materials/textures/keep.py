@@ -5,13 +5,13 @@ import threading
 import zlib
 from collections import OrderedDict
 from collections.abc import Callable, Hashable
-from functools import lru_cache
 from pathlib import Path
 from typing import Any, TypeVar
 
 import numpy as np
 
 from artgen import _disk_cache as disk_cache
+from artgen._caching import cached
 from artgen.errors import ExportError
 
 _KIND = "textures"
@@ -51,7 +51,7 @@ class Memory:
             self._total = 0
 
 
-@lru_cache(maxsize=1)
+@cached(1)
 def _version() -> str:
     """Return a digest of all that decides about the bytes of maps; empty where it cannot be found."""
     import PIL

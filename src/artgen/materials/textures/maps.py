@@ -2,11 +2,11 @@
 
 import io
 import zlib
-from functools import lru_cache
 from typing import Literal
 
 import numpy as np
 
+from artgen._caching import cached
 from artgen.errors import ParameterError, nearest
 from artgen.materials.material import Material
 from artgen.materials.table import MATERIALS
@@ -57,7 +57,7 @@ def kinds(material: Material) -> tuple[Kind, ...]:
     return tuple(kind for kind in KINDS if kind in ("orm", "roughness") or kind in varying)
 
 
-@lru_cache(maxsize=64)
+@cached(64)
 def _varying(recipe: Recipe) -> tuple[str, ...]:
     if recipe.varying is not None:
         return recipe.varying
@@ -155,7 +155,7 @@ def _is_kept(material: Material, kind: Kind) -> bool:
     return material.base_color in _lasting_colors(recipe)
 
 
-@lru_cache(maxsize=64)
+@cached(64)
 def _lasting_colors(recipe: Recipe) -> frozenset[tuple[float, float, float]]:
     listed = {made.base_color for made in MATERIALS.values() if made.texture == recipe.name}
     return frozenset({recipe.base_color, *listed})

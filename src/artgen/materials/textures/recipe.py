@@ -7,13 +7,15 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from artgen._caching import FrozenArrays
+
 Array = NDArray[np.float64]
 
 Varying = Literal["albedo", "metalness", "normal"]
 
 
 @dataclass(frozen=True, eq=False)
-class Pattern:
+class Pattern(FrozenArrays):
     """One tile of a surface; row 0 is its top (greatest v), column 0 its left (least u).
 
     Attributes:

@@ -2,12 +2,12 @@
 
 import math
 from collections.abc import Sequence
-from functools import lru_cache
 from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
+from artgen._caching import cached
 from artgen.asset.outline import Contour, Outline
 from artgen.graph import kernel
 from artgen.nodes import text
@@ -47,7 +47,7 @@ def _tick(angle: float, radius: float, length: float, width: float) -> Contour:
     return faceted(corners @ _around(angle).T)
 
 
-@lru_cache(maxsize=256)
+@cached(256)
 def _number(string: str, height: float) -> tuple[Outline, Array]:
     """Return a number centred on the origin, and half of its size, shape (2,) [m]."""
     outline = text._text(string, height, "left")

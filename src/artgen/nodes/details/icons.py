@@ -1,10 +1,10 @@
 """Icons: the signs beside buttons, knobs and lamps, all drawn with one weight of line."""
 
-from functools import lru_cache
 from typing import Literal
 
 import numpy as np
 
+from artgen._caching import cached
 from artgen.asset.outline import Outline
 from artgen.errors import BuildError, nearest
 from artgen.graph import kernel
@@ -35,7 +35,7 @@ def checked_icon(name: str) -> str:
     return name
 
 
-@lru_cache(maxsize=512)
+@cached(512)
 def icon_outline(name: str, weight: str) -> Outline:
     """Return an icon in units of its square."""
     return drawing(_DRAWINGS[checked_icon(name)], _WIDTHS[weight], f"the icon {name!r}")

@@ -1,11 +1,11 @@
 """Lettering beyond one plain line: spaced capitals, blocks of small print, word marks and invented brands."""
 
 from collections.abc import Sequence
-from functools import lru_cache
 from typing import Literal
 
 import numpy as np
 
+from artgen._caching import cached
 from artgen.asset.outline import Contour, Outline
 from artgen.graph import kernel
 from artgen.nodes import text
@@ -32,7 +32,7 @@ BRANDS: tuple[str, ...] = (
 _COARSE = 0.028  # how far coarse letters may leave their curves, in capital heights
 
 
-@lru_cache(maxsize=512)
+@cached(512)
 def _letter(character: str, fineness: str) -> tuple[tuple[Contour, ...], float]:
     """Return the contours of a character and its advance, in capital heights."""
     contours, advance = text._glyph(character)

@@ -10,6 +10,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from artgen._caching import FrozenArrays
 from artgen.nodes.contours import arc_points
 
 Array = NDArray[np.float64]
@@ -25,7 +26,7 @@ _TAKES = {"M": 2, "L": 2, "H": 1, "V": 1, "C": 6, "Q": 4, "A": 3}
 
 
 @dataclass(frozen=True, eq=False)
-class Mark:
+class Mark(FrozenArrays):
     """One touch of the pen."""
 
     # a `stroke` along the line or the `fill` of what it surrounds; a `cut` takes such a fill out of what

@@ -1,12 +1,12 @@
 """Screws and rivets as they are seen: heads with a real recess, of at most 200 triangles."""
 
 import math
-from functools import lru_cache
 from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
+from artgen._caching import cached
 from artgen.asset.outline import Contour, Outline
 from artgen.asset.shape import Shape
 from artgen.graph import kernel
@@ -46,7 +46,7 @@ def _reach(drive: str, head: str) -> float:
     return (_SLOT_REACH if drive == "slot" else _REACH)[head]
 
 
-@lru_cache(maxsize=8)
+@cached(8)
 def _recess(drive: str) -> Array:
     """Return the border of a recess within the unit circle, shape (n, 2)."""
     if drive == "slot":

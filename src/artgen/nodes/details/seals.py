@@ -1,11 +1,11 @@
 """Seals and feet: gaskets around doors, seams between panels, feet under appliances."""
 
 import math
-from functools import lru_cache
 from typing import Literal
 
 import numpy as np
 
+from artgen._caching import cached
 from artgen.asset.outline import Outline
 from artgen.graph import kernel
 from artgen.nodes import validators as inputs
@@ -32,7 +32,7 @@ _SECTIONS: dict[str, tuple[Mark, ...]] = {
 }
 
 
-@lru_cache(maxsize=8)
+@cached(8)
 def _seal(section: str) -> Outline:
     return drawing(_SECTIONS[section], 2.6, f"the section {section!r}")
 

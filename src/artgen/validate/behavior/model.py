@@ -2,12 +2,12 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from functools import cached_property
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from artgen._caching import cached_property
 from artgen.asset import Asset, Condition
 from artgen.asset.report import Finding
 from artgen.validate.behavior.motion import Motion, length, motions_of, unit

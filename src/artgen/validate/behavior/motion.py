@@ -2,12 +2,12 @@
 
 import math
 from dataclasses import dataclass
-from functools import cached_property
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from artgen._caching import cached_property
 from artgen.asset import Asset, Joint
 from artgen.export.frames import coupling
 

@@ -4,6 +4,7 @@ import re
 from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 
+from artgen._caching import OPENUSD
 from artgen.asset import Asset
 from artgen.asset.files import main_files
 from artgen.asset.report import CHANGED, CheckResult, Finding
@@ -68,9 +69,10 @@ def _read_mjcf(asset: Asset, path: Path) -> Reading:
 
 
 def _read_usd(asset: Asset, path: Path) -> Reading:
-    from artgen.validate.readback.usd import read_usd
+    with OPENUSD:
+        from artgen.validate.readback.usd import read_usd
 
-    return read_usd(asset, path)
+        return read_usd(asset, path)
 
 
 _READERS: Mapping[str, Callable[[Asset, Path], Reading]] = {

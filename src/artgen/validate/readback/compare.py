@@ -1,10 +1,10 @@
 """How what a reader found in an exported file differs from the asset."""
 
 from collections.abc import Iterator
-from functools import cached_property
 
 import numpy as np
 
+from artgen._caching import cached_property
 from artgen.asset import Asset, Joint, Link
 from artgen.asset.joint import DYNAMICS
 from artgen.asset.report import CHANGED, Finding

@@ -10,10 +10,10 @@ Walls of appliances are sheet metal around foam, wool or air: `filled` gives the
 """
 
 from dataclasses import dataclass
-from functools import cached_property
 from typing import Any, Literal, get_args
 
 from artgen import COLORS, Float, Material, Scalar, by, coloured, material, shades
+from artgen._caching import cached_property
 
 
 @dataclass(frozen=True, kw_only=True)

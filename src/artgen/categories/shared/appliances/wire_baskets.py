@@ -6,7 +6,6 @@ are solid and collide as the capsules that they are; bent ones around them, upri
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cached_property
 from typing import Literal
 
 from artgen import (
@@ -41,6 +40,7 @@ from artgen import (
     vector,
     weld,
 )
+from artgen._caching import cached_property
 
 Grip = Literal["bar", "plate"]
 """The grip in front of a rack: a round bar or a flat moulded plate."""

@@ -4,10 +4,10 @@ Seen from above: x to the right, y to the back, the origin in the middle of the 
 """
 
 from dataclasses import dataclass
-from functools import cached_property
 from typing import Literal
 
 from artgen import Float, Scalar, min_
+from artgen._caching import cached_property
 
 BurnerKind = Literal["gas", "radiant", "coil", "induction"]
 """Flames, glowing bands under glass, tubes of steel, or coils under glass that heat the pot itself."""

@@ -1,5 +1,6 @@
 """The layout of NVIDIA's SimReady profile: a light interface before the asset, a variant per simulator."""
 
+from artgen._caching import OPENUSD
 from artgen.asset import Asset
 from artgen.export.layouts.layout import Layout
 from artgen.export.losses import Written
@@ -7,10 +8,11 @@ from artgen.export.losses import Written
 
 def write_simready(asset: Asset, name: str, textures: int) -> Written:
     """Write one format of an asset; see `Layout.write` and `artgen.export.layouts.simready.usd`."""
-    from artgen.export.layouts.simready.usd import write_package
-
     del name  # USD is its only format
-    return write_package(asset, textures)
+    with OPENUSD:
+        from artgen.export.layouts.simready.usd import write_package
+
+        return write_package(asset, textures)
 
 
 SIMREADY = Layout(
