@@ -64,8 +64,12 @@ def test_the_starter_is_sound_at_its_corners(artgen_command, tmp_path: Path) -> 
     ("name", "message"),
     [
         ("door", "there is a category 'door'; choose another name"),
-        ("my-stapler", "'my-stapler' cannot name a category; use small letters, digits and _: stapler"),
+        (
+            "my-stapler",
+            "'my-stapler' cannot name a category; use small letters, digits and _, at most 100",
+        ),
         ("Stapler", "'Stapler' cannot name a category"),
+        ("s" * 300, "cannot name a category; use small letters, digits and _, at most 100"),
         ("class", "'class' cannot name a category"),
         ("uniform", "'uniform' is a word of artgen, which categories import"),
         ("json", "there is a Python module 'json'; choose another name"),

@@ -211,7 +211,7 @@ def test_a_damaged_manifest_is_made_anew(undisturbed: Path, tmp_path: Path) -> N
     assert (folder / MANIFEST_FILE).read_bytes() == (undisturbed / MANIFEST_FILE).read_bytes()
     (folder / MANIFEST_FILE).write_text("{what?}\n")
     with pytest.raises(
-        ExportError, match=r"line 1 is damaged; remove the file, and the next run makes it anew"
+        ExportError, match=r"line 1 is damaged .*; remove the file, and the next run writes it again"
     ):
         generate_many(PLAN, folder)
 

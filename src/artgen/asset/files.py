@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from artgen._caching import cached_property
+from artgen._names import check_names
 from artgen.asset.asset import FORMAT, Asset, remember
 from artgen.asset.certificate import Certificate
 from artgen.asset.contact import AllowedContact
@@ -52,7 +53,7 @@ def load(directory: str | Path) -> Asset:
 
     Raises:
         ExportError: There is no readable `asset.json`.
-        AssetError: The file is of another format.
+        AssetError: The file is of another format, or has names or paths that artgen would not write.
     """
     path = Path(directory)
     path = path / ASSET_FILE if path.suffix != ".json" else path
@@ -70,8 +71,9 @@ def load(directory: str | Path) -> Asset:
     if found != FORMAT:
         raise AssetError(f"{path} has format {found!r}; this version reads {FORMAT!r}")
     try:
+        check_names(data, path)
         return asset_from_data(data, path.parent)
-    except (KeyError, TypeError) as error:
+    except (AttributeError, KeyError, TypeError) as error:
         raise AssetError(f"{path} is damaged ({error!r}); export the asset again") from error
 
 
@@ -96,11 +98,15 @@ def main_files(directory: str | Path) -> dict[str, Path]:
 
     Raises:
         ExportError: There is no readable `asset.json`.
+        AssetError: A path leaves the directory.
     """
     path = Path(directory) / ASSET_FILE
     try:
         record = json.loads(path.read_text(encoding="utf-8"))["formats"]
-        return {str(name): path.parent / str(each["main"]) for name, each in record.items()}
+        check_names({"formats": record}, path)
+        return {str(name): path.parent / each["main"] for name, each in record.items()}
+    except AssetError:
+        raise
     except (OSError, ValueError, LookupError, TypeError, AttributeError) as error:
         raise ExportError(
             f"cannot read the formats of {path}: {error!r}; is this a directory that artgen exported?"

@@ -9,6 +9,7 @@ from typing import Annotated
 
 import typer
 
+from artgen._names import NAME_RULE, is_identifier
 from artgen.catalog import categories
 from artgen.errors import ExportError, ParameterError
 from artgen.export.files import write_files
@@ -31,8 +32,8 @@ def new(
     ] = Path(),
 ) -> None:
     """Write a package with a starter category, its test, and the entry point by which artgen finds it."""
-    target = folder / name
     _check_name(name)
+    target = folder / name
     if target.exists():
         raise ExportError(f"{target} exists; choose another name, or another place with --dir")
     starter = files("artgen") / "starter"
@@ -54,8 +55,8 @@ def _check_name(name: str) -> None:
     """
     import artgen
 
-    if not name.isascii() or not name.isidentifier() or keyword.iskeyword(name) or name != name.lower():
-        raise ParameterError(f"{name!r} cannot name a category; use small letters, digits and _: stapler")
+    if not is_identifier(name) or keyword.iskeyword(name) or name != name.lower():
+        raise ParameterError(f"{name!r} cannot name a category; use small {NAME_RULE}: stapler")
     if name in categories():
         raise ParameterError(f"there is a category {name!r}; choose another name")
     if name in artgen.__all__:

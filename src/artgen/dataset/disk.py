@@ -10,6 +10,7 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import TextIO
 
+from artgen._names import inside
 from artgen.asset.files import ASSET_FILE
 from artgen.dataset.lock import locked
 from artgen.dataset.target import LOCK_FILE, STAGING, TEXTURE_DIRECTORY, Target, unseen
@@ -66,7 +67,7 @@ class Disk(Target):
 
     def write(self, path: str, content: bytes) -> None:
         """Write a file, which nobody sees by half."""
-        place = self.path / path
+        place = inside(self.path, path)
         place.parent.mkdir(exist_ok=True)
         partial = place.with_name(f".{place.name}.partial")
         partial.write_bytes(content)
@@ -90,11 +91,11 @@ class Disk(Target):
         if store is not None:
             store.mkdir(exist_ok=True)
         write_files(files, made, store)
-        _put(made, self.path / path)
+        _put(made, inside(self.path, path))
 
     def local(self, path: str) -> Path:
         """Return the directory of an asset on this machine."""
-        return self.path / path
+        return inside(self.path, path)
 
     @property
     def _staging(self) -> Path:

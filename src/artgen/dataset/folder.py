@@ -10,8 +10,10 @@ import json
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
+from artgen._names import inside
 from artgen.asset.files import ASSET_FILE
 from artgen.asset.record import json_text
 from artgen.dataset.lines import lines_in
@@ -133,11 +135,13 @@ def read_manifest(target: Target) -> Iterator[dict[str, Any]]:
     lines, _ = lines_in((target.read(MANIFEST_FILE) or b"").decode(errors="replace"))
     for number, line in enumerate(lines):
         try:
-            yield json.loads(line)
-        except ValueError as error:
+            record = json.loads(line)
+            inside(Path(), record.get("path", "none"))
+            yield record
+        except (AttributeError, ValueError, ExportError) as error:
             raise ExportError(
-                f"{target}/{MANIFEST_FILE}: line {number + 1} is damaged; remove the file, and the next run "
-                "makes it anew from the assets"
+                f"{target}/{MANIFEST_FILE}: line {number + 1} is damaged ({error}); remove the file, and the "
+                "next run writes it again from the assets"
             ) from error
 
 

@@ -21,6 +21,7 @@ from urllib.parse import urlsplit
 from urllib.request import url2pathname
 
 from artgen._caching import cached_property
+from artgen._names import inside
 from artgen.asset.files import ASSET_FILE
 from artgen.dataset.disk import Disk
 from artgen.dataset.target import LOCK_FILE, PLAN_FILE, Target, unseen
@@ -122,7 +123,7 @@ class Store(Target):
 
     def local(self, path: str) -> Path:
         """Return the directory of an asset on this machine."""
-        place = self._cache / path
+        place = inside(self._cache, path)
         if not place.exists():
             with self._told():
                 names = self._files.find(self._at(path))

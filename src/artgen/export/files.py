@@ -9,12 +9,13 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any
 
+from artgen._names import check_names, inside
 from artgen.asset import Asset
 from artgen.asset.asset import FORMAT
 from artgen.asset.collision import Collision, collision_of, with_colliders
 from artgen.asset.files import ASSET_FILE, CERTIFICATE_FILE, as_stored, previous_directory
 from artgen.asset.record import json_text
-from artgen.errors import ExportError, nearest
+from artgen.errors import AssetError, ExportError, nearest
 from artgen.export.digests import digests
 from artgen.export.formats import FORMATS, TEXTURES
 from artgen.export.layouts import LAYOUTS, Layout
@@ -130,13 +131,14 @@ def encode(
 
 def write_files(files: Mapping[str, bytes], directory: Path, store: Path | None = None) -> None:
     """Write the files of an export to a new directory."""
-    for folder in sorted({path.rpartition("/")[0] for path in files}):
-        (directory / folder).mkdir(parents=True, exist_ok=True)
+    places = {path: inside(directory, path) for path in files}
+    for place in places.values():
+        place.parent.mkdir(parents=True, exist_ok=True)
     for path, content in files.items():
         if store is not None and path.endswith(".png"):
-            _share(content, directory / path, store)
+            _share(content, places[path], store)
         else:
-            (directory / path).write_bytes(content)
+            places[path].write_bytes(content)
 
 
 @contextmanager
@@ -237,8 +239,9 @@ def _earlier_files(target: Path) -> set[str] | None:
         data = json.loads((target / ASSET_FILE).read_text(encoding="utf-8"))
         if data["format"] != FORMAT:
             return None
+        check_names({"formats": data["formats"]}, target)
         return {*_OWN_FILES, *(path for record in data["formats"].values() for path in record["files"])}
-    except (OSError, ValueError, LookupError, TypeError, AttributeError):
+    except (AssetError, OSError, ValueError, LookupError, TypeError, AttributeError):
         return None
 
 
@@ -255,11 +258,9 @@ def _replace(target: Path, files: Mapping[str, bytes], kept: Sequence[str]) -> N
         target.parent.mkdir(parents=True, exist_ok=True)
         if partial.exists():
             shutil.rmtree(partial)  # of a process that was killed
-        for folder in sorted({path.rpartition("/")[0] for path in (*files, *kept)}):
-            (partial / folder).mkdir(parents=True, exist_ok=True)
-        for path, content in files.items():
-            (partial / path).write_bytes(content)
+        write_files(files, partial)
         for path in kept:
+            (partial / path).parent.mkdir(parents=True, exist_ok=True)
             shutil.copy2(target / path, partial / path, follow_symlinks=False)
         if target.exists():
             target.rename(previous)

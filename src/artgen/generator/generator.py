@@ -7,6 +7,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from artgen._names import NAME_RULE, is_identifier
 from artgen.asset import Asset, Base
 from artgen.errors import (
     ArtgenError,
@@ -345,8 +346,8 @@ def checked_count(name: str, value: Any) -> int:
 
 
 def _check_options(name: str, base: Any, attempts: int) -> None:
-    if not name.isidentifier() or not name.isascii():
-        raise ParameterError(f"name = {name!r} is no identifier; use letters, digits and _")
+    if not is_identifier(name):
+        raise ParameterError(f"name = {name!r} is no identifier; use {NAME_RULE}")
     if base not in ("fixed", "free"):
         raise ParameterError(f"base = {base!r} is not allowed: it must be 'fixed' or 'free'")
     if attempts < 1:

@@ -55,7 +55,7 @@ class Material:
 
     def __post_init__(self) -> None:
         """Check every field; a bad one is a ParameterError that names it."""
-        if not _NAME.match(str(self.name)):
+        if not _NAME.fullmatch(str(self.name)):
             raise ParameterError(
                 f"material name {self.name!r} is not a lower-case identifier; use letters, digits and _"
             )
@@ -91,7 +91,7 @@ class Material:
         if self.turned not in (False, True):
             raise ParameterError(f"material {self.name!r}: turned {self.turned!r} must be True or False")
         object.__setattr__(self, "turned", bool(self.turned))
-        if self.texture and not _NAME.match(str(self.texture)):
+        if self.texture and not _NAME.fullmatch(str(self.texture)):
             raise ParameterError(
                 f"material {self.name!r}: texture {self.texture!r} is not the name of a recipe"
             )

@@ -6,6 +6,7 @@ from dataclasses import replace
 import numpy as np
 
 from artgen import asset as values
+from artgen._names import NAME_RULE, is_identifier
 from artgen.asset import Branch, Grasp, Link, Piece, Push, Reading, Shape, Tree, rotation
 from artgen.asset.gripper import GRIPPER, held
 from artgen.graph import kernel
@@ -17,8 +18,8 @@ from artgen.nodes.vector import unit
 
 
 def _check_name(name: str, what: str) -> None:
-    if not name.isidentifier() or not name.isascii():
-        raise ValueError(f"{what} {name!r} is no identifier; use letters, digits and _")
+    if not is_identifier(name):
+        raise ValueError(f"{what} {name!r} is no identifier; use {NAME_RULE}")
 
 
 @kernel

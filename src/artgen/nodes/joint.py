@@ -5,6 +5,7 @@ from typing import Any, ClassVar, Literal
 import numpy as np
 
 from artgen import asset as values
+from artgen._names import NAME_RULE, is_identifier
 from artgen.graph import Handle, kernel
 from artgen.nodes.condition import Condition, Dependency
 from artgen.nodes.handles import Array3, Float, Scalar, VectorLike
@@ -155,8 +156,8 @@ def _joint(
     needs: values.Dependency | None,
     driven: str,
 ) -> values.Joint:
-    if not name.isidentifier() or not name.isascii():
-        raise ValueError(f"joint name {name!r} is no identifier; use letters, digits and _")
+    if not is_identifier(name):
+        raise ValueError(f"joint name {name!r} is no identifier; use {NAME_RULE}")
     if limits is not None and limits[0] > limits[1]:
         raise ValueError(
             f"joint {name!r} has limits {limits[0]:.6g} to {limits[1]:.6g}: the lower one comes first"

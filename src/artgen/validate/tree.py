@@ -5,6 +5,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from artgen._names import is_identifier
 from artgen.asset import Asset, Grasp, Link
 from artgen.asset.report import CheckResult, Finding
 from artgen.asset.stored_solids import mesh_precision
@@ -85,7 +86,7 @@ def _name_findings(asset: Asset) -> Iterator[Finding]:
             if count > 1:
                 message = f"{count} {kind}s are named {name!r}"
                 yield Finding(CHECK, message, link, joint, float(count), hint="give each a name of its own")
-            if not (name.isidentifier() and name.isascii()):
+            if not is_identifier(name):
                 message = f"the {kind} name {name!r} is no identifier"
                 yield Finding(CHECK, message, link, joint, hint="use letters, digits and _")
 

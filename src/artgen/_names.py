@@ -1,0 +1,94 @@
+"""Names and relative paths that authors and files give: what artgen itself would write, and nothing else."""
+
+import os
+import re
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+from typing import Any
+
+from artgen.errors import AssetError, ExportError
+
+NAME_RULE = "letters, digits and _, at most 100"
+"""The rule of names, for messages; the length leaves room for files named after a link and a part."""
+
+_LONGEST = 100  # characters of a name
+_NAMED = frozenset(  # keys of asset.json
+    [
+        "category",
+        "child",
+        "joint",
+        "joints",
+        "label",
+        "labels",
+        "leader",
+        "link",
+        "material",
+        "name",
+        "parent",
+    ]
+)
+_PART = re.compile(r"(?!\.+\Z)[A-Za-z0-9_.-]{1,200}")  # of a path: no parent and no drive
+
+
+def is_identifier(name: object) -> bool:
+    """Tell whether a name is an ASCII identifier that is not too long for files."""
+    return isinstance(name, str) and name.isascii() and name.isidentifier() and len(name) <= _LONGEST
+
+
+def is_plain_path(path: object) -> bool:
+    """Tell whether a path is relative, with slashes, and cannot leave its folder."""
+    return isinstance(path, str) and all(_PART.fullmatch(part) for part in path.split("/"))
+
+
+def check_names(data: Mapping[str, Any], source: Path) -> None:
+    """Refuse the data of an `asset.json` whose names or paths artgen would not write.
+
+    Raises:
+        AssetError: A name is no identifier, or a path leaves the folder of the asset.
+    """
+    for key, name in _names({**data, "parameters": {}, "formats": {}, "digests": {}, "certificate": {}}):
+        if not is_identifier(name):
+            raise AssetError(
+                f"{source}: {key} {name!r} is no identifier; use {NAME_RULE}, or export the asset again"
+            )
+    for path in _paths(data):
+        if not is_plain_path(path):
+            raise AssetError(
+                f"{source}: the path {path!r} is not allowed: it must be relative and stay in the folder of "
+                "the asset; export the asset again"
+            )
+
+
+def _names(data: Any, key: str = "") -> Iterator[tuple[str, Any]]:
+    """Yield each name with its key."""
+    if isinstance(data, Mapping):
+        for inner, value in data.items():
+            yield from _names(value, inner)
+    elif isinstance(data, list):
+        for value in data:
+            yield from _names(value, key)
+    elif key in _NAMED and data is not None:
+        yield key, data
+
+
+def _paths(data: Mapping[str, Any]) -> Iterator[Any]:
+    """Yield the paths of the files of an export."""
+    yield from data.get("digests", {})
+    for record in data.get("formats", {}).values():
+        yield record["main"]
+        yield from record["files"]
+
+
+def inside(folder: Path, path: str) -> Path:
+    """Return the place of a file below a folder, before it is read or written.
+
+    Raises:
+        ExportError: The path leaves the folder, also through a symbolic link.
+    """
+    if not is_plain_path(path):
+        raise ExportError(f"cannot use {path!r} below {folder}: it must be a relative path that stays there")
+    place = folder / path
+    parent = Path(os.path.realpath(place.parent))
+    if place.is_symlink() or not parent.is_relative_to(os.path.realpath(folder)):
+        raise ExportError(f"cannot use {place}: a symbolic link leads out of {folder}; remove the link")
+    return place
