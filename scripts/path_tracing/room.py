@@ -5,13 +5,11 @@ from dataclasses import replace
 
 import numpy as np
 from manifold3d import CrossSection, Manifold, OpType
-from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen.asset.shape import Mesh
 from artgen.materials import Material, material
 from path_tracing.studio import Rig, Surroundings
-
-Array = NDArray[np.float64]
 
 _WALL = Material("wall", (0.50, 0.485, 0.46), specular_roughness=0.9)
 _BOARD = Material("skirting", (0.80, 0.79, 0.77), specular_roughness=0.4)

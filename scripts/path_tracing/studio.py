@@ -7,11 +7,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen.asset.shape import Mesh
 from artgen.materials import Material
 from artgen.view.camera import Camera
 
-Array = NDArray[np.float64]
 Data = dict[str, Any]
 
 _PAPER = Material("backdrop", (0.62, 0.615, 0.605), specular_roughness=0.95)

@@ -6,16 +6,14 @@ from dataclasses import dataclass
 from itertools import combinations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen.asset import Asset
 from artgen.errors import ArtgenError
 from artgen.generator import Generator
 from artgen.view.camera import View
 from artgen.view.rays import cast
 from artgen.view.sheet import shots
-
-Array = NDArray[np.float64]
 
 SAME = 0.07
 """Difference below which two samples pass for one product, as appliances of one design in two sizes do."""

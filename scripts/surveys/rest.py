@@ -8,8 +8,8 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen.asset import Asset, Joint
 from artgen.validate.behavior.load import collected_warnings, fixed_model
 from artgen.validate.behavior.model import Simulation
@@ -31,7 +31,6 @@ BEYOND = {"revolute": 0.05, "prismatic": 0.005}
 _RISE = 1e-3  # of the energy, by rounding and the give of contacts [J]
 _RISE_SHARE = 0.01  # of the largest kinetic energy, by the length of time steps
 
-Array = NDArray[np.float64]
 
 Oddity = tuple[str, str]
 """Kind and message of what is odd."""

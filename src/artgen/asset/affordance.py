@@ -4,17 +4,13 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal
 
-import numpy as np
-from numpy.typing import NDArray
-
+from artgen._arrays import Array
 from artgen._caching import FrozenArrays
 from artgen.asset.hold import Grasp
 
 if TYPE_CHECKING:
     from artgen.asset.asset import Asset
     from artgen.asset.joint import Joint
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)

@@ -5,8 +5,8 @@ from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen._caching import cached_property
 from artgen.asset.affordance import Affordance, affordances
 from artgen.asset.assembly import assembled
@@ -23,7 +23,6 @@ from artgen.materials import Material
 if TYPE_CHECKING:
     from artgen import asset_methods
 
-Array = NDArray[np.float64]
 Base = Literal["fixed", "free"]
 
 _CERTIFICATE = "_certificate"  # where an asset keeps what was proven of it

@@ -6,8 +6,8 @@ from typing import Any, Literal, get_args
 
 import numpy as np
 from manifold3d import Manifold, OpType
-from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen._caching import cached_property
 from artgen.asset import Asset, Collider, Link
 from artgen.asset.geometry_override import DerivedLink, fields_of, need_solids
@@ -18,8 +18,6 @@ from artgen.colliders.connected import closed_mesh, connected_parts
 from artgen.colliders.single import fewest, single_hull
 from artgen.errors import ExportError, nearest
 from artgen.materials import Material
-
-Array = NDArray[np.float64]
 
 Collision = Literal["exact", "coacd", "hull"]
 COLLISIONS: tuple[str, ...] = get_args(Collision)

@@ -6,9 +6,8 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen.colliders.triangles import cross
-
-Array = NDArray[np.float64]
 
 
 def corner_normals(

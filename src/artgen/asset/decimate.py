@@ -3,13 +3,11 @@
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen.asset.creases import corner_normals
 from artgen.asset.manifolds import coincident
 from artgen.asset.shape import Mesh, Shape
-
-Array = NDArray[np.float64]
 
 _CREASE = math.radians(62.0)  # the fewer facets a round thing has, the more they turn
 

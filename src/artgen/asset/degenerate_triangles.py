@@ -5,8 +5,7 @@ from collections import deque
 import numpy as np
 from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
-Indices = NDArray[np.int64]
+from artgen._arrays import Array, Indices
 
 _SAME = 1e-6  # by how much position [m], normal and texture coordinates of one vertex differ
 _ROUNDS = 8  # how often each needle is looked at: the ones beside it may have to go first

@@ -4,15 +4,12 @@ from dataclasses import dataclass
 
 import numpy as np
 from manifold3d import Manifold
-from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 from trimesh.triangles import closest_point
 
+from artgen._arrays import Array, Indices
 from artgen._caching import FrozenArrays, cached_property
 from artgen.asset.unique_rows import distinct_rows
-
-Array = NDArray[np.float64]
-Indices = NDArray[np.int64]
 
 _CHUNK = 128  # points that are compared with all triangles at once
 _TRIED = 8  # points of a surface whose triangles are tried first: around a corner there are some six

@@ -9,8 +9,8 @@ from types import MappingProxyType
 from typing import Any, NoReturn
 
 import numpy as np
-from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen._caching import cached_property
 from artgen._names import check_names
 from artgen.asset.asset import FORMAT, Asset, remember
@@ -25,8 +25,6 @@ from artgen.asset.surface import joined, metric_coordinates, texture_coordinates
 from artgen.colliders import Convex
 from artgen.errors import AssetError, ExportError
 from artgen.materials import Material
-
-Array = NDArray[np.float64]
 
 ASSET_FILE = "asset.json"
 CERTIFICATE_FILE = "certificate.json"

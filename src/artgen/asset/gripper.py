@@ -9,9 +9,8 @@ from dataclasses import dataclass
 
 import numpy as np
 from manifold3d import Manifold
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from artgen._arrays import Array
 
 
 @dataclass(frozen=True)

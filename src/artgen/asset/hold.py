@@ -4,11 +4,9 @@ from dataclasses import dataclass, replace
 from typing import Self
 
 import numpy as np
-from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen._caching import FrozenArrays
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)

@@ -5,12 +5,11 @@ from dataclasses import dataclass, replace
 from typing import Any, Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen._caching import FrozenArrays
 from artgen.errors import AssetError
 
-Array = NDArray[np.float64]
 JointKind = Literal["revolute", "prismatic"]
 
 

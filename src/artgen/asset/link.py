@@ -6,8 +6,8 @@ from typing import Any, overload
 
 import numpy as np
 from manifold3d import Manifold, OpType
-from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen._caching import FrozenArrays, cached_property
 from artgen.asset.hold import Grasp, Push
 from artgen.asset.mass import MassProperties, Moments, polyhedron_moments, total
@@ -17,8 +17,6 @@ from artgen.asset.surface import by_paint, joined, shifted
 from artgen.colliders import Convex, budgeted_together
 from artgen.errors import AssetError
 from artgen.materials import Material
-
-Array = NDArray[np.float64]
 
 MOST_COLLIDERS = 64
 """Convex pieces that one link may carry; the budget of GPU simulators."""

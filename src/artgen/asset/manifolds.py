@@ -2,13 +2,11 @@
 
 import numpy as np
 from manifold3d import Manifold, Mesh64
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from artgen._arrays import Array, Indices
 from artgen._caching import cached
 from artgen.colliders.triangles import cross
-
-Array = NDArray[np.float64]
-Indices = NDArray[np.int64]
 
 PROPERTIES = 6
 """Vertex property channels of every manifold: nx ny nz u v paint."""

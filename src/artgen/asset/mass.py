@@ -11,11 +11,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen._caching import FrozenArrays
 from artgen.colliders.triangles import cross
 from artgen.errors import AssetError
-
-Array = NDArray[np.float64]
 
 _DIGITS = 12  # that mass properties keep: beyond, the order of additions shows
 

@@ -2,12 +2,8 @@
 
 from dataclasses import dataclass
 
-import numpy as np
-from numpy.typing import NDArray
-
+from artgen._arrays import Array
 from artgen._caching import FrozenArrays
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)

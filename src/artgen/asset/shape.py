@@ -5,8 +5,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 from manifold3d import Error, Manifold
-from numpy.typing import NDArray
 
+from artgen._arrays import Array, Indices
 from artgen._caching import FrozenArrays, cached_property, frozen
 from artgen.asset.manifolds import (
     PROPERTIES,
@@ -21,9 +21,6 @@ from artgen.asset.manifolds import (
 from artgen.colliders import Pieces, union
 from artgen.colliders.triangles import cross
 from artgen.materials import Material
-
-Array = NDArray[np.float64]
-Indices = NDArray[np.int64]
 
 GRAIN = 1e12
 """Steps per metre that hide the last digits, in which the sines of machines and versions of NumPy differ."""

@@ -5,17 +5,14 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 from manifold3d import Manifold, Mesh64
-from numpy.typing import NDArray
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 from scipy.spatial import cKDTree
 
+from artgen._arrays import Array, Indices
 from artgen._caching import FrozenArrays, cached_per_object, cached_property
 from artgen.asset import Link, Mesh
 from artgen.asset.unique_rows import distinct_rows
-
-Array = NDArray[np.float64]
-Indices = NDArray[np.int64]
 
 _WELD_MEMORY = 1e-9  # [m] within which corners of solids are one point
 _WELD_FILES = 4e-7  # [m]: mesh files have 7 decimals

@@ -6,15 +6,13 @@ from typing import Any
 
 import numpy as np
 from manifold3d import Error, Manifold, Mesh64
-from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen._caching import FrozenArrays, cached_per_object
 from artgen.asset import Link, Surface
 from artgen.asset.collision import Part, solid_parts
 from artgen.colliders.connected import connected_parts
 from artgen.errors import AssetError
-
-Array = NDArray[np.float64]
 
 _ONE_POINT = 3e-7  # [m]: vertices of a file nearer than this are one; it has seven decimals
 _ONE_BOX = 1e-6  # [m] that a bounding box may be off in a file

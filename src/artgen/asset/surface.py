@@ -6,12 +6,12 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen.asset.degenerate_triangles import needles, without_needles
 from artgen.asset.shape import Mesh
 from artgen.materials import Material
 from artgen.materials.textures import shifts_of, tile_of
 
-Array = NDArray[np.float64]
 Corners = NDArray[np.int64]
 """The corners of triangles, shape (3, m): in rows, which NumPy adds up and compares much faster."""
 

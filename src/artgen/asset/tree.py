@@ -4,15 +4,11 @@ from collections import Counter
 from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass, replace
 
-import numpy as np
-from numpy.typing import NDArray
-
+from artgen._arrays import Array
 from artgen.asset.contact import AllowedContact
 from artgen.asset.joint import Joint
 from artgen.asset.link import Link
 from artgen.errors import AssetError, nearest
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)

@@ -5,8 +5,9 @@ from typing import TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
+from artgen._arrays import Indices
+
 Number = TypeVar("Number", np.float64, np.int64)
-Indices = NDArray[np.int64]
 
 
 def distinct_rows(rows: NDArray[Number]) -> tuple[NDArray[Number], Indices, Indices]:

@@ -4,8 +4,9 @@ Pieces are known from how a solid was made, not found in its mesh: primitives ar
 concatenates, a difference splits the pieces by the faces of the cutter's pieces.
 """
 
+from artgen._arrays import Array
 from artgen.colliders.budget import budgeted, budgeted_together
-from artgen.colliders.convex import TOLERANCE, Array, Convex, Kind
+from artgen.colliders.convex import TOLERANCE, Convex, Kind
 from artgen.colliders.makers import (
     chain_pieces,
     cylinder_pieces,

@@ -5,8 +5,9 @@ import math
 import numpy as np
 from manifold3d import Manifold
 
+from artgen._arrays import Array
 from artgen._caching import cached
-from artgen.colliders.polytope import SLIVER, Array, Polytope
+from artgen.colliders.polytope import SLIVER, Polytope
 
 MOST_SIDES = 64
 """Sides of a facetted circle, at most."""

@@ -16,8 +16,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from artgen import _disk_cache as disk_cache
+from artgen._arrays import Array
 from artgen._disk_cache import cache_directory
-from artgen.colliders.convex import Array
 
 __all__ = ["cache_directory", "digest", "read_points", "write_points"]
 

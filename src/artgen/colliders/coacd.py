@@ -9,8 +9,9 @@ from importlib import metadata
 import numpy as np
 from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen.colliders.cache import digest, read_points, write_points
-from artgen.colliders.convex import Array, Convex
+from artgen.colliders.convex import Convex
 from artgen.colliders.single import single_hull
 
 THRESHOLD = 0.05

@@ -4,7 +4,7 @@ import numpy as np
 from manifold3d import Manifold, Mesh64
 from numpy.typing import NDArray
 
-from artgen.colliders.convex import Array
+from artgen._arrays import Array
 
 _DUST = 1e-15  # [m^3]: a part of less volume, that of a cube of 0.01 mm, is a crumb of a boolean
 

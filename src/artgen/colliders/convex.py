@@ -6,8 +6,8 @@ from typing import Literal
 
 import numpy as np
 from manifold3d import Manifold
-from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen._caching import FrozenArrays, cached, cached_property
 from artgen.colliders.approximate import (
     circle_sides,
@@ -17,7 +17,6 @@ from artgen.colliders.approximate import (
 )
 from artgen.colliders.polytope import Polytope, hull_triangles, is_rigid
 
-Array = NDArray[np.float64]
 Kind = Literal["box", "cylinder", "sphere", "capsule", "hull"]
 
 TOLERANCE = 0.00025

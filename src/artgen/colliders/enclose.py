@@ -7,8 +7,9 @@ import numpy as np
 from manifold3d import Manifold, Mesh64
 from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen._caching import cached, cached_property
-from artgen.colliders.convex import TOLERANCE, Array, Convex
+from artgen.colliders.convex import TOLERANCE, Convex
 from artgen.colliders.hull import hull_of
 from artgen.colliders.polytope import SNAP
 from artgen.colliders.triangles import across, cross, planes_of, triangles_of

@@ -2,11 +2,9 @@
 
 import numpy as np
 from manifold3d import Manifold
-from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen.colliders.triangles import across, planes_of, triangles_of
-
-Array = NDArray[np.float64]
 
 _ZOOMS = (7.0, 1000.0, 0.3)
 """At how many times their size points are tried again."""

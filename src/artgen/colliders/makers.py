@@ -5,9 +5,9 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from artgen._cyclic import successors
+from artgen._arrays import Array, successors
 from artgen.colliders.approximate import inscribed_points
-from artgen.colliders.convex import Array, Convex
+from artgen.colliders.convex import Convex
 from artgen.colliders.enclose import Facets, enclosing
 from artgen.colliders.pieces import Bounded, Cover, Exact, Pieces
 from artgen.colliders.polygon import convex_hull, decompose_polygon

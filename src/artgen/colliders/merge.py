@@ -6,7 +6,8 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from artgen.colliders.convex import Array, Convex
+from artgen._arrays import Array
+from artgen.colliders.convex import Convex
 from artgen.colliders.polytope import Polytope
 from artgen.colliders.split import Facetted, subtract
 

@@ -6,8 +6,8 @@ import numpy as np
 from manifold3d import CrossSection, FillRule, triangulate
 from numpy.typing import NDArray
 
-from artgen._cyclic import predecessors, successors
-from artgen.colliders.polytope import SNAP, Array
+from artgen._arrays import Array, predecessors, successors
+from artgen.colliders.polytope import SNAP
 
 _DIGITS = 12  # of metres: the last ones, in which machines differ, decide about no ties
 

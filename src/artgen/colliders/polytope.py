@@ -13,14 +13,10 @@ import numpy as np
 from manifold3d import Manifold
 from numpy.typing import NDArray
 
+from artgen._arrays import Array, Indices, Mask, successors
 from artgen._caching import FrozenArrays, cached_property
-from artgen._cyclic import successors
 from artgen.colliders.hull import hull_of
 from artgen.colliders.triangles import cross, triangles_of
-
-Array = NDArray[np.float64]
-Mask = NDArray[np.bool_]
-Indices = NDArray[np.int64]
 
 SNAP = 1e-9
 """A vertex closer to a cutting plane than this lies on it [m]."""

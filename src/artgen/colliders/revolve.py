@@ -5,8 +5,8 @@ from itertools import pairwise
 
 import numpy as np
 
-from artgen._cyclic import successors
-from artgen.colliders.convex import Array, Convex
+from artgen._arrays import Array, successors
+from artgen.colliders.convex import Convex
 from artgen.colliders.pieces import Bounded, Cover, Pieces
 from artgen.colliders.polygon import convex_hull, signed_area
 from artgen.colliders.polytope import SLIVER, SNAP

@@ -4,7 +4,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from artgen.colliders.convex import TOLERANCE, Array, Convex
+from artgen._arrays import Array
+from artgen.colliders.convex import TOLERANCE, Convex
 from artgen.colliders.enclose import Facets, enclosing
 
 

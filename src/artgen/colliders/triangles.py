@@ -2,10 +2,8 @@
 
 import numpy as np
 from manifold3d import Mesh64
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
-Indices = NDArray[np.int64]
+from artgen._arrays import Array, Indices
 
 _NEXT, _AFTER = np.array([1, 2, 0]), np.array([2, 0, 1])
 

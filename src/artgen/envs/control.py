@@ -9,13 +9,11 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.linalg.lapack import dposv
 
+from artgen._arrays import Array
 from artgen.asset import rotation
 from artgen.envs.robot import HAND, PREFIX, simulator
-
-Array = NDArray[np.float64]
 
 POSITION, ROTATION = 0.05, 0.5
 """How far the tip is asked to go by an action of 1 [m], [rad]."""

@@ -8,6 +8,7 @@ import numpy as np
 from gymnasium import spaces
 from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen.asset import Asset
 from artgen.envs.assets import Assets, Source
 from artgen.envs.compiled_assets import ready
@@ -18,8 +19,6 @@ from artgen.envs.rewards import dense, reward
 from artgen.envs.scene import CAMERAS, STEPS, TIME_STEP, Scene
 from artgen.envs.task import TASKS, Task
 from artgen.errors import EnvError, ParameterError, nearest
-
-Array = NDArray[np.float64]
 
 RATE = round(1.0 / (STEPS * TIME_STEP))
 """Actions in a second [1/s]."""

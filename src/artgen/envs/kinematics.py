@@ -1,11 +1,9 @@
 """Kinematics of a Franka Panda for many postures at once: where it is, and how to follow a path."""
 
 import numpy as np
-from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen.envs.robot import LIMITS
-
-Array = NDArray[np.float64]
 
 # as in robosuite's model of the arm: from each joint to the next, at angle 0, a turn about x and a shift
 _TURNS = (0.0, -0.5, 0.5, 0.5, -0.5, 0.5, 0.5)  # [pi]

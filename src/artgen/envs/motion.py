@@ -4,13 +4,11 @@ from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen.asset import rotation
 from artgen.asset.affordance import Affordance
 from artgen.asset.gripper import GRIPPER
-
-Array = NDArray[np.float64]
 
 OPEN = GRIPPER.stroke
 """Widest opening of the hand [m]."""

@@ -3,11 +3,10 @@
 import numpy as np
 from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen.envs.motion import Stage, tip_of
 from artgen.envs.robot import OPENING
 from artgen.envs.scene import Scene
-
-Array = NDArray[np.float64]
 
 PROPRIOCEPTION = 30
 """Numbers that `proprioception` returns."""

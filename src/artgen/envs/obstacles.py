@@ -3,14 +3,11 @@
 from collections.abc import Mapping
 
 import numpy as np
-from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen.asset import Asset
 from artgen.asset.gripper import GRIPPER
 from artgen.colliders import Convex
-
-Array = NDArray[np.float64]
-
 
 _TABLE = 1.0  # its height, more than a robot reaches down [m]
 _GRAZE = 0.001  # between the table and what stands on it [m]

@@ -7,9 +7,10 @@ from itertools import islice, product
 import numpy as np
 from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen.asset import Asset
 from artgen.envs.kinematics import BALL_JOINTS, BALL_PLACES, BALL_RADII, frames, reach
-from artgen.envs.motion import Array, Contact, Move, Stage, Target, between, lifted, turned
+from artgen.envs.motion import Contact, Move, Stage, Target, between, lifted, turned
 from artgen.envs.obstacles import HAND, Obstacles
 from artgen.envs.robot import HOME, LIMITS
 

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen.asset import Asset
 from artgen.envs.control import POSITION, ROTATION
 from artgen.envs.motion import OPEN, Contact, Move, lifted, rotation_vector
@@ -13,7 +14,6 @@ from artgen.envs.motion import OPEN, Contact, Move, lifted, rotation_vector
 if TYPE_CHECKING:
     import gymnasium
 
-Array = NDArray[np.float64]
 
 _NEAR, _AT = 0.015, 0.004  # how exactly the hand comes to poses on its way, and to what it touches [m]
 _TURN_MATTERS = 0.05  # metres that a radian counts for

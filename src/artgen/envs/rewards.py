@@ -9,10 +9,7 @@ most `DENSE` together, the bonus for success is worth more than to stay just bef
 import math
 from collections.abc import Sequence
 
-import numpy as np
-from numpy.typing import NDArray
-
-Array = NDArray[np.float64]
+from artgen._arrays import Array
 
 DENSE = 10.0
 """Most that all steps of an episode give without the bonus."""

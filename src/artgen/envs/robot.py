@@ -9,12 +9,9 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from artgen.asset.gripper import GRIPPER
 from artgen.errors import EnvError
-
-Array = NDArray[np.float64]
 
 PREFIX = "robot_"
 """Begins every name of the robot's in a scene."""

@@ -7,8 +7,8 @@ from itertools import combinations
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen.asset import Asset
 from artgen.asset.affordance import head
 from artgen.envs.control import Control
@@ -17,8 +17,6 @@ from artgen.envs.robot import ASSET_BIT, HAND, LIMITS, OPENING, PREFIX, ROBOT_BI
 from artgen.export.frames import quaternion
 from artgen.export.meshes import MeshFiles, mesh_files
 from artgen.export.mjcf import mjcf_text, mjcf_tree
-
-Array = NDArray[np.float64]
 
 TIME_STEP = 0.0025
 """Length of a step of the physics [s]: half the time constant of the contacts and limits in the exports."""

@@ -4,14 +4,12 @@ from collections.abc import Callable, Iterator
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen.asset import Asset
 from artgen.asset.affordance import Affordance
 from artgen.envs.motion import BACK, FAR_BACK, Contact, Move, Stage, contact_of, lifted
 from artgen.errors import EnvError
-
-Array = NDArray[np.float64]
 
 Choice = tuple[Stage, ...]
 Chooser = Callable[[Asset, np.random.Generator], Iterator[Choice]]

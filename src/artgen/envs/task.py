@@ -5,7 +5,6 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from artgen.asset import Asset
 from artgen.catalog import generate
@@ -14,8 +13,6 @@ from artgen.envs.placing import place
 from artgen.envs.targets import Chooser, open_dishwasher, push_door, simple
 from artgen.errors import EnvError
 from artgen.sampling import choice
-
-Array = NDArray[np.float64]
 
 __all__ = ["TASKS", "Contact", "Move", "Stage", "Target", "Task"]
 

@@ -10,12 +10,10 @@ from collections.abc import Collection
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen._caching import FrozenArrays
 from artgen.asset import Asset, Coupling, Joint, Link
-
-Array = NDArray[np.float64]
 
 FAR = 1000.0
 """Where an unlimited slide ends in a format that wants limits of it [m]."""

@@ -4,16 +4,13 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from artgen._arrays import Array, Indices
 from artgen._caching import FrozenArrays, cached
 from artgen.asset import Asset
 from artgen.asset.record import DECIMALS
 from artgen.colliders import Convex
 from artgen.colliders.hull import hull_of
-
-Array = NDArray[np.float64]
-Indices = NDArray[np.int64]
 
 Surface = tuple[Array, Indices]
 """Vertices, shape (n, 3) [m], and triangles, shape (m, 3)."""

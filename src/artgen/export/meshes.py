@@ -5,8 +5,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from artgen._arrays import Array, Indices
 from artgen._caching import FrozenArrays, cached
 from artgen.asset import Asset, Mesh
 from artgen.asset.files import (
@@ -23,9 +23,6 @@ from artgen.export.number_text import face_lines, lines, rounded, text
 from artgen.export.phong import phong_exponent, specular_color
 from artgen.materials import Material
 from artgen.materials.textures import Kind, displayed
-
-Array = NDArray[np.float64]
-Indices = NDArray[np.int64]
 
 
 @dataclass(frozen=True)

@@ -9,10 +9,9 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from artgen._arrays import Array, Indices
 from artgen._caching import cached
 
-Array = NDArray[np.float64]
-Indices = NDArray[np.int64]
 Bytes = NDArray[np.uint8]
 Words = NDArray[np.uint32]  # four characters each
 

@@ -3,14 +3,11 @@
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from artgen.asset.joint import Joint
 from artgen.asset.outline import Curve, Outline
 from artgen.asset.shape import MovedShape, Shape
 from artgen.asset.tree import Tree
-
-Array = NDArray[np.float64]
 
 _BLANK = (0.72, 0.74, 0.76)  # linear colour of a solid without a material
 _MOST_POINTS = 400  # of a cloud

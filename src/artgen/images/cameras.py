@@ -8,11 +8,9 @@ import math
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen.view.camera import Camera, View
-
-Array = NDArray[np.float64]
 
 _ASIDE = 0.7  # share of what stays free beside the asset by which it may stand off the middle
 

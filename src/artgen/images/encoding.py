@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from artgen._arrays import Array
 
 _PNG_LEVEL = 1  # of compression: higher ones take longer and save little
 _JPEG_QUALITY = 95

@@ -7,9 +7,8 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from artgen._arrays import Array
 
 FLOORS = ("oak", "walnut_flat_sawn", "pine", "marble", "granite", "black_granite", "linen", "canvas", "mdf")
 """Materials that a random floor may have."""

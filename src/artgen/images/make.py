@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen.asset import Asset
 from artgen.asset.files import ASSET_FILE
 from artgen.asset.record import json_text, rounded
@@ -23,8 +24,6 @@ from artgen.images.renderer import ImageRenderer
 from artgen.sampling.streams import stream
 from artgen.view.camera import Camera
 from artgen.view.rays import cast
-
-Array = NDArray[np.float64]
 
 ANNOTATION_FILE = "annotations.json"
 """What is known of the pictures of one asset, in its directory; files of COCO are made of these."""

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen.asset import Asset
 from artgen.images.lighting import Setting, Surroundings
 from artgen.materials import material
@@ -14,8 +15,6 @@ from artgen.view.camera import Camera
 from artgen.view.classic import HALF, SKY, ClassicDress, ClassicRenderer
 from artgen.view.scene import HIDDEN_GROUP, STUDIO_GROUP, Scene, add_geom
 from artgen.view.studio import Backdrop, ribbon
-
-Array = NDArray[np.float64]
 
 _SKY_TEXELS = 32
 _WIDE = 40.0  # half the size of floors and walls, over the asset's radius

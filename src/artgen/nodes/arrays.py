@@ -1,15 +1,13 @@
 """Copies of one solid that stay part of one link."""
 
 import numpy as np
-from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen.asset.shape import ComposedShape, Shape
 from artgen.graph import kernel
 from artgen.nodes import validators as inputs
 from artgen.nodes.csg import united
 from artgen.nodes.handles import ArrayN3, PointsLike, Solid
-
-Array = NDArray[np.float64]
 
 
 @kernel

@@ -5,12 +5,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from artgen._arrays import Array, Indices, successors
 from artgen._caching import FrozenArrays
-from artgen._cyclic import successors
 from artgen.asset.outline import Contour
-
-Array = NDArray[np.float64]
-Indices = NDArray[np.int64]
 
 
 @dataclass(frozen=True, eq=False)

@@ -5,13 +5,10 @@ from collections.abc import Sequence
 
 import numpy as np
 from manifold3d import CrossSection, FillRule
-from numpy.typing import NDArray
 
-from artgen._cyclic import predecessors, successors
+from artgen._arrays import Array, predecessors, successors
 from artgen.asset.outline import Contour, Outline
 from artgen.nodes.surfaces import arc_steps, sides_of
-
-Array = NDArray[np.float64]
 
 CREASE = math.radians(35.0)
 """A turn below this is taken for the sampling of a smooth curve."""

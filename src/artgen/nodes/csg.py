@@ -9,9 +9,9 @@ from dataclasses import replace
 
 import numpy as np
 from manifold3d import Manifold, OpType
-from numpy.typing import NDArray
 
 from artgen import colliders
+from artgen._arrays import Array
 from artgen.asset.shape import Shape
 from artgen.colliders import Convex, Exact
 from artgen.colliders.hull import hull_of
@@ -23,8 +23,6 @@ from artgen.nodes.handles import Array3, Scalar, Solid, VectorLike
 from artgen.nodes.primitive_colliders import around_hull
 from artgen.nodes.resurface import faceted_shape, with_properties
 from artgen.nodes.rounded_box import rounded_box
-
-Array = NDArray[np.float64]
 
 _PAINT = 8  # column of the paint number in the vertex table
 _PLANE_DECIMALS = 9  # of normals and distances [m]

@@ -4,9 +4,8 @@ import math
 from collections.abc import Callable, Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
-from artgen._cyclic import successors
+from artgen._arrays import Array, successors
 from artgen.asset.outline import Contour, Outline
 from artgen.asset.shape import Shape
 from artgen.graph import kernel
@@ -15,8 +14,6 @@ from artgen.nodes.contours import is_disjoint, moved_outline, refined
 from artgen.nodes.handles import Array3, Profile, Scalar, Solid, VectorLike
 from artgen.nodes.primitive_colliders import around_extrusion, moved
 from artgen.nodes.surfaces import extrusion, mitres
-
-Array = NDArray[np.float64]
 
 _TWIST_STEP = math.pi / 32.0
 

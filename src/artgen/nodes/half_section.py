@@ -3,15 +3,13 @@
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen.asset.outline import Contour, Curve, Outline
 from artgen.graph import kernel
 from artgen.nodes import validators as inputs
 from artgen.nodes.contours import estimated, faceted, is_disjoint, side_normals, without_repeats
 from artgen.nodes.handles import Path, Profile, Scalar
-
-Array = NDArray[np.float64]
 
 _ON_AXIS = 1e-6  # [m]: points nearer to the axis lie on it
 _FLAT = 0.01  # [m]: how far a line runs off the plane before it is no half section

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from artgen._cyclic import predecessors, successors
+from artgen._arrays import Array, predecessors, successors
 from artgen.asset.outline import Contour, Outline
 from artgen.asset.shape import Shape
 from artgen.graph import kernel
@@ -17,8 +17,6 @@ from artgen.nodes.handles import Array3, Profile, Scalar, Solid, VectorLike
 from artgen.nodes.primitive_colliders import around_chain
 from artgen.nodes.surfaces import Sheets, Skin, triangulated
 from artgen.nodes.unwrap import cap_uvs, lies_flat, runs_across, tapered_around, wall_uvs
-
-Array = NDArray[np.float64]
 
 _SHARE = 1e-7  # of a border's length: positions along it closer than this are one
 

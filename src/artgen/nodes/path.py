@@ -4,16 +4,13 @@ import math
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
-from artgen._cyclic import predecessors, successors
+from artgen._arrays import Array, predecessors, successors
 from artgen.asset.outline import Curve
 from artgen.graph import kernel
 from artgen.nodes import validators as inputs
 from artgen.nodes.handles import Array3, Path, Scalar, VectorLike
 from artgen.nodes.surfaces import CHORD, arc_steps
-
-Array = NDArray[np.float64]
 
 _MOST_SAMPLES = 200
 

@@ -3,7 +3,6 @@
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
 from artgen.asset.outline import Contour
 from artgen.asset.shape import Shape
@@ -23,8 +22,6 @@ from artgen.nodes.primitive_colliders import (
 from artgen.nodes.round_contours import axial, half_ellipse, onto_axis
 from artgen.nodes.rounded_box import rounded_box
 from artgen.nodes.surfaces import bevel_steps, extrusion, lathe, sides_of
-
-Array = NDArray[np.float64]
 
 UP = (0.0, 0.0, 1.0)
 

@@ -6,14 +6,12 @@ from collections.abc import Callable, Sequence
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 
 from artgen import colliders
+from artgen._arrays import Array
 from artgen.asset.outline import Contour, Outline
 from artgen.colliders import Bounded, Convex, Pieces
 from artgen.nodes.surfaces import lathe_steps, mitres
-
-Array = NDArray[np.float64]
 
 _SOFT_EDGE = 0.012
 """Edges of a box rounded by more than this [m] show in its collider; below, it is a plain box."""

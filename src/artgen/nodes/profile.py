@@ -10,7 +10,7 @@ from typing import Literal
 import numpy as np
 from manifold3d import CrossSection, JoinType
 
-from artgen._cyclic import successors
+from artgen._arrays import successors
 from artgen.asset.outline import Contour, Outline
 from artgen.graph import kernel
 from artgen.nodes import validators as inputs

@@ -4,8 +4,8 @@ from collections.abc import Callable
 
 import numpy as np
 from manifold3d import Manifold
-from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen.asset.creases import corner_normals
 from artgen.asset.manifolds import manifold_of
 from artgen.asset.shape import Shape
@@ -13,8 +13,6 @@ from artgen.colliders import Pieces
 from artgen.colliders.triangles import cross
 from artgen.nodes.contours import CREASE
 from artgen.nodes.unwrap import boxed_uvs
-
-Array = NDArray[np.float64]
 
 
 def with_properties(manifold: Manifold, change: Callable[[Array], None]) -> Manifold:

@@ -3,13 +3,11 @@
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen.asset.outline import Contour
 from artgen.nodes.contours import arc_points, faceted, rounded_polygon
 from artgen.nodes.surfaces import sides_of
-
-Array = NDArray[np.float64]
 
 
 def axial(radius: float, half: float, bevel: float, top_radius: float | None = None) -> Contour:

@@ -1,14 +1,11 @@
 """The mesh of a box with rounded edges: a sphere's, pulled apart to the corners of the box."""
 
 import numpy as np
-from numpy.typing import NDArray
 
+from artgen._arrays import Array, Indices
 from artgen._caching import cached
 from artgen.nodes.surfaces import Skin
 from artgen.nodes.unwrap import grain_of
-
-Array = NDArray[np.float64]
-Indices = NDArray[np.int64]
 
 
 @cached(16)

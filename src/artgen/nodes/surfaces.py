@@ -12,8 +12,8 @@ import numpy as np
 from manifold3d import triangulate
 from numpy.typing import NDArray
 
+from artgen._arrays import Array, Indices, predecessors, successors
 from artgen._caching import FrozenArrays, cached
-from artgen._cyclic import predecessors, successors
 from artgen.asset.outline import Contour
 from artgen.asset.shape import GRAIN, Shape
 from artgen.colliders import Pieces
@@ -28,9 +28,6 @@ from artgen.nodes.unwrap import (
     turned_uvs,
     wall_uvs,
 )
-
-Array = NDArray[np.float64]
-Indices = NDArray[np.int64]
 
 CHORD = 0.0002
 """How far the facets of a round thing may stay inside of it [m], between the least and the most facets."""

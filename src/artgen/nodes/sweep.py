@@ -4,9 +4,8 @@ import math
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
-from artgen._cyclic import successors
+from artgen._arrays import Array, successors
 from artgen.asset.outline import Contour, Curve, Outline
 from artgen.asset.shape import Shape
 from artgen.colliders.triangles import cross
@@ -18,7 +17,6 @@ from artgen.nodes.primitive_colliders import around_sweep
 from artgen.nodes.surfaces import Sheets, Skin, triangulated
 from artgen.nodes.unwrap import cap_uvs, runs_across, wall_uvs
 
-Array = NDArray[np.float64]
 Row = tuple[float, float, float]
 
 _SHARPEST = math.radians(150.0)

@@ -8,16 +8,14 @@ from threading import Lock
 from typing import Any, Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen._caching import cached
 from artgen.asset.outline import Contour, Outline
 from artgen.graph import kernel
 from artgen.nodes import validators as inputs
 from artgen.nodes.contours import is_disjoint, moved_outline, outline_of, section
 from artgen.nodes.handles import Profile, Scalar
-
-Array = NDArray[np.float64]
 
 _SMOOTH = 0.94
 """Cosine of the turn (20 degrees) below which curves of a letter join smoothly."""

@@ -3,14 +3,12 @@
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen.asset.shape import Shape
 from artgen.graph import kernel
 from artgen.nodes import validators as inputs
 from artgen.nodes.handles import Array3, Scalar, Solid, VectorLike
-
-Array = NDArray[np.float64]
 
 
 def rotation_about(axis: Array, angle: float) -> Array:

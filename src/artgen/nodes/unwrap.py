@@ -8,12 +8,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from artgen._cyclic import successors
+from artgen._arrays import Array, Indices, successors
 from artgen.asset.outline import Contour
 from artgen.nodes.contour_columns import Rail
-
-Array = NDArray[np.float64]
-Indices = NDArray[np.int64]
 
 _LONGER = 1.0 + 1e-6  # lengths closer than this are equal: rounding must not turn the grain
 

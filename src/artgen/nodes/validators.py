@@ -4,11 +4,9 @@ import math
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen.colliders.triangles import cross
-
-Array = NDArray[np.float64]
 
 _SHARP = 1e-6  # [m]
 _STILL = np.eye(4)  # each call of it takes as long as three copies

@@ -14,12 +14,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen.asset.joint import JointKind
 from artgen.colliders.triangles import cross
-
-Array = NDArray[np.float64]
 
 WIDEST = 1.2
 """Half interval up to which an arc is enclosed by its ends and the crossing of their tangents [rad]."""

@@ -4,8 +4,8 @@ import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen.asset import Asset
 from artgen.asset.certificate import MOST_TOLERANCE, Certificate
 from artgen.asset.joint import is_number
@@ -18,8 +18,6 @@ from artgen.proof.overlap import Links, allowed_at, allows, displacement, penetr
 from artgen.proof.paths import Space, Way
 from artgen.proof.results import Judged, pair_result
 from artgen.proof.search import Search
-
-Array = NDArray[np.float64]
 
 _SMALLEST_RANGE = 1e-6  # [rad or m]
 

@@ -3,16 +3,13 @@
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from artgen._arrays import Array, Indices
 from artgen.proof.bounds import Motion, around_axis, axis_gap
 from artgen.proof.hierarchy import Hierarchy
 from artgen.proof.items import Items
 from artgen.proof.kinematics import is_coaxial
 from artgen.proof.paths import Way
-
-Array = NDArray[np.float64]
-Indices = NDArray[np.int64]
 
 
 class Coaxial:

@@ -7,15 +7,13 @@ import numpy as np
 from manifold3d import Manifold
 from numpy.typing import NDArray
 
+from artgen._arrays import Array, Indices
 from artgen.asset import Link
 from artgen.asset.shape import Shape
 from artgen.asset.stored_solids import link_parts
 from artgen.colliders import Exact
 from artgen.colliders.hull import hull_of
 from artgen.colliders.polytope import Polytope
-
-Array = NDArray[np.float64]
-Indices = NDArray[np.int64]
 
 _ROUNDING = 1e-9  # of the vertices of a solid and the faces of its piece [m]
 _EXACT = 1e-6  # what sticks out of a piece then at most, at edges of a tenth of a degree [m]

@@ -5,16 +5,14 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen._caching import FrozenArrays, cached_per_object
 from artgen.asset import Link
 from artgen.asset.link import MovedLink
 from artgen.colliders import Convex
 from artgen.colliders.polytope import Polytope
 from artgen.proof.containment import excess
-
-Array = NDArray[np.float64]
 
 FINE = 2e-5
 """How far the polytopes around round pieces may stand off them [m]."""

@@ -6,14 +6,10 @@ from typing import Any
 
 import numpy as np
 from manifold3d import Manifold
-from numpy.typing import NDArray
 
+from artgen._arrays import Array, Indices, Mask
 from artgen.colliders.hull import hull_of
 from artgen.colliders.triangles import cross
-
-Array = NDArray[np.float64]
-Indices = NDArray[np.int64]
-Mask = NDArray[np.bool_]
 
 _FAN = 4  # children of a box, at most
 _MANY = 12  # vertices from which a piece is looked at in a box at first

@@ -4,13 +4,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
-from numpy.typing import NDArray
 
+from artgen._arrays import Array, Indices, Mask
 from artgen.proof.overlap import PRESSED
-
-Array = NDArray[np.float64]
-Indices = NDArray[np.int64]
-Mask = NDArray[np.bool_]
 
 NONE = -1
 """Frame of an item that has no plane."""

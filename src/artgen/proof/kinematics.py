@@ -4,17 +4,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from artgen._arrays import Array, Indices, Mask
 from artgen.asset.joint import JointKind
 from artgen.colliders.triangles import cross
 from artgen.proof.bounds import Motion
 from artgen.proof.items import NONE, Items
 from artgen.proof.paths import Way
-
-Array = NDArray[np.float64]
-Indices = NDArray[np.int64]
-Mask = NDArray[np.bool_]
 
 BEYOND = 1e-9
 """By how much the proof goes beyond each end of a range, so that it holds for rounded limits [rad or m]."""

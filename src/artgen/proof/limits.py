@@ -4,15 +4,13 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen.asset import Asset, Joint
 from artgen.asset.collision import Part
 from artgen.proof.certify import certify
 from artgen.proof.overlap import Links, allowed_at
 from artgen.proof.paths import Space
-
-Array = NDArray[np.float64]
 
 _BISECTIONS = 9
 _BREATH = 1e-6  # [rad or m]

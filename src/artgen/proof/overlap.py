@@ -5,16 +5,14 @@ from dataclasses import dataclass
 
 import numpy as np
 from manifold3d import Manifold
-from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen.asset import Link
 from artgen.asset.collision import Part
 from artgen.asset.contact import AllowedContact
 from artgen.asset.stored_solids import link_parts
 from artgen.colliders.triangles import cross
 from artgen.proof.paths import Way
-
-Array = NDArray[np.float64]
 
 LEAST_VOLUME = 1e-13
 """Volume from which two solids count as overlapping [m^3]."""

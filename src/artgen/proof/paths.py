@@ -10,14 +10,13 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
-from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen.asset import Asset, Joint
 from artgen.asset.contact import AllowedContact
 from artgen.asset.joint import Condition
 from artgen.errors import AssetError
 
-Array = NDArray[np.float64]
 Interval = tuple[float, float]
 Box = Mapping[str, Interval]
 

@@ -3,14 +3,11 @@
 from dataclasses import dataclass, field, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from artgen._arrays import Array, Indices
 from artgen.proof.bounds import Motion, gap
 from artgen.proof.items import NONE
 from artgen.proof.kinematics import Layout
-
-Array = NDArray[np.float64]
-Indices = NDArray[np.int64]
 
 GRAIN = 1e9
 """Steps per metre in which gaps are compared, so that ties fall alike on every machine."""

@@ -9,8 +9,8 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen.asset import Asset
 from artgen.asset.certificate import AXIS_FRAME, PROOF_FORMAT, Certificate, PairResult
 from artgen.asset.report import Finding
@@ -19,8 +19,6 @@ from artgen.proof.bounds import Motion, around_axis, axis_gap, gap
 from artgen.proof.cover import Cover, stored_cover
 from artgen.proof.overlap import allows
 from artgen.proof.paths import Space, Way
-
-Array = NDArray[np.float64]
 
 _CHECK = "certificate"
 _BEYOND = 2e-9  # by which cells may reach over the ends of a range [rad or m]

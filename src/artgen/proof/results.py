@@ -5,8 +5,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen.asset import Asset
 from artgen.asset.certificate import OpenCell, PairResult, Verdict, Witness
 from artgen.proof.cover import Cover
@@ -21,8 +21,6 @@ from artgen.proof.overlap import (
     penetration,
 )
 from artgen.proof.paths import Way
-
-Array = NDArray[np.float64]
 
 _MOST_CELLS = 5  # open cells that are listed for a pair
 _DECIMALS = 9  # of lengths in a certificate

@@ -12,8 +12,8 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from artgen._arrays import Array, Indices, Mask
 from artgen.asset.certificate import AXIS_FRAME
 from artgen.asset.joint import JointKind
 from artgen.proof.bounds import Motion
@@ -24,10 +24,6 @@ from artgen.proof.kinematics import Frames, Layout, frames, nearest_zero, starti
 from artgen.proof.paths import Way
 from artgen.proof.planes import GRAIN, Ahead, Planes, taken
 from artgen.proof.witnesses import Confirm, Depths, Witnesses, depth_of
-
-Array = NDArray[np.float64]
-Indices = NDArray[np.int64]
-Mask = NDArray[np.bool_]
 
 MARGIN = 1e-8
 """By how much a bound must exceed its threshold; float64 errs by 1e-14 at a metre [m]."""

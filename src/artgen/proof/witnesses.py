@@ -4,14 +4,10 @@ import itertools
 from collections.abc import Callable, Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from artgen._arrays import Array, Indices
 from artgen.proof.items import Items, Outcome
 from artgen.proof.paths import Way
-
-Array = NDArray[np.float64]
-Indices = NDArray[np.int64]
-Mask = NDArray[np.bool_]
 
 Confirm = Callable[[int, int, int, Array, float], str]
 """Tells what overlaps, `solids`, `pieces` or nothing (an empty text).

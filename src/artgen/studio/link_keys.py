@@ -4,13 +4,12 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen.asset import Link
 from artgen.asset.link import MovedLink
 from artgen.asset.shape import ComposedShape, MovedShape, Shape
 
-Array = NDArray[np.float64]
 Key = tuple[Any, ...]
 
 

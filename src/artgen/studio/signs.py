@@ -6,11 +6,11 @@ from typing import Any, Literal, get_args
 import numpy as np
 from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen.asset import Asset
 from artgen.export.frames import quaternion
 from artgen.view.overlays import ColliderFaces, Overlays, axis_poses, overlays
 
-Array = NDArray[np.float64]
 Sign = Literal["colliders", "joints", "grasps", "masses"]
 SIGNS: tuple[Sign, ...] = get_args(Sign)
 """The kinds of signs."""

@@ -9,8 +9,8 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen.asset import Asset
 from artgen.export.frames import quaternion
 from artgen.studio.link_glb import link_glb
@@ -18,7 +18,6 @@ from artgen.studio.link_keys import Placed, placed
 from artgen.studio.signs import Signs
 from artgen.view.overlays import Rgb, label_colors
 
-Array = NDArray[np.float64]
 Color = tuple[int, int, int]
 
 _GHOST = 0.25  # what is replaced stays so long, since browsers need time to read what replaces it [s]

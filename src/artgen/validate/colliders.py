@@ -4,9 +4,9 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 from manifold3d import Manifold, OpType
-from numpy.typing import NDArray
 from scipy.spatial import ConvexHull, QhullError
 
+from artgen._arrays import Array
 from artgen.asset import Asset, Link
 from artgen.asset.link import MOST_COLLIDERS
 from artgen.asset.report import CheckResult, Finding, Severity
@@ -14,8 +14,6 @@ from artgen.asset.shells import point_text, skins
 from artgen.asset.stored_solids import Details
 from artgen.errors import ArtgenError, AssetError
 from artgen.validate.fidelity import Fidelity, fidelity
-
-Array = NDArray[np.float64]
 
 CHECK = "colliders"
 

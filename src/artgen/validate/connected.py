@@ -3,13 +3,11 @@
 from collections.abc import Iterator, Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen.asset import Link
 from artgen.asset.report import Finding
 from artgen.asset.shells import Shell, point_text, skins
-
-Array = NDArray[np.float64]
 
 JOINED = 0.5e-3
 """Gap up to which two solids of a link count as joined [m]."""

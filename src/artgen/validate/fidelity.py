@@ -5,15 +5,13 @@ from dataclasses import dataclass
 
 import numpy as np
 from manifold3d import Manifold, OpType
-from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen.asset.distance import Faces
 from artgen.asset.unique_rows import distinct_rows
 from artgen.colliders import Convex
 from artgen.colliders.hull import hull_of
 from artgen.colliders.polytope import Polytope
-
-Array = NDArray[np.float64]
 
 _FINE = 2.0e-5  # [m] to which round pieces are faceted around
 _SPREAD = 300  # points spread over the surfaces that differ, beside their corners

@@ -7,12 +7,10 @@ from numbers import Real
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen.asset import Asset
 from artgen.errors import ParameterError, nearest
-
-Array = NDArray[np.float64]
 
 CLOSE_UP = "close-up:"
 """What stands before the name of a link in the name of a view that frames this link."""

@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen.materials import Material
 from artgen.materials.textures import displayed, kinds, map_name, maps
 from artgen.view import gl
@@ -20,8 +21,6 @@ from artgen.view.environment import sphere_map, sphere_map_coordinates
 from artgen.view.lamps import key_light, sky_light, spread
 from artgen.view.scene import ASSET_GROUP, HIDDEN_GROUP, Drawn, Layer, Scene
 from artgen.view.studio import Backdrop
-
-Array = NDArray[np.float64]
 
 HALF = 0.5
 """Pictures are drawn this dark, so that no light is cut off before they are averaged."""

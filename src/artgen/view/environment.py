@@ -7,9 +7,8 @@ import math
 from functools import lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from artgen._arrays import Array
 
 _LOBE = 64  # directions by which the blur of a rough surface is averaged
 

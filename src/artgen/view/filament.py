@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen.errors import RenderError
 from artgen.materials import Material
 from artgen.materials.textures import Kind, displayed, encoded, kinds, map_name
@@ -25,8 +26,6 @@ from artgen.view.lamps import KEY, key_light, spread
 from artgen.view.one_thread import OneThread
 from artgen.view.scene import Layer, Scene
 from artgen.view.studio import Backdrop
-
-Array = NDArray[np.float64]
 
 THREAD = OneThread("filament")
 """In which Filament does everything: called from two threads, it ends the process."""

@@ -6,9 +6,8 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen.view.environment import irradiance, reflected, sphere_directions
-
-Array = NDArray[np.float64]
 
 _SIZE = 64  # texels along an edge of the sharpest cube
 _LEVELS = 5

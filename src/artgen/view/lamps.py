@@ -3,9 +3,8 @@
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from artgen._arrays import Array
 
 KEY = np.array([-0.38, -0.85, 0.80]) / np.linalg.norm([-0.38, -0.85, 0.80])
 """From where the key light comes, shape (3,)."""

@@ -11,13 +11,11 @@ from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
+from artgen._arrays import Array, Indices
 from artgen.asset import Asset, Joint, rotation
 from artgen.colliders import Convex
 
-Array = NDArray[np.float64]
-Indices = NDArray[np.int64]
 Rgb = tuple[float, float, float]
 """A colour in sRGB, each component from 0 to 1."""
 

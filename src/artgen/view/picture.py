@@ -7,11 +7,11 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen._caching import cached_property
 from artgen.errors import AssetError, ExportError, nearest
 from artgen.view.camera import Camera
 
-Array = NDArray[np.float64]
 Pixels = NDArray[np.uint8]
 
 _SUFFIXES = {".png": "PNG", ".jpg": "JPEG", ".jpeg": "JPEG"}

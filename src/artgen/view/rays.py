@@ -6,10 +6,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen.asset.shape import Mesh
 from artgen.errors import RenderError
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)

@@ -9,6 +9,7 @@ from typing import Any, Literal, get_args
 import numpy as np
 from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen.asset import Asset
 from artgen.asset.shape import Mesh
 from artgen.errors import AssetError, ParameterError, RenderError, nearest
@@ -20,7 +21,6 @@ from artgen.view.picture import Passes, Picture
 from artgen.view.rays import cast
 from artgen.view.scene import Scene, Studio
 
-Array = NDArray[np.float64]
 Backend = Literal["auto", "classic", "filament"]
 
 _KEPT = 4  # scenes that stay ready for the next picture

@@ -5,8 +5,8 @@ from dataclasses import dataclass
 from typing import Any, Literal, Protocol
 
 import numpy as np
-from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen.asset import Asset
 from artgen.asset.shape import Mesh
 from artgen.asset.surface import texture_coordinates
@@ -14,7 +14,6 @@ from artgen.materials import Material
 from artgen.view.camera import Camera
 from artgen.view.studio import Backdrop, backdrop
 
-Array = NDArray[np.float64]
 Studio = Literal["studio", "room", "none"]
 
 ASSET_GROUP, GLOSS_GROUP, STUDIO_GROUP = 0, 1, 2

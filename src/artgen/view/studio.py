@@ -4,15 +4,13 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen.asset import Asset
 from artgen.asset.shape import Mesh
 from artgen.materials import Material, material
 from artgen.view.camera import Camera
 from artgen.view.opening import opened
-
-Array = NDArray[np.float64]
 
 _PAPER = Material("studio_paper", (0.74, 0.74, 0.74), specular_roughness=1.0)
 _WALL = Material("studio_wall", (0.70, 0.68, 0.64), specular_roughness=0.9)

@@ -1,14 +1,12 @@
 """Meshes of a GLB file: one for each link, with a primitive for each surface."""
 
 import numpy as np
-from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen.asset import Mesh, Surface
 from artgen.asset.surface import texture_coordinates
 from artgen.export.glb.buffer import Buffer, Json
 from artgen.materials.textures import Kind
-
-Array = NDArray[np.float64]
 
 _NO_DIRECTION = 1e-9  # a tangent shorter than this share of the longest one points nowhere
 

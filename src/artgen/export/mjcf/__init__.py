@@ -12,8 +12,8 @@ the joints that the hand moves there, the nearest first.
 import xml.etree.ElementTree as ET
 
 import numpy as np
-from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen.asset import Asset, Joint, Link
 from artgen.asset.hold import Grasp
 from artgen.colliders import Convex
@@ -38,8 +38,6 @@ from artgen.export.losses import (
 )
 from artgen.export.meshes import MeshFiles, mesh_files
 from artgen.export.mjcf.materials import add_materials, material_name, numbers
-
-Array = NDArray[np.float64]
 
 # Time constant [s] and damping ratio of limits, contacts and couplings. MuJoCo takes no time constant below
 # two time steps, which are 2 ms by default; it lengthens this one by itself where steps are longer. At the

@@ -9,7 +9,6 @@ from io import BytesIO
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from artgen.asset import Asset, Link
 from artgen.colliders import Convex
@@ -30,8 +29,6 @@ from artgen.export.meshes import MeshFiles, display_color, mesh_files
 from artgen.export.urdf.losses import material_losses, motion_losses
 from artgen.export.urdf.words import add, add_spring, digits, primitives
 from artgen.materials import Material
-
-Array = NDArray[np.float64]
 
 # Of the link that marks a grasp or push. Where there is none, PyBullet makes up 1 kg and warns; where it is
 # 0, SAPIEN makes up a moment of 1e-6 kg m^2, and below 1e-10 kg m^2 Newton does: as much as a latch has.

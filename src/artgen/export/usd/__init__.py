@@ -5,9 +5,9 @@ from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 from pxr import Sdf, Vt
 
+from artgen._arrays import Array
 from artgen.asset import Asset, Link
 from artgen.asset.wikidata import category_code
 from artgen.export.frames import (
@@ -46,8 +46,6 @@ from artgen.export.usd.layer import (
 )
 from artgen.export.usd.materials import write_material
 from artgen.export.usd.runtimes import write_runtime_body, write_runtime_root
-
-Array = NDArray[np.float64]
 
 
 def write_usd(asset: Asset, textures: int = 0) -> Written:

@@ -4,6 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 from pxr import Sdf, Vt
 
+from artgen._arrays import Array
 from artgen.asset import Surface
 from artgen.asset.surface import texture_coordinates
 from artgen.colliders import Convex
@@ -22,8 +23,6 @@ from artgen.export.usd.layer import (
     write,
 )
 from artgen.export.usd.runtimes import write_runtime_collider
-
-Array = NDArray[np.float64]
 
 PART_LABEL = "SemanticsLabelsAPI:part"
 

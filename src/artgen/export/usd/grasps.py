@@ -3,14 +3,12 @@
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 from pxr import Sdf, Vt
 
+from artgen._arrays import Array
 from artgen.asset import Affordance, Asset
 from artgen.export.frames import local
 from artgen.export.usd.layer import TYPES, define, int_array, place, vec3_array, write
-
-Array = NDArray[np.float64]
 
 _THICKNESS = 0.002
 """Width of the drawn line [m]."""

@@ -8,16 +8,14 @@ import math
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 from pxr import Gf, Sdf
 
+from artgen._arrays import Array
 from artgen.asset import Asset, Joint
 from artgen.export.frames import INTERMEDIATE_MASS, Segment
 from artgen.export.losses import Loss, contact_losses, dependency_losses, loss
 from artgen.export.usd.layer import TYPES, Layers, define, quatf, relate, vec3, write
 from artgen.export.usd.runtimes import driven, instance_of, units_of, write_runtime_joint
-
-Array = NDArray[np.float64]
 
 _IDENTITY = np.eye(4)
 

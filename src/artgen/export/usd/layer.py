@@ -14,11 +14,10 @@ import numpy as np
 from numpy.typing import NDArray
 from pxr import Gf, Sdf, Vt
 
+from artgen._arrays import Array
 from artgen.asset.record import DECIMALS
 from artgen.errors import ExportError
 from artgen.export.frames import quaternion
-
-Array = NDArray[np.float64]
 
 TYPES = Sdf.ValueTypeNames
 

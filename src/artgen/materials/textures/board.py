@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from artgen.materials.textures.fields import Array, Tile, centred, smoothstep, with_mean
+from artgen._arrays import Array
+from artgen.materials.textures.fields import Tile, centred, smoothstep, with_mean
 from artgen.materials.textures.recipe import Pattern, Recipe, Varying
 
 _PLYWOOD = (0.62, 0.45, 0.28)

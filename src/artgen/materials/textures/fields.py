@@ -11,7 +11,8 @@ from typing import Any, NamedTuple, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from artgen._arrays import Array
+
 Value = TypeVar("Value", bound=np.generic)
 
 _FIRST = 256  # texels on a side of the smallest maps: its waves are drawn first, then those of twice as many

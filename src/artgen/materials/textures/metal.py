@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from artgen.materials.textures.fields import Array, Tile, blend, centred, hairlines, smoothstep, with_mean
+from artgen._arrays import Array
+from artgen.materials.textures.fields import Tile, blend, centred, hairlines, smoothstep, with_mean
 from artgen.materials.textures.recipe import Pattern, Recipe, Varying
 
 _GREY = (0.5, 0.5, 0.5)

@@ -3,7 +3,8 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from artgen.materials.textures.fields import Array, Tile
+from artgen._arrays import Array
+from artgen.materials.textures.fields import Tile
 
 _SPREAD = 0.45  # of the logarithm of lengths
 _AT_ONCE = 1 << 14  # pores drawn at once: more are many pages of memory

@@ -5,11 +5,9 @@ from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen._caching import FrozenArrays
-
-Array = NDArray[np.float64]
 
 Varying = Literal["albedo", "metalness", "normal"]
 

@@ -6,7 +6,8 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
-from artgen.materials.textures.fields import Array, Tile, blend, centred, in_strips, smoothstep, with_mean
+from artgen._arrays import Array
+from artgen.materials.textures.fields import Tile, blend, centred, in_strips, smoothstep, with_mean
 from artgen.materials.textures.recipe import Pattern, Recipe, Varying
 
 Color = tuple[float, float, float]

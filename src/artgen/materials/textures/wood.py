@@ -12,7 +12,8 @@ from functools import partial
 
 import numpy as np
 
-from artgen.materials.textures.fields import Array, Tile, blend, centred, smoothstep, with_mean
+from artgen._arrays import Array
+from artgen.materials.textures.fields import Tile, blend, centred, smoothstep, with_mean
 from artgen.materials.textures.pores import pores
 from artgen.materials.textures.recipe import Pattern, Recipe
 

@@ -5,7 +5,8 @@ from functools import partial
 
 import numpy as np
 
-from artgen.materials.textures.fields import Array, Tile, centred, smoothstep, with_mean
+from artgen._arrays import Array
+from artgen.materials.textures.fields import Tile, centred, smoothstep, with_mean
 from artgen.materials.textures.recipe import Pattern, Recipe, Varying
 
 Color = tuple[float, float, float]

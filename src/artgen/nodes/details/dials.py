@@ -5,8 +5,8 @@ from collections.abc import Sequence
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen._caching import cached
 from artgen.asset.outline import Contour, Outline
 from artgen.graph import kernel
@@ -17,7 +17,6 @@ from artgen.nodes.details.icons import Weight, checked_icon, icon_outline
 from artgen.nodes.details.pen import SQUARE
 from artgen.nodes.handles import Profile, Scalar
 
-Array = NDArray[np.float64]
 Orientation = Literal["upright", "radial"]
 """Whether numbers stand upright, or with their feet to the middle of the dial."""
 

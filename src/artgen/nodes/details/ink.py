@@ -6,14 +6,11 @@ from itertools import pairwise
 
 import numpy as np
 from manifold3d import CrossSection, FillRule
-from numpy.typing import NDArray
 
-from artgen._cyclic import predecessors
+from artgen._arrays import Array, predecessors
 from artgen.asset.outline import Outline
 from artgen.nodes.contours import arc_points, outline_of, side_normals, signed_area
 from artgen.nodes.details.pen import Mark, steps_of
-
-Array = NDArray[np.float64]
 
 _SHARP = math.radians(32.0)  # a line that turns more has a corner
 

@@ -8,12 +8,11 @@ from itertools import pairwise
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen._caching import FrozenArrays
 from artgen.nodes.contours import arc_points
 
-Array = NDArray[np.float64]
 Kind = Literal["stroke", "fill", "cut", "gap"]
 
 SQUARE = 20.0

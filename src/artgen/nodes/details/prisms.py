@@ -3,13 +3,10 @@
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from artgen._arrays import Array, Indices
 from artgen.asset.outline import Contour
 from artgen.nodes.surfaces import Skin, triangulated
-
-Array = NDArray[np.float64]
-Indices = NDArray[np.int64]
 
 
 def prisms(contours: Sequence[Contour], length: float) -> Skin:

@@ -8,9 +8,9 @@ import math
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
 from artgen import colliders
+from artgen._arrays import Array
 from artgen.asset.outline import Contour, Curve, Outline
 from artgen.asset.shape import ComposedShape, Shape
 from artgen.colliders.pieces import Pieces
@@ -23,8 +23,6 @@ from artgen.nodes.primitive_colliders import lazily
 from artgen.nodes.profile import _circle
 from artgen.nodes.sweep import _sweep, swept_skin
 from artgen.nodes.transform import rotation_about
-
-Array = NDArray[np.float64]
 
 _GAP = 2e-6  # [m]
 _MOST_WIRES = 200

@@ -3,9 +3,8 @@
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
-from artgen._cyclic import successors
+from artgen._arrays import Array, successors
 from artgen.asset.outline import Contour, Outline
 from artgen.asset.shape import Shape
 from artgen.colliders.triangles import cross
@@ -18,8 +17,6 @@ from artgen.nodes.details.prisms import prisms
 from artgen.nodes.handles import Array3, Body, Profile, Scalar, Solid, Vector, VectorLike
 from artgen.nodes.primitive_colliders import around_extrusion, lazily
 from artgen.nodes.surfaces import extrusion, mitres
-
-Array = NDArray[np.float64]
 
 _HALVINGS = 4
 """How often a bevel that does not fit is halved before the rim stays sharp."""

@@ -6,6 +6,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen._caching import cached
 from artgen.asset.outline import Contour, Outline
 from artgen.asset.shape import Shape
@@ -23,7 +24,6 @@ from artgen.nodes.profile import polygon
 from artgen.nodes.revolve import revolve
 from artgen.nodes.surfaces import Sheets, triangulated
 
-Array = NDArray[np.float64]
 Drive = Literal["phillips", "pozidriv", "slot", "hex", "torx"]
 """The recess that a driver fits."""
 Head = Literal["pan", "countersunk", "cap"]

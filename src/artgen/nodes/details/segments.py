@@ -4,15 +4,14 @@ import math
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen.asset.outline import Contour, Outline
 from artgen.graph import kernel
 from artgen.nodes import validators as inputs
 from artgen.nodes.contours import circle_contour, faceted, moved_outline
 from artgen.nodes.handles import Profile, Scalar
 
-Array = NDArray[np.float64]
 Lit = Literal["lit", "dark", "all"]
 """Which segments or dots: those that shine, those that do not, or both."""
 

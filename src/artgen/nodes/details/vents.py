@@ -7,7 +7,7 @@ import numpy as np
 from manifold3d import JoinType
 from numpy.typing import NDArray
 
-from artgen._cyclic import successors
+from artgen._arrays import Array, successors
 from artgen.asset.outline import Contour, Outline
 from artgen.graph import kernel
 from artgen.nodes import validators as inputs
@@ -15,8 +15,6 @@ from artgen.nodes.contours import circle_contour, moved_outline, reversed_contou
 from artgen.nodes.extrude import extrude
 from artgen.nodes.handles import Profile, Scalar, Solid
 from artgen.nodes.profile import _slot
-
-Array = NDArray[np.float64]
 
 MOST_HOLES = 2000
 """How many holes a perforation may have as geometry."""

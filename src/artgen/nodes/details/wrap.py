@@ -3,8 +3,8 @@
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen.asset.outline import Curve, Outline
 from artgen.asset.shape import Shape
 from artgen.colliders import Bounded
@@ -17,8 +17,6 @@ from artgen.nodes.details.prisms import prisms
 from artgen.nodes.handles import Body, Path, Profile, Scalar, Solid
 from artgen.nodes.primitive_colliders import around_hull
 from artgen.nodes.surfaces import Skin
-
-Array = NDArray[np.float64]
 
 _STEP = 0.10  # of a turn that one straight side of the print may span [rad]
 

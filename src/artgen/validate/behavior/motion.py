@@ -7,11 +7,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen._caching import cached_property
 from artgen.asset import Asset, Joint
 from artgen.export.frames import coupling
-
-Array = NDArray[np.float64]
 
 _TRAVEL = 1.0  # what is looked at of a slide without limits [m]
 

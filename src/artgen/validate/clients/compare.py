@@ -5,8 +5,8 @@ from collections.abc import Collection, Iterator, Mapping
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen.asset import Asset, Joint
 from artgen.asset.report import Finding
 from artgen.export.frames import coupling
@@ -14,8 +14,6 @@ from artgen.validate.clients.client import Client
 from artgen.validate.clients.completeness import silences
 from artgen.validate.clients.exported import Exported
 from artgen.validate.readback.reading import expected_frames, expected_limits, spelled_limits
-
-Array = NDArray[np.float64]
 
 _GAINS = ("damping", "stiffness", "friction", "armature")
 _LEAST_MOTION = 0.1  # share of its range that a driven joint has to move

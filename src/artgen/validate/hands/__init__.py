@@ -3,8 +3,8 @@
 from collections.abc import Collection, Iterator, Mapping
 
 import numpy as np
-from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen.asset import Asset, Condition
 from artgen.asset.affordance import Affordance
 from artgen.asset.gripper import GRIPPER
@@ -13,8 +13,6 @@ from artgen.validate.hands.force import MOST_FORCE, hand_forces
 from artgen.validate.hands.motion import Reach, reach_of, tendency
 from artgen.validate.hands.space import HandSpace, Touch
 from artgen.validate.hands.states import Opened, openable, standing
-
-Array = NDArray[np.float64]
 
 CHECK = "grasps"
 

@@ -9,15 +9,13 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen.asset import Asset, Joint
 from artgen.asset.affordance import Affordance
 from artgen.asset.gripper import GRIPPER
 from artgen.export.frames import coupling
 from artgen.validate.hands.states import standing
-
-Array = NDArray[np.float64]
 
 MOST_FORCE = 60.0
 """What a hand, a finger or a foot is asked for at most [N].

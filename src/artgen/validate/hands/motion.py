@@ -5,15 +5,13 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 
 import numpy as np
-from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen.asset import Asset
 from artgen.asset.affordance import Affordance
 from artgen.asset.gripper import GRIPPER
 from artgen.validate.hands.space import HandSpace, Touch
 from artgen.validate.hands.states import Opened, standing
-
-Array = NDArray[np.float64]
 
 _STEPS = 16  # positions from rest to either end of a range at which the hand is tried
 _TURN = math.pi  # how far a joint without limits is moved either way [rad or m]

@@ -5,15 +5,13 @@ from dataclasses import dataclass
 
 import numpy as np
 from manifold3d import Manifold
-from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen.asset import Asset
 from artgen.asset.collision import Part
 from artgen.asset.gripper import GRIPPER, block, clipped
 from artgen.asset.stored_solids import link_parts
 from artgen.proof.overlap import LEAST_VOLUME
-
-Array = NDArray[np.float64]
 
 _BEHIND = 0.020  # how deep behind the point of a push its surface is looked for [m]
 _SEGMENTS = 32  # of the circle around a finger

@@ -4,6 +4,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from artgen._arrays import Array
 from artgen._caching import cached_property
 from artgen.asset import Asset, Joint, Link
 from artgen.asset.joint import DYNAMICS
@@ -13,7 +14,6 @@ from artgen.export.frames import local
 from artgen.validate.readback.mjcf_structure import moments_fault
 from artgen.validate.readback.pieces import Piece, expected_pieces, piece_findings
 from artgen.validate.readback.reading import (
-    Array,
     Faces,
     Reading,
     expected_frames,

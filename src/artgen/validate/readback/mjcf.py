@@ -8,14 +8,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen.asset import Asset
 from artgen.colliders import Convex
 from artgen.colliders.convex import Kind
 from artgen.validate.readback.mjcf_foreign_elements import model_findings
 from artgen.validate.readback.pieces import Piece
 from artgen.validate.readback.reading import Faces, Inertial, Reading, Said, listening
-
-Array = NDArray[np.float64]
 
 _KINDS = {2: "prismatic", 3: "revolute"}  # of mjtJoint; 0 and 1 have more than one degree of freedom
 _SHAPES: dict[int, Kind] = {2: "sphere", 3: "capsule", 5: "cylinder", 6: "box"}  # of mjtGeom

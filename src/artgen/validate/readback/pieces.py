@@ -4,8 +4,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
-from numpy.typing import NDArray
 
+from artgen._arrays import Array, Indices
 from artgen.asset import Asset
 from artgen.asset.link import Link
 from artgen.asset.report import CHANGED, Finding
@@ -13,9 +13,6 @@ from artgen.colliders import Convex
 from artgen.export.frames import translation
 from artgen.export.hulls import hulls
 from artgen.export.urdf.words import primitives
-
-Array = NDArray[np.float64]
-Indices = NDArray[np.int64]
 
 MOST_VERTICES = 64
 """Vertices that a collider may have; the budget of GPU simulators."""

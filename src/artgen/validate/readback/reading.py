@@ -7,14 +7,13 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field
 
 import numpy as np
-from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen.asset import Asset, Joint
 from artgen.asset.report import Finding
 from artgen.export.frames import FAR
 from artgen.validate.readback.pieces import Piece
 
-Array = NDArray[np.float64]
 Frames = Callable[[Mapping[str, float]], dict[str, Array]]
 
 

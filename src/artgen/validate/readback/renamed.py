@@ -9,13 +9,12 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen.export.layouts.partnet.names import NAMES_FILE
 from artgen.validate.readback.pieces import Piece
 from artgen.validate.readback.reading import Faces, Inertial, Reading, Said
 
-Array = NDArray[np.float64]
 Law = tuple[str, float, float]
 
 _UP = np.array([0.0, 0.0, 1.0, 0.0])

@@ -5,15 +5,13 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen.asset import Asset
 from artgen.colliders import Convex
 from artgen.validate.readback.pieces import Piece
 from artgen.validate.readback.reading import Faces, Inertial, Reading, Said, listening
 from artgen.validate.readback.renamed import read_names, translated
-
-Array = NDArray[np.float64]
 
 
 def read_urdf(asset: Asset, path: Path) -> Reading:

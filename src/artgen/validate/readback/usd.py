@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 from pxr import Usd, UsdGeom, UsdPhysics, UsdShade, UsdUtils, UsdValidation
 
+from artgen._arrays import Array
 from artgen.asset import Asset
 from artgen.colliders import Convex
 from artgen.colliders.convex import Kind
@@ -17,8 +18,6 @@ from artgen.validate.readback.reading import Faces, Inertial, Reading, listening
 from artgen.validate.readback.usd_joints import Arm, arms, pose
 from artgen.validate.readback.usd_runtimes import profile, variants
 from artgen.validate.readback.usd_structure import placed, stage_findings
-
-Array = NDArray[np.float64]
 
 _MATERIAL_X = re.compile(r"MissingShaderIdInRegistry: shaderId 'ND_\w+' ")
 _TURNS = {"X": np.eye(3)[:, [1, 2, 0]], "Y": np.eye(3)[:, [2, 0, 1]], "Z": np.eye(3)}  # that take z to it

@@ -5,12 +5,10 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 from pxr import Gf, UsdPhysics
 
+from artgen._arrays import Array
 from artgen.validate.readback.reading import Said
-
-Array = NDArray[np.float64]
 
 _UNREACHABLE = 1e5  # [rad or m]: limits beyond are none; some simulators want them on coupled joints
 

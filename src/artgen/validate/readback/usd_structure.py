@@ -5,14 +5,12 @@ from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 from pxr import Usd, UsdGeom, UsdPhysics, UsdShade
 
+from artgen._arrays import Array
 from artgen.asset import Asset
 from artgen.asset.report import AGAIN, Finding
 from artgen.validate.readback.usd_vendor_attributes import body_of, strange_opinions
-
-Array = NDArray[np.float64]
 
 _CHECK = "usd"
 _RIGID = 1e-6  # error of a body's axes

@@ -4,11 +4,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen.asset import Asset, Joint
-
-Array = NDArray[np.float64]
 
 _GAP = 0.06  # free space between two boxes, as a share of the asset's size
 _FAR = 0.5  # share of its own length by which something slides that comes out that way, unlike a bolt

@@ -5,8 +5,8 @@ from dataclasses import replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen.asset import Asset, Joint
 from artgen.asset.certificate import Certificate, PairResult
 from artgen.export.glb.motion import opening
@@ -15,8 +15,6 @@ from artgen.view.opening import opened
 from artgen.view.overlays import Overlays, overlays
 from artgen.view.sheet import shots
 from artgen.view.web.explode import exploded
-
-Array = NDArray[np.float64]
 
 _DECIMALS = 5  # of what is only drawn: 10 micrometres
 

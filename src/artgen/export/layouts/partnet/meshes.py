@@ -8,16 +8,14 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen.asset import Asset, Mesh
 from artgen.asset.files import mesh_names
 from artgen.export.hulls import Hull
 from artgen.export.layouts.partnet.names import UPRIGHT
 from artgen.export.maps import TEXTURE_DIRECTORY, map_files
 from artgen.export.meshes import hull_texts, mtl_text, surface_text
-
-Array = NDArray[np.float64]
 
 VISUALS = "textured_objs"
 """Directory of what is seen, with its MTL file, and with the maps below it."""

@@ -9,12 +9,10 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen.asset import Asset, Joint, Link, Mesh
 from artgen.export.frames import Segment, chain, coupling
-
-Array = NDArray[np.float64]
 
 ROOT = "base"
 """Name of the body that has no geometry and carries the asset's base, turned upright."""

@@ -5,13 +5,11 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen.asset import Asset, Joint, Link
 from artgen.asset.record import json_text, rounded
 from artgen.export.layouts.partnet.names import NAMES_FILE, UPRIGHT, Naming, kind_of, semantic
-
-Array = NDArray[np.float64]
 
 CATEGORIES: Mapping[str, str] = {
     "cabinet": "StorageFurniture",

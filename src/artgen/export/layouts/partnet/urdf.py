@@ -10,8 +10,8 @@ import xml.etree.ElementTree as ET
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen.asset import Asset, Link
 from artgen.colliders import Convex
 from artgen.export.frames import (
@@ -25,8 +25,6 @@ from artgen.export.frames import (
 from artgen.export.layouts.partnet.meshes import COLLIDERS, VISUALS, ObjectMeshes
 from artgen.export.layouts.partnet.names import ROOT, UPRIGHT, Naming, Step
 from artgen.export.urdf.words import add_spring, digits, primitives
-
-Array = NDArray[np.float64]
 
 ROOT_MASS = 1e-9
 """Mass of the body without geometry [kg]; clients make up a mass where there is none."""

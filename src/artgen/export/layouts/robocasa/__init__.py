@@ -12,8 +12,8 @@ before those that begin with it already.
 import xml.etree.ElementTree as ET
 
 import numpy as np
-from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen.asset import Asset
 from artgen.errors import ExportError
 from artgen.export.frames import seen_box
@@ -23,8 +23,6 @@ from artgen.export.losses import Loss, Written, loss
 from artgen.export.meshes import mesh_files
 from artgen.export.mjcf import mjcf_losses, mjcf_text, mjcf_tree
 from artgen.export.mjcf.materials import numbers
-
-Array = NDArray[np.float64]
 
 FILE = "model.xml"
 """What RoboCasa opens in the directory of an object."""

@@ -10,10 +10,10 @@ from collections.abc import Iterable, Mapping
 import numpy as np
 from numpy.typing import NDArray
 
+from artgen._arrays import Array
 from artgen.asset import Asset
 from artgen.export.frames import seen_box
 
-Array = NDArray[np.float64]
 Cells = NDArray[np.bool_]
 
 _CELLS = 128  # along the longest side

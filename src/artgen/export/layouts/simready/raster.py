@@ -6,10 +6,8 @@ Corners are rounded to a grid, so that coverage is decided by integers and does 
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
-Indices = NDArray[np.int64]
+from artgen._arrays import Array, Indices
 
 _GRID = 16
 """Places within a pixel, in each direction, on which corners lie."""

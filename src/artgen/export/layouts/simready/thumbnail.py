@@ -5,13 +5,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from artgen._arrays import Array, Indices
 from artgen.asset import Asset
 from artgen.export.layouts.simready.raster import NOTHING, Seen, rasterize, weights
 from artgen.materials import Material
 from artgen.materials.textures.bake import displayed
-
-Array = NDArray[np.float64]
-Indices = NDArray[np.int64]
 
 SIZE = 256
 """Pixels on a side."""
