@@ -17,7 +17,7 @@ from artgen._caching import cached, cached_per_object, cached_property
 from artgen.asset import Asset
 from artgen.catalog import categories
 from artgen.export.files import encode
-from artgen.generator.shared_cache import SHARED
+from artgen.generator.generator import SHARED
 
 STACKS_AFTER = 150  # a deadlock ends the process, which shows where its threads stand [s]
 

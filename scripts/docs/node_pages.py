@@ -36,7 +36,7 @@ class NodePage:
 
 PAGES = (
     NodePage(
-        "scalar_handles",
+        "numbers",
         "Numbers and conditions",
         "`Float` and `Bool` stand for numbers that are not known yet. Operators work on them; these "
         "functions do what Python's own `min`, `math.sin` or `if` cannot.",
@@ -77,14 +77,14 @@ PAGES = (
         "swept",
         "Solids from profiles",
         "Solids that a profile makes when it is drawn out, turned or moved along a path.",
-        ("extrude", "revolve", "half_section", "sweep", "loft"),
+        ("extrude", "half_section", "sweep", "loft"),
     ),
     NodePage(
         "solids",
         "Combining, placing and measuring solids",
         "`a | b` unites, `a - b` cuts away, `a & b` keeps what both have. Methods place and measure; "
         "what they return is known at evaluation, like every socket.",
-        ("csg", "arrays", "simplified_collider"),
+        ("csg",),
         ("Solid",),
     ),
     NodePage(
@@ -93,7 +93,7 @@ PAGES = (
         "A `Body` is a link with everything that is joined to it. Only `part` makes links; `attach` "
         "and `repeat` join them, `weld` adds more to the same link. A red arrow shows where a hand "
         "acts.",
-        ("body", "weigh", "grasp_frames"),
+        ("body", "measure", "grasp_frames"),
         ("Body",),
     ),
     NodePage(

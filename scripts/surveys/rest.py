@@ -11,8 +11,7 @@ import numpy as np
 
 from artgen._arrays import Array
 from artgen.asset import Asset, Joint
-from artgen.validate.behavior.load import collected_warnings, fixed_model
-from artgen.validate.behavior.model import Simulation
+from artgen.validate.behavior.model import Simulation, collected_warnings, fixed_model
 from artgen.validate.behavior.settle import settle
 from surveys.speed import STEP
 

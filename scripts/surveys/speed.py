@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from artgen.asset import Asset
-from artgen.validate.behavior.load import collected_warnings, fixed_model
+from artgen.validate.behavior.model import collected_warnings, fixed_model
 
 STEP = 0.002
 """Time step [s]."""

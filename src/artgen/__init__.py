@@ -30,12 +30,11 @@ from artgen.generator import Generator, category, generator, one_of, shades
 from artgen.graph import Cache, Evaluation, Graph
 from artgen.materials import COLORS, MATERIALS, Material, coloured, material
 from artgen.nodes import details
-from artgen.nodes.arrays import array
 from artgen.nodes.body import detail, part, weld
 from artgen.nodes.choose import require, switch
 from artgen.nodes.condition import Condition, Dependency
-from artgen.nodes.csg import enclosed, hull, intersection, shell, split, union
-from artgen.nodes.extrude import extrude
+from artgen.nodes.csg import array, coarse, enclosed, hull, intersection, shell, split, union
+from artgen.nodes.extrude import extrude, revolve
 from artgen.nodes.grasp_frames import Frame, frame, grasp_on, push_on
 from artgen.nodes.half_section import half_section
 from artgen.nodes.handles import (
@@ -53,6 +52,7 @@ from artgen.nodes.handles import (
 )
 from artgen.nodes.joint import Coupling, Joint, Prismatic, Revolute
 from artgen.nodes.loft import loft
+from artgen.nodes.measure import center_of_mass, mass
 from artgen.nodes.path import arc, bezier, helix, line, polyline, spline
 from artgen.nodes.points import along, grid, points, ring_points, row
 from artgen.nodes.primitive import (
@@ -72,7 +72,6 @@ from artgen.nodes.primitive import (
     wedge,
 )
 from artgen.nodes.profile import bow, circle, ellipse, polygon, rectangle, regular_polygon, ring, slot
-from artgen.nodes.revolve import revolve
 from artgen.nodes.scalar import (
     and_,
     atan2,
@@ -89,11 +88,9 @@ from artgen.nodes.scalar import (
     sqrt,
     tan,
 )
-from artgen.nodes.simplified_collider import coarse
 from artgen.nodes.sweep import sweep
 from artgen.nodes.text import text, text_width
 from artgen.nodes.vector import X, Y, Z, cross, dot, norm, normalize, vector
-from artgen.nodes.weigh import center_of_mass, mass
 from artgen.range_proof import prove_range
 from artgen.sampling import Distribution, by, choice, count, fixed, given, loguniform, normal, uniform
 from artgen.version import __version__

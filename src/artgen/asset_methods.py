@@ -132,7 +132,7 @@ def load(directory: str | Path) -> Asset:
 
 def _reduce(self: Asset) -> tuple[Any, ...]:
     """Pickle the asset as its files hold it: unpickled, it has no solids, like a loaded asset."""
-    from artgen.asset.pickled import pack, unpack
+    from artgen.asset.files import pack, unpack
 
     return unpack, pack(self)
 

@@ -14,16 +14,13 @@ from artgen.commands.clients import clients
 from artgen.commands.colliders import colliders
 from artgen.commands.demos import demos
 from artgen.commands.export import export
-from artgen.commands.gallery import gallery
 from artgen.commands.generate import generate
-from artgen.commands.graph import graph
 from artgen.commands.images import images
 from artgen.commands.new import new
 from artgen.commands.render import render
 from artgen.commands.sheet import sheet
-from artgen.commands.studio import studio
 from artgen.commands.validate import validate
-from artgen.commands.view import view
+from artgen.commands.view import gallery, graph, studio, view
 from artgen.errors import ArtgenError, CheckError
 from artgen.generator import Fixed, Parameter
 from artgen.version import __version__

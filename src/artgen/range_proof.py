@@ -10,8 +10,7 @@ from artgen.catalog import find
 from artgen.errors import AssetError, BuildError, EvaluationError, InfeasibleError, ParameterError
 from artgen.generator import Generator
 from artgen.generator.corners import corners as corners_of
-from artgen.generator.generator import checked_count
-from artgen.generator.proof import check_proof
+from artgen.generator.generator import check_proof, checked_count
 from artgen.sampling.distributions import shown
 
 Outcome = Literal["proven", "collision", "not proven", "error", "infeasible"]

@@ -8,9 +8,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from artgen.asset.collision import closed_mesh
 from artgen.colliders import cache, coacd
 from artgen.colliders.coacd import canonical, coacd_pieces
-from artgen.colliders.connected import closed_mesh
 from colliders.covering import block, pose
 
 pytest.importorskip("coacd")

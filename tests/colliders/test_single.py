@@ -5,8 +5,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from artgen.asset.collision import closed_mesh, connected_parts
 from artgen.colliders import Convex
-from artgen.colliders.connected import closed_mesh, connected_parts
 from artgen.colliders.polytope import hull_triangles
 from artgen.colliders.single import fewest, single_hull
 from colliders.covering import block, drum, pose

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from artgen.export import digests as module
-from artgen.export.digests import digest, digests
-from artgen.materials.textures.png import png
+from artgen.export.files import digest, digests
+from artgen.materials.textures.maps import png
 
 TEXELS = (np.arange(64 * 64) % 251).astype(np.uint8).reshape(64, 64)
 

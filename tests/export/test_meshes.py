@@ -15,9 +15,8 @@ from artgen.asset.files import mesh_names, read_obj
 from artgen.asset.surface import texture_coordinates
 from artgen.colliders import Convex
 from artgen.export.hulls import Hull
-from artgen.export.maps import MapFiles
+from artgen.export.maps import MapFiles, highlight, phong_exponent, specular_color
 from artgen.export.meshes import display_color, hull_texts, mesh_files, mtl_text, surface_text
-from artgen.export.phong import highlight, phong_exponent, specular_color
 from artgen.materials import MATERIALS, Material
 from support.textured import PLATE, picture, recipes, textured
 

@@ -19,8 +19,7 @@ import artgen
 from artgen.asset import Asset
 from artgen.asset.files import main_files
 from artgen.export.files import encode
-from artgen.export.layouts.simready.raster import NOTHING, rasterize, weights
-from artgen.export.layouts.simready.thumbnail import thumbnail
+from artgen.export.layouts.simready.thumbnail import NOTHING, rasterize, thumbnail, weights
 from artgen.export.mjcf import write_mjcf
 from support.textured import recipes, textured
 

@@ -7,7 +7,7 @@ PROGRAM = """
 import atexit
 
 def told():
-    from artgen.generator.shared_cache import SHARED
+    from artgen.generator.generator import SHARED
     from artgen.nodes.rounded_box import _unit_box
 
     print(len(SHARED), _unit_box.cache_info().currsize)

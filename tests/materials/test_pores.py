@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from artgen.materials.textures.fields import Tile
-from artgen.materials.textures.pores import pores
+from artgen.materials.textures.wood import pores
 
 EXTENT = (0.10, 0.40)
 
@@ -51,5 +51,5 @@ def test_pores_run_along_the_grain_and_over_the_border():
 
 def test_more_pores_than_are_drawn_at_once_are_the_same(monkeypatch):
     whole = drawn(2)
-    monkeypatch.setattr("artgen.materials.textures.pores._AT_ONCE", 37)
+    monkeypatch.setattr("artgen.materials.textures.wood._AT_ONCE", 37)
     np.testing.assert_allclose(drawn(2), whole, atol=1e-12)

@@ -12,8 +12,8 @@ from artgen.catalog import load_file
 from artgen.errors import ExportError, ParameterError
 from artgen.studio import Session, Source
 from artgen.studio.controls import Control
-from artgen.studio.link_keys import placed
 from artgen.studio.prover import Prover
+from artgen.studio.stage import placed
 
 CRATE = Path(__file__).parent.parent / "support" / "crate.py"
 

@@ -18,8 +18,7 @@ from artgen.proof.certify import certify
 from artgen.proof.recheck import recheck
 from artgen.validate.behavior import check_behaviour
 from artgen.validate.behavior.drive import Servo
-from artgen.validate.behavior.load import fixed_model
-from artgen.validate.behavior.model import Simulation
+from artgen.validate.behavior.model import Simulation, fixed_model
 from artgen.validate.behavior.motion import Motion
 from artgen.validate.behavior.settle import start_poses
 from artgen.validate.hands import check_grasps

@@ -11,7 +11,7 @@ import pytest
 import artgen
 from artgen import Body, Prismatic, Revolute, X, Y, Z, box, cylinder, frame, grasp_on, material, part
 from artgen.asset import Asset, rotation
-from artgen.asset.hold import Grasp, Push
+from artgen.asset.affordance import Grasp, Push
 from artgen.asset.report import CheckResult
 from artgen.validate.hands import check_grasps
 from artgen.validate.run import validate

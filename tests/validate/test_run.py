@@ -14,11 +14,11 @@ from artgen.asset.asset import remember
 from artgen.asset.certificate import Certificate, OpenCell, PairResult, Witness
 from artgen.asset.contact import AllowedContact
 from artgen.asset.report import CheckResult, Finding, Report
+from artgen.commands.validate import write_report
 from artgen.errors import AssetError, ExportError, ParameterError
 from artgen.validate import tree
 from artgen.validate.certified import check_certificate
 from artgen.validate.files import read_export
-from artgen.validate.report_file import write_report
 from artgen.validate.run import CHECKS, Examination, validate
 from support.exports import edit_json, edit_text, stand
 

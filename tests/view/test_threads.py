@@ -9,7 +9,7 @@ import threading
 import pytest
 
 from artgen.view import filament
-from artgen.view.one_thread import OneThread
+from artgen.view.filament import OneThread
 
 pytestmark = pytest.mark.usefixtures("opengl")
 

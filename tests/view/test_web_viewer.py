@@ -28,8 +28,7 @@ from artgen import (
 )
 from artgen.asset import Asset
 from artgen.view.web import page, page_of
-from artgen.view.web.explode import exploded
-from artgen.view.web.record import viewer_data
+from artgen.view.web.record import exploded, viewer_data
 from support.browser import Browser, Tab, started
 
 CLOSE = 1e-9

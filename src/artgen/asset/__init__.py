@@ -1,15 +1,13 @@
 """Assets: links, joints, poses and mass properties, as plain data."""
 
-from artgen.asset.affordance import Affordance
+from artgen.asset.affordance import Affordance, Grasp, Hold, Push
 from artgen.asset.asset import Asset, Base
 from artgen.asset.contact import AllowedContact
-from artgen.asset.hold import Grasp, Hold, Push
 from artgen.asset.joint import DYNAMICS, Condition, Coupling, Dependency, Joint, JointKind, rotation
 from artgen.asset.link import MOST_COLLIDERS, Collider, Link, Piece, Reading, Surface
 from artgen.asset.manifolds import PROPERTIES
 from artgen.asset.mass import MassProperties, Moments, polyhedron_moments
-from artgen.asset.outline import Contour, Curve, Outline
-from artgen.asset.shape import Mesh, Shape
+from artgen.asset.shape import Contour, Curve, Mesh, Outline, Shape
 from artgen.asset.tree import Branch, Tree
 
 __all__ = [

@@ -5,19 +5,105 @@ from dataclasses import dataclass, field, replace
 from typing import Any, Literal, get_args
 
 import numpy as np
-from manifold3d import Manifold, OpType
+from manifold3d import Manifold, Mesh64, OpType
+from numpy.typing import NDArray
 
 from artgen._arrays import Array
 from artgen._caching import cached_property
-from artgen.asset import Asset, Collider, Link
-from artgen.asset.geometry_override import DerivedLink, fields_of, need_solids
+from artgen.asset import Asset, Collider, Link, Surface
 from artgen.asset.link import MOST_COLLIDERS, boxes_overlap
+from artgen.asset.mass import MassProperties
 from artgen.colliders import Convex
 from artgen.colliders.coacd import coacd_pieces
-from artgen.colliders.connected import closed_mesh, connected_parts
 from artgen.colliders.single import fewest, single_hull
-from artgen.errors import ExportError, nearest
+from artgen.errors import AssetError, ExportError, nearest
 from artgen.materials import Material
+
+_DUST = 1e-15  # [m^3]: a part of less volume, that of a cube of 0.01 mm, is a crumb of a boolean
+
+
+def closed_mesh(solid: Manifold) -> tuple[Array, NDArray[np.int64]]:
+    """Return the vertices of a solid, each point once, shape (n, 3) [m], and its triangles, shape (m, 3)."""
+    mesh = solid.to_mesh64()
+    vertices = np.array(mesh.vert_properties)[:, :3]
+    target = np.arange(len(vertices))
+    merged, first, corners = (
+        np.asarray(numbers).astype(np.int64)
+        for numbers in (mesh.merge_from_vert, mesh.merge_to_vert, mesh.tri_verts)
+    )
+    target[merged] = first
+    used, triangles = np.unique(target[corners], return_inverse=True)
+    return vertices[used], triangles.reshape(-1, 3)
+
+
+def connected_parts(solid: Manifold) -> list[Manifold]:
+    """Return the connected parts of a solid with their closed hollows, the smallest first, without crumbs."""
+    shells = sorted(solid.decompose(), key=_rank)
+    parts = [shell for shell in shells if shell.volume() > _DUST]
+    for wall in (shell for shell in shells if shell.volume() < -_DUST):  # of a hollow, turned inside out
+        around = next((number for number, part in enumerate(parts) if _inside(wall, part)), None)
+        if around is not None:
+            vertices, triangles = closed_mesh(wall)
+            hollow = Manifold(Mesh64(np.array(vertices), triangles[:, ::-1].astype(np.uint64)))
+            parts[around] -= hollow
+    return parts
+
+
+def _rank(shell: Manifold) -> tuple[float, ...]:
+    return (round(shell.volume(), 15), *(round(number, 9) for number in shell.bounding_box()))
+
+
+def _inside(inner: Manifold, outer: Manifold) -> bool:
+    first, second = (np.array(solid.bounding_box()).reshape(2, 3) for solid in (inner, outer))
+    return bool((first[0] >= second[0]).all() and (first[1] <= second[1]).all())
+
+
+@dataclass(frozen=True, eq=False)
+class DerivedLink(Link):
+    """A link that is another one but for what a subclass says."""
+
+    source: Link = field(kw_only=True)  # the link before
+
+    @cached_property
+    def labels(self) -> tuple[str, ...]:
+        """The semantic labels on the link, its own first."""
+        return self.source.labels
+
+    @cached_property
+    def mass_properties(self) -> MassProperties:
+        """Mass, centre and inertia of the source: of its solids."""
+        return self.source.mass_properties
+
+    @cached_property
+    def colliders(self) -> tuple[Collider, ...]:
+        """The colliders of the source."""
+        return self.source.colliders
+
+    @cached_property
+    def surfaces(self) -> tuple[Surface, ...]:
+        """The visible faces of the source."""
+        return self.source.surfaces
+
+    def to_data(self) -> dict[str, Any]:
+        """Return everything but the triangles as JSON data."""
+        return self.source.to_data()
+
+
+def fields_of(link: Link) -> tuple[Any, ...]:
+    """Return what every link is made of, in the order of its fields."""
+    return link.name, link.label, link.pieces, link.grasps, link.separate, link.pushes
+
+
+def need_solids(asset: Asset, refused: str, instead: str) -> None:
+    """Refuse an asset that was read from files."""
+    for link in asset.links:
+        if not link.pieces:
+            raise AssetError(
+                f"asset {asset.name!r} was read from files, which keep no solids, so {refused}; generate the "
+                f"asset again, or write it with {instead}",
+                link=link.name,
+            )
+
 
 Collision = Literal["exact", "coacd", "hull"]
 COLLISIONS: tuple[str, ...] = get_args(Collision)

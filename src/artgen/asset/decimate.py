@@ -5,9 +5,9 @@ import math
 import numpy as np
 
 from artgen._arrays import Array
-from artgen.asset.creases import corner_normals
 from artgen.asset.manifolds import coincident
 from artgen.asset.shape import Mesh, Shape
+from artgen.asset.surface import corner_normals
 
 _CREASE = math.radians(62.0)  # the fewer facets a round thing has, the more they turn
 

@@ -1,15 +1,30 @@
 """Distances to surfaces of triangles, and points spread over them."""
 
 from dataclasses import dataclass
+from typing import TypeVar
 
 import numpy as np
 from manifold3d import Manifold
+from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 from trimesh.triangles import closest_point
 
 from artgen._arrays import Array, Indices
 from artgen._caching import FrozenArrays, cached_property
-from artgen.asset.unique_rows import distinct_rows
+
+Number = TypeVar("Number", np.float64, np.int64)
+
+
+def distinct_rows(rows: NDArray[Number]) -> tuple[NDArray[Number], Indices, Indices]:
+    """Return the distinct rows in order, as `numpy.unique` does in five times the time."""
+    order = np.lexsort(rows.T[::-1])
+    ordered = rows[order]
+    new = np.ones(len(rows), bool)
+    new[1:] = (ordered[1:] != ordered[:-1]).any(axis=1)
+    number = np.empty(len(rows), np.int64)
+    number[order] = np.cumsum(new) - 1
+    return ordered[new], order[new], number
+
 
 _CHUNK = 128  # points that are compared with all triangles at once
 _TRIED = 8  # points of a surface whose triangles are tried first: around a corner there are some six

@@ -13,10 +13,10 @@ import numpy as np
 from artgen._arrays import Array
 from artgen._caching import cached_property
 from artgen._names import check_names
+from artgen.asset.affordance import Grasp, Push
 from artgen.asset.asset import FORMAT, Asset, remember
 from artgen.asset.certificate import Certificate
 from artgen.asset.contact import AllowedContact
-from artgen.asset.hold import Grasp, Push
 from artgen.asset.joint import Joint
 from artgen.asset.link import Collider, Link, Surface
 from artgen.asset.mass import MassProperties
@@ -354,3 +354,24 @@ def read_obj(path: Path, origin: Array) -> Mesh:
 
 def _numbers(rows: Sequence[bytes], columns: int) -> Array:
     return np.array(b" ".join(rows).replace(b"/", b" ").split(), float).reshape(-1, columns)
+
+
+Packed = tuple[Mapping[str, Any], Mapping[str, tuple[Surface, ...]], Certificate | None]
+
+
+def pack(asset: Asset) -> Packed:
+    """Return what is sent of an asset: its data, the surfaces of its links, and its certificate."""
+    stored = as_stored(asset)
+    return stored.to_data(), {link.name: link.surfaces for link in stored.links}, asset.certificate
+
+
+def unpack(*packed: Any) -> Asset:
+    """Return the asset of what `pack` returned; like one read from files, it keeps no solids."""
+    data, surfaces, certificate = packed
+    asset = asset_from_data({**data, "certificate": None}, Path())
+    for link in asset.links:
+        # a cached property lives in its instance's dictionary; found there, no file is read
+        vars(link)["surfaces"] = surfaces[link.name]
+    if certificate is not None:
+        remember(asset, certificate)
+    return asset

@@ -9,7 +9,7 @@ from manifold3d import Manifold, OpType
 
 from artgen._arrays import Array
 from artgen._caching import FrozenArrays, cached_property
-from artgen.asset.hold import Grasp, Push
+from artgen.asset.affordance import Grasp, Push
 from artgen.asset.mass import MassProperties, Moments, polyhedron_moments, total
 from artgen.asset.record import rounded_link
 from artgen.asset.shape import Mesh, Shape

@@ -12,7 +12,7 @@ from scipy.spatial import cKDTree
 from artgen._arrays import Array, Indices
 from artgen._caching import FrozenArrays, cached_per_object, cached_property
 from artgen.asset import Link, Mesh
-from artgen.asset.unique_rows import distinct_rows
+from artgen.asset.distance import distinct_rows
 
 _WELD_MEMORY = 1e-9  # [m] within which corners of solids are one point
 _WELD_FILES = 4e-7  # [m]: mesh files have 7 decimals

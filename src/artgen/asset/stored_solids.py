@@ -10,8 +10,7 @@ from manifold3d import Error, Manifold, Mesh64
 from artgen._arrays import Array
 from artgen._caching import FrozenArrays, cached_per_object
 from artgen.asset import Link, Surface
-from artgen.asset.collision import Part, solid_parts
-from artgen.colliders.connected import connected_parts
+from artgen.asset.collision import Part, connected_parts, solid_parts
 from artgen.errors import AssetError
 
 _ONE_POINT = 3e-7  # [m]: vertices of a file nearer than this are one; it has seven decimals

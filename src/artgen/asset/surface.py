@@ -1,16 +1,133 @@
 """Meshes of visible surfaces: split by paint, joined, moved, and laid on the maps of their materials."""
 
+import math
 import zlib
+from collections import deque
 from dataclasses import replace
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
-from artgen._arrays import Array
-from artgen.asset.degenerate_triangles import needles, without_needles
+from artgen._arrays import Array, Indices
 from artgen.asset.shape import Mesh
+from artgen.colliders.triangles import cross
 from artgen.materials import Material
 from artgen.materials.textures import shifts_of, tile_of
+
+_SAME = 1e-6  # by how much position [m], normal and texture coordinates of one vertex differ
+_ROUNDS = 8  # how often each needle is looked at: the ones beside it may have to go first
+
+
+def needles(positions: Indices, corners: Indices) -> NDArray[np.bool_]:
+    """Tell which triangles are lower than one step, shape (m,)."""
+    a, b, c = (positions[:, each] for each in corners)
+    first, second, third = b - a, c - b, a - c
+    x, y, z = (first[i] * second[j] - first[j] * second[i] for i, j in ((1, 2), (2, 0), (0, 1)))
+    longest = np.max([(side * side).sum(axis=0) for side in (first, second, third)], axis=0)
+    return np.asarray(x.astype(float) ** 2 + y.astype(float) ** 2 + z.astype(float) ** 2 < longest)
+
+
+def without_needles(
+    rows: Array, place: Indices, corners: Indices, flat: NDArray[np.bool_]
+) -> tuple[Array, Indices]:
+    """Leave needles out; the triangle beyond the long side of each is divided at the corner between its ends.
+
+    So no edge is left whose ends another edge passes. The ones at the border of a surface just go.
+    """
+    vertices, places = list(rows), place.tolist()
+    triangles: list[list[int]] = corners.T.tolist()
+    sides = {
+        (places[one], places[other]): number
+        for number, (a, b, c) in enumerate(triangles)
+        for one, other in ((a, b), (b, c), (c, a))
+    }
+    waiting = deque(np.flatnonzero(flat).tolist())
+    gone = set(waiting)
+    for _ in range(_ROUNDS * len(waiting)):
+        if not waiting:
+            break
+        number = waiting.popleft()
+        middle, start, end = _from_middle(triangles[number], vertices)
+        beyond = sides.get((places[end], places[start]))
+        if beyond is None:
+            continue
+        if beyond in gone:
+            if beyond in waiting:
+                waiting.append(number)
+            continue
+        one, other, apex = _from_side(triangles[beyond], places, places[end])
+        if (one, other) != (end, start):  # another face: it has a vertex of its own there
+            middle = _vertex_between(vertices, places, middle, one, other)
+        triangles[beyond] = [one, middle, apex]
+        triangles.append([middle, other, apex])
+        sides[places[one], places[middle]] = sides[places[middle], places[apex]] = beyond
+        for first, second in ((middle, other), (other, apex), (apex, middle)):
+            sides[places[first], places[second]] = len(triangles) - 1
+    left = [triangle for number, triangle in enumerate(triangles) if number not in gone]
+    return np.array(vertices), np.ascontiguousarray(np.array(left, np.int64).reshape(-1, 3).T)
+
+
+def _from_middle(triangle: list[int], vertices: list[Array]) -> tuple[int, int, int]:
+    """Return the corners of a needle in their order, from the one between the others."""
+    at = np.array([vertices[corner][:3] for corner in triangle])
+    opposite = np.square(at[[2, 0, 1]] - at[[1, 2, 0]]).sum(axis=1)
+    return _from(triangle, int(opposite.argmax()))
+
+
+def _from_side(triangle: list[int], places: list[int], place: int) -> tuple[int, int, int]:
+    """Return the corners of a triangle in their order, from the one at a place."""
+    return _from(triangle, [places[corner] for corner in triangle].index(place))
+
+
+def _from(triangle: list[int], number: int) -> tuple[int, int, int]:
+    return triangle[number], triangle[number - 2], triangle[number - 1]
+
+
+def _vertex_between(vertices: list[Array], places: list[int], at: int, one: int, other: int) -> int:
+    """Return a vertex on the side between two, at the place of another; a new one unless there is one."""
+    start, end, position = vertices[one], vertices[other], vertices[at][:3]
+    along = end[:3] - start[:3]
+    share = float((position - start[:3]) @ along / (along @ along))
+    row = (1.0 - share) * start + share * end
+    row[:3] = position
+    row[3:6] /= np.linalg.norm(row[3:6])
+    for number, place in enumerate(places):
+        if place == places[at] and np.abs(vertices[number] - row).max() < _SAME:
+            return number
+    vertices.append(row)
+    places.append(places[at])
+    return len(vertices) - 1
+
+
+def corner_normals(
+    triangles: NDArray[np.int64], corners: Array, crease: float, *, by: Literal["angle", "area"] = "angle"
+) -> Array:
+    """Return a normal for each corner of each triangle, shape (3 m, 3), smooth across shallow edges."""
+    count = len(triangles)
+    across = cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    areas = np.linalg.norm(across, axis=1)  # twice
+    flat = across / np.maximum(areas, 1e-300)[:, None]
+    following, before = np.roll(corners, -1, axis=1) - corners, np.roll(corners, 1, axis=1) - corners
+    cosine = np.einsum("ijk,ijk->ij", following, before)
+    angle = np.arctan2(np.broadcast_to(areas[:, None], cosine.shape), cosine).ravel()
+    share = angle * np.repeat(areas, 3) if by == "area" else angle
+    vertex = triangles.ravel()
+    face = np.repeat(np.arange(count), 3)
+    order = np.argsort(vertex, kind="stable")
+    start = np.searchsorted(vertex[order], np.arange(vertex.max() + 2))
+    fans = np.diff(start)
+    normals = np.zeros((3 * count, 3))
+    for size in np.unique(fans[fans > 0]).tolist():
+        heads = start[:-1][fans == size]
+        corner = order[heads[:, None] + np.arange(size)]
+        turned = flat[face[corner]]
+        near = np.einsum("vik,vjk->vij", turned, turned) > math.cos(crease)
+        weight = near * share[corner][:, None, :]
+        normals[corner.ravel()] = np.einsum("vij,vjk->vik", weight, turned).reshape(-1, 3)
+    length = np.linalg.norm(normals, axis=1, keepdims=True)
+    return np.where(length > 1e-12, normals / np.maximum(length, 1e-300), np.repeat(flat, 3, axis=0))
+
 
 Corners = NDArray[np.int64]
 """The corners of triangles, shape (3, m): in rows, which NumPy adds up and compares much faster."""

@@ -10,9 +10,8 @@ from numpy.typing import NDArray
 from artgen._arrays import Array
 from artgen._caching import cached, cached_property
 from artgen.colliders.convex import TOLERANCE, Convex
-from artgen.colliders.hull import hull_of
 from artgen.colliders.polytope import SNAP
-from artgen.colliders.triangles import across, cross, planes_of, triangles_of
+from artgen.colliders.triangles import across, cross, hull_of, planes_of, triangles_of
 
 _FLAT = 1e-8  # area of a dual triangle by its longest side squared, below which it is a needle
 _APART = 1e8  # [1/m]: corners nearer than its inverse are one

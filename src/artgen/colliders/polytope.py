@@ -15,8 +15,7 @@ from numpy.typing import NDArray
 
 from artgen._arrays import Array, Indices, Mask, successors
 from artgen._caching import FrozenArrays, cached_property
-from artgen.colliders.hull import hull_of
-from artgen.colliders.triangles import cross, triangles_of
+from artgen.colliders.triangles import cross, hull_of, triangles_of
 
 SNAP = 1e-9
 """A vertex closer to a cutting plane than this lies on it [m]."""

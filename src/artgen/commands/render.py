@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import typer
 
-from artgen.commands.source import Source, SourceOverrides, SourceSeed, asset_from
+from artgen.commands.view import Source, SourceOverrides, SourceSeed, asset_from
 from artgen.errors import ParameterError
 
 if TYPE_CHECKING:

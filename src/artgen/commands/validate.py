@@ -4,6 +4,7 @@ import json
 import os
 import sys
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from pathlib import Path
 from typing import Annotated
 
@@ -15,10 +16,10 @@ from rich.text import Text
 from artgen.asset.files import ASSET_FILE
 from artgen.asset.report import CheckResult, Finding, Report
 from artgen.errors import ExportError
+from artgen.export.files import REPORT_FILE
 from artgen.validate.clients.ask import ask_clients
 from artgen.validate.clients.outcome import ClientReport, Outcome
 from artgen.validate.clients.registry import ALL, chosen_clients
-from artgen.validate.report_file import write_report
 from artgen.validate.run import validate as run_checks
 
 _FAULT = 1  # exit code
@@ -165,3 +166,25 @@ def _described(finding: Finding) -> Text:
     lines += [" at ".join(part for part in (number, pose) if part), finding.hint and f"-> {finding.hint}"]
     text = Text.assemble((finding.severity, _STYLES[finding.severity]), f" {finding.check}: ")
     return text.append("\n    ".join(line for line in lines if line))
+
+
+def write_report(report: Report, path: str | Path) -> Path:
+    """Write a report as JSON, all of it or nothing."""
+    target = Path(path)
+    target = target / REPORT_FILE if target.is_dir() else target
+    partial = target.with_name(f".{target.name}.{os.getpid()}.partial")
+    try:
+        try:
+            partial.write_text(report.to_json(), encoding="utf-8", newline="\n")
+            partial.replace(target)
+        except BaseException:
+            with suppress(OSError):
+                partial.unlink(missing_ok=True)
+            raise
+    except OSError as error:
+        reason = error.strerror or str(error)
+        raise ExportError(
+            f"cannot write the report of {report.asset!r} to {target}: {reason}; check that its directory "
+            "exists and may be written to"
+        ) from error
+    return target

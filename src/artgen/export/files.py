@@ -4,6 +4,7 @@ import hashlib
 import json
 import os
 import shutil
+import zlib
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from pathlib import Path
@@ -16,11 +17,55 @@ from artgen.asset.collision import Collision, collision_of, with_colliders
 from artgen.asset.files import ASSET_FILE, CERTIFICATE_FILE, as_stored, previous_directory
 from artgen.asset.record import json_text
 from artgen.errors import AssetError, ExportError, nearest
-from artgen.export.digests import digests
 from artgen.export.formats import FORMATS, TEXTURES
 from artgen.export.layouts import LAYOUTS, Layout
 from artgen.export.precision import with_precision
 from artgen.materials.textures import check_size
+from artgen.materials.textures.keep import Memory
+
+_PNG = b"\x89PNG\r\n\x1a\n"
+
+_MEMORY = Memory(64 * 2**20)
+"""Digests of the last PNG files, by their bytes: those of the library are in every other export."""
+
+
+def digests(files: Mapping[str, bytes]) -> dict[str, str]:
+    """Return the digest of each file by its path, in the order of the paths."""
+    return {path: digest(files[path]) for path in sorted(files)}
+
+
+def digest(content: bytes) -> str:
+    """Return the SHA-256 of a file in hexadecimal digits; of a PNG file, of what it says unpacked.
+
+    Machines differ in how they pack the same texels, so the bytes of a PNG file would make `asset.json`
+    differ as well.
+    """
+    if not content.startswith(_PNG):
+        return hashlib.sha256(content).hexdigest()
+    return _MEMORY.get(content, lambda: _of_texels(content), lambda _: len(content))
+
+
+def _of_texels(content: bytes) -> str:
+    unpacked = _unpacked(content)
+    return hashlib.sha256(content if unpacked is None else unpacked).hexdigest()
+
+
+def _unpacked(content: bytes) -> bytes | None:
+    """Return the chunks of a PNG file with its texels unpacked; None where it is damaged."""
+    head, packed, place = b"", b"", len(_PNG)
+    while place + 12 <= len(content):
+        length = int.from_bytes(content[place : place + 4], "big")
+        kind, data = content[place + 4 : place + 8], content[place + 8 : place + 8 + length]
+        if kind == b"IDAT":
+            packed += data
+        elif kind != b"IEND":
+            head += kind + data
+        place += 12 + length
+    try:
+        return head + zlib.decompress(packed)
+    except zlib.error:
+        return None
+
 
 REPORT_FILE = "report.json"
 """What `artgen validate` says of an export, beside it; a new export makes it obsolete."""

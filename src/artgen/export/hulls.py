@@ -10,7 +10,7 @@ from artgen._caching import FrozenArrays, cached
 from artgen.asset import Asset
 from artgen.asset.record import DECIMALS
 from artgen.colliders import Convex
-from artgen.colliders.hull import hull_of
+from artgen.colliders.triangles import hull_of
 
 Surface = tuple[Array, Indices]
 """Vertices, shape (n, 3) [m], and triangles, shape (m, 3)."""

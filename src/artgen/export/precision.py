@@ -10,9 +10,9 @@ from numpy.typing import NDArray
 from artgen._caching import cached_property
 from artgen.asset import Asset, Mesh, Surface
 from artgen.asset.asset import remember
+from artgen.asset.collision import DerivedLink, fields_of, need_solids
 from artgen.asset.decimate import coarser
 from artgen.asset.files import POSITION_DECIMALS, rounded_mesh
-from artgen.asset.geometry_override import DerivedLink, fields_of, need_solids
 from artgen.asset.link import Piece
 from artgen.asset.surface import joined
 from artgen.errors import ParameterError

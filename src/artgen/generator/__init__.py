@@ -1,9 +1,8 @@
 """Generators: typed functions whose signatures say what varies and how."""
 
 from artgen.generator.declare import CATEGORIES, category, collected, generator, one_of
-from artgen.generator.generator import Generator
+from artgen.generator.generator import Generator, OnCollision
 from artgen.generator.parameter import Parameter, accept
-from artgen.generator.proof import OnCollision
 from artgen.generator.shades import shades
 from artgen.sampling import Fixed
 

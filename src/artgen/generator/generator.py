@@ -1,34 +1,136 @@
 """The generator: it samples its parameters, builds its graph and evaluates it to an asset."""
 
+import atexit
 import functools
 import inspect
 import operator
-from collections.abc import Callable, Mapping
+import sys
+from collections import OrderedDict
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Literal, get_args
 
 from artgen._names import NAME_RULE, is_identifier
 from artgen.asset import Asset, Base
+from artgen.asset.certificate import MOST_TOLERANCE
 from artgen.errors import (
     ArtgenError,
     AssetError,
     BuildError,
+    CheckError,
     InfeasibleError,
     ParameterError,
     nearest,
 )
-from artgen.generator.blame import call_author
-from artgen.generator.body_cache import Built
 from artgen.generator.draw import Draw, Overrides
 from artgen.generator.parameter import Parameter, Variant, is_variant
-from artgen.generator.proof import OnCollision, certify_sample, check_proof
-from artgen.generator.shared_cache import SHARED
 from artgen.generator.signature import read_parameters
 from artgen.graph import Cache, Evaluation, Graph, Handle
-from artgen.graph.node import Node, topological
+from artgen.graph.node import Node, line_in, topological
 from artgen.nodes.handles import Body
 from artgen.sampling import Fixed, Given
+from artgen.sampling.distributions import is_number
 from artgen.version import __version__
+
+OnCollision = Literal["redraw", "fail", "keep"]
+"""What becomes of a sample whose links are not proven apart."""
+
+
+_REMEDY = (
+    "give the parts more clearance, or declare a contact by design with body.allow_contact(...); "
+    'on_collision="keep" returns the asset all the same, and its safe_limits() tell how far its joints may go'
+)
+
+
+def check_proof(certify: Any, tolerance: Any, on_collision: Any) -> None:
+    """Check what a caller asks of the proof."""
+    if not isinstance(certify, bool):
+        raise ParameterError(f"certify = {certify!r} is not allowed: it must be True or False")
+    if not is_number(tolerance) or not 0.0 <= tolerance <= MOST_TOLERANCE:
+        raise ParameterError(
+            f"tolerance = {tolerance!r} is not allowed: it is the clearance to prove, a number of metres "
+            f"(not mm) that is not negative and at most {MOST_TOLERANCE:g}"
+        )
+    if on_collision not in get_args(OnCollision):
+        allowed = ", ".join(map(repr, get_args(OnCollision)))
+        raise ParameterError(f"on_collision = {on_collision!r} is not allowed: it must be one of {allowed}")
+
+
+def certify_sample(asset: Asset, tolerance: float, on_collision: OnCollision) -> None:
+    """Prove that the links of an asset never collide."""
+    certificate = asset.certify(tolerance)
+    if certificate.proven or on_collision == "keep":
+        return
+    if on_collision == "redraw":
+        raise InfeasibleError(f"{certificate}\n  {_REMEDY}")
+    raise CheckError(f"{asset.name}: {certificate}\n  {_REMEDY}")
+
+
+SHARED = Cache()
+"""Values of the subgraphs of all generators that were given no cache of their own."""
+
+
+@atexit.register
+def _let_go() -> None:
+    """Forget all solids while manifold3d is still there.
+
+    Where torch is loaded, modules outlive the interpreter; the solids that they remember would, too, and
+    manifold3d would complain of each.
+    """
+    SHARED.clear()
+    for name, module in list(sys.modules.items()):
+        if name.startswith("artgen."):
+            for value in vars(module).values():
+                if hasattr(value, "cache_clear"):
+                    value.cache_clear()
+
+
+_MOST = 4  # bodies that are kept
+
+
+class Built:
+    """Builds the graphs of a generator, and keeps the last few: no value of a socket matters to them."""
+
+    def __init__(self, own: Mapping[str, Parameter], build: Callable[[Mapping[str, Any]], Any]) -> None:
+        self._own = own
+        self._build = build
+        self._bodies: OrderedDict[tuple[Any, ...], Any] = OrderedDict()
+
+    def of(self, values: Mapping[str, Any]) -> Any:
+        """Return the handle of the result; raises what building raises."""
+        key = tuple(_structural(self._own, values, ""))
+        body = self._bodies.get(key)
+        if body is None:
+            self._bodies[key] = body = self._build(values)
+            if len(self._bodies) > _MOST:
+                self._bodies.popitem(last=False)
+        return body
+
+
+def _structural(
+    own: Mapping[str, Parameter], values: Mapping[str, Any], prefix: str
+) -> Iterator[tuple[str, Any]]:
+    """Yield the structural values by name, those of the chosen sub-generators included."""
+    for name, parameter in own.items():
+        value = values[prefix + name]
+        if parameter.structural:
+            yield prefix + name, value
+        if isinstance(value, Variant):
+            yield from _structural(value.own, values, f"{prefix}{name}.")
+
+
+def call_author(name: str, function: Callable[..., Any], arguments: Mapping[str, Any]) -> Any:
+    """Call the function of a generator and return what it returns."""
+    file = function.__code__.co_filename
+    try:
+        return function(**arguments)
+    except ArtgenError as error:
+        if isinstance(error, BuildError | ParameterError) and "\n  at " not in str(error):
+            error.args = (f"{error}\n  at {line_in(file, error)}",)
+        raise
+    except Exception as error:
+        reason = f"{type(error).__name__}: {error}"
+        raise BuildError(f"{name} cannot be built: {reason}\n  at {line_in(file, error)}") from error
 
 
 class Generator(Variant):

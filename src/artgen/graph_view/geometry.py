@@ -5,8 +5,7 @@ from typing import Any
 import numpy as np
 
 from artgen.asset.joint import Joint
-from artgen.asset.outline import Curve, Outline
-from artgen.asset.shape import MovedShape, Shape
+from artgen.asset.shape import Curve, MovedShape, Outline, Shape
 from artgen.asset.tree import Tree
 
 _BLANK = (0.72, 0.74, 0.76)  # linear colour of a solid without a material

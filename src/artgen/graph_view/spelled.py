@@ -6,8 +6,7 @@ from typing import Any
 import numpy as np
 
 from artgen.asset.joint import Joint
-from artgen.asset.outline import Curve, Outline
-from artgen.asset.shape import Shape
+from artgen.asset.shape import Curve, Outline, Shape
 from artgen.asset.tree import Tree
 from artgen.graph.node import Node
 

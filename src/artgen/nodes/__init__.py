@@ -4,13 +4,13 @@ Importing the package registers every operation, so that handles' operators and 
 """
 
 from artgen.nodes import (
-    arrays,
     body,
     choose,
     contact,
     csg,
     details,
     extrude,
+    grasp_frames,
     joint,
     loft,
     measure,
@@ -18,15 +18,12 @@ from artgen.nodes import (
     points,
     primitive,
     profile,
-    revolve,
     scalar,
     sweep,
     text,
     transform,
     vector,
 )
-from artgen.nodes import grasp_frames as hold
-from artgen.nodes import simplified_collider as coarse
 
 MODULES = (
     scalar,
@@ -38,16 +35,13 @@ MODULES = (
     path,
     primitive,
     extrude,
-    revolve,
     sweep,
     loft,
     csg,
-    coarse,
     transform,
-    arrays,
     measure,
     joint,
-    hold,
+    grasp_frames,
     body,
     contact,
     details,

@@ -7,7 +7,7 @@ import numpy as np
 from manifold3d import CrossSection, FillRule
 
 from artgen._arrays import Array, predecessors, successors
-from artgen.asset.outline import Contour, Outline
+from artgen.asset.shape import Contour, Outline
 from artgen.nodes.surfaces import arc_steps, sides_of
 
 CREASE = math.radians(35.0)

@@ -4,7 +4,7 @@ Surfaces keep their normals, texture coordinates and paint through all of them; 
 solid that cut it.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -12,17 +12,110 @@ from manifold3d import Manifold, OpType
 
 from artgen import colliders
 from artgen._arrays import Array
-from artgen.asset.shape import Shape
-from artgen.colliders import Convex, Exact
-from artgen.colliders.hull import hull_of
-from artgen.colliders.triangles import cross, triangles_of
+from artgen.asset.manifolds import manifold_of
+from artgen.asset.shape import ComposedShape, Shape
+from artgen.asset.surface import corner_normals
+from artgen.colliders import Convex, Exact, Pieces
+from artgen.colliders.pieces import Cover
+from artgen.colliders.triangles import cross, hull_of, triangles_of
 from artgen.graph import kernel
 from artgen.materials import Material
 from artgen.nodes import validators as inputs
-from artgen.nodes.handles import Array3, Scalar, Solid, VectorLike
+from artgen.nodes.contours import CREASE
+from artgen.nodes.handles import Array3, ArrayN3, PointsLike, Scalar, Solid, VectorLike
 from artgen.nodes.primitive_colliders import around_hull
-from artgen.nodes.resurface import faceted_shape, with_properties
 from artgen.nodes.rounded_box import rounded_box
+from artgen.nodes.unwrap import boxed_uvs
+from artgen.nodes.validators import between
+
+MOST = 0.001
+"""How far coarse colliders may stand off a solid [m]: what checks allow."""
+
+
+class _Coarse(Pieces):
+    """Pieces that follow a solid no closer than to a distance."""
+
+    def __init__(self, base: Pieces, least: float) -> None:
+        super().__init__()
+        self._base, self._least = base, least
+
+    def _outer(self, tolerance: float) -> Cover:
+        return self._base.outer(max(tolerance, self._least))
+
+    def _inner(self, tolerance: float) -> Cover:
+        return self._base.inner(tolerance)
+
+    def _simplified(self, tolerance: float, most_vertices: int) -> Cover:
+        return self._base.simplified(max(tolerance, self._least), most_vertices)
+
+
+@kernel
+def _coarse(solid: Shape, within: float) -> Shape:
+    between("within", within, 0.0, MOST)
+    if within == 0.0:
+        return solid
+    return Shape(solid.manifold, _Coarse(solid.pieces, within), solid.paints)
+
+
+def coarse(solid: Solid, within: Scalar = MOST) -> Solid:
+    """Let the colliders of a round solid stand off it; it looks and weighs what it did.
+
+    A thin round shell, such as the wall of a bin, collides as one piece for each of its facets; with 1 mm to
+    spare it needs less than half as many. What is proven of it holds for the coarser pieces.
+
+    Args:
+        solid: What collides coarsely, before anything is cut out of it.
+        within: How far its colliders may stand off, at most 1 mm [m].
+
+    Examples:
+        >>> coarse(tube(0.1, 0.098, 0.2))
+    """
+    return Solid.record(_coarse, solid=solid, within=within)
+
+
+def with_properties(manifold: Manifold, change: Callable[[Array], None]) -> Manifold:
+    """Return the manifold after `change` wrote into its vertices: x y z and the channels, shape (n, 9)."""
+    raw = manifold.to_mesh64()
+    table = np.array(raw.vert_properties)
+    change(table)
+    return manifold_of(table, raw.tri_verts, raw.merge_from_vert, raw.merge_to_vert)
+
+
+def faceted_shape(solid: Manifold, pieces: Pieces) -> Shape:
+    """Return the shape of a bare manifold: normals split at creases, texture projected along them."""
+    if solid.is_empty():
+        raise ValueError("the result is empty")
+    raw = solid.to_mesh64()
+    places = np.array(raw.vert_properties)[:, :3]
+    triangles = np.asarray(raw.tri_verts).astype(np.int64)
+    corners = places[triangles]
+    across = cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    size = np.linalg.norm(across, axis=1)
+    flat = across / np.maximum(size, 1e-300)[:, None]
+    normals = corner_normals(triangles, corners, CREASE)
+    vertices = corners.reshape(-1, 3)
+    uvs, side = boxed_uvs(vertices, np.repeat(flat, 3, axis=0), np.ptp(places, axis=0))
+    table = np.column_stack([vertices, normals, uvs])
+    _, first, group = np.unique(
+        np.column_stack([triangles.ravel(), side, np.rint(normals * 1e6).astype(np.int64)]),
+        axis=0,
+        return_index=True,
+        return_inverse=True,
+    )
+    group = group.ravel()
+    kept = table[first]
+    origin = triangles.ravel()[first]
+    target = np.full(len(places), -1)
+    target[origin[::-1]] = np.arange(len(first))[::-1]
+    return Shape.from_mesh(
+        kept[:, :3],
+        kept[:, 3:6],
+        kept[:, 6:8],
+        group.reshape(-1, 3),
+        pieces,
+        targets=target[origin],
+    )
+
 
 _PAINT = 8  # column of the paint number in the vertex table
 _PLANE_DECIMALS = 9  # of normals and distances [m]
@@ -298,3 +391,36 @@ def enclosed(solid: Solid) -> Solid:
         >>> enclosed(slats | box(0.2, 0.005, 0.02).at(0.09))
     """
     return Solid.record(_enclosed, solid=solid)
+
+
+@kernel
+def _array(solid: Shape, at: ArrayN3) -> Shape:
+    places = inputs.points("at", at, 3, 1)
+    copies = [solid.transformed(inputs.pose(np.eye(3), place)) for place in places]
+    if len(copies) == 1:
+        return copies[0].checked()
+    low, high = solid.bounds()
+    if not _are_apart(places, high - low):
+        return united(copies)
+    return ComposedShape(copies)
+
+
+def _are_apart(places: Array, size: Array) -> bool:
+    """Tell whether boxes of one size at all places are free of each other."""
+    gap = np.abs(places[:, None, :] - places[None, :, :]) - size
+    apart = gap.max(axis=2) > 1e-9
+    np.fill_diagonal(apart, True)
+    return bool(apart.all())
+
+
+def array(solid: Solid, *, at: PointsLike) -> Solid:
+    """Make copies of a solid as one solid; copies that touch or overlap are united.
+
+    Args:
+        solid: What to copy.
+        at: By how much each copy is moved [m].
+
+    Examples:
+        >>> array(box(0.02, 0.1, 0.05), at=row((0, 0, 0), (0.04, 0, 0), 5))
+    """
+    return Solid.record(_array, solid=solid, at=at)

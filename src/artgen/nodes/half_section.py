@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from artgen._arrays import Array
-from artgen.asset.outline import Contour, Curve, Outline
+from artgen.asset.shape import Contour, Curve, Outline
 from artgen.graph import kernel
 from artgen.nodes import validators as inputs
 from artgen.nodes.contours import estimated, faceted, is_disjoint, side_normals, without_repeats

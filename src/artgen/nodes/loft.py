@@ -7,16 +7,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from artgen._arrays import Array, predecessors, successors
-from artgen.asset.outline import Contour, Outline
-from artgen.asset.shape import Shape
+from artgen.asset.shape import Contour, Outline, Shape
 from artgen.graph import kernel
 from artgen.nodes import validators as inputs
-from artgen.nodes.contour_columns import Rail
 from artgen.nodes.contours import CREASE, moved_outline
 from artgen.nodes.handles import Array3, Profile, Scalar, Solid, VectorLike
 from artgen.nodes.primitive_colliders import around_chain
 from artgen.nodes.surfaces import Sheets, Skin, triangulated
-from artgen.nodes.unwrap import cap_uvs, lies_flat, runs_across, tapered_around, wall_uvs
+from artgen.nodes.unwrap import Rail, cap_uvs, lies_flat, runs_across, tapered_around, wall_uvs
 
 _SHARE = 1e-7  # of a border's length: positions along it closer than this are one
 

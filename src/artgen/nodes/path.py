@@ -6,7 +6,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from artgen._arrays import Array, predecessors, successors
-from artgen.asset.outline import Curve
+from artgen.asset.shape import Curve
 from artgen.graph import kernel
 from artgen.nodes import validators as inputs
 from artgen.nodes.handles import Array3, Path, Scalar, VectorLike

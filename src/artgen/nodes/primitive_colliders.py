@@ -9,7 +9,7 @@ import numpy as np
 
 from artgen import colliders
 from artgen._arrays import Array
-from artgen.asset.outline import Contour, Outline
+from artgen.asset.shape import Contour, Outline
 from artgen.colliders import Bounded, Convex, Pieces
 from artgen.nodes.surfaces import lathe_steps, mitres
 

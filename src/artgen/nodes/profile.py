@@ -11,7 +11,7 @@ import numpy as np
 from manifold3d import CrossSection, JoinType
 
 from artgen._arrays import successors
-from artgen.asset.outline import Contour, Outline
+from artgen.asset.shape import Contour, Outline
 from artgen.graph import kernel
 from artgen.nodes import validators as inputs
 from artgen.nodes.contours import (

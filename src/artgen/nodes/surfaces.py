@@ -14,12 +14,11 @@ from numpy.typing import NDArray
 
 from artgen._arrays import Array, Indices, predecessors, successors
 from artgen._caching import FrozenArrays, cached
-from artgen.asset.outline import Contour
-from artgen.asset.shape import GRAIN, Shape
+from artgen.asset.shape import GRAIN, Contour, Shape
 from artgen.colliders import Pieces
 from artgen.nodes import validators as inputs
-from artgen.nodes.contour_columns import Rail
 from artgen.nodes.unwrap import (
+    Rail,
     cap_uvs,
     lies_flat,
     ring_lengths,

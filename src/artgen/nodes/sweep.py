@@ -6,16 +6,14 @@ from collections.abc import Sequence
 import numpy as np
 
 from artgen._arrays import Array, successors
-from artgen.asset.outline import Contour, Curve, Outline
-from artgen.asset.shape import Shape
+from artgen.asset.shape import Contour, Curve, Outline, Shape
 from artgen.colliders.triangles import cross
 from artgen.graph import kernel
-from artgen.nodes.contour_columns import Rail
 from artgen.nodes.contours import CREASE
 from artgen.nodes.handles import Path, Profile, Solid
 from artgen.nodes.primitive_colliders import around_sweep
 from artgen.nodes.surfaces import Sheets, Skin, triangulated
-from artgen.nodes.unwrap import cap_uvs, runs_across, wall_uvs
+from artgen.nodes.unwrap import Rail, cap_uvs, runs_across, wall_uvs
 
 Row = tuple[float, float, float]
 

@@ -11,7 +11,7 @@ import numpy as np
 
 from artgen._arrays import Array
 from artgen._caching import cached
-from artgen.asset.outline import Contour, Outline
+from artgen.asset.shape import Contour, Outline
 from artgen.graph import kernel
 from artgen.nodes import validators as inputs
 from artgen.nodes.contours import is_disjoint, moved_outline, outline_of, section

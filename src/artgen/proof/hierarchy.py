@@ -8,8 +8,7 @@ import numpy as np
 from manifold3d import Manifold
 
 from artgen._arrays import Array, Indices, Mask
-from artgen.colliders.hull import hull_of
-from artgen.colliders.triangles import cross
+from artgen.colliders.triangles import cross, hull_of
 
 _FAN = 4  # children of a box, at most
 _MANY = 12  # vertices from which a piece is looked at in a box at first

@@ -7,11 +7,10 @@ import numpy as np
 from manifold3d import Manifold, OpType
 
 from artgen._arrays import Array
-from artgen.asset.distance import Faces
-from artgen.asset.unique_rows import distinct_rows
+from artgen.asset.distance import Faces, distinct_rows
 from artgen.colliders import Convex
-from artgen.colliders.hull import hull_of
 from artgen.colliders.polytope import Polytope
+from artgen.colliders.triangles import hull_of
 
 _FINE = 2.0e-5  # [m] to which round pieces are faceted around
 _SPREAD = 300  # points spread over the surfaces that differ, beside their corners

@@ -7,10 +7,13 @@ import math
 import os
 import subprocess
 import sys
-from collections.abc import Iterator
+import threading
+from collections.abc import Callable, Iterator
+from concurrent.futures import Future
 from dataclasses import dataclass, field
 from functools import lru_cache
-from typing import Any
+from queue import SimpleQueue
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,12 +23,56 @@ from artgen.errors import RenderError
 from artgen.materials import Material
 from artgen.materials.textures import Kind, displayed, encoded, kinds, map_name
 from artgen.view.camera import Camera
-from artgen.view.classic import body_of_glass
-from artgen.view.filament_environment import image_light
-from artgen.view.lamps import KEY, key_light, spread
-from artgen.view.one_thread import OneThread
+from artgen.view.classic import KEY, body_of_glass, key_light, spread
+from artgen.view.environment import image_light
 from artgen.view.scene import Layer, Scene
 from artgen.view.studio import Backdrop
+
+Result = TypeVar("Result")
+
+
+class OneThread:
+    """Runs calls one after another in one thread, whichever threads ask for them.
+
+    The thread begins with the first call and ends with the process. What calls make for later ones has to be
+    let go of by a call, too.
+    """
+
+    def __init__(self, name: str) -> None:
+        self._name = name
+        self._calls: SimpleQueue[tuple[Callable[[], Any], Future[Any]]] = SimpleQueue()
+        self._beginning = threading.Lock()
+        self._thread: threading.Thread | None = None
+
+    def begun(self) -> bool:
+        """Tell whether there has been a call."""
+        return self._thread is not None
+
+    def run(self, call: Callable[[], Result]) -> Result:
+        """Return what a call returns, or raise what it raises."""
+        with self._beginning:
+            if self._thread is None:
+                # a daemon, so that the process may end, and be told to by functions that run at its exit
+                self._thread = threading.Thread(target=self._work, name=self._name, daemon=True)
+                self._thread.start()
+        if threading.current_thread() is self._thread:
+            return call()
+        answer: Future[Result] = Future()
+        self._calls.put((call, answer))
+        return answer.result()
+
+    def _work(self) -> None:
+        while True:
+            _answer(*self._calls.get())
+
+
+def _answer(call: Callable[[], Any], answer: "Future[Any]") -> None:
+    """Make a call; a function of its own keeps nothing of it alive until the next one."""
+    try:
+        answer.set_result(call())
+    except BaseException as error:  # noqa: BLE001 - whoever asked for the call gets it
+        answer.set_exception(error)
+
 
 THREAD = OneThread("filament")
 """In which Filament does everything: called from two threads, it ends the process."""

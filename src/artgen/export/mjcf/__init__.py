@@ -15,7 +15,7 @@ import numpy as np
 
 from artgen._arrays import Array
 from artgen.asset import Asset, Joint, Link
-from artgen.asset.hold import Grasp
+from artgen.asset.affordance import Grasp
 from artgen.colliders import Convex
 from artgen.export.frames import (
     BodyFrame,

@@ -4,9 +4,8 @@ import xml.etree.ElementTree as ET
 from collections.abc import Iterable
 
 from artgen.asset import Asset
-from artgen.export.maps import TEXTURE_DIRECTORY, MapFiles
+from artgen.export.maps import TEXTURE_DIRECTORY, MapFiles, highlight
 from artgen.export.meshes import display_color
-from artgen.export.phong import highlight
 from artgen.materials import Material
 from artgen.materials.textures import Kind
 

@@ -26,8 +26,7 @@ from artgen.export.frames import (
 )
 from artgen.export.losses import Loss, Written, label_losses, look_losses, loss
 from artgen.export.meshes import MeshFiles, display_color, mesh_files
-from artgen.export.urdf.losses import material_losses, motion_losses
-from artgen.export.urdf.words import add, add_spring, digits, primitives
+from artgen.export.urdf.losses import add, add_spring, digits, material_losses, motion_losses, primitives
 from artgen.materials import Material
 
 # Of the link that marks a grasp or push. Where there is none, PyBullet makes up 1 kg and warns; where it is

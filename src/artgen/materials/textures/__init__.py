@@ -1,9 +1,9 @@
 """Procedural textures: tileable maps in metric scale, baked once per recipe and kept on disk."""
 
 from artgen.materials.textures.bake import Maps, as_bytes, displayed
-from artgen.materials.textures.library import RECIPES
 from artgen.materials.textures.maps import (
     KINDS,
+    RECIPES,
     SIZES,
     Form,
     Kind,

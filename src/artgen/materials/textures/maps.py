@@ -1,20 +1,65 @@
 """Maps: a recipe's pattern in the colour and roughness of one material, as pixels and as image files."""
 
 import io
+import struct
 import zlib
+from dataclasses import replace
 from typing import Literal
 
 import numpy as np
+from numpy.typing import NDArray
 
 from artgen._caching import cached
 from artgen.errors import ParameterError, nearest
 from artgen.materials.material import Material
 from artgen.materials.table import MATERIALS
-from artgen.materials.textures import keep
+from artgen.materials.textures import board, keep, metal, plastic, stone, wood, woven
 from artgen.materials.textures.bake import MEMORY, Maps, Pixels, as_bytes, bake, baked, displayed
-from artgen.materials.textures.library import RECIPES
-from artgen.materials.textures.png import png
-from artgen.materials.textures.recipe import Recipe
+from artgen.materials.textures.fields import Tile
+from artgen.materials.textures.recipe import Pattern, Recipe
+
+_SIGNATURE = b"\x89PNG\r\n\x1a\n"
+_GREY, _COLOR = 0, 2
+_UP = 2  # each texel as difference from the one above: patterns run along v
+
+
+def png(pixels: NDArray[np.uint8]) -> bytes:
+    """Return a PNG file of grey texels, shape (n, m), or of RGB, shape (n, m, 3)."""
+    height, width = pixels.shape[:2]
+    lines = pixels.reshape(height, -1)
+    rows = np.empty((height, lines.shape[1] + 1), np.uint8)
+    rows[:, 0] = _UP
+    rows[0, 1:] = lines[0]
+    np.subtract(lines[1:], lines[:-1], out=rows[1:, 1:])
+    packer = zlib.compressobj(1, zlib.DEFLATED, 15, 9, zlib.Z_RLE)
+    data = packer.compress(rows.tobytes()) + packer.flush()
+    head = struct.pack(">IIBBBBB", width, height, 8, _GREY if pixels.ndim == 2 else _COLOR, 0, 0, 0)
+    return _SIGNATURE + _chunk(b"IHDR", head) + _chunk(b"IDAT", data) + _chunk(b"IEND", b"")
+
+
+def _chunk(kind: bytes, data: bytes) -> bytes:
+    return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+
+
+_FLAT_TILE = (0.5, 0.5)
+
+
+def _flat(stream: np.random.Generator, size: int) -> Pattern:
+    """Make a surface that is even but for a breath of roughness."""
+    return Pattern(None, 0.02 * Tile(stream, size, _FLAT_TILE).cloud(0.25, 1.8))
+
+
+_FAMILIES = (wood, board, metal, plastic, stone, woven)
+
+RECIPES: dict[str, Recipe] = {
+    recipe.name: replace(recipe, kept=True)
+    for recipe in (
+        Recipe("flat", (0.5, 0.5, 0.5), _flat, _FLAT_TILE, varying=()),
+        *(recipe for family in _FAMILIES for recipe in family.recipes()),
+    )
+}
+"""The recipes by name."""
+
 
 Kind = Literal["albedo", "orm", "roughness", "metalness", "normal"]
 """`orm` has occlusion, roughness and metalness in its channels, as glTF and MuJoCo read them."""

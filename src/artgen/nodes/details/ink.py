@@ -8,7 +8,7 @@ import numpy as np
 from manifold3d import CrossSection, FillRule
 
 from artgen._arrays import Array, predecessors
-from artgen.asset.outline import Outline
+from artgen.asset.shape import Outline
 from artgen.nodes.contours import arc_points, outline_of, side_normals, signed_area
 from artgen.nodes.details.pen import Mark, steps_of
 

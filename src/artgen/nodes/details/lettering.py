@@ -6,7 +6,7 @@ from typing import Literal
 import numpy as np
 
 from artgen._caching import cached
-from artgen.asset.outline import Contour, Outline
+from artgen.asset.shape import Contour, Outline
 from artgen.graph import kernel
 from artgen.nodes import text
 from artgen.nodes import validators as inputs

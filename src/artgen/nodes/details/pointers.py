@@ -5,7 +5,7 @@ from typing import Literal
 
 import numpy as np
 
-from artgen.asset.outline import Outline
+from artgen.asset.shape import Outline
 from artgen.graph import kernel
 from artgen.nodes import validators as inputs
 from artgen.nodes.contours import arc_points, faceted

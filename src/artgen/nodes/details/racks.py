@@ -11,8 +11,7 @@ import numpy as np
 
 from artgen import colliders
 from artgen._arrays import Array
-from artgen.asset.outline import Contour, Curve, Outline
-from artgen.asset.shape import ComposedShape, Shape
+from artgen.asset.shape import ComposedShape, Contour, Curve, Outline, Shape
 from artgen.colliders.pieces import Pieces
 from artgen.graph import kernel
 from artgen.nodes import validators as inputs

@@ -8,21 +8,20 @@ from numpy.typing import NDArray
 
 from artgen._arrays import Array
 from artgen._caching import cached
-from artgen.asset.outline import Contour, Outline
-from artgen.asset.shape import Shape
+from artgen.asset.shape import Contour, Outline, Shape
 from artgen.graph import kernel
 from artgen.materials import Material
 from artgen.nodes import validators as inputs
 from artgen.nodes.body import detail, weld
-from artgen.nodes.contour_columns import Rail
 from artgen.nodes.contours import circle_contour, faceted, moved_outline, reversed_contour
 from artgen.nodes.details.relief import FRONT, facing_frame, in_shade, relief
+from artgen.nodes.extrude import revolve
 from artgen.nodes.handles import Array3, Body, Profile, Scalar, Solid, VectorLike
 from artgen.nodes.primitive import dome
 from artgen.nodes.primitive_colliders import around_hull
 from artgen.nodes.profile import polygon
-from artgen.nodes.revolve import revolve
 from artgen.nodes.surfaces import Sheets, triangulated
+from artgen.nodes.unwrap import Rail
 
 Drive = Literal["phillips", "pozidriv", "slot", "hex", "torx"]
 """The recess that a driver fits."""

@@ -6,7 +6,7 @@ from typing import Literal
 import numpy as np
 
 from artgen._arrays import Array
-from artgen.asset.outline import Contour, Outline
+from artgen.asset.shape import Contour, Outline
 from artgen.graph import kernel
 from artgen.nodes import validators as inputs
 from artgen.nodes.contours import circle_contour, faceted, moved_outline

@@ -8,7 +8,7 @@ from manifold3d import JoinType
 from numpy.typing import NDArray
 
 from artgen._arrays import Array, successors
-from artgen.asset.outline import Contour, Outline
+from artgen.asset.shape import Contour, Outline
 from artgen.graph import kernel
 from artgen.nodes import validators as inputs
 from artgen.nodes.contours import circle_contour, moved_outline, reversed_contour, section

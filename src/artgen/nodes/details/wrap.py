@@ -5,15 +5,14 @@ import math
 import numpy as np
 
 from artgen._arrays import Array
-from artgen.asset.outline import Curve, Outline
-from artgen.asset.shape import Shape
+from artgen.asset.shape import Curve, Outline, Shape
 from artgen.colliders import Bounded
 from artgen.graph import kernel
 from artgen.materials import Material
 from artgen.nodes import validators as inputs
 from artgen.nodes.body import detail
 from artgen.nodes.contours import refined
-from artgen.nodes.details.prisms import prisms
+from artgen.nodes.details.relief import prisms
 from artgen.nodes.handles import Body, Path, Profile, Scalar, Solid
 from artgen.nodes.primitive_colliders import around_hull
 from artgen.nodes.surfaces import Skin

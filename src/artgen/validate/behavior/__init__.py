@@ -11,8 +11,7 @@ from artgen.asset.files import main_files
 from artgen.asset.report import CheckResult, Finding
 from artgen.validate.behavior.dependencies import block
 from artgen.validate.behavior.drive import conditions, drive, release
-from artgen.validate.behavior.load import collected_warnings, fixed_model, standing_model
-from artgen.validate.behavior.model import CHECK, Simulation
+from artgen.validate.behavior.model import CHECK, Simulation, collected_warnings, fixed_model, standing_model
 from artgen.validate.behavior.settle import Settled, settle
 
 

@@ -8,7 +8,7 @@ from pathlib import Path, PurePosixPath
 
 from artgen.asset.files import ASSET_FILE
 from artgen.asset.report import Finding
-from artgen.export.digests import digest
+from artgen.export.files import digest
 
 _TEXTS = {".urdf", ".xml", ".usda", ".obj", ".mtl", ".json", ".txt"}
 _LOOKS = {".png", ".jpg", ".mtl"}

@@ -24,7 +24,7 @@ from artgen.export.frames import (
 )
 from artgen.export.layouts.partnet.meshes import COLLIDERS, VISUALS, ObjectMeshes
 from artgen.export.layouts.partnet.names import ROOT, UPRIGHT, Naming, Step
-from artgen.export.urdf.words import add_spring, digits, primitives
+from artgen.export.urdf.losses import add_spring, digits, primitives
 
 ROOT_MASS = 1e-9
 """Mass of the body without geometry [kg]; clients make up a mass where there is none."""
