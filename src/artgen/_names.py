@@ -48,14 +48,12 @@ def check_names(data: Mapping[str, Any], source: Path) -> None:
     """
     for key, name in _names({**data, "parameters": {}, "formats": {}, "digests": {}, "certificate": {}}):
         if not is_identifier(name):
-            raise AssetError(
-                f"{source}: {key} {name!r} is no identifier; use {NAME_RULE}, or export the asset again"
-            )
+            raise AssetError(f"{source}: {key} {name!r} is no identifier; use {NAME_RULE}")
     for path in _paths(data):
         if not is_plain_path(path):
             raise AssetError(
-                f"{source}: the path {path!r} is not allowed: it must be relative and stay in the folder of "
-                "the asset; export the asset again"
+                f"{source}: the path {path!r} is not allowed; it must be relative and stay in the folder of "
+                "the asset"
             )
 
 

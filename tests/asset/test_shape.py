@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from artgen import Y, cylinder_between, vector
 from artgen.asset.shape import ComposedShape, Shape
 from artgen.graph import evaluate
-from artgen.nodes import arrays, primitive, sweep, transform
+from artgen.nodes import csg, primitive, sweep, transform
 from artgen.nodes.path import _polyline
 from artgen.nodes.profile import _circle
 from support.shapes import X, Z
@@ -44,7 +44,7 @@ def test_a_solid_is_the_same_with_and_without_its_manifold(x, y, z, bevel):
 
 def test_solids_that_are_apart_are_one_solid_with_all_their_parts():
     pin = primitive._cylinder(0.02, 0.2, Z, 0.001)
-    row = arrays._array(pin, np.array([[0.05 * place, 0.0, 0.0] for place in range(4)]))
+    row = csg._array(pin, np.array([[0.05 * place, 0.0, 0.0] for place in range(4)]))
     assert isinstance(row, ComposedShape)
     assert_mesh_is_the_manifold(row)
     assert len(row.parts) == len(row.manifold.decompose()) == 4

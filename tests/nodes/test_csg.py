@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 from artgen.errors import EvaluationError
 from artgen.graph import evaluate
 from artgen.materials import material
-from artgen.nodes import arrays, csg, extrude, primitive, profile, transform
+from artgen.nodes import csg, extrude, primitive, profile, transform
 from artgen.nodes.primitive import box, cylinder
 from support.shapes import X, Y, Z, check_metric, check_shape, relative_volume, same_bytes
 
@@ -174,7 +174,7 @@ def test_empty_results_name_the_authors_line(make, message):
 
 def test_an_array_of_disjoint_copies_is_composed():
     places = np.array([[0.05 * i, 0.0, 0.0] for i in range(8)])
-    shape = arrays._array(PIN, places)
+    shape = csg._array(PIN, places)
     check_shape(shape)
     assert volume(shape) == pytest.approx(8 * volume(PIN))
     assert len(shape.manifold.decompose()) == 8
@@ -182,14 +182,14 @@ def test_an_array_of_disjoint_copies_is_composed():
 
 
 def test_an_array_of_overlapping_copies_is_united():
-    shape = arrays._array(PIN, np.array([[0.03 * i, 0.0, 0.0] for i in range(3)]))
+    shape = csg._array(PIN, np.array([[0.03 * i, 0.0, 0.0] for i in range(3)]))
     check_shape(shape)
     assert len(shape.manifold.decompose()) == 1
     assert volume(shape) < 3 * volume(PIN)
 
 
 def test_an_enclosed_solid_collides_as_its_hull_and_stays_what_it_was():
-    comb = arrays._array(PIN, np.array([[0.05 * i, 0.0, 0.0] for i in range(8)]))
+    comb = csg._array(PIN, np.array([[0.05 * i, 0.0, 0.0] for i in range(8)]))
     shape = csg._enclosed(comb)
     assert volume(shape) == pytest.approx(volume(comb))
     (around,) = shape.pieces.outer(0.001)
@@ -199,13 +199,13 @@ def test_an_enclosed_solid_collides_as_its_hull_and_stays_what_it_was():
 
 def test_an_array_needs_points():
     with pytest.raises(ValueError, match="at needs at least 1 points, got 0"):
-        arrays._array(PIN, np.zeros((0, 3)))
+        csg._array(PIN, np.zeros((0, 3)))
 
 
 def test_a_tree_of_operations_is_the_same_twice():
     def make():
         body = box(0.1, 0.2, 0.3, bevel=0.005) - cylinder(0.02, 0.5, axis=(0, 1, 0))
-        return csg.hull(body, cylinder(0.05, 0.1).at(0.2)) - arrays.array(
+        return csg.hull(body, cylinder(0.05, 0.1).at(0.2)) - csg.array(
             cylinder(0.01, 1.0), at=[(0.0, 0, 0), (0.05, 0, 0)]
         )
 

@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from artgen.nodes import profile, revolve
+from artgen.nodes import extrude, profile
 from artgen.nodes.contours import outline_area
 from support.shapes import X, Y, Z, check_shape, relative_volume
 
@@ -20,7 +20,7 @@ HOLED = profile._profile_translate(
 @pytest.mark.parametrize("angle", [math.tau, 4.0, 1.0])
 @pytest.mark.parametrize("outline", [RIM, HOLED])
 def test_volume_follows_pappus(outline, angle, axis):
-    shape = revolve._revolve(outline, angle, axis)
+    shape = extrude._revolve(outline, angle, axis)
     check_shape(shape)
     centre = np.mean([outline.contours[0].points.min(axis=0)[0], outline.contours[0].points.max(axis=0)[0]])
     exact = outline_area(outline.contours) * centre * angle
@@ -31,14 +31,14 @@ def test_volume_follows_pappus(outline, angle, axis):
 
 @pytest.mark.parametrize("angle", [math.tau, 2.5])
 def test_a_profile_may_touch_the_axis(angle):
-    shape = revolve._revolve(KNOB, angle, Z)
+    shape = extrude._revolve(KNOB, angle, Z)
     check_shape(shape)
     assert shape.manifold.genus() == 0
     assert shape.bounds()[1, 2] == pytest.approx(0.035)
 
 
 def test_a_part_turn_starts_at_x():
-    shape = revolve._revolve(RIM, 0.5 * math.pi, Z)
+    shape = extrude._revolve(RIM, 0.5 * math.pi, Z)
     np.testing.assert_allclose(shape.bounds(), [[0.0, 0.0, -0.025], [0.04, 0.04, 0.025]], atol=1e-12)
 
 
@@ -49,13 +49,13 @@ def test_a_half_disc_makes_a_wedge_of_a_ball(radius, angle):
         profile._circle(radius),
         profile._profile_translate(profile._rectangle(radius, 3 * radius, 0), radius / 2, 0),
     )
-    shape = revolve._revolve(half, angle, Z)
+    shape = extrude._revolve(half, angle, Z)
     check_shape(shape)
     assert 0.9 < relative_volume(shape, 2 / 3 * radius**3 * angle) < 1.0
 
 
 def test_a_profile_across_the_axis_is_refused():
     with pytest.raises(ValueError, match=r"the profile reaches x = -0\.1 m; all of it must be at x >= 0"):
-        revolve._revolve(profile._circle(0.1), math.tau, Z)
+        extrude._revolve(profile._circle(0.1), math.tau, Z)
     with pytest.raises(ValueError, match=r"angle must be within 0\.001 and"):
-        revolve._revolve(RIM, 7.0, Z)
+        extrude._revolve(RIM, 7.0, Z)

@@ -5,8 +5,8 @@ import pytest
 from numpy.typing import NDArray
 from scipy.spatial import ConvexHull
 
+from artgen.nodes import csg as coarse
 from artgen.nodes import primitive
-from artgen.nodes import simplified_collider as coarse
 
 Array = NDArray[np.float64]
 UP = np.array([0.0, 0.0, 1.0])

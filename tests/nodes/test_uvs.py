@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from artgen.nodes import csg, extrude, loft, path, primitive, profile, revolve, sweep, transform
+from artgen.nodes import csg, extrude, loft, path, primitive, profile, sweep, transform
 from support.shapes import X, Y, Z, agreement
 
 LENGTHS = st.floats(0.01, 2.0)
@@ -249,7 +249,7 @@ def test_sweeps_measure_along_their_path(name, outline):
 @given(st.floats(0.05, 1.0), st.floats(0.3, 6.0), AXES)
 def test_revolved_sections(radius, angle, axis):
     section = profile._profile_translate(profile._rectangle(0.04, 0.1, 0.0), radius, 0.0)
-    check_laid(revolve._revolve(section, angle, axis))
+    check_laid(extrude._revolve(section, angle, axis))
 
 
 @few
