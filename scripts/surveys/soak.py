@@ -1,7 +1,6 @@
 """The soak: samples at the ends of ranges, one after another, until the time is over."""
 
 import functools
-import json
 import shlex
 import time
 from collections import Counter
@@ -11,14 +10,13 @@ from itertools import count
 from pathlib import Path
 from typing import Any
 
-from artgen.dataset.lock import locked
-from artgen.dataset.workers import Ending, run_tasks
-from artgen.errors import ExportError
+from artgen.dataset.disk import locked
+from artgen.dataset.workers import Ending
 from artgen.version import __version__
 from surveys.extreme_sample import measure_extreme, of_record
 from surveys.extremes import category_of
 from surveys.folder import memory_folder
-from surveys.run import read_records
+from surveys.run import measured, read_records
 
 FIELDS = ("run", "sample", "category", "state", "anomalies")
 """What every line of a soak has."""
@@ -105,21 +103,15 @@ def soak(
         ExportError: The file is not one of a soak, cannot be written, or another soak writes to it.
     """
     end = time.monotonic() + seconds
-    with locked(path):
+    with locked(path), memory_folder() as folder:
         if fresh:
             path.unlink(missing_ok=True)
         known = {record["sample"] for record in soaked(path, run)}
-        try:
-            with memory_folder() as folder, path.open("a", encoding="utf-8") as file:
-                work = functools.partial(task, run=run, folder=folder)
-                for ending in run_tasks(work, _numbers(names, known, end), jobs=jobs, limit=limit):
-                    record = _record_of(ending, run)
-                    file.write(json.dumps(record, allow_nan=False) + "\n")
-                    file.flush()
-                    if progress is not None:
-                        progress(record)
-        except OSError as error:
-            raise ExportError(f"cannot write {path}: {error.strerror}") from error
+        numbers, work = _numbers(names, known, end), functools.partial(task, run=run, folder=folder)
+        record_of = functools.partial(_record_of, run=run)
+        for record in measured(path, work, numbers, record_of, jobs=jobs, limit=limit):
+            if progress is not None:
+                progress(record)
 
 
 def soaked(path: Path, run: int) -> list[Record]:

@@ -16,7 +16,7 @@ from typing import Any
 import pytest
 
 from artgen.dataset import Plan, engine, generate_many
-from artgen.dataset.target import LOCK_FILE
+from artgen.dataset.disk import LOCK_FILE
 from artgen.errors import ExportError, ParameterError
 from support.digests import digests
 
