@@ -5,7 +5,6 @@ directory without one counts as absent, and an object with the name of the proce
 """
 
 import atexit
-import json
 import os
 import shutil
 import socket
@@ -203,8 +202,9 @@ class Store:
             else:
                 other = self.read(LOCK_FILE)  # the last writer, where a store cannot refuse
         if other != owner:
+            holder = (other or b"unknown").decode(errors="replace")
             raise ExportError(
-                f"another run ({_spelt(other or b'')}) writes to {self}; wait until it is done, or choose "
+                f"another run ({holder}) writes to {self}; wait until it is done, or choose "
                 f"another place; if it was killed, remove {self}/{LOCK_FILE} and run the same command again"
             )
 
@@ -260,23 +260,9 @@ class StoreLines:
 
 
 def _owner() -> bytes:
-    """Return the description of this process for the lock."""
-    data = {
-        "host": socket.gethostname(),
-        "process": os.getpid(),
-        "since": datetime.now(UTC).isoformat(timespec="seconds"),
-        "id": uuid.uuid4().hex,
-    }
-    return json.dumps(data).encode()
-
-
-def _spelt(owner: bytes) -> str:
-    """Return the description in an error message."""
-    try:
-        data = json.loads(owner)
-        return f"process {data['process']} on {data['host']}, since {data['since']}"
-    except (ValueError, LookupError, TypeError):
-        return "unknown"
+    """Return the unique description of this run for the lock."""
+    since = datetime.now(UTC).isoformat(timespec="seconds")
+    return f"process {os.getpid()} on {socket.gethostname()}, since {since}, run {uuid.uuid4().hex}".encode()
 
 
 def is_url(place: str | Path) -> bool:

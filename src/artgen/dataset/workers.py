@@ -145,18 +145,15 @@ class Worker:
         """Return the ending of its task; None while it runs."""
         if readable:
             try:
-                state, value = self.pipe.recv()
+                answer = self.pipe.recv()
             except (EOFError, OSError):
                 self._process.join()
                 code = self._process.exitcode
                 return Ending(self._item, "crashed", message=f"its process ended with code {code}")
-            if state == "ready":
-                self.deadline = time.monotonic() + self._limit
-                return None
-            if state == "done":
-                return Ending(self._item, "done", value)
-            return Ending(self._item, "failed", message=value)
-        if time.monotonic() >= self.deadline:
+            if answer is not None:
+                return Ending(self._item, *answer)
+            self.deadline = time.monotonic() + self._limit  # the process has started
+        elif time.monotonic() >= self.deadline:
             return Ending(self._item, "timed out", message=f"it took more than {self._limit:g} s")
         return None
 
@@ -196,17 +193,18 @@ def _work(task: Callable[[Any], Any], pipe: Connection) -> None:
     """Answer one item after another, until the other end of the pipe is closed or the parent is gone."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the parent
     threading.Thread(target=_end_with_parent, daemon=True).start()
-    pipe.send(("ready", None))
-    while True:
-        try:
-            item = pipe.recv()
-        except EOFError:
-            return
-        try:
-            answer = ("done", task(item))
-        except Exception:  # noqa: BLE001 - any exception is an answer
-            answer = ("failed", traceback.format_exc())
-        pipe.send(answer)
+    pipe.send(None)
+    with suppress(EOFError):
+        while True:
+            pipe.send(attempt(task, pipe.recv()))
+
+
+def attempt(task: Callable[[Any], Any], item: Any) -> tuple[State, Any, str]:
+    """Run a task on an item; return state, value and message of its ending."""
+    try:
+        return "done", task(item), ""
+    except Exception:  # noqa: BLE001 - any exception is an answer
+        return "failed", None, traceback.format_exc()
 
 
 def _end_with_parent() -> None:

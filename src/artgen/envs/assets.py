@@ -140,18 +140,7 @@ _cache: OrderedDict[Hashable, CompiledAsset] = OrderedDict()
 
 
 def compiled_asset(assets: Assets, key: int, *, visual: bool, textures: int, most: int) -> CompiledAsset:
-    """Return a compiled asset from the cache of the process.
-
-    Args:
-        assets: The assets.
-        key: Number of the asset.
-        visual: Whether its model has visual surfaces.
-        textures: Texels on a side of the texture maps.
-        most: Size of the cache.
-
-    Raises:
-        EnvError: There is no asset of that number.
-    """
+    """Return the compiled asset of a number from the cache of the process, which keeps the `most` recent."""
     name = (assets.identity(key), key, visual, textures)
     if name not in _cache:
         while len(_cache) >= most:

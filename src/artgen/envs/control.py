@@ -66,12 +66,7 @@ class Control:
         return np.asarray(self._jacobian @ self._speeds)
 
     def aim(self, action: Array) -> None:
-        """Set the goal relative to the current pose of the tip.
-
-        Args:
-            action: Shift and rotation vector along the axes of the world, in units of `POSITION` and
-                `ROTATION`, shape (6,).
-        """
+        """Set the goal to a shift and turn of the tip, in units of `POSITION` and `ROTATION`, shape (6,)."""
         self._goal = self._place + POSITION * action[:3]
         self._goal_turn = _rotation(ROTATION * action[3:]) @ self._turn
 

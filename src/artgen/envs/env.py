@@ -352,23 +352,20 @@ def proprioception(scene: Scene, base: Array) -> NDArray[np.float32]:
     """Return the observation of the robot alone, shape (30,).
 
     In order: angles of the arm (7) [rad], half their speeds (7) [rad/s], vector from base to tip (3) [m],
-    x and z axes of the tip (6), half its velocity (3) [m/s], half its angular velocity (3) [rad/s], and opening
-    of the hand (1), 0-1.
+    x and z axes of the tip (6), half its velocity (3) [m/s], half its angular velocity (3) [rad/s], opening of
+    the hand (1), 0-1.
     """
     control, tip = scene.control, scene.tip()
-    speeds = scene.speeds[control.dofs]
-    return np.concatenate(
-        [
-            scene.data.qpos[control.at],
-            _SPEED * speeds,
-            tip[:3, 3] - base[:3, 3],
-            tip[:3, 0],
-            tip[:3, 2],
-            _SPEED * control.velocity(),
-            [scene.opening() / (2.0 * OPENING)],
-        ],
-        dtype=np.float32,
-    )
+    of_robot = [
+        scene.data.qpos[control.at],
+        _SPEED * scene.speeds[control.dofs],
+        tip[:3, 3] - base[:3, 3],
+        tip[:3, 0],
+        tip[:3, 2],
+        _SPEED * control.velocity(),
+        [scene.opening() / (2.0 * OPENING)],
+    ]
+    return np.concatenate(of_robot, dtype=np.float32)
 
 
 def state(scene: Scene, base: Array, stage: Stage, pose: Array, share: float) -> NDArray[np.float32]:
@@ -377,30 +374,19 @@ def state(scene: Scene, base: Array, stage: Stage, pose: Array, share: float) ->
     After `proprioception`: vector from the tip to the handle (3) [m], x and z axes of the handle (6), along
     which fingers close and the hand approaches, direction of the handle as its joint moves to the goal (3),
     progress of the joint, 0-1, its distance to the goal [rad or m] and its speed [rad/s or m/s], whether the
-    contact is a grasp, and the share of stages that are done.
-
-    Args:
-        scene: The scene.
-        base: Pose of the robot's base, shape (4, 4).
-        stage: The current stage.
-        pose: The `handle` of the stage, shape (4, 4).
-        share: Share of the stages that are done, 0-1.
+    contact is a grasp, and the share of stages that are done. `pose` is the `handle` of the current stage.
     """
-    toward = np.sign(stage.goal - stage.start)
+    toward, position = np.sign(stage.goal - stage.start), scene.q(stage.joint)
     way = toward * scene.motion(stage.joint, pose[:3, 3])
-    position = scene.q(stage.joint)
-    of_asset = np.concatenate(
-        [
-            pose[:3, 3] - scene.tip()[:3, 3],
-            pose[:3, 0],
-            pose[:3, 2],
-            way / max(float(np.linalg.norm(way)), 1e-9),
-            [stage.progress(position), toward * (stage.goal - position), toward * scene.speed(stage.joint)],
-            [float(stage.affordance.kind == "grasp"), share],
-        ],
-        dtype=np.float32,
-    )
-    return np.concatenate([proprioception(scene, base), of_asset])
+    of_asset = [
+        pose[:3, 3] - scene.tip()[:3, 3],
+        pose[:3, 0],
+        pose[:3, 2],
+        way / max(float(np.linalg.norm(way)), 1e-9),
+        [stage.progress(position), toward * (stage.goal - position), toward * scene.speed(stage.joint)],
+        [float(stage.affordance.kind == "grasp"), share],
+    ]
+    return np.concatenate([proprioception(scene, base), *of_asset], dtype=np.float32)
 
 
 def dense(progress: Sequence[float], done: Sequence[bool], distance: float) -> float:
@@ -408,20 +394,13 @@ def dense(progress: Sequence[float], done: Sequence[bool], distance: float) -> f
 
     Each stage contributes up to its share of 1: a part for the nearness of the tip, and a part for the
     progress of the joint. A finished stage contributes its full share, a later one nothing, so that the next
-    stage never costs reward.
-
-    Args:
-        progress: Progress of each stage, 0-1.
-        done: Whether each stage is reached; the first that is not is the current one.
-        distance: From the tip to the handle of the current stage [m].
+    stage never costs reward. `distance` is that from the tip to the handle of the current stage [m].
     """
-    total = 0.0
-    for share, reached in zip(progress, done, strict=True):
-        if not reached:
-            total += NEAR * (1.0 - math.tanh(STEEPNESS * distance)) + ALONG * share
-            break
-        total += 1.0
-    return total / len(progress)
+    if all(done):
+        return 1.0
+    stage = list(done).index(False)
+    current = NEAR * (1.0 - math.tanh(STEEPNESS * distance)) + ALONG * progress[stage]
+    return (stage + current) / len(progress)
 
 
 def penalty(action: Array) -> float:
@@ -432,12 +411,7 @@ def penalty(action: Array) -> float:
 def reward(value: float, action: Array, steps: int, *, success: bool) -> float:
     """Return the reward of a step.
 
-    All steps of an episode give at most `DENSE`, so that success is worth more than any delay of it.
-
-    Args:
-        value: Value of the state after the step, of `dense`.
-        action: The action, shape (7,).
-        steps: Number of steps of an episode.
-        success: Whether this is the first step at which the task is done.
+    All steps of an episode give at most `DENSE`, so that success is worth more than any delay of it. `value`
+    is that of the state after the step, and `success` is true in the first step at which the task is done.
     """
     return DENSE / steps * (value - penalty(action)) + (BONUS if success else 0.0)

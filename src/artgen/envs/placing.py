@@ -22,9 +22,7 @@ _BATCH = 4  # paths of the hand that are compared
 _GOOD = 0.4  # score at which the search ends
 _POSTURES = 2  # initial postures of the arm at each base
 _DISTANCES = (0.40, 0.50, 0.60, 0.70)  # from the contact to the base [m]
-_ANGLES = np.radians(
-    [0.0, 20.0, -20.0, 40.0, -40.0, 60.0, -60.0, 85.0, -85.0]
-)  # between base and approach [rad]
+_ANGLES = np.radians([0.0, 20.0, -20.0, 40.0, -40.0, 60.0, -60.0, 85.0, -85.0])  # of the base [rad]
 _ABOVE = (0.15, 0.30, 0.45, 0.60)  # height of the hand over the base [m]
 _STEP = 0.05  # least height of a table over the base beside it [m]
 _FOOT = 0.16  # half the width of the pedestal [m]
@@ -62,27 +60,21 @@ class Obstacles:
         self.asset, self.raised = asset, raised
         low, high = asset.bounds()
         self.floor = float(low[2]) - (_TABLE if raised else 0.0)
-        poses, halves, corners, links = [], [], [], []
-        for number, link in enumerate(asset.links):
-            for each in link.colliders:
-                frame, half = _box(each.convex)
-                poses.append(frame)
-                halves.append(half)
-                box = (_UNIT * half) @ frame[:3, :3].T + frame[:3, 3]
-                corners.append(each.convex.points if each.convex.kind == "hull" else box)
-                links.append(number)
+        pieces = [(number, each.convex) for number, link in enumerate(asset.links) for each in link.colliders]
         if raised:
-            frame, half = np.eye(4), np.array([*(high - low)[:2], _TABLE]) / 2.0
-            frame[:3, 3] = [*(low + high)[:2] / 2.0, self.floor + _TABLE / 2.0 - _GRAZE]
-            poses.append(frame)
-            halves.append(half)
-            corners.append(_UNIT * half + frame[:3, 3])
-            links.append(0)
-        self._frames, self._halves = np.array(poses), np.array(halves)
+            table = np.eye(4)
+            table[:3, 3] = [*(low + high)[:2] / 2.0, self.floor + _TABLE / 2.0 - _GRAZE]
+            pieces.append((0, Convex.box(np.array([*(high - low)[:2], _TABLE]), table)))
+        boxes = [_box(convex) for _, convex in pieces]
+        corners = [
+            convex.points if convex.kind == "hull" else (_UNIT * half) @ frame[:3, :3].T + frame[:3, 3]
+            for (_, convex), (frame, half) in zip(pieces, boxes, strict=True)
+        ]
+        self._links = np.array([number for number, _ in pieces])
+        self._frames, self._halves = (np.array(each) for each in zip(*boxes, strict=True))
         self._corners = np.concatenate(corners)
-        self._first = np.cumsum([0, *(len(each) for each in corners[:-1])])
         self._piece = np.repeat(np.arange(len(corners)), [len(each) for each in corners])
-        self._links = np.array(links)
+        self._first = np.searchsorted(self._piece, np.arange(len(corners)))
 
     def depth(self, points: Array, pose: Mapping[str, Array]) -> Array:
         """Return the depth of points, shape (n, 3), in the asset, negative outside, shape (n,) [m]."""
@@ -91,13 +83,7 @@ class Obstacles:
         return np.asarray((self._halves[:, None] - np.abs(local)).min(axis=2).max(axis=0))
 
     def touch(self, corners: Array, frame: Array, pose: Mapping[str, Array]) -> bool:
-        """Tell whether a box overlaps the asset, by the separating axes of two boxes.
-
-        Args:
-            corners: Opposite corners of the box in the frame, shape (2, 3) [m].
-            frame: Pose of the box in asset coordinates, shape (4, 4).
-            pose: Displacement of each link from rest, shape (4, 4) each.
-        """
+        """Tell whether a box with opposite corners in a frame, shape (2, 3) [m], overlaps the asset."""
         own, half = frame[:3, :3], (corners[1] - corners[0]) / 2.0
         middle = own @ corners.mean(axis=0) + frame[:3, 3]
         low, high = self._extents(pose, own)
@@ -161,13 +147,8 @@ def place(
 
     The hand is turned about its approach, and tilted where it would collide; bases are tried around the
     contact at several distances and heights. The result is the base that is farthest from singular postures,
-    among those from which the arm follows the whole path within its limits and without collision.
-
-    Args:
-        asset: The asset.
-        stages: The joints to move.
-        rng: Draws the order of the places and the pose of the hand at reset.
-        raised: Whether the asset stands on a table; the robot then stands lower.
+    among those from which the arm follows the whole path within its limits and without collision. A raised
+    asset stands on a table, and the robot stands lower.
     """
     obstacles = Obstacles(asset, raised=raised)
     options = [
@@ -218,7 +199,8 @@ def _variants(obstacles: Obstacles, move: Move, stages: Sequence[Stage]) -> Iter
     assert contact is not None
     rolls = [0.0, np.pi] if contact.kind == "grasp" else [0.0, np.pi / 2, np.pi, -np.pi / 2]
     axes = (0,) if contact.kind == "grasp" else (0, 1)
-    before = _start(stages, move)
+    moves = [each for stage in stages for each in stage.moves]
+    before = {each.joint: each.until for each in moves[: moves.index(move)]}
     for tilt in _TILTS:
         for axis in axes if tilt else (0,):
             for roll in rolls:
@@ -226,17 +208,6 @@ def _variants(obstacles: Obstacles, move: Move, stages: Sequence[Stage]) -> Iter
                 turn = replace(contact, frame=frame)
                 if _free(obstacles, turn, before, move):
                     yield replace(move, contact=turn)
-
-
-def _start(stages: Sequence[Stage], until: Move) -> dict[str, float]:
-    """Return the positions of joints at the begin of a move."""
-    q: dict[str, float] = {}
-    for stage in stages:
-        for move in stage.moves:
-            if move is until:
-                return q
-            q[move.joint] = move.until
-    return q
 
 
 def _free(obstacles: Obstacles, contact: Contact, q: dict[str, float], move: Move) -> bool:
@@ -299,20 +270,16 @@ def _bases(obstacles: Obstacles, path: _Path, rng: np.random.Generator) -> Array
     lowest = obstacles.floor
     heights = sorted({round(min(max(lowest, middle[2] - above), most), 3) + 0.0 for above in _ABOVE})
     result = []
-    for angle in heading + _ANGLES:
-        for distance in _DISTANCES:
-            for height in heights:
-                place = np.array(
-                    [*(middle[:2] + distance * np.array([np.cos(angle), np.sin(angle)])), height]
-                )
-                low, high = place - (_FOOT, _FOOT, 10.0), place + (_FOOT, _FOOT, 0.35)
-                if ((spans[:, 0] < high) & (spans[:, 1] > low)).all(axis=1).any():
-                    continue
-                base = np.eye(4)
-                sine, cosine = np.sin(angle + np.pi), np.cos(angle + np.pi)
-                base[:2, :2] = [[cosine, -sine], [sine, cosine]]
-                base[:3, 3] = place
-                result.append(base)
+    for angle, distance, height in product(heading + _ANGLES, _DISTANCES, heights):
+        away = distance * np.array([np.cos(angle), np.sin(angle)])
+        place = np.array([*(middle[:2] + away), height])
+        low, high = place - (_FOOT, _FOOT, 10.0), place + (_FOOT, _FOOT, 0.35)
+        if not ((spans[:, 0] < high) & (spans[:, 1] > low)).all(axis=1).any():
+            base = np.eye(4)
+            sine, cosine = np.sin(angle + np.pi), np.cos(angle + np.pi)
+            base[:2, :2] = [[cosine, -sine], [sine, cosine]]
+            base[:3, 3] = place
+            result.append(base)
     return np.array(result)[rng.permutation(len(result))] if result else np.zeros((0, 4, 4))
 
 

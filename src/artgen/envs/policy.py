@@ -63,14 +63,7 @@ class ScriptedPolicy:
 
 
 def action_towards(tip: Array, pose: Array, opening: float, speed: float = 1.0) -> NDArray[np.float32]:
-    """Return the action that moves the tip towards a pose, shape (7,).
-
-    Args:
-        tip: Current pose of the tip, shape (4, 4).
-        pose: Desired pose, shape (4, 4).
-        opening: Opening of the fingers; negative to squeeze [m].
-        speed: Speed, over the full speed.
-    """
+    """Return the action that moves the tip towards a pose, with an opening of the fingers [m], shape (7,)."""
     result = np.empty(7)
     shift = (pose[:3, 3] - tip[:3, 3]) / POSITION
     turn = rotation_vector(pose[:3, :3] @ tip[:3, :3].T) / ROTATION

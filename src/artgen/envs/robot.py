@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from artgen.asset import rotation
 from artgen.asset.gripper import GRIPPER
 from artgen.errors import EnvError
 
@@ -25,16 +26,11 @@ HAND = "hand_"
 HOME = np.array([0.0, np.pi / 16, 0.0, -5 * np.pi / 6, 0.0, np.pi - 0.2, np.pi / 4])
 """Initial posture of robosuite: the hand in front, pointing down, shape (7,) [rad]."""
 
-LIMITS = np.array(
-    [
-        [-2.8973, 2.8973],
-        [-1.7628, 1.7628],
-        [-2.8973, 2.8973],
-        [-3.0718, -0.0698],
-        [-2.8973, 2.8973],
-        [-0.0175, 3.7525],
-        [-2.8973, 2.8973],
-    ]
+LIMITS = np.column_stack(
+    (
+        [-2.8973, -1.7628, -2.8973, -3.0718, -2.8973, -0.0175, -2.8973],
+        [2.8973, 1.7628, 2.8973, -0.0698, 2.8973, 3.7525, 2.8973],
+    )
 )
 """Range of each joint of the arm, shape (7, 2) [rad]."""
 
@@ -178,38 +174,25 @@ def simulator() -> Any:
     return mujoco
 
 
-def _fixed() -> Array:
-    result = np.tile(np.eye(4), (7, 1, 1))
-    for index, turn in enumerate(_TURNS):
-        sine, cosine = round(np.sin(turn * np.pi)), round(np.cos(turn * np.pi))
-        result[index, 1:3, 1:3] = [[cosine, -sine], [sine, cosine]]
-        result[index, :3, 3] = _SHIFTS[index]
-    return result
-
-
-def _tip() -> Array:
+def _link(axis: int, turn: float, shift: Array) -> Array:
+    """Return the pose of a shift and a turn about one of its axes, shape (4, 4) [m, rad]."""
     result = np.eye(4)
-    sine, cosine = np.sin(_TIP_TURN), np.cos(_TIP_TURN)
-    result[:2, :2] = [[cosine, -sine], [sine, cosine]]
-    result[2, 3] = _TIP
+    result[:3, :3] = rotation(np.eye(3)[axis], turn)
+    result[:3, 3] = shift
     return result
 
 
-_FIXED, _LAST = _fixed(), _tip()
+_FIXED = np.array([_link(0, np.pi * turn, shift) for turn, shift in zip(_TURNS, _SHIFTS, strict=True)])
+_LAST = _link(2, _TIP_TURN, np.array([0.0, 0.0, _TIP]))
 
 
 def frames(angles: Array) -> Array:
-    """Return the poses of the seven joints, with z along their axes, and of the tip.
+    """Return the poses of the seven joints, with z along their axes, and of the tip, shape (n, 8, 4, 4).
 
-    Args:
-        angles: Postures, shape (n, 7) [rad].
-
-    Returns:
-        Poses in the frame of the base, shape (n, 8, 4, 4).
+    They are in the frame of the base, for postures of shape (n, 7) [rad].
     """
-    count = len(angles)
-    result = np.empty((count, 8, 4, 4))
-    pose = np.tile(np.eye(4), (count, 1, 1))
+    result = np.empty((len(angles), 8, 4, 4))
+    pose = np.tile(np.eye(4), (len(angles), 1, 1))
     sines, cosines = np.sin(angles), np.cos(angles)
     for index in range(7):
         pose = pose @ _FIXED[index]
@@ -222,16 +205,10 @@ def frames(angles: Array) -> Array:
 
 
 def reach(angles: Array, tips: Array, steps: int) -> tuple[Array, Array]:
-    """Solve inverse kinematics by damped least squares within the limits of the joints.
+    """Solve inverse kinematics by some steps of damped least squares within the limits of the joints.
 
-    Args:
-        angles: Initial postures, shape (n, 7) [rad].
-        tips: Desired poses of the tips in the frame of the base, shape (n, 4, 4).
-        steps: Number of steps.
-
-    Returns:
-        The postures, shape (n, 7) [rad], and the errors of the tips: meters plus a tenth of the radians,
-        shape (n,).
+    From initial postures, shape (n, 7) [rad], to poses of the tips in the frame of the base, shape (n, 4, 4).
+    Returns the postures and the errors of the tips: meters plus a tenth of the radians, shape (n,).
     """
     low, high = LIMITS[:, 0] + _MARGIN, LIMITS[:, 1] - _MARGIN
     angles = np.clip(angles, low, high)

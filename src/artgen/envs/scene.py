@@ -45,16 +45,9 @@ class Scene:
 
     The names of the asset are unchanged; those of the robot begin with `robot_`.
 
-    Args:
-        asset: The asset.
-        model: Its model from `compiled`; the scene moves the robot in it.
-
-    Raises:
-        EnvError: mujoco is not installed.
-
     Attributes:
         asset: The asset.
-        model: Model of MuJoCo.
+        model: Its model from `compiled`; the scene moves the robot in it.
         data: State of MuJoCo.
         control: Controller of the arm.
         fingers: Indices of the two motors of the hand.
@@ -199,16 +192,7 @@ class Scene:
 
 
 def compiled(asset: Asset, *, visual: bool = False, textures: int = 0) -> Any:
-    """Return the MuJoCo model of an asset and a Panda.
-
-    Args:
-        asset: The asset.
-        visual: Whether the model has visual surfaces, besides colliders.
-        textures: Texels on a side of the texture maps; 0 for plain colors.
-
-    Raises:
-        EnvError: robosuite or mujoco is not installed.
-    """
+    """Return the MuJoCo model of an asset and a Panda, with or without visual surfaces and texture maps."""
     mujoco = simulator()
     meshes = mesh_files(asset, textures if visual else 0)
     root = mjcf_tree(asset, meshes)
