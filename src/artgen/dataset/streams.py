@@ -27,6 +27,10 @@ class Stream(Iterable[Asset]):
     def __init__(self, categories: tuple[str, ...], seed: int, options: dict[str, Any]) -> None:
         self.categories, self.seed, self.options = categories, seed, options
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Pickle the stream for a worker, which creates the class again."""
+        return _stream_of, (self.categories, self.seed, self.options)
+
     def __iter__(self) -> Iterator[Asset]:
         """Yield assets without end; a worker of a PyTorch DataLoader yields its share of them."""
         number, step = _share()
@@ -64,9 +68,7 @@ def stream(categories: str | Iterable[str], *, seed: int = 0, **options: Any) ->
     drawn = {name: value for name, value in options.items() if name not in RESERVED}
     for name in names:
         find(name).sample(first, overrides=drawn)
-    if "torch" in sys.modules:
-        return _torch_stream()(names, first, options)
-    return Stream(names, first, options)
+    return _stream_of(names, first, options)
 
 
 @cache
@@ -74,16 +76,12 @@ def _torch_stream() -> type[Stream]:
     """Return the stream class for the DataLoader of PyTorch."""
     from torch.utils.data import IterableDataset
 
-    return type("TorchStream", (Stream, IterableDataset), {"__reduce__": _pickled, "__doc__": Stream.__doc__})
+    return type("TorchStream", (Stream, IterableDataset), {"__doc__": Stream.__doc__})
 
 
-def _pickled(self: Stream) -> tuple[Any, ...]:
-    """Pickle a stream for a worker, which creates the class again."""
-    return _unpickled, (self.categories, self.seed, self.options)
-
-
-def _unpickled(*fields: Any) -> Stream:
-    return _torch_stream()(*fields)
+def _stream_of(*fields: Any) -> Stream:
+    """Return a stream, for the DataLoader of PyTorch if torch was imported."""
+    return (_torch_stream() if "torch" in sys.modules else Stream)(*fields)
 
 
 def _share() -> tuple[int, int]:

@@ -38,11 +38,8 @@ class Ending:
         return self.message.strip().rpartition("\n")[2]
 
 
-class Engine(Protocol):
-    """A function that runs a task for each item, and yields the endings as they come."""
-
-    def __call__(self, task: Callable[[Any], Any], items: Iterable[Any], *, limit: float) -> Iterator[Ending]:
-        """Run the tasks; one that takes longer than `limit` [s] is killed."""
+Engine = Callable[..., Iterator[Ending]]
+"""A function of task, items and time limit [s] that runs a task for each item, as `run_tasks` does."""
 
 
 class Job(Protocol):

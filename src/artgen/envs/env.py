@@ -352,8 +352,8 @@ def proprioception(scene: Scene, base: Array) -> NDArray[np.float32]:
     """Return the observation of the robot alone, shape (30,).
 
     In order: angles of the arm (7) [rad], half their speeds (7) [rad/s], vector from base to tip (3) [m],
-    x and z axes of the tip (6), half its velocity (3) [m/s], half its angular velocity (3) [rad/s], opening of
-    the hand (1), 0-1.
+    x and z axes of the tip (6), half its velocity (3) [m/s], half its angular velocity (3) [rad/s], opening
+    of the hand (1), 0-1.
     """
     control, tip = scene.control, scene.tip()
     of_robot = [

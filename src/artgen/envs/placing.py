@@ -95,20 +95,12 @@ class Obstacles:
         boxes, halves = self._placed(pose)[chosen], self._halves[chosen]
         turn = own.T @ boxes[:, :3, :3]  # axes of the boxes in the frame, (n, 3, 3)
         apart = (boxes[:, :3, 3] - middle) @ own
-        size = np.abs(turn) + 1e-9
-        there = np.abs(np.einsum("nji,nj->ni", turn, apart))
-        close = (there <= halves + np.einsum("nji,j->ni", size, half)).all(axis=1)
-        for first in range(3):
-            second, third = (first + 1) % 3, (first + 2) % 3
-            for other in range(3):
-                right, left = (other + 1) % 3, (other + 2) % 3
-                between = np.abs(
-                    apart[:, third] * turn[:, second, other] - apart[:, second] * turn[:, third, other]
-                )
-                reach = half[second] * size[:, third, other] + half[third] * size[:, second, other]
-                reach += halves[:, right] * size[:, first, left] + halves[:, left] * size[:, first, right]
-                close &= between <= reach
-        return bool(close.any())
+        sides = turn.swapaxes(1, 2)
+        edges = np.cross(np.eye(3)[:, None], sides[:, None]).reshape(-1, 9, 3)
+        axes = np.concatenate([np.broadcast_to(np.eye(3), sides.shape), sides, edges], axis=1)
+        reach = np.abs(axes) @ half + np.einsum("nij,nj->ni", np.abs(axes @ turn), halves)
+        between = np.abs(np.einsum("nij,nj->ni", axes, apart))
+        return bool((between <= reach + 1e-9).all(axis=1).any())
 
     def spans(self, pose: Mapping[str, Array]) -> Array:
         """Return the bounding boxes of all pieces in asset coordinates, shape (n, 2, 3) [m]."""

@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from artgen.asset import Asset
 from artgen.envs.control import POSITION, ROTATION
 from artgen.envs.motion import OPEN, Contact, Move, lifted, rotation_vector
 
@@ -44,6 +43,9 @@ class ScriptedPolicy:
         self._time = np.inf
         self._script: Iterator[Aim] = iter(())
         self._last: Aim | None = None
+        self._opening = OPEN
+        self._kept: dict[str, float] = {}  # positions of joints that the hand still holds
+        self._ahead: dict[str, float] = {}  # offsets of the aim that keep them there
         self.done = False
         """Whether it has finished and released the asset."""
 
@@ -52,7 +54,7 @@ class ScriptedPolicy:
         del observation
         now = self._env.data.time
         if now < self._time:  # there was a reset
-            self._script, self.done = _Script(self._env).run(), False
+            self._script, self._last, self.done = self._run(), None, False
         self._time = now
         try:
             self._last = next(self._script)
@@ -61,30 +63,8 @@ class ScriptedPolicy:
         pose, opening = self._last or (self._env.tip(), OPEN)
         return action_towards(self._env.tip(), pose, opening)
 
-
-def action_towards(tip: Array, pose: Array, opening: float, speed: float = 1.0) -> NDArray[np.float32]:
-    """Return the action that moves the tip towards a pose, with an opening of the fingers [m], shape (7,)."""
-    result = np.empty(7)
-    shift = (pose[:3, 3] - tip[:3, 3]) / POSITION
-    turn = rotation_vector(pose[:3, :3] @ tip[:3, :3].T) / ROTATION
-    result[:3] = shift * min(1.0, speed / max(float(np.linalg.norm(shift)), 1e-9))
-    result[3:6] = turn * min(1.0, speed / max(float(np.linalg.norm(turn)), 1e-9))
-    result[6] = 1.0 - 2.0 * opening / OPEN
-    return np.clip(result, -1.0, 1.0).astype(np.float32)
-
-
-class _Script:
-    """One episode of the policy: yields an aim for each action, from the current state of the environment."""
-
-    def __init__(self, env: Any) -> None:
-        self._env = env
-        self._asset: Asset = env.asset
-        self._opening = OPEN
-        self._kept: dict[str, float] = {}  # positions of joints that the hand still holds
-        self._ahead: dict[str, float] = {}  # offsets of the aim that keep them there
-
-    def run(self) -> Iterator[Aim]:
-        """Yield aims until all moves are done."""
+    def _run(self) -> Iterator[Aim]:
+        """Yield aims until all moves are done, each from the current state of the environment."""
         contact: Contact | None = None
         for move in self._env.target.moves:
             for _ in range(_TAKEN if move.contact is not None else 1):
@@ -148,7 +128,7 @@ class _Script:
 
     def _follow(self, move: Move, contact: Contact) -> Iterator[Aim]:
         """Bring a joint to its release position; the hand follows the path of its link."""
-        joint = self._asset.joint(move.joint)
+        joint = self._env.asset.joint(move.joint)
         held = contact.frame
         if contact.kind == "grasp":
             held = np.linalg.inv(self._place(contact.link)) @ self._env.tip()
@@ -167,7 +147,7 @@ class _Script:
     def _place(self, link: str, ahead: Mapping[str, float] | None = None) -> Array:
         """Return the displacement of a link from rest, with held joints at their positions, shape (4, 4)."""
         result = np.eye(4)
-        above = {child: (parent, joints) for parent, child, joints in self._asset.pairs()}
+        above = {child: (parent, joints) for parent, child, joints in self._env.asset.pairs()}
         while link in above:
             link, joints = above[link]
             motion = np.eye(4)
@@ -186,6 +166,17 @@ class _Script:
         missing = self._kept[joint] - position
         self._ahead[joint] = float(np.clip(self._ahead.get(joint, 0.0) + 0.1 * missing, -0.6, 0.6))
         return self._kept[joint] + self._ahead[joint]
+
+
+def action_towards(tip: Array, pose: Array, opening: float, speed: float = 1.0) -> NDArray[np.float32]:
+    """Return the action that moves the tip towards a pose, with an opening of the fingers [m], shape (7,)."""
+    result = np.empty(7)
+    shift = (pose[:3, 3] - tip[:3, 3]) / POSITION
+    turn = rotation_vector(pose[:3, :3] @ tip[:3, :3].T) / ROTATION
+    result[:3] = shift * min(1.0, speed / max(float(np.linalg.norm(shift)), 1e-9))
+    result[3:6] = turn * min(1.0, speed / max(float(np.linalg.norm(turn)), 1e-9))
+    result[6] = 1.0 - 2.0 * opening / OPEN
+    return np.clip(result, -1.0, 1.0).astype(np.float32)
 
 
 def _arm(joint: Any, place: Array) -> float:

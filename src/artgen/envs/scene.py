@@ -295,9 +295,6 @@ class Pictures:
         self._scene: Scene | None = None
         self._size = 0
         self._gl: Any = None
-        self._context: Any = None
-        self._view: Any = None
-        self._option: Any = None
 
     def take(self, scene: Scene, size: int, camera: str, *, shadows: bool) -> NDArray[np.uint8]:
         """Return a picture from one of the `CAMERAS`, shape (size, size, 3), or raise a RenderError."""
