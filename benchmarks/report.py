@@ -8,7 +8,7 @@ from rich.console import Console, Group, RenderableType
 from rich.markup import escape
 from rich.table import Table as RichTable
 from rich.text import Text
-from surveys.markdown import escaped
+from surveys.pages import escaped
 
 Cell = str | float | int | bool | None
 

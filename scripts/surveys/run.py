@@ -46,19 +46,7 @@ def measured(
     jobs: int,
     limit: float,
 ) -> Iterator[dict[str, Any]]:
-    """Measure samples, add their lines to a file, and yield their records.
-
-    Args:
-        path: The file, of JSON lines.
-        task: Measures the sample of a number.
-        numbers: The numbers of the samples.
-        record_of: Returns the record of a sample that was measured, failed or took too long.
-        jobs: Number of processes.
-        limit: Time limit for one sample [s].
-
-    Raises:
-        ExportError: The file cannot be written.
-    """
+    """Measure samples, add their lines to a file, and yield their records."""
     try:
         with closing(Lines(path)) as lines:
             job = _Measuring(task, numbers, record_of, lines)
@@ -82,19 +70,6 @@ def survey(
 
     A sample that fails, takes too long or ends its process is a line with the message. A line of a `fast`
     survey counts for fast surveys only.
-
-    Args:
-        category: Name of the category.
-        seeds: The seeds.
-        path: The file, of JSON lines; it may hold other categories, too.
-        fast: Whether to omit the simulator and the hands.
-        jobs: Number of processes.
-        limit: Time limit for one seed [s].
-        progress: Called after each seed.
-        task: Measures a sample.
-
-    Raises:
-        ExportError: The file is not one of a survey, or cannot be written.
     """
     wanted = list(seeds)
     known = {
@@ -127,14 +102,6 @@ def read_records(
     """Return the records of a file; none if there is no such file.
 
     An incomplete last line of an interrupted run is cut from the file.
-
-    Args:
-        path: The file, of JSON lines.
-        fields: Required fields of each line.
-        of: Kind of the file, for messages.
-
-    Raises:
-        ExportError: The file is of another kind, or cannot be read.
     """
     records = []
     *lines, cut = path.read_text(encoding="utf-8").split("\n") if path.exists() else [""]

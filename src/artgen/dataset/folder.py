@@ -50,7 +50,7 @@ class Folder:
     @staticmethod
     @contextmanager
     def opened(target: Target, plan: Draws) -> Iterator["Folder"]:
-        """Open a folder for one run; create it if necessary, and repair what a killed run left."""
+        """Open a folder for one run; create it if necessary, and repair the remains of a killed run."""
         folder = Folder(target, plan.placed(target))
         with writing(target):
             _check_content(target)

@@ -174,11 +174,11 @@ class Dataset(Sequence[Asset]):
     def _path(self, record: Mapping[str, Any]) -> Path:
         return self._target.local(str(record["path"]))
 
-    def _refuse_unknown(self, what: str, names: Iterable[str], known: Iterable[str]) -> None:
+    def _refuse_unknown(self, kind: str, names: Iterable[str], known: Iterable[str]) -> None:
         allowed = set(known)
         for name in names:
             if name not in allowed:
-                raise ParameterError(f"no asset here has the {what} {name!r}.{nearest(name, allowed)}")
+                raise ParameterError(f"no asset here has the {kind} {name!r}.{nearest(name, allowed)}")
 
 
 def _matches(drawn: Any, wanted: Any) -> bool:

@@ -14,7 +14,7 @@ mask/train, mask/valid    names of demonstrations
 import json
 import shutil
 import time
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Generator, Iterable, Iterator, Mapping
 from contextlib import closing
 from dataclasses import dataclass
 from functools import partial
@@ -178,7 +178,7 @@ class Attempts:
             demo = Demo(seed, str(content["asset"]), bool(content["success"]), observed, **series)
             return Ending(seed, "done", demo)
 
-    def endings(self, jobs: int) -> Iterator[Ending]:
+    def endings(self, jobs: int) -> Generator[Ending]:
         """Yield the endings of all attempts in the order of the seeds; missing ones are made."""
         left = set(self.left())
         made = in_order(run_job(self, partial(run_tasks, jobs=jobs), limit=_LIMIT), sorted(left))

@@ -35,7 +35,7 @@ _JITTER = 0.02  # of the hand at reset [m]
 _ROOM = 0.004  # clearance of the hand [m]
 _FARTHER = (0.03, 0.08)  # distance of the reset pose beyond the start of the approach [m]
 _TABLE = 1.0  # its height, more than a robot reaches down [m]
-_GRAZE = 0.001  # between the table and what stands on it [m]
+_GRAZE = 0.001  # gap between the table and the asset [m]
 _UNIT = np.stack(np.meshgrid(*[[-1.0, 1.0]] * 3, indexing="ij"), axis=-1).reshape(-1, 3)
 
 HAND = np.array(
@@ -120,7 +120,7 @@ class Obstacles:
 
     def _moved(self, pose: Mapping[str, Array]) -> Array:
         """Return the displacement of each box from rest, shape (n, 4, 4)."""
-        return np.array([pose[link.name] for link in self.asset.links])[self._links]
+        return np.asarray(np.array([pose[link.name] for link in self.asset.links])[self._links])
 
 
 @dataclass(frozen=True, eq=False)

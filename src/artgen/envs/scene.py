@@ -295,6 +295,7 @@ class Pictures:
         self._scene: Scene | None = None
         self._size = 0
         self._gl: Any = None
+        self._context: Any = None
 
     def take(self, scene: Scene, size: int, camera: str, *, shadows: bool) -> NDArray[np.uint8]:
         """Return a picture from one of the `CAMERAS`, shape (size, size, 3), or raise a RenderError."""
@@ -322,7 +323,7 @@ class Pictures:
             self._gl.make_current()
             self._context.free()
             self._gl.free()
-        self._gl = self._context = self._view = self._scene = None
+        self._gl = self._scene = None
 
     def _open(self, scene: Scene, size: int) -> None:
         mujoco = simulator()

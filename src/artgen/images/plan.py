@@ -18,7 +18,7 @@ PictureFormat = Literal["png", "jpg"]
 Range = tuple[float, float]
 
 RANDOM = ("backdrop", "floor", "light")
-"""What can be random in each picture."""
+"""Possible random parts of each picture."""
 
 
 @dataclass(frozen=True)
