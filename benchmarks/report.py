@@ -13,7 +13,7 @@ from rich.text import Text
 
 sys.path.append(str(Path(__file__).parents[1] / "scripts"))
 
-from surveys.markdown import escaped
+from surveys.pages import escaped
 
 Cell = str | float | int | bool | None
 

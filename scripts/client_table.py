@@ -17,7 +17,7 @@ from pathlib import Path
 from typing import Annotated, Any
 
 import typer
-from surveys.markdown import escaped
+from surveys.pages import escaped
 
 from artgen import __version__, generate
 from artgen.catalog import categories

@@ -5,7 +5,7 @@ from typing import Annotated
 
 import typer
 from surveys.coverage import coverage
-from surveys.coverage_page import coverage_page
+from surveys.pages import coverage_page
 
 from artgen.catalog import categories, find
 

@@ -16,8 +16,8 @@ import typer
 from rich.console import Console
 from rich.table import Table
 from surveys.alike import SAME, likenesses, same_neighbours
+from surveys.pages import soak_page
 from surveys.run import survey
-from surveys.soak_page import soak_page
 from surveys.summary import Criterion, criteria, failures, figures, listed
 
 from artgen.catalog import categories as all_categories

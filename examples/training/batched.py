@@ -28,12 +28,9 @@ from stable_baselines3 import PPO
 from stable_baselines3.common.vec_env import VecEnv, VecMonitor, VecNormalize
 
 from artgen.envs import TASKS, ManipulationEnv, Task
-from artgen.envs.assets import Assets, Source
-from artgen.envs.compiled_assets import ready
-from artgen.envs.env import JITTER, RATE
+from artgen.envs.assets import Assets, Source, compiled_asset
+from artgen.envs.env import BONUS, JITTER, RATE, STATE
 from artgen.envs.motion import Target
-from artgen.envs.observing import STATE
-from artgen.envs.rewards import BONUS
 from artgen.envs.scene import Scene
 from artgen.errors import EnvError, ParameterError
 
@@ -195,7 +192,7 @@ def _fit(task: Task, source: Source, most: int) -> tuple[list[Scene], list[Targe
     targets: list[Target] = []
     reason = ""
     for key in assets.keys[: 10 * most]:
-        found = ready(assets, key, visual=False, textures=0, most=most)
+        found = compiled_asset(assets, key, visual=False, textures=0, most=most)
         try:
             target = found.target(0)
         except EnvError as error:

@@ -7,8 +7,8 @@ import numpy as np
 import torch
 
 from artgen.envs.control import DAMPING, POSTURE, POSTURE_DAMPING, STIFFNESS
+from artgen.envs.env import ACTION, ALONG, DENSE, NEAR, STEEPNESS
 from artgen.envs.motion import Target, tip_of
-from artgen.envs.rewards import ACTION, ALONG, DENSE, NEAR, STEEPNESS
 from artgen.envs.robot import OPENING
 from artgen.envs.scene import Scene
 

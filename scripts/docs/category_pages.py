@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from gallery_page import SEEDS as SHOWN
 from gallery_page import shown as shown_categories
 from gallery_page import viewer_of
-from surveys.markdown import escaped
+from surveys.pages import escaped
 
 from artgen import _disk_cache as disk_cache
 from artgen.asset import Joint

@@ -1,4 +1,4 @@
-"""Which samples of a category look alike: small pictures of them, compared pixel by pixel."""
+"""Find similar samples of a category: compare small pictures of them pixel by pixel."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
@@ -16,38 +16,32 @@ from artgen.view.rays import cast
 from artgen.view.sheet import shots
 
 SAME = 0.07
-"""Difference below which two samples pass for one product, as appliances of one design in two sizes do."""
+"""Difference below which two samples look like one product, such as one appliance in two sizes."""
 
 _SIZE = 40  # pixels on a side
-_NEAR = 1  # pixels, by which what is the same may lie elsewhere
+_NEAR = 1  # largest shift between equal pixels [pixels]
 _FINE = 3  # rays on a side of a pixel
-_LIGHT = np.array([-0.45, -0.70, 0.55])  # from where light comes: in front, above, from the left
-_DARK = 0.35  # of a face that no light falls on, as a share of its colour
-_GAMMA = 1.0 / 2.2  # differences of colours are judged as eyes do
-_CONTRAST = 2.5  # colours that are this part of black to white apart are as different as can be
-_WHERE = 2  # a sample's pictures: closed and open, from in front
+_LIGHT = np.array([-0.45, -0.70, 0.55])  # direction to the light: in front, above, left
+_DARK = 0.35  # brightness of an unlit face, over that of a lit one
+_GAMMA = 1.0 / 2.2  # exponent of perceived brightness
+_CONTRAST = 2.5  # colors that differ by 1 / 2.5 of the way from black to white count as fully different
+_WHERE = 2  # pictures of a sample: closed and open, from the front
 
 
 @dataclass(frozen=True)
 class Likeness:
-    """How much two samples differ.
+    """The difference of two samples."""
 
-    Attributes:
-        seeds: Their seeds.
-        difference: 0 for pictures that are the same, 1 for those that have nothing in common.
-        near: Whether they follow each other, as neighbours on a sheet do.
-    """
-
-    seeds: tuple[int, int]
-    difference: float
-    near: bool
+    seeds: tuple[int, int]  # the seeds of both samples
+    difference: float  # 0 for equal pictures, 1 for entirely different ones
+    near: bool  # whether they are neighbors on a contact sheet
 
 
 def likenesses(category: Generator, seeds: Iterable[int]) -> list[Likeness]:
-    """Return each pair of samples with how much they differ, the most alike first.
+    """Return the difference of each pair of samples, the most similar pair first.
 
-    Size does not count, as on a contact sheet, where each sample fills its pictures; nor do the patterns of
-    materials, so that two oaks differ by their colour alone. Samples that cannot be made are left out.
+    Size does not count, as each sample fills its pictures; nor do the patterns of materials, so that two oaks
+    differ by their color alone. Samples that cannot be made are omitted.
     """
     looks: dict[int, Array] = {}
     for seed in seeds:
@@ -62,21 +56,21 @@ def likenesses(category: Generator, seeds: Iterable[int]) -> list[Likeness]:
 
 
 def look(asset: Asset) -> Array:
-    """Return small pictures of an asset, closed and open: colour and coverage, shape (n, size, size, 4)."""
+    """Return small pictures of an asset, closed and open: color and coverage, shape (n, size, size, 4)."""
     return np.array([_picture(asset, q, view) for q, view in shots(asset)[:_WHERE]])
 
 
 def difference(first: Array, second: Array) -> float:
-    """Return how much two looks differ where either shows something, 0 to 1.
+    """Return the difference of two looks where either shows something, 0 to 1.
 
-    Each pixel is compared with the most similar one that is near its place in the other picture: a door that
-    is a little wider is no other door.
+    Each pixel is compared with the most similar one nearby in the other picture: a slightly wider door is no
+    different door.
     """
     return (_unmatched(first, second) + _unmatched(second, first)) / 2.0
 
 
 def _unmatched(look: Array, other: Array) -> float:
-    """Return how little of what one look shows is in another one, 0 to 1."""
+    """Return the share of one look that is not in another one, 0 to 1."""
     around = ((0, 0), (_NEAR, _NEAR), (_NEAR, _NEAR), (0, 0))
     padded = np.pad(other, around)
     size = look.shape[1]
@@ -100,7 +94,7 @@ def _picture(asset: Asset, q: Mapping[str, float], view: View) -> Array:
     fine = _SIZE * _FINE
     hits = cast(meshes, np.array(camera.position), camera.rays((fine, fine)))
     colors = np.array([[0.0, 0.0, 0.0], *(surface.material.base_color for surface, _ in seen)])
-    # a face is lit as it is turned to the light; those that are seen from behind are lit as well
+    # the light on a face depends on its angle; faces that are visible from behind are lit as well
     lit = _DARK + (1.0 - _DARK) * np.abs(hits.normals @ (_LIGHT / np.linalg.norm(_LIGHT)))
     rgb = (colors[hits.surfaces] * lit[:, None]) ** _GAMMA
     covered = (hits.surfaces > 0).astype(float)
@@ -111,5 +105,5 @@ def _picture(asset: Asset, q: Mapping[str, float], view: View) -> Array:
 
 
 def same_neighbours(pairs: Sequence[Likeness]) -> list[Likeness]:
-    """Return the pairs that follow each other and pass for one product."""
+    """Return the pairs of neighbors that look like one product."""
     return [pair for pair in pairs if pair.near and pair.difference < SAME]

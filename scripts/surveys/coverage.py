@@ -1,4 +1,4 @@
-"""How well draws cover what a category may draw: every option, and all of every range."""
+"""Coverage of the options and ranges of a category by its draws."""
 
 import math
 from collections.abc import Iterator, Mapping
@@ -14,32 +14,27 @@ from artgen.sampling.choices import By, Choice
 from artgen.sampling.distributions import is_number, shown
 
 BINS = 10
-"""Equal parts of a range, each of which counts as reached by one draw in it."""
+"""Equal parts of a range; one draw reaches a part."""
 
 LEAST_BINS = 9
-"""Parts that enough draws reach: one may stay free, as the last part of a bell curve's tail does."""
+"""Parts that enough draws have to reach: the last part of a bell curve's tail may stay free."""
 
 MOST_OPTIONS = 20
-"""Whole numbers with more options than these, as the number of a model is one, are judged as ranges."""
+"""Whole numbers with more options, such as the number of a model, count as ranges."""
 
 LEAST_MATERIALS = 0.9
-"""Share of the materials of a parameter that are drawn at least: a rare colour is no style of its own."""
+"""Least share of the materials of a parameter that has to be drawn: rare colors may be missing."""
 
-_LUCK = 1e-4  # chance with which even draws may reach fewer parts than are asked of them
+_LUCK = 1e-4  # probability that uniform draws reach fewer parts than demanded
 
 
 @dataclass
 class Options:
-    """A parameter that has some values, and how often each was drawn.
+    """The number of draws of each option of a parameter."""
 
-    Attributes:
-        name: Its full name.
-        kind: Its annotation: `int`, `Material`, a literal.
-        counts: How often each option was drawn, by how authors know it, those included that never were.
-    """
-
-    name: str
-    kind: Any
+    name: str  # full name of the parameter
+    kind: Any  # annotation of the parameter: `int`, `Material`, a literal
+    # number of draws of each option, by its name in the source
     counts: dict[str, int] = field(default_factory=dict)
 
     @property
@@ -61,27 +56,17 @@ class Options:
 
 @dataclass
 class Spread:
-    """A range of a number, and where draws fell in it.
+    """The distribution of draws in the range of a number."""
 
-    Attributes:
-        name: Full name of the parameter.
-        branch: Values of structural parameters under which it has this range; empty if it has no other.
-        unit: Its unit.
-        low: Lower end of the range.
-        high: Upper end.
-        bins: How many draws fell into each of `BINS` equal parts.
-        least: The lowest that was drawn; infinite if nothing was.
-        most: The highest.
-    """
-
-    name: str
-    branch: str
-    unit: str
-    low: float
-    high: float
+    name: str  # full name of the parameter
+    branch: str  # values of structural parameters for this range; empty if there is only one
+    unit: str  # unit of the number
+    low: float  # lower end of the range
+    high: float  # upper end of the range
+    # number of draws in each of `BINS` equal parts
     bins: list[int] = field(default_factory=lambda: [0] * BINS)
-    least: float = math.inf
-    most: float = -math.inf
+    least: float = math.inf  # the lowest draw; infinite if there is none
+    most: float = -math.inf  # the highest draw
 
     def add(self, value: float) -> None:
         """Count a draw."""
@@ -91,35 +76,29 @@ class Spread:
 
     @property
     def drawn(self) -> int:
-        """How many draws there were."""
+        """Number of draws."""
         return sum(self.bins)
 
     @property
     def hit(self) -> int:
-        """How many parts of the range were reached."""
+        """Number of parts that were reached."""
         return sum(count > 0 for count in self.bins)
 
     @property
     def filled(self) -> bool:
-        """Whether as many parts were reached as have to be."""
+        """Whether enough parts were reached."""
         return self.hit >= demanded(self.drawn)
 
 
 @dataclass
 class Coverage:
-    """What a category drew.
+    """The draws of a category."""
 
-    Attributes:
-        category: Its name.
-        seeds: How many seeds were drawn.
-        options: Its parameters with options, in the order of its signature.
-        spreads: The ranges of its numbers.
-    """
-
-    category: str
-    seeds: int
+    category: str  # name of the category
+    seeds: int  # number of seeds
+    # parameters with options, in the order of the signature
     options: dict[str, Options] = field(default_factory=dict)
-    spreads: dict[tuple[str, str], Spread] = field(default_factory=dict)
+    spreads: dict[tuple[str, str], Spread] = field(default_factory=dict)  # ranges of numbers
 
     @property
     def missing(self) -> tuple[str, ...]:
@@ -128,13 +107,13 @@ class Coverage:
 
     @property
     def faults(self) -> tuple[str, ...]:
-        """What should have been drawn and was not."""
+        """The missing options and ranges."""
         lacking = [each for each in self.options.values() if not each.occurs]
         return (*(f"{each.name} is never {', '.join(each.missing)}" for each in lacking), *self.unfilled)
 
     @property
     def unfilled(self) -> tuple[str, ...]:
-        """The ranges that draws leave too much of, with what they reach."""
+        """The ranges that draws do not fill, with the range of the draws."""
         return tuple(
             f"{each.name}{f' ({each.branch})' if each.branch else ''}: {each.hit} of {BINS} parts of "
             f"{each.low:g} to {each.high:g} in {each.drawn} draws"
@@ -144,14 +123,9 @@ class Coverage:
 
 
 def coverage(category: Generator, seeds: int = 500, *, first: int = 0) -> Coverage:
-    """Draw the parameters of many seeds, and count what they cover.
+    """Draw the parameters of many seeds, and count them.
 
-    Nothing is built, so that requirements rule nothing out: these are the first draws of the seeds.
-
-    Args:
-        category: The generator.
-        seeds: How many seeds are drawn.
-        first: The first of them.
+    These are the first draws of the seeds: nothing is built, and requirements rule nothing out.
     """
     result = Coverage(category.name, seeds)
     for parameter in category.parameters().values():
@@ -162,11 +136,11 @@ def coverage(category: Generator, seeds: int = 500, *, first: int = 0) -> Covera
 
 
 def demanded(drawn: int) -> int:
-    """Return how many parts of a range so many draws have to reach.
+    """Return the number of parts of a range that a number of draws have to reach.
 
-    It is `LEAST_BINS` for many draws, and for few of them what even draws reach but for the worst luck.
+    It is at most `LEAST_BINS`, and a number that uniform draws miss with the probability `_LUCK` only.
     """
-    chances = [1.0] + [0.0] * BINS  # of each number of parts reached
+    chances = [1.0] + [0.0] * BINS  # probability of each number of reached parts
     for _ in range(min(drawn, 200)):  # with more than these, all parts are reached
         chances = [
             chance * number / BINS + (chances[number - 1] * (BINS - number + 1) / BINS if number else 0.0)
@@ -181,7 +155,7 @@ def demanded(drawn: int) -> int:
 
 
 def branches(distribution: Distribution, path: tuple[str, ...] = ()) -> Iterator[tuple[str, Distribution]]:
-    """Yield the distributions between which structural parameters choose, each with when it is chosen."""
+    """Yield the distributions between which structural parameters choose, with the condition of each."""
     if not isinstance(distribution, By):
         yield ", ".join(path), distribution
         return
@@ -190,7 +164,7 @@ def branches(distribution: Distribution, path: tuple[str, ...] = ()) -> Iterator
 
 
 def _enter(result: Coverage, parameter: Parameter) -> None:
-    """Enter a parameter with all that it may be."""
+    """Enter a parameter with its options and ranges."""
     for branch, leaf in branches(parameter.distribution):
         options = _possible(leaf)
         if options:
@@ -204,7 +178,7 @@ def _enter(result: Coverage, parameter: Parameter) -> None:
 
 
 def _possible(leaf: Distribution) -> tuple[Any, ...]:
-    """Return the options of a distribution; nothing if it is of numbers in a range."""
+    """Return the options of a distribution; nothing for numbers in a range."""
     if not leaf.discrete or (leaf.numeric and len(leaf.support()) > MOST_OPTIONS):
         return ()
     weights = leaf.weights if isinstance(leaf, Choice) else None
@@ -215,15 +189,7 @@ def _possible(leaf: Distribution) -> tuple[Any, ...]:
 def _count(
     result: Coverage, own: Mapping[str, Parameter], values: Mapping[str, Any], short: str, full: str
 ) -> None:
-    """Count the values of one generator's parameters, and of those of the generators that it chose.
-
-    Args:
-        result: Where they are counted.
-        own: Its own parameters by name.
-        values: What was drawn.
-        short: What stands before their names in `values`.
-        full: What stands before their names in full.
-    """
+    """Count the parameters of a generator and of the generators that it chose."""
     given = {name: values[short + name] for name in own}
     for name, parameter in own.items():
         value = given[name]
@@ -237,7 +203,7 @@ def _count(
 
 
 def _chosen(distribution: Distribution, given: Mapping[str, Any]) -> tuple[str, Distribution]:
-    """Return which distribution the structural parameters chose, and when it is chosen."""
+    """Return the distribution that the structural parameters chose, with its condition."""
     path: list[str] = []
     while isinstance(distribution, By):
         case = distribution.case(given[distribution.parameter])
@@ -249,7 +215,7 @@ def _chosen(distribution: Distribution, given: Mapping[str, Any]) -> tuple[str, 
 
 
 def _spelled(leaf: Distribution, value: Any) -> str:
-    """Spell an option: a shade by the name of its material, a number in short."""
+    """Return the name of an option: of a shade, the material; of a number, a short form."""
     if isinstance(leaf, Shades):
         names = [option.name for option in leaf.options]
         name = str(value.name)

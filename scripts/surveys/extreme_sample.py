@@ -1,4 +1,4 @@
-"""What is found of one sample at the ends of ranges: made, proven, written, checked and let go in MuJoCo."""
+"""Measure one sample at the ends of ranges: make, prove, export, check and simulate it."""
 
 import time
 from collections.abc import Iterator, Mapping
@@ -25,23 +25,18 @@ from surveys.rest import Oddity, oddities
 FORMATS = ("urdf", "mjcf", "usd", "glb")
 
 SIZES = (0.005, 4.0)
-"""Between which the longest side of an asset has to be [m]."""
+"""Allowed range of the longest side of an asset [m]."""
 
 MASSES = (0.01, 600.0)
-"""Between which the mass of an asset has to be [kg]."""
+"""Allowed range of the mass of an asset [kg]."""
 
 _CHECKS = (("solids", check_solids), ("tree", check_tree), ("colliders", check_colliders))
 
 
 def measure_extreme(number: int, *, run: int, folder: Path | None = None) -> dict[str, Any]:
-    """Make a sample and return what is wrong with it, as JSON data.
+    """Make a sample and return its anomalies, as JSON data.
 
-    Its state is `sound`, `odd` where there are anomalies, or `ruled out` by a requirement of its category.
-
-    Args:
-        number: Number of the sample.
-        run: Seed of the run.
-        folder: Where its files are for a moment; in memory by default.
+    Its state is `sound`, `odd` with anomalies, or `ruled out` by a requirement of its category.
     """
     start = time.perf_counter()
     extreme = draw_extreme(run, number)
@@ -62,7 +57,7 @@ def measure_extreme(number: int, *, run: int, folder: Path | None = None) -> dic
         )
     except InfeasibleError as error:
         record |= {"state": "ruled out", "message": " ".join(str(error).split())}
-    except Exception as error:  # noqa: BLE001 - whatever a category raises is what is looked for
+    except Exception as error:  # noqa: BLE001 - any exception is an anomaly
         record |= {"state": "odd", "anomalies": [_anomaly("error", _told(error))]}
     else:
         anomalies = [_anomaly(*each) for each in _wrong(asset, folder)]
@@ -76,7 +71,7 @@ def of_record(record: Mapping[str, Any]) -> Extreme:
 
 
 def _wrong(asset: Asset, folder: Path | None) -> Iterator[Oddity]:
-    """Yield all that is wrong with an asset."""
+    """Yield the anomalies of an asset."""
     assert asset.certificate is not None
     if not asset.certificate.proven:
         yield "not proven", "; ".join(map(str, asset.certificate.failures))
@@ -85,27 +80,27 @@ def _wrong(asset: Asset, folder: Path | None) -> Iterator[Oddity]:
         for fault in guarded(name, partial(check, asset)).faults:
             yield name, str(fault)
     if not asset.certificate.proven:
-        return  # what begins inside of each other is thrown apart, and says nothing else
+        return  # overlapping parts are thrown apart, and hide all else
     with memory_folder(folder) as place:
         try:
             files = main_files(asset.export(place / asset.name, formats=FORMATS, textures=0))
-        except Exception as error:  # noqa: BLE001 - whatever a writer raises
+        except Exception as error:  # noqa: BLE001 - any exception is an anomaly
             yield "export", _told(error)
             return
         try:
             yield from oddities(asset, files["mjcf"], files["urdf"])
-        except Exception as error:  # noqa: BLE001 - whatever MuJoCo refuses
+        except Exception as error:  # noqa: BLE001 - any exception is an anomaly
             yield "simulation", _told(error)
 
 
 def _implausible(asset: Asset) -> Iterator[Oddity]:
     longest = float(np.max(size_of(asset)))
-    for what, value, unit, (least, most) in (
+    for name, value, unit, (least, most) in (
         ("its longest side", longest, "m", SIZES),
         ("its mass", asset.mass, "kg", MASSES),
     ):
         if not least <= value <= most:
-            yield "implausible", f"{what} is {value:.4g} {unit}: {least:g} to {most:g} {unit} are plausible"
+            yield "implausible", f"{name} is {value:.4g} {unit}: {least:g} to {most:g} {unit} are plausible"
 
 
 def _anomaly(kind: str, message: str) -> dict[str, str]:

@@ -1,4 +1,4 @@
-"""Samples at the ends of what parameters may be: combinations that the categories' own draws never meet."""
+"""Samples at the ends of ranges: combinations that ordinary draws never meet."""
 
 import math
 import shlex
@@ -19,36 +19,23 @@ from artgen.sampling import Distribution, stream
 from artgen.sampling.distributions import is_number
 
 SHARES = (0.1, 0.3, 0.6)
-"""Of the parameters that are put at an end: one odd value alone, some together, and most of them."""
+"""Share of the parameters at an end: one alone, some, and most of them."""
 
-_SEEDS = 10_000  # so many seeds decide what is left as the category draws it
+_SEEDS = 10_000  # number of seeds of the other parameters
 
 
 @dataclass(frozen=True)
 class Extreme:
-    """A sample at the ends of ranges.
+    """A sample at the ends of ranges."""
 
-    Attributes:
-        run: Seed of the run.
-        number: Its number in the run.
-        category: Name of the category.
-        seed: Decides what is not overridden.
-        overrides: Numbers, True, False and strings by name; generators and materials by their names.
-    """
-
-    run: int
-    number: int
-    category: str
-    seed: int
-    overrides: Mapping[str, Any]
+    run: int  # seed of the run
+    number: int  # number of the sample in the run
+    category: str  # name of the category
+    seed: int  # seed of all other parameters
+    overrides: Mapping[str, Any]  # values by name; generators and materials by their names
 
     def command(self, out: Path, *, on_collision: str) -> str:
-        """Return the command of a shell that makes it.
-
-        Args:
-            out: Where to.
-            on_collision: What it does where the links are not proven apart.
-        """
+        """Return the shell command that makes it."""
         words = ["artgen", "generate", self.category, "--seed", str(self.seed)]
         for each in spelled(self.overrides):
             words += ["--set", each]
@@ -57,20 +44,16 @@ class Extreme:
 
 
 def category_of(number: int) -> str:
-    """Return the category of a sample: they are sampled in turn."""
+    """Return the category of a sample; categories are sampled in turn."""
     names = categories()
     return names[number % len(names)]
 
 
 def draw_extreme(run: int, number: int) -> Extreme:
-    """Draw a sample; the seed of the run and the number decide it.
+    """Draw the sample of a seed of the run and a number.
 
     Options are put at an end before what depends on them: first the category's own, then those of the
     generators that were chosen, then numbers.
-
-    Args:
-        run: Seed of the run.
-        number: Number of the sample.
     """
     category = find(category_of(number))
     random = stream(run, "extremes", number)
@@ -92,7 +75,7 @@ def draw_extreme(run: int, number: int) -> Extreme:
 def _next_in_use(
     category: Generator, seed: int, overrides: Mapping[str, Any], seen: set[str]
 ) -> list[tuple[str, Parameter, Distribution]]:
-    """Return the parameters whose turn it is: the outermost that were not seen and wait for no other one."""
+    """Return the next parameters: the outermost new ones that depend on no unseen one."""
     values = category.sample(seed, overrides=overrides)
     given = Overrides(category, overrides)
     left = [each for each in in_use(category.own, values, given) if each[0] not in seen]
@@ -111,12 +94,8 @@ def _needs(name: str, parameter: Parameter) -> set[str]:
 def ends(parameter: Parameter, distribution: Distribution) -> list[Any]:
     """Return the extreme values of a parameter, as the command line names them.
 
-    Of a number these are the ends of its distribution and of its hard limits, of anything else all options.
-    Materials that have no name in the table of materials cannot be named, and are left out.
-
-    Args:
-        parameter: The parameter, as it is declared.
-        distribution: How it is drawn with the options that were chosen.
+    For a number, these are the ends of its distribution and of its hard limits; else all options.
+    Materials without a name in the table of materials are omitted.
     """
     if parameter.kind in (bool, Bool):
         return [False, True]

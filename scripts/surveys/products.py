@@ -15,31 +15,22 @@ from artgen.asset import Asset
 
 Span = tuple[float, float]
 
-_SLACK = 0.0005  # what rounding and a bevel may add to a size [m]
+_SLACK = 0.0005  # tolerance for rounding and bevels [m]
 
 
 @dataclass(frozen=True)
 class Product:
-    """What is sold of a kind.
+    """The range of the products of a kind."""
 
-    Attributes:
-        kind: What it is, in a few words.
-        width: From left to right, least and most [m].
-        depth: From front to back [m].
-        height: From the ground [m].
-        mass: [kg].
-        turns: Whether some stand with their long side to the front, and others with the short one.
-    """
-
-    kind: str
-    width: Span
-    depth: Span
-    height: Span
-    mass: Span
-    turns: bool = False
+    kind: str  # short description
+    width: Span  # range from left to right [m]
+    depth: Span  # range from front to back [m]
+    height: Span  # range from the ground [m]
+    mass: Span  # range of the mass [kg]
+    turns: bool = False  # whether either side may be the front
 
     def misfits(self, asset: Asset) -> list[str]:
-        """Return in what an asset is no such product, with the number and what is sold."""
+        """Return the deviations of an asset from such products."""
         size = size_of(asset)
         both = (size, size[[1, 0, 2]]) if self.turns else (size,)
         ways = [
@@ -139,21 +130,18 @@ PRODUCTS: Mapping[str, tuple[Product, ...]] = {
     # 0.13-0.25 m long and 0.1-0.45 kg; closed handles are 0.04-0.09 m wide, grips up to 0.022 m thick
     "plier": (Product("pliers", (0.035, 0.095), (0.125, 0.256), (0.006, 0.024), (0.08, 0.46)),),
 }
-"""What is sold, by the name of the category."""
+"""The products, by the name of the category."""
 
 
 def size_of(asset: Asset) -> NDArray[np.float64]:
-    """Return width, depth and height of an asset at rest, without what is only seen, shape (3,) [m]."""
+    """Return width, depth and height of an asset at rest, without visual details, shape (3,) [m]."""
     solids = [piece.shape.bounds() for link in asset.links for piece in link.pieces if not piece.visual]
-    boxes = np.array(solids or [asset.bounds()])  # what was read from files has no solids
+    boxes = np.array(solids or [asset.bounds()])  # an asset from files has no solids
     size: NDArray[np.float64] = boxes[:, 1].max(axis=0) - boxes[:, 0].min(axis=0)
     return size
 
 
 def misfits(asset: Asset) -> list[str]:
-    """Return in what an asset is like no product of its category; nothing if it is like one.
-
-    Of the kinds of a category, the one that it is most like counts.
-    """
+    """Return the deviations of an asset from the most similar product of its category."""
     ways = [product.misfits(asset) for product in PRODUCTS.get(asset.category, ())]
     return min(ways, key=len, default=[])

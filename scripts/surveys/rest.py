@@ -1,4 +1,4 @@
-"""One second of an asset that is let go, in MuJoCo: whatever is not at rest then has to have a cause."""
+"""Simulate a released asset for one second in MuJoCo: any motion has to have a cause."""
 
 import itertools
 import math
@@ -16,48 +16,36 @@ from artgen.validate.behavior.settle import settle
 from surveys.speed import STEP
 
 TIME = 1.0
-"""How long it is simulated [s]."""
+"""Simulated time [s]."""
 
 FASTEST = 5.0
-"""Speed that no point of a part reaches when an asset is let go [m/s]."""
+"""Speed that no point of a released asset reaches [m/s]."""
 
 TURNING = 20.0
-"""A part that turns slower may be as long as it likes [rad/s]."""
+"""Angular velocity below which a part of any length is plausible [rad/s]."""
 
 BEYOND = {"revolute": 0.05, "prismatic": 0.005}
-"""How far limits may give [rad or m]; more where a spring drives a part against them."""
+"""Allowed violation of limits [rad or m]; more for a part on a spring."""
 
-_RISE = 1e-3  # of the energy, by rounding and the give of contacts [J]
-_RISE_SHARE = 0.01  # of the largest kinetic energy, by the length of time steps
+_RISE = 1e-3  # allowed rise of the energy by rounding and soft contacts [J]
+_RISE_SHARE = 0.01  # allowed rise by the time step, over the largest kinetic energy
 
 
 Oddity = tuple[str, str]
-"""Kind and message of what is odd."""
+"""Kind and message of an anomaly."""
 
 
 @dataclass(frozen=True)
 class _Course:
-    """What was recorded, a row for each time step.
+    """The recorded motion, a row for each time step."""
 
-    Attributes:
-        positions: Of the joints, shape (steps, n) [rad or m].
-        speeds: Of the joints, shape (steps, n) [rad/s or m/s].
-        energies: Potential and kinetic energy, shape (steps, 2) [J].
-    """
-
-    positions: Array
-    speeds: Array
-    energies: Array
+    positions: Array  # positions of the joints, shape (steps, n) [rad or m]
+    speeds: Array  # speeds of the joints, shape (steps, n) [rad/s or m/s]
+    energies: Array  # potential and kinetic energy, shape (steps, 2) [J]
 
 
 def oddities(asset: Asset, mjcf: Path, urdf: Path) -> Iterator[Oddity]:
-    """Yield what is odd when MuJoCo reads the files of an asset, lets it go and watches it for a second.
-
-    Args:
-        asset: The asset, with its base fixed to the world.
-        mjcf: Its MJCF, which is simulated.
-        urdf: Its URDF, which is only read.
-    """
+    """Yield the anomalies when MuJoCo reads the files of an asset and simulates it for a second."""
     import mujoco
 
     with collected_warnings() as warnings:
@@ -75,14 +63,14 @@ def oddities(asset: Asset, mjcf: Path, urdf: Path) -> Iterator[Oddity]:
 
 
 def _run(model: Any) -> _Course:
-    """Let go of everything at the model's own positions, and record how it goes on."""
+    """Release all joints at the positions of the model, and record the motion."""
     import mujoco
 
     data = mujoco.MjData(model)
     steps = round(TIME / STEP)
     positions, speeds = np.zeros((steps, model.nq)), np.zeros((steps, model.nv))
     energies = np.zeros((steps, 2))
-    qpos, qvel, energy = data.qpos, data.qvel, data.energy  # views, which stay
+    qpos, qvel, energy = data.qpos, data.qvel, data.energy  # permanent views
     for step in range(steps):
         mujoco.mj_step(model, data)
         positions[step], speeds[step], energies[step] = qpos, qvel, energy
@@ -90,7 +78,7 @@ def _run(model: Any) -> _Course:
 
 
 def _judged(asset: Asset, model: Any, course: _Course) -> Iterator[Oddity]:
-    """Yield what is odd of a course."""
+    """Yield the anomalies of a motion."""
     arrays = (course.positions, course.speeds, course.energies)
     if not all(np.isfinite(each).all() for each in arrays):
         yield "not finite", "positions, speeds or energies are not finite"
@@ -120,18 +108,13 @@ def _judged(asset: Asset, model: Any, course: _Course) -> Iterator[Oddity]:
 
 
 def _give(stop: Array, speed: float) -> float:
-    """Return how far a limit gives, at most, where it is struck at a speed [rad or m].
-
-    Args:
-        stop: The time constant of the spring that it is [s], and its damping, 1 where that is critical.
-        speed: Of the joint [rad/s or m/s].
-    """
+    """Return the largest violation of a limit that is struck at a speed [rad or m]."""
     time, ratio = stop
     return float(time * ratio * speed / math.e)
 
 
 def _absurd(asset: Asset, joint: Joint, speed: float) -> bool:
-    """Tell whether a part that is let go cannot be as fast: small ones on a spring turn quickly."""
+    """Tell whether a released part is too fast: small parts on a spring turn quickly."""
     if joint.kind == "prismatic":
         return speed > FASTEST
     corners = np.array(list(itertools.product(*asset.link(joint.child).bounds().T)))

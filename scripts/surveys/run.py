@@ -1,20 +1,58 @@
-"""The run of a survey: a line of a file for each seed, so that it can be interrupted and go on."""
+"""Surveys: a line of a file for each sample, so that an interrupted survey can be continued."""
 
 import functools
 import json
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import closing
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from artgen.dataset.lines import lines_of
-from artgen.dataset.workers import run_tasks
+from artgen.dataset.disk import Lines
+from artgen.dataset.workers import Ending, run_job, run_tasks
 from artgen.errors import ExportError
 from surveys.sample import measure
 
 Task = Callable[..., dict[str, Any]]
 
 FIELDS = ("seed", "category", "state")
-"""What every line of a survey has."""
+"""Fields of every line of a survey."""
+
+
+@dataclass
+class _Measuring:
+    """A `Job` that measures samples and adds a line of a file for each."""
+
+    task: Callable[[int], dict[str, Any]]
+    numbers: Iterable[int]
+    record_of: Callable[[Ending], dict[str, Any]]
+    lines: Lines
+
+    def left(self) -> Iterable[int]:
+        return self.numbers
+
+    def add(self, ending: Ending) -> dict[str, Any]:
+        record = self.record_of(ending)
+        self.lines.add(json.dumps(record, allow_nan=False) + "\n")
+        return record
+
+
+def measured(
+    path: Path,
+    task: Callable[[int], dict[str, Any]],
+    numbers: Iterable[int],
+    record_of: Callable[[Ending], dict[str, Any]],
+    *,
+    jobs: int,
+    limit: float,
+) -> Iterator[dict[str, Any]]:
+    """Measure samples, add their lines to a file, and yield their records."""
+    try:
+        with closing(Lines(path)) as lines:
+            job = _Measuring(task, numbers, record_of, lines)
+            yield from run_job(job, functools.partial(run_tasks, jobs=jobs), limit=limit)
+    except OSError as error:
+        raise ExportError(f"cannot write {path}: {error.strerror}") from error
 
 
 def survey(
@@ -28,23 +66,10 @@ def survey(
     progress: Callable[[], None] | None = None,
     task: Task = measure,
 ) -> list[dict[str, Any]]:
-    """Measure the samples of seeds that a file has no line of, add their lines, and return all records.
+    """Measure those samples that have no line in a file, add their lines, and return all records.
 
-    A sample that fails, takes too long or ends its process is a line with the message. A line that was
-    measured `fast` is measured again where the survey is not.
-
-    Args:
-        category: Name of the category.
-        seeds: The seeds.
-        path: The file, of JSON lines; that of other categories may stand in it too.
-        fast: Whether to leave out what a simulator and hands tell.
-        jobs: How many processes measure.
-        limit: How long one seed may take [s].
-        progress: Called after each seed.
-        task: What measures.
-
-    Raises:
-        ExportError: The file is not one of a survey, or cannot be written.
+    A sample that fails, takes too long or ends its process is a line with the message. A line of a `fast`
+    survey counts for fast surveys only.
     """
     wanted = list(seeds)
     known = {
@@ -53,24 +78,21 @@ def survey(
         if record["category"] == category and (fast or not record.get("fast", False))
     }
     left = [seed for seed in wanted if seed not in known]
-    try:
-        with path.open("a", encoding="utf-8") as file:
-            work = functools.partial(task, category=category, fast=fast)
-            for ending in run_tasks(work, left, jobs=jobs, limit=limit):
-                record = ending.value or {
-                    "category": category,
-                    "seed": ending.item,
-                    "state": ending.state,
-                    "message": ending.message,
-                }
-                record = {**record, "fast": fast}
-                known[ending.item] = record
-                file.write(json.dumps(record, allow_nan=False) + "\n")
-                file.flush()
-                if progress is not None:
-                    progress()
-    except OSError as error:
-        raise ExportError(f"cannot write {path}: {error.strerror}") from error
+
+    def record_of(ending: Ending) -> dict[str, Any]:
+        lost = {
+            "category": category,
+            "seed": ending.item,
+            "state": ending.state,
+            "message": ending.message,
+        }
+        return (ending.value or lost) | {"fast": fast}
+
+    work = functools.partial(task, category=category, fast=fast)
+    for record in measured(path, work, left, record_of, jobs=jobs, limit=limit):
+        known[record["seed"]] = record
+        if progress is not None:
+            progress()
     return [known[seed] for seed in wanted]
 
 
@@ -79,18 +101,10 @@ def read_records(
 ) -> Sequence[dict[str, Any]]:
     """Return the records of a file; none if there is no such file.
 
-    The last line of a run that was interrupted may be cut off; it is left out, and cut from the file.
-
-    Args:
-        path: The file, of JSON lines.
-        fields: What each line has to have.
-        of: What wrote such a file, in messages.
-
-    Raises:
-        ExportError: The file is of another kind, or cannot be read.
+    An incomplete last line of an interrupted run is cut from the file.
     """
     records = []
-    lines, cut = lines_of(path)
+    *lines, cut = path.read_text(encoding="utf-8").split("\n") if path.exists() else [""]
     for number, line in enumerate(lines):
         try:
             record = json.loads(line)

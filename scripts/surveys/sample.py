@@ -1,10 +1,9 @@
-"""What is measured of one sample: from the draw to its behaviour in a simulator."""
+"""Measure one sample, from its draw to its behavior in a simulator."""
 
 import functools
 import time
 from collections.abc import Callable, Sequence
 from contextlib import suppress
-from importlib.util import find_spec
 from typing import Any
 
 from artgen.asset import Asset
@@ -27,16 +26,7 @@ _DIGITS = 6  # significant digits of numbers
 
 
 def measure(seed: int, *, category: str, fast: bool = False) -> dict[str, Any]:
-    """Generate a sample and return all that is measured of it, as JSON data.
-
-    Args:
-        seed: Its seed.
-        category: Name of the category.
-        fast: Whether to leave out what a simulator and hands tell: behaviour, grasps, forces and speed.
-
-    Raises:
-        ArtgenError: There is no such sample: nothing feasible was drawn, or building it failed.
-    """
+    """Generate a sample and return its measurements, as JSON data."""
     generator = find(category)
     _warm(category)
     first, seconds = _timed(lambda: generator.generate(seed, cache=Cache(), certify=False))
@@ -73,7 +63,7 @@ def measure(seed: int, *, category: str, fast: bool = False) -> dict[str, Any]:
 
 
 def _in_use(asset: Asset, checks: dict[str, Any]) -> dict[str, Any]:
-    """Return what hands and MuJoCo tell, and the checks done before with theirs."""
+    """Return the measurements with hands and MuJoCo, and all checks."""
     from artgen.validate.behavior import check_behaviour
     from artgen.view.opening import opened
 
@@ -107,23 +97,14 @@ def _checks(chosen: Sequence[tuple[str, Callable[[], CheckResult]]]) -> dict[str
 
 
 def _forces(asset: Asset) -> dict[str, float]:
-    """Return the force with which a hand moves each joint [N]; nothing where nothing computes it."""
-    if find_spec("artgen.validate.hands.force") is None:
-        return {}
+    """Return the force with which a hand moves each joint [N]."""
     from artgen.validate.hands.force import hand_forces
 
     return {name: _rounded(force) for name, force in hand_forces(asset).items()}
 
 
 def _redraws(generator: Generator, seed: int, first: int, last: int) -> tuple[int, int]:
-    """Return how many draws were ruled out by a requirement, and how many by a collision.
-
-    Args:
-        generator: What is drawn.
-        seed: Of which seed.
-        first: The first attempt that met the requirements.
-        last: The attempt that was taken.
-    """
+    """Return the numbers of draws that a requirement and a collision ruled out."""
     required, collided = first, 0
     for attempt in range(first, last):
         values = generator.sample(seed, attempt=attempt)
@@ -138,13 +119,13 @@ def _redraws(generator: Generator, seed: int, first: int, last: int) -> tuple[in
 
 @functools.cache
 def _warm(category: str) -> None:
-    """Import and fill what the first sample of a process would have to wait for."""
+    """Import modules and fill caches, so that the first sample of a process is not slower."""
     with suppress(ArtgenError):
         find(category).generate(0, cache=Cache()).bounds()
 
 
 def _timed(run: Callable[[], Any]) -> tuple[Any, float]:
-    """Return a result, and how much of the processor's time it took [s]."""
+    """Return a result and its processor time [s]."""
     start = time.process_time()
     result = run()
     return result, time.process_time() - start

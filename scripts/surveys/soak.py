@@ -1,7 +1,6 @@
-"""The soak: samples at the ends of ranges, one after another, until the time is over."""
+"""The soak: samples at the ends of ranges, until the time is over."""
 
 import functools
-import json
 import shlex
 import time
 from collections import Counter
@@ -11,26 +10,25 @@ from itertools import count
 from pathlib import Path
 from typing import Any
 
-from artgen.dataset.lock import locked
-from artgen.dataset.workers import Ending, run_tasks
-from artgen.errors import ExportError
+from artgen.dataset.disk import locked
+from artgen.dataset.workers import Ending
 from artgen.version import __version__
 from surveys.extreme_sample import measure_extreme, of_record
 from surveys.extremes import category_of
 from surveys.folder import memory_folder
-from surveys.run import read_records
+from surveys.run import measured, read_records
 
 FIELDS = ("run", "sample", "category", "state", "anomalies")
-"""What every line of a soak has."""
+"""Fields of every line of a soak."""
 
 MADE = ("error", "not proven")
-"""Kinds of anomalies that `artgen generate` tells."""
+"""Kinds of anomalies that `artgen generate` reports."""
 
 VALIDATED = ("solids", "tree", "colliders", "settling")
-"""Kinds of anomalies that `artgen validate` tells of what was generated."""
+"""Kinds of anomalies that `artgen validate` reports for a generated asset."""
 
 OUT = Path("out/again")
-"""Where the commands that reproduce anomalies write to."""
+"""Folder of the commands that reproduce anomalies."""
 
 Record = Mapping[str, Any]
 Task = Callable[..., dict[str, Any]]
@@ -38,40 +36,24 @@ Task = Callable[..., dict[str, Any]]
 
 @dataclass(frozen=True)
 class Tally:
-    """What became of the samples of a category.
+    """The number of samples of a category, by result."""
 
-    Attributes:
-        category: Its name.
-        samples: How many there are.
-        ruled_out: How many a requirement of the category ruled out.
-        odd: How many have anomalies.
-        kinds: How many have anomalies of each kind.
-    """
-
-    category: str
-    samples: int
-    ruled_out: int
-    odd: int
-    kinds: Mapping[str, int]
+    category: str  # name of the category
+    samples: int  # number of samples
+    ruled_out: int  # number that a requirement of the category ruled out
+    odd: int  # number with anomalies
+    kinds: Mapping[str, int]  # number with anomalies of each kind
 
 
 @dataclass(frozen=True)
 class Anomaly:
-    """Something wrong with a sample.
+    """An anomaly of a sample."""
 
-    Attributes:
-        category: Name of the category.
-        sample: Number of the sample.
-        kind: How it ended, or what found it.
-        message: What is wrong.
-        command: The command of a shell that shows it again.
-    """
-
-    category: str
-    sample: int
-    kind: str
-    message: str
-    command: str
+    category: str  # name of the category
+    sample: int  # number of the sample
+    kind: str  # ending of the sample, or the check that found the anomaly
+    message: str  # the message
+    command: str  # shell command that reproduces it
 
 
 def soak(
@@ -86,54 +68,30 @@ def soak(
     progress: Callable[[Record], None] | None = None,
     task: Task = measure_extreme,
 ) -> None:
-    """Measure samples that a file has no line of until the time is over, and add their lines.
+    """Measure samples that have no line in a file until the time is over, and add their lines.
 
-    A sample that has begun is finished. One that takes too long or ends its process is a line as well.
-
-    Args:
-        path: The file, of JSON lines; those of other runs may stand in it too.
-        run: Seed of the run.
-        names: Categories whose samples are measured; they are sampled in turn.
-        seconds: How long samples are begun [s].
-        jobs: How many processes measure.
-        limit: How long one sample may take [s].
-        fresh: Whether to throw away what the file holds.
-        progress: Called with each record.
-        task: What measures.
-
-    Raises:
-        ExportError: The file is not one of a soak, cannot be written, or another soak writes to it.
+    A sample that has begun is finished. One that takes too long or ends its process has a line as well.
     """
     end = time.monotonic() + seconds
-    with locked(path):
+    with locked(path), memory_folder() as folder:
         if fresh:
             path.unlink(missing_ok=True)
         known = {record["sample"] for record in soaked(path, run)}
-        try:
-            with memory_folder() as folder, path.open("a", encoding="utf-8") as file:
-                work = functools.partial(task, run=run, folder=folder)
-                for ending in run_tasks(work, _numbers(names, known, end), jobs=jobs, limit=limit):
-                    record = _record_of(ending, run)
-                    file.write(json.dumps(record, allow_nan=False) + "\n")
-                    file.flush()
-                    if progress is not None:
-                        progress(record)
-        except OSError as error:
-            raise ExportError(f"cannot write {path}: {error.strerror}") from error
+        numbers, work = _numbers(names, known, end), functools.partial(task, run=run, folder=folder)
+        record_of = functools.partial(_record_of, run=run)
+        for record in measured(path, work, numbers, record_of, jobs=jobs, limit=limit):
+            if progress is not None:
+                progress(record)
 
 
 def soaked(path: Path, run: int) -> list[Record]:
-    """Return the records of a run, in the order of their samples.
-
-    Raises:
-        ExportError: The file is not one of a soak, or cannot be read.
-    """
+    """Return the records of a run, in the order of their samples."""
     records = read_records(path, FIELDS, "a soak")
     return sorted((each for each in records if each["run"] == run), key=lambda each: each["sample"])
 
 
 def tallies(records: Sequence[Record]) -> list[Tally]:
-    """Return what became of the samples of each category."""
+    """Return the number of samples of each category, by result."""
     by_category: dict[str, list[Record]] = {}
     for record in records:
         by_category.setdefault(record["category"], []).append(record)
@@ -141,7 +99,7 @@ def tallies(records: Sequence[Record]) -> list[Tally]:
 
 
 def anomalies(records: Sequence[Record]) -> list[Anomaly]:
-    """Return all that is wrong, by category and kind."""
+    """Return all anomalies, by category and kind."""
     found = [
         Anomaly(
             record["category"], record["sample"], each["kind"], each["message"], again(record, each["kind"])
@@ -153,7 +111,7 @@ def anomalies(records: Sequence[Record]) -> list[Anomaly]:
 
 
 def again(record: Record, kind: str) -> str:
-    """Return the command of a shell that shows an anomaly of a kind again."""
+    """Return the shell command that reproduces an anomaly of a kind."""
     if kind not in MADE + VALIDATED:
         return f"python scripts/soak.py --seed {record['run']} --sample {record['sample']}"
     extreme = of_record(record)
@@ -165,7 +123,7 @@ def again(record: Record, kind: str) -> str:
 
 
 def _numbers(names: Collection[str], known: Collection[int], end: float) -> Iterator[int]:
-    """Yield numbers of samples that are not known until a time on the monotonic clock [s]."""
+    """Yield numbers of unknown samples until a time on the monotonic clock [s]."""
     for number in count():
         if number in known or category_of(number) not in names:
             continue
@@ -175,7 +133,7 @@ def _numbers(names: Collection[str], known: Collection[int], end: float) -> Iter
 
 
 def _record_of(ending: Ending, run: int) -> dict[str, Any]:
-    """Return the record of a sample, whatever became of it."""
+    """Return the record of a sample with any ending."""
     if ending.state == "done":
         return dict(ending.value)
     return {

@@ -1,4 +1,4 @@
-"""How fast MuJoCo simulates an asset."""
+"""Speed of the simulation of an asset in MuJoCo."""
 
 import math
 import time
@@ -17,15 +17,10 @@ _WINDOW = 25  # steps
 
 
 def speed(asset: Asset, path: Path, q: Mapping[str, float]) -> float:
-    """Return how many seconds MuJoCo simulates in a second of one core.
+    """Return the simulated time per time of one core, from rest at some positions of the free joints.
 
-    The same half second is run several times, and each twentieth of a second counts as in its quickest run,
-    by the processor's time: other work on the machine, and a clock that it shares, hardly count.
-
-    Args:
-        asset: The asset.
-        path: Its MJCF.
-        q: Where its free joints start, at rest [rad or m].
+    The same half second is run several times, and each twentieth of a second counts with its fastest run, in
+    processor time: so other work on the machine hardly counts.
     """
     import mujoco
 

@@ -1,4 +1,4 @@
-"""What the records of a survey say of a category: its criteria, its failures, its ranges."""
+"""Summary of the records of a survey: criteria, failures and ranges of a category."""
 
 import re
 import statistics
@@ -9,71 +9,58 @@ from typing import Any
 from artgen.asset.link import MOST_COLLIDERS
 
 REDRAWN = 0.02
-"""Share of draws that may be ruled out: with more, the ranges of parameters are not those of a product."""
+"""Allowed share of draws that are ruled out: with more, the ranges are not those of a product."""
 
 MEDIAN_SECONDS = 0.120
-"""From a seed to its asset, without the proof, on one core: a thousand assets in two minutes [s]."""
+"""Time from a seed to an asset, without the proof, on one core: a thousand in two minutes [s]."""
 
 MOST_OF_ASSET = 199
 """Colliders of an asset: a scene with some dozens of them still fits a simulator on a GPU."""
 
 SLOWEST = 20.0
-"""How many times faster than the world MuJoCo runs at 2 ms at least: below, it slows down learning."""
+"""Least speed of MuJoCo at steps of 2 ms, over real time: a lower one slows down learning."""
 
 HAND = 60.0
-"""What a hand or foot is asked for at most: people push doors and pedals with this much [N]."""
+"""Largest force for a hand or foot: people push doors and pedals with it [N]."""
 
 ON_GROUND = 1e-6
-"""How far the lowest point may be off z = 0 [m]."""
+"""Allowed distance of the lowest point from z = 0 [m]."""
 
 OFF_CENTRE = 0.025
-"""How far the middle of the base may be off x = 0, as a share of the width: hinges stand out of a side."""
+"""Allowed distance of the base's center from x = 0, over the width: hinges protrude at a side."""
 
-_COPY = re.compile(r"_\d+$")  # ends the name of a joint that there are several of
-_MANY = 12  # seeds that are listed
-_LONG = 400  # characters of a message that are shown
+_COPY = re.compile(r"_\d+$")  # suffix of one of several equal joints
+_MANY = 12  # number of listed seeds
+_LONG = 400  # shown characters of a message
 
 Record = Mapping[str, Any]
 
 
 @dataclass(frozen=True)
 class Criterion:
-    """One thing that is asked of a category.
+    """A requirement for a category."""
 
-    Attributes:
-        name: What is asked.
-        found: What was found, with the numbers.
-        passed: Whether it is met; None if it was not measured.
-        seeds: The seeds that do not meet it, where it is a matter of each.
-    """
-
-    name: str
-    found: str
-    passed: bool | None
-    seeds: tuple[int, ...] = ()
+    name: str  # the requirement
+    found: str  # the result, with numbers
+    passed: bool | None  # whether it is met; None if not measured
+    seeds: tuple[int, ...] = ()  # the seeds that do not meet it
 
 
 @dataclass(frozen=True)
 class Failure:
-    """A kind of failure.
+    """A kind of failure."""
 
-    Attributes:
-        kind: How samples ended, or the check that found a fault.
-        seeds: Those that failed so.
-        message: Of the first of them.
-    """
-
-    kind: str
-    seeds: tuple[int, ...]
-    message: str
+    kind: str  # ending of the samples, or the check that found a fault
+    seeds: tuple[int, ...]  # seeds of the samples
+    message: str  # message of the first sample
 
     def __str__(self) -> str:
-        """Tell the kind, the seeds and the first message."""
+        """Return kind, seeds and first message."""
         return f"{self.kind}: {listed(self.seeds)}\n  seed {self.seeds[0]}: {shortened(self.message)}"
 
 
 def criteria(records: Sequence[Record]) -> list[Criterion]:
-    """Return what is asked of a category, and whether the samples of a survey meet it."""
+    """Return the criteria for a category with the results of a survey."""
     done = [record for record in records if record["state"] == "done"]
     used = [record for record in done if "speed" in record]
     ended = tuple(record["seed"] for record in records if record["state"] != "done")
@@ -107,7 +94,7 @@ def failures(records: Sequence[Record]) -> list[Failure]:
 
 
 def figures(records: Sequence[Record]) -> dict[str, str]:
-    """Return what else is worth knowing: medians, 95 % values and ranges."""
+    """Return medians, 95 % values and ranges of the other measurements."""
     done = [record for record in records if record["state"] == "done"]
     if not done:
         return {}
@@ -133,7 +120,7 @@ def figures(records: Sequence[Record]) -> dict[str, str]:
 
 
 def listed(seeds: Sequence[int]) -> str:
-    """Spell some seeds."""
+    """Return a list of seeds as text."""
     shown = ", ".join(str(seed) for seed in seeds[:_MANY])
     more = len(seeds) - _MANY
     plural = "seed" if len(seeds) == 1 else "seeds"
@@ -141,7 +128,7 @@ def listed(seeds: Sequence[int]) -> str:
 
 
 def shortened(message: str) -> str:
-    """Cut a long message: the end tells most of a traceback, the beginning of everything else."""
+    """Shorten a long message: keep the end of a traceback, the beginning of anything else."""
     if len(message) <= _LONG:
         return message
     return "... " + message[-_LONG:] if message.startswith("Traceback") else message[:_LONG] + " ..."
@@ -199,7 +186,7 @@ def _each(
     *,
     least: bool = False,
 ) -> Criterion:
-    """Return a criterion that a number of each sample has to meet: at most, or at least, a limit."""
+    """Return a criterion with an upper or lower limit for a number of each sample."""
     words = f"{name}: at {'least' if least else 'most'} {limit:g}"
     if not records:
         return Criterion(words, "not measured", None)

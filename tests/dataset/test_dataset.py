@@ -99,7 +99,9 @@ def test_the_shares_of_a_split_are_met_on_average(folder: Path) -> None:
 
 
 def test_shares_that_are_not_one_are_refused(folder: Path) -> None:
-    with pytest.raises(ParameterError, match=r"the shares of the parts are together 1, not 0\.9"):
+    with pytest.raises(
+        ParameterError, match=r"the sum of the shares has to be 1, not 0\.9, and no share negative"
+    ):
         Dataset(folder).split(train=0.8, test=0.1)
 
 

@@ -40,7 +40,10 @@ def test_overrides_for_one_category_go_before_those_for_all() -> None:
         ({"textures": "jpg"}, "textures are shared, embedded or none, not 'jpg'"),
         ({"overrides": ("widht=0.9",)}, r"no parameter 'widht'\. Did you mean 'width'\?"),
         ({"overrides": ("width=3",)}, r"width = 3 is out of range: 0\.6 to 1\.25 m is allowed"),
-        ({"overrides": ("lamp:width=3",)}, "is for 'lamp', of which there are none; there are door"),
+        (
+            {"overrides": ("lamp:width=3",)},
+            "is for 'lamp', which is not in the plan; its categories are door",
+        ),
     ],
 )
 def test_what_no_run_could_do_is_refused(options: dict[str, object], told: str) -> None:

@@ -16,7 +16,7 @@ from typing import Any
 import pytest
 
 from artgen.dataset import Plan, engine, generate_many
-from artgen.dataset.target import LOCK_FILE
+from artgen.dataset.disk import LOCK_FILE
 from artgen.errors import ExportError, ParameterError
 from support.digests import digests
 
@@ -57,7 +57,7 @@ def test_an_address_of_something_else_is_told_at_once(tmp_path: Path) -> None:
         threading.Thread(target=server.handle_request, daemon=True).start()
         address = f"127.0.0.1:{server.server_port}"
         with pytest.raises(
-            ExportError, match=f"no Ray cluster at '{address}': what listens there is no head"
+            ExportError, match=f"no Ray cluster at '{address}': another service listens there"
         ):
             generate_many(PLAN, tmp_path / "set", engine="ray", address=address)
     assert time.monotonic() - start < 10.0

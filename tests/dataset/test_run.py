@@ -13,13 +13,12 @@ from typing import Any
 
 import pytest
 
-import artgen.dataset.make as making
+import artgen.dataset.plan as plans
 from artgen.asset import Asset
 from artgen.catalog import find
 from artgen.dataset import Plan, generate_many
-from artgen.dataset.disk import Disk
-from artgen.dataset.folder import MANIFEST_FILE
-from artgen.dataset.lock import locked
+from artgen.dataset.disk import Disk, locked
+from artgen.dataset.folder import MANIFEST_FILE, make
 from artgen.errors import ArtgenError, ExportError
 from support.digests import digests
 
@@ -166,8 +165,8 @@ def test_a_fault_of_artgen_is_on_record(tmp_path: Path, monkeypatch: pytest.Monk
     def broken(*_: object) -> None:
         raise ZeroDivisionError("division by zero")
 
-    monkeypatch.setattr(making, "encode", broken)
-    made = making.make(next(PLAN.items()), plan=PLAN, target=Disk(tmp_path))
+    monkeypatch.setattr(plans, "encode", broken)
+    made = make(next(PLAN.items()), plan=PLAN, target=Disk(tmp_path))
     assert made.record is not None
     assert made.record["error"] == "ZeroDivisionError: division by zero"
 
@@ -199,7 +198,7 @@ def test_a_dataset_does_not_shrink(undisturbed: Path) -> None:
 
 def test_a_folder_of_other_things_is_refused(tmp_path: Path) -> None:
     (tmp_path / "thesis.tex").write_text("years of work")
-    with pytest.raises(ExportError, match=r"it holds 'thesis\.tex' and is none; choose another folder"):
+    with pytest.raises(ExportError, match=r"it holds 'thesis\.tex' and no dataset; choose another folder"):
         generate_many(PLAN, tmp_path)
     assert [path.name for path in tmp_path.iterdir()] == ["thesis.tex"]
 
@@ -211,7 +210,7 @@ def test_a_damaged_manifest_is_made_anew(undisturbed: Path, tmp_path: Path) -> N
     assert (folder / MANIFEST_FILE).read_bytes() == (undisturbed / MANIFEST_FILE).read_bytes()
     (folder / MANIFEST_FILE).write_text("{what?}\n")
     with pytest.raises(
-        ExportError, match=r"line 1 is damaged .*; remove the file, and the next run writes it again"
+        ExportError, match=r"line 1 is damaged .*; remove the file, and the next run makes it again"
     ):
         generate_many(PLAN, folder)
 

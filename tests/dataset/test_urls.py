@@ -1,6 +1,5 @@
 """Datasets at URLs: the same bytes as in a folder, and nothing that a store of objects cannot do."""
 
-import json
 import pickle
 import shutil
 import signal
@@ -14,9 +13,9 @@ import pytest
 
 import artgen.dataset.store as stores
 from artgen.dataset import Dataset, Plan, generate_many
+from artgen.dataset.disk import LOCK_FILE
 from artgen.dataset.folder import MANIFEST_FILE, Folder
 from artgen.dataset.store import Store, target_of
-from artgen.dataset.target import LOCK_FILE
 from artgen.errors import ExportError
 from support.digests import digests
 
@@ -141,7 +140,7 @@ def test_a_store_that_overwrites_tells_the_first_of_two_runs(
     store = Store(f"bucket://{bucket}/raced")
 
     def race(path: str, owner: bytes) -> None:
-        for each in (owner, json.dumps({"host": "other", "process": 7, "since": "now"}).encode()):
+        for each in (owner, b"process 7 on other, since now"):
             store.write(path, each)
 
     monkeypatch.setattr(store, "_create", race)
@@ -151,11 +150,13 @@ def test_a_store_that_overwrites_tells_the_first_of_two_runs(
 
 
 def test_what_a_url_cannot_hold_is_refused(bucket: Path) -> None:
-    with pytest.raises(ExportError, match=r"by links, and bucket:.* knows none; choose the textures 'embedd"):
+    with pytest.raises(
+        ExportError, match=r"by links, and bucket:.* has no links; choose the textures 'embedd"
+    ):
         generate_many(replace(PLAN, textures="shared"), f"bucket://{bucket}/shared")
     (bucket / "letters").mkdir()
     (bucket / "letters/to.txt").write_text("Dear")
-    with pytest.raises(ExportError, match=r"it holds 'to\.txt' and is none; choose another folder"):
+    with pytest.raises(ExportError, match=r"it holds 'to\.txt' and no dataset; choose another folder"):
         generate_many(PLAN, f"bucket://{bucket}/letters")
     with pytest.raises(ExportError, match="it is a file; choose another place"):
         generate_many(PLAN, f"bucket://{bucket}/letters/to.txt")

@@ -5,8 +5,8 @@ import json
 import numpy as np
 import pytest
 
-from artgen.demos import layout
 from artgen.demos.episode import Demo
+from artgen.demos.run import is_replaceable, write_demos
 from artgen.errors import ExportError
 from artgen.export.files import replaced
 
@@ -25,10 +25,8 @@ def demo(seed, steps=4, image=0):
 
 
 def written(path, demos):
-    with layout.writer(path) as writer:
-        for each in demos:
-            writer.add(each)
-        writer.finish("artgen/OpenDrawer-v0", {"obs": "state"})
+    steps = write_demos(path, demos, "artgen/OpenDrawer-v0", {"obs": "state"})
+    assert steps == sum(map(len, demos))
     return path
 
 
@@ -61,18 +59,22 @@ def test_the_same_demonstrations_give_the_same_bytes(tmp_path):
 
 
 def test_a_file_tells_whose_it_is(tmp_path):
-    assert layout.is_ours(written(tmp_path / "ours.hdf5", [demo(1)]))
+    assert is_replaceable(written(tmp_path / "ours.hdf5", [demo(1)]))
     (tmp_path / "text.hdf5").write_text("notes")
     with h5py.File(tmp_path / "other.hdf5", "w") as file:
         file.create_group("data")
-    assert not layout.is_ours(tmp_path / "text.hdf5")
-    assert not layout.is_ours(tmp_path / "other.hdf5")
+    assert not is_replaceable(tmp_path / "text.hdf5")
+    assert not is_replaceable(tmp_path / "other.hdf5")
+    assert is_replaceable(tmp_path / "none.hdf5")
 
 
 def half(place):
-    with replaced(place) as partial, layout.writer(partial) as writer:
-        writer.add(demo(1))
+    def torn():
+        yield demo(1)
         raise KeyError(place)
+
+    with replaced(place) as partial:
+        write_demos(partial, torn(), "artgen/OpenDrawer-v0", {"obs": "state"})
 
 
 def test_a_file_is_complete_or_absent(tmp_path):

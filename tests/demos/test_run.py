@@ -10,8 +10,7 @@ import pytest
 
 from artgen.dataset.workers import Ending
 from artgen.demos import make_demos, record
-from artgen.demos.resume import Kept, read
-from artgen.demos.run import in_order
+from artgen.demos.run import Attempts, in_order
 from artgen.errors import ExportError, ParameterError
 
 h5py = pytest.importorskip("h5py", reason="pip install 'artgen[demos]'")
@@ -104,18 +103,22 @@ def test_an_interrupted_run_goes_on_and_writes_the_same(tmp_path):
 def test_what_another_plan_has_made_is_not_taken(tmp_path):
     ending = Ending(3, "done", record("OpenDrawer", 3))
     failed = [Ending(4, "failed", message="no such thing"), Ending(5, "crashed", message="code -9")]
-    first = Kept(tmp_path / "kept", {"noise": 0.0})
-    assert list(first.saved([ending, *failed])) == [ending, *failed]
-    there = Kept(tmp_path / "kept", {"noise": 0.0}).of(range(10))
-    assert list(there) == [3, 4]  # one that crashed is to be tried again
-    assert read(4, there[4]) == failed[0]
-    demo = read(3, there[3]).value
+
+    def attempts(noise):
+        return Attempts(tmp_path / "kept", {"noise": noise}, range(10), record)
+
+    first = attempts(0.0)
+    assert [first.add(each) for each in (ending, *failed)] == [ending, *failed]
+    again = attempts(0.0)
+    assert again.left() == [0, 1, 2, *range(5, 10)]  # one that crashed is to be tried again
+    assert again.read(4) == failed[0]
+    demo = again.read(3).value
     assert (demo.seed, demo.asset, demo.success) == (3, "drawer_3", True)
     for key in ("actions", "applied", "rewards", "dones", "states"):
         np.testing.assert_array_equal(getattr(demo, key), getattr(ending.value, key))
     np.testing.assert_array_equal(demo.observations["state"], ending.value.observations["state"])
-    assert not Kept(tmp_path / "kept", {"noise": 0.1}).of(range(10))
-    assert not (tmp_path / "kept").exists()
+    assert attempts(0.1).left() == list(range(10))
+    assert [path.name for path in (tmp_path / "kept").iterdir()] == ["plan.json"]
 
 
 @pytest.mark.parametrize(

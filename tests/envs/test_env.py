@@ -11,7 +11,7 @@ from gymnasium.utils.env_checker import check_env
 
 import artgen.envs
 from artgen.envs import ManipulationEnv
-from artgen.envs.rewards import BONUS, DENSE
+from artgen.envs.env import BONUS, DENSE
 from artgen.errors import EnvError, ParameterError
 from support.manipulation import PULL, pull
 
@@ -220,7 +220,7 @@ def test_bad_calls_are_one_clear_error():
     env = made(assets=range(1))
     with pytest.raises(EnvError, match=r"Pull has not begun; call reset\(\) first"):
         env.step(STILL)
-    with pytest.raises(ParameterError, match="reset has no option 'assets'; it knows 'asset'"):
+    with pytest.raises(ParameterError, match="reset has no option 'assets'; its option is 'asset'"):
         env.reset(options={"assets": 1})
     env.reset(seed=0)
     for action in (np.zeros(6), np.full(7, np.nan)):
@@ -239,7 +239,7 @@ def test_assets_that_lack_the_part_are_passed_over():
     with pytest.raises(EnvError, match="asset 'bare' has no drawer with a handle"):
         env.reset(options={"asset": 0})
     with pytest.raises(
-        EnvError, match="Pull found no fit asset in 50 draws; the last one: asset 'bare' has no"
+        EnvError, match="Pull found no suitable asset in 50 draws; the last one: asset 'bare' has no"
     ):
         made(assets=[bare]).reset()
 

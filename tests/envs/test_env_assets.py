@@ -29,7 +29,7 @@ def test_a_range_is_of_seeds():
     assets = Assets(PULL, range(4, 10, 2))
     assert assets.load(6).seed == 6
     assert {assets.draw(np.random.default_rng(number)) for number in range(50)} == {4, 6, 8}
-    with pytest.raises(EnvError, match="Pull has no asset 5; its numbers are 4 to 8"):
+    with pytest.raises(EnvError, match="Pull has no asset 5; the numbers are 4 to 8"):
         assets.load(5)
 
 

@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from artgen.envs.rewards import BONUS, DENSE, dense, penalty, reward
+from artgen.envs.env import BONUS, DENSE, dense, penalty, reward
 
 STILL, FULL = np.zeros(7), np.ones(7)
 

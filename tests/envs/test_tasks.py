@@ -5,11 +5,9 @@ import pytest
 
 import artgen
 from artgen.asset.gripper import GRIPPER
-from artgen.envs.kinematics import frames
 from artgen.envs.motion import Stage, lifted
-from artgen.envs.robot import LIMITS
-from artgen.envs.targets import found, push_door
-from artgen.envs.task import TASKS
+from artgen.envs.robot import LIMITS, frames
+from artgen.envs.task import TASKS, found, push_door
 from artgen.errors import EnvError
 
 SEED = 4

@@ -11,7 +11,7 @@ from artgen import generate
 from artgen.asset import Asset
 from artgen.asset.decimate import coarser
 from artgen.asset.manifolds import is_closed
-from artgen.dataset.record import record_of
+from artgen.dataset.folder import record_of
 from artgen.errors import AssetError, ParameterError
 from artgen.export.files import encode
 from artgen.validate.run import validate

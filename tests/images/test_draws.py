@@ -6,11 +6,16 @@ import numpy as np
 import pytest
 
 import artgen
-from artgen.images.cameras import extrinsics, intrinsics, random_camera
-from artgen.images.labels import Vocabulary
-from artgen.images.lighting import random_setting, random_surroundings
-from artgen.images.poses import random_positions
-from artgen.images.split import split_of
+from artgen.images.draws import (
+    extrinsics,
+    intrinsics,
+    random_camera,
+    random_positions,
+    random_setting,
+    random_surroundings,
+)
+from artgen.images.pictures import split_of
+from artgen.images.plan import Vocabulary
 
 
 @pytest.fixture(scope="module")

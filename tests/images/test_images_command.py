@@ -15,12 +15,12 @@ from artgen.images import ImagePlan
         (("door", "--labels", "handel"), "door: there is no label 'handel'. Did you mean 'handle'?"),
         (
             ("door", "--labels", "lamp:base"),
-            "the label 'lamp:base' is of 'lamp', of which there are no images",
+            "the label 'lamp:base' is of 'lamp', but the plan has no images of it",
         ),
         (("door", "--labels", "handle,grip=handle"), "the label 'handle' of door is named twice; leave one"),
-        (("door", "--random", "flor"), "there is no 'flor' to draw anew. Did you mean 'floor'?"),
+        (("door", "--random", "flor"), "nothing called 'flor' can be random. Did you mean 'floor'?"),
         (("door", "--size", "8"), "size 8 must be one or two whole numbers in 16..4096"),
-        (("door", "--split", "0.8,0.1,0.2"), "must be the shares of train, val, test, together 1"),
+        (("door", "--split", "0.8,0.1,0.2"), "must be the shares of train, val, test with the sum 1"),
         (("door", "--elevation", "60,30"), "must lie in 0..1.5708, the lower number first"),
         (("door", "--margin", "a,b"), "--margin 'a,b' must be 2 numbers with commas between them"),
         (("door", "--assets", "0"), "Input should be greater than or equal to 1"),
@@ -54,7 +54,7 @@ def test_a_folder_of_other_things_stays_as_it_is(artgen_command, opengl: None) -
     done = artgen_command("images", "plier", "--assets", "1", "--out", "set")
     assert done.code == 2
     assert done.err.startswith("error: cannot write a dataset to ")
-    assert done.err.endswith("/set: it holds 'notes.txt' and is none; choose another folder\n")
+    assert done.err.endswith("/set: it holds 'notes.txt' and no dataset; choose another folder\n")
     assert [each.name for each in Path("set").iterdir() if each.name != ".lock"] == ["notes.txt"]
 
 

@@ -5,9 +5,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from artgen.asset import Asset
-from artgen.envs.kinematics import reach
 from artgen.envs.motion import Stage, Target, lifted, tip_of, turned
-from artgen.envs.robot import HOME
+from artgen.envs.robot import HOME, reach
 from artgen.envs.task import Task
 from artgen.errors import EnvError
 

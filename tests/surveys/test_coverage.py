@@ -7,7 +7,7 @@ from typing import Literal
 
 import pytest
 from surveys.coverage import BINS, LEAST_BINS, coverage, demanded
-from surveys.coverage_page import coverage_page
+from surveys.pages import coverage_page
 
 from artgen.generator import Generator, generator, one_of, shades
 from artgen.materials import Material, material

@@ -10,10 +10,10 @@ from typing import Any
 
 import numpy as np
 import pytest
+from surveys.pages import soak_page
 from surveys.products import PRODUCTS, Product, misfits, size_of
 from surveys.run import read_records, survey
 from surveys.sample import measure
-from surveys.soak_page import soak_page
 from surveys.summary import criteria, failures, figures, listed
 
 from artgen import Body, box, detail, generator, material, part, weld

@@ -14,8 +14,8 @@ import batched_maths  # noqa: E402
 
 import artgen  # noqa: E402
 from artgen.envs import ManipulationEnv  # noqa: E402
+from artgen.envs.env import dense, reward  # noqa: E402
 from artgen.envs.policy import ScriptedPolicy  # noqa: E402
-from artgen.envs.rewards import dense, reward  # noqa: E402
 from artgen.errors import ParameterError  # noqa: E402
 
 TIP = 1e-5  # single precision after an episode [m]

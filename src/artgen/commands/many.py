@@ -8,7 +8,7 @@ import typer
 
 from artgen.commands.progress import rate_bar
 from artgen.dataset import Summary
-from artgen.dataset.target import GO_ON
+from artgen.dataset.disk import GO_ON
 
 _FAULT = 1  # exit code
 _INTERRUPTED = 130  # exit code

@@ -1,7 +1,7 @@
-"""Many assets: a folder of them, made by worker processes, complete or to be gone on with."""
+"""Many assets in a folder, made by worker processes in runs that can be interrupted."""
 
-from artgen.dataset.dataset import Dataset
 from artgen.dataset.plan import Item, Plan, TextureMode
+from artgen.dataset.reading import Dataset
 from artgen.dataset.run import Summary, generate_many
 from artgen.dataset.streams import Stream, stream
 

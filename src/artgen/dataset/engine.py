@@ -1,35 +1,33 @@
-"""Engines that run the tasks of a dataset: processes of this machine, or a Ray cluster."""
+"""Engines that run the tasks of a job: processes of this machine, or a Ray cluster."""
 
 import logging
 import os
 import socket
 import time
-import traceback
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager, suppress
-from dataclasses import dataclass
 from functools import partial
 from typing import Any, Literal, get_args
 
-from artgen.dataset.workers import Ending, Engine, cores, run_tasks
+from artgen.dataset.workers import Ending, Engine, attempt, cores, run_tasks
 from artgen.errors import ExportError, ParameterError
 from artgen.version import __version__
 
 EngineName = Literal["local", "ray"]
 
-_ONE_THREAD = {"OMP_NUM_THREADS": "1"}  # each task has one core; OpenBLAS and MKL read it too
-_AHEAD = 2  # tasks for each core of the cluster: one runs, and one waits so that no core does
-_SILENCE = 5.0  # after which nobody listens at an address [s]
-# what opens a connection of HTTP/2, which Ray speaks, and answers it: a frame with settings
-_SETTINGS, _FRAME = 4, 9  # kind of the frame, and how long its head is [bytes]
+_ONE_THREAD = {"OMP_NUM_THREADS": "1"}  # each task has one core; OpenBLAS and MKL obey it, too
+_AHEAD = 2  # tasks for each core of the cluster: one runs, and one waits
+_SILENCE = 5.0  # time limit for the answer of a head node [s]
+# a connection of HTTP/2, the protocol of Ray, begins with a frame of settings from both sides
+_SETTINGS, _FRAME = 4, 9  # kind of the frame, and length of its head [bytes]
 _HELLO = b"PRI * HTTP/2.0\r\n\r\nSM\r\n\r\n" + bytes([0, 0, 0, _SETTINGS, 0, 0, 0, 0, 0])
-_LOOK = 1.0  # how often time limits are looked at [s]
-_MEMORY = 128 * 2**20  # of the cluster that is started here: endings are small [bytes]
+_LOOK = 1.0  # interval between checks of time limits [s]
+_MEMORY = 128 * 2**20  # object store of a cluster that is started here [bytes]
 
 
 @contextmanager
 def engine_of(name: EngineName, *, jobs: int | None, address: str | None) -> Iterator[Engine]:
-    """Give the engine of that name."""
+    """Yield the engine of a name."""
     if name not in get_args(EngineName):
         raise ParameterError(f"the engine is local or ray, not {name!r}")
     if name == "local":
@@ -48,23 +46,19 @@ def cluster(address: str | None, jobs: int | None) -> Iterator[Engine]:
         import ray
     except ImportError as error:
         raise ExportError("the engine ray needs Ray: pip install 'artgen[ray]'") from error
-    if ray.is_initialized():  # by whoever calls, who will end it
+    if ray.is_initialized():  # by the caller
         yield partial(_run, most=jobs)
         return
     found = address or os.environ.get("RAY_ADDRESS") or "local"
     options: dict[str, Any] = {}
     if found == "local":
-        os.environ.setdefault("RAY_USAGE_STATS_ENABLED", "0")  # what is run here is nobody's business
-        options = {
-            "num_cpus": jobs or cores(),
-            "include_dashboard": False,
-            "object_store_memory": _MEMORY,
-        }
+        os.environ.setdefault("RAY_USAGE_STATS_ENABLED", "0")
+        options = {"num_cpus": jobs or cores(), "include_dashboard": False, "object_store_memory": _MEMORY}
     else:
         _call(found)
     try:
         ray.init(found, log_to_driver=False, logging_level=logging.ERROR, **options)
-    except (Exception, SystemExit) as error:  # Ray exits where a cluster does not answer
+    except (Exception, SystemExit) as error:  # Ray exits if a cluster does not answer
         ray.shutdown()
         raise ExportError(_unreached(found, error)) from error
     try:
@@ -74,7 +68,7 @@ def cluster(address: str | None, jobs: int | None) -> Iterator[Engine]:
 
 
 def _call(address: str) -> None:
-    """Refuse an address at which no head node listens; Ray itself would try for minutes."""
+    """Refuse an address without a head node; Ray itself would try for minutes."""
     host, _, port = address.rpartition("/")[2].rpartition(":")
     if not host or not port.isdigit():
         return
@@ -87,10 +81,11 @@ def _call(address: str) -> None:
     except OSError as error:
         raise ExportError(_unreached(address, error)) from error
     if len(answer) < _FRAME or answer[3] != _SETTINGS:
-        raise ExportError(_unreached(address, "what listens there is no head node"))
+        raise ExportError(_unreached(address, "another service listens there"))
 
 
 def _unreached(address: str, error: BaseException | str) -> str:
+    """Return the message for a cluster that cannot be used."""
     reason = " ".join(str(getattr(error, "strerror", None) or error).split())
     if address == "local":
         return f"Ray cannot be started here: {reason}"
@@ -100,102 +95,77 @@ def _unreached(address: str, error: BaseException | str) -> str:
     )
 
 
-@dataclass
-class _Flight:
-    """A task that was given away."""
-
-    item: Any  # what it was given
-    # when it has to be done, on the monotonic clock [s]; None until it has begun
-    deadline: float | None = None
-
-
 def _run(
     task: Callable[[Any], Any], items: Iterable[Any], *, limit: float, most: int | None
 ) -> Iterator[Ending]:
-    """Run a task for each item; see `workers.run_tasks`.
+    """Run a task for each item on a Ray cluster, and yield the endings as they come.
 
-    A task tells when it begins, as it may wait long for a core of a cluster that others use too.
+    The time limit of a task starts at its begin, as it may wait long for a core of a shared cluster.
     """
     import ray
 
     work = ray.remote(
         num_cpus=1,
-        max_retries=0,  # the run itself tries again, and counts
+        max_retries=0,  # `run_job` tries again
         num_returns="streaming",
         runtime_env={"env_vars": _ONE_THREAD},
     )(_work)
     waiting = iter(items)
-    flights: dict[Any, _Flight] = {}
+    given: dict[Any, Any] = {}  # items of the tasks in the cluster, by stream of answers
+    deadlines: dict[Any, float] = {}  # of tasks that have begun, on the monotonic clock [s]
     try:
         while True:
             room = most or max(_AHEAD * int(ray.cluster_resources().get("CPU", 0)), 1)
-            while len(flights) < room and (item := next(waiting, None)) is not None:
-                flights[work.remote(task, item, __version__)] = _Flight(item)
-            if not flights:
+            while len(given) < room and (item := next(waiting, None)) is not None:
+                given[work.remote(task, item, __version__)] = item
+            if not given:
                 return
-            ready, _ = ray.wait(list(flights), num_returns=1, timeout=_LOOK)
+            ready, _ = ray.wait(list(given), num_returns=1, timeout=_LOOK)
             for stream in ready:
-                flight = flights[stream]
-                ending = _ending(flight.item, stream)
+                ending = _ending(given[stream], stream)
                 if ending is None:
-                    flight.deadline = time.monotonic() + limit
+                    deadlines[stream] = time.monotonic() + limit
                 else:
-                    del flights[stream]
+                    deadlines.pop(stream, None)
+                    del given[stream]
                     yield ending
-            for stream, flight in list(flights.items()):
-                if flight.deadline is not None and time.monotonic() >= flight.deadline:
-                    ray.cancel(stream, force=True)
-                    del flights[stream]
-                    yield Ending(flight.item, "timed out", message=f"it took more than {limit:g} s")
+            for stream in [each for each, end in deadlines.items() if time.monotonic() >= end]:
+                ray.cancel(stream, force=True)
+                del deadlines[stream]
+                yield Ending(given.pop(stream), "timed out", message=f"it took more than {limit:g} s")
     finally:
-        for stream in flights:
+        for stream in given:
             with suppress(Exception):  # the cluster may be gone
                 ray.cancel(stream, force=True)
 
 
-def _work(task: Callable[[Any], Any], item: Any, version: str) -> Iterator[tuple[str, Any]]:
-    """Say that a task begins, and then how it ended."""
+def _work(task: Callable[[Any], Any], item: Any, version: str) -> Iterator[Any]:
+    """Yield None at the begin of a task, and then its answer; an error message if versions differ."""
     if version != __version__:
-        told = (
+        yield (
             f"{socket.gethostname()} has artgen {__version__}, and this is {version}: the same seeds may "
             "give other assets; install one version on all machines of the cluster"
         )
-        yield "unlike", told
         return
-    yield "begun", None
-    try:
-        answer = ("done", task(item))
-    except Exception:  # noqa: BLE001 - whatever a task raises is its answer
-        answer = ("failed", traceback.format_exc())
-    yield answer
+    yield None
+    yield attempt(task, item)
 
 
 def _ending(item: Any, stream: Any) -> Ending | None:
-    """Read what a task says next; None if it has only begun."""
+    """Read the next answer of a task; None if it has only begun."""
     import ray
     from ray.exceptions import RayError, RayTaskError, RuntimeEnvSetupError
 
     try:
-        state, value = ray.get(next(stream))
+        answer = ray.get(next(stream))
     except (RayTaskError, RuntimeEnvSetupError) as error:  # `_work` raises nothing: it was not found
+        reason = str(error).strip().rpartition("\n")[2]
         raise ExportError(
-            f"a machine of the Ray cluster cannot run artgen {__version__}: {_last_line(error)}; install it "
-            "on all of them"
+            f"a machine of the Ray cluster cannot run artgen {__version__}: {reason}; install it on all of "
+            "them"
         ) from error
-    except RayError as error:  # its process was killed, its machine is gone, its memory was taken
-        return Ending(item, "crashed", message=_first_line(error))
-    if state == "begun":
-        return None
-    if state == "unlike":
-        raise ExportError(value)
-    if state == "done":
-        return Ending(item, "done", value)
-    return Ending(item, "failed", message=value)
-
-
-def _first_line(error: Exception) -> str:
-    return str(error).strip().partition("\n")[0]
-
-
-def _last_line(error: Exception) -> str:
-    return str(error).strip().rpartition("\n")[2]
+    except RayError as error:  # its process or its machine died, or its memory was exhausted
+        return Ending(item, "crashed", message=str(error).strip().partition("\n")[0])
+    if isinstance(answer, str):
+        raise ExportError(answer)
+    return None if answer is None else Ending(item, *answer)

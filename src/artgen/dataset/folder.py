@@ -1,51 +1,58 @@
 """The folder of a dataset: its plan, its manifest, a directory for each asset, and the maps that they share.
 
-The directory of an asset is complete or absent. Its line of the manifest is made from its `asset.json` alone:
-one that was put in place by a run that was killed before it wrote the line gets the same line from the next
-run. While a run goes on, the manifest has the lines in the order in which assets were done; at its end, in
-the order of the plan.
+The directory of an asset is complete or absent. The manifest line of an asset is made from its `asset.json`
+alone: if a run is killed between both, the next run writes the same line. During a run, the lines are in the
+order in which the assets were finished; at its end, in the order of the plan.
 """
 
+import hashlib
 import json
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 from artgen._names import inside
 from artgen.asset.files import ASSET_FILE
 from artgen.asset.record import json_text
-from artgen.dataset.lines import lines_in
+from artgen.dataset.disk import GO_ON, PLAN_FILE, Lines
 from artgen.dataset.plan import Draws, Item, Plan
-from artgen.dataset.record import record_of
-from artgen.dataset.target import GO_ON, PLAN_FILE, Lines, Target
-from artgen.errors import ExportError, ParameterError
+from artgen.dataset.store import StoreLines, Target
+from artgen.dataset.workers import Ending
+from artgen.errors import ArtgenError, ExportError, ParameterError
 from artgen.version import __version__
 
 MANIFEST_FILE = "manifest.jsonl"
 
-_TOGETHER = 256  # files that are read at once
+_BATCH = 256  # number of files that are read at once
+_DIGEST = 16  # characters of a digest
+
+Record = dict[str, Any]
+"""A line of the manifest."""
 
 
 class Folder:
-    """A folder that a run writes to.
+    """A folder that a run fills; as a `Job`, its items are those of the plan that have no record.
 
     Attributes:
         target: Where it is.
-        plan: What it is to hold.
-        records: The line of each asset that is done or failed, by its name.
+        plan: The plan of its content.
+        records: The manifest line of each asset that is done or failed, by its name.
+        task: Makes an item in a worker process.
     """
 
     def __init__(self, target: Target, plan: Draws) -> None:
         self.target, self.plan = target, plan
-        self.records: dict[str, dict[str, Any]] = {}
-        self._lines: Lines | None = None
+        self.records: dict[str, Record] = {}
+        self.task: Callable[[Item], Made] = partial(make, plan=plan, target=target)
+        self._lines: Lines | StoreLines | None = None
 
     @staticmethod
     @contextmanager
     def opened(target: Target, plan: Draws) -> Iterator["Folder"]:
-        """Open a folder for one run, made if there is none; what a killed run left is put in order."""
+        """Open a folder for one run; create it if necessary, and repair the remains of a killed run."""
         folder = Folder(target, plan.placed(target))
         with writing(target):
             _check_content(target)
@@ -57,50 +64,113 @@ class Folder:
                     if folder._lines is not None:
                         folder._lines.close()
 
-    def add(self, item: Item, record: dict[str, Any]) -> None:
-        """Add the line of an asset that is done or failed."""
+    def left(self) -> list[Item]:
+        """Return the items that have no record."""
+        return [item for item in self.plan.items() if item.name not in self.records]
+
+    def add(self, ending: Ending) -> Record:
+        """Add the line of an asset that is done or failed, and return it."""
         assert self._lines is not None
+        item: Item = ending.item
+        if ending.state != "done":
+            record = failure(item, ending.reason) | {"state": "lost"}
+        elif ending.value.record is None:
+            raise ExportError(f"an asset cannot be written: {ending.value.refusal}; {GO_ON}")
+        else:
+            record = ending.value.record
         self.records[item.name] = record
         with writing(self.target):
             self._lines.add(_line(record))
+        return record
 
-    def finish(self) -> None:
-        """Bring the manifest into the order of the plan."""
+    def finish(self) -> list[Record]:
+        """Bring the manifest into the order of the plan, and return its lines."""
         assert self._lines is not None
+        records = [self.records[item.name] for item in self.plan.items() if item.name in self.records]
         with writing(self.target):
             self._lines.close()
-            ordered = (
-                _line(self.records[item.name]) for item in self.plan.items() if item.name in self.records
-            )
-            self.target.write(MANIFEST_FILE, "".join(ordered).encode())
+            self.target.write(MANIFEST_FILE, "".join(map(_line, records)).encode())
+        return records
 
     def _begin(self) -> None:
         before = _read_plan(self.target, type(self.plan))
         if before is not None:
             _check_same(self.target, before, self.plan)
         if self.plan != before:
-            self.target.write(PLAN_FILE, _plan_text(self.plan).encode())
+            data = {"format": self.plan.FORMAT, "version": __version__, "plan": self.plan.to_data()}
+            self.target.write(PLAN_FILE, json_text(data).encode())
         known = {str(record["name"]): record for record in read_manifest(self.target)}
+        states = {name: record["state"] for name, record in known.items()}
         items = list(self.plan.items())
         made = self.target.complete(item.path for item in items) if before is not None else set()
-        untold = [item.path for item in items if item.path in made and _state(known, item) != "done"]
-        told = dict(_read_records(self.target, untold))
+        unlisted = [item.path for item in items if item.path in made and states.get(item.name) != "done"]
+        listed = dict(_read_records(self.target, unlisted))
         for item in items:
-            if item.path in told:
-                self.records[item.name] = told[item.path]
-            elif _state(known, item) == ("done" if item.path in made else "failed"):
+            if item.path in listed:
+                self.records[item.name] = listed[item.path]
+            elif states.get(item.name) == ("done" if item.path in made else "failed"):
                 self.records[item.name] = known[item.name]
-        text = "".join(_line(record) for record in self.records.values())
+        text = "".join(map(_line, self.records.values()))
         self._lines = self.target.lines(MANIFEST_FILE, text)
 
 
-def _state(known: Mapping[str, dict[str, Any]], item: Item) -> str:
-    """Return the state of an asset in the manifest; empty if it is not in it."""
-    return str(known[item.name]["state"]) if item.name in known else ""
+@dataclass(frozen=True)
+class Made:
+    """The result of an item in a worker process."""
+
+    record: Record | None  # its line in the manifest; None where the disk refused
+    refusal: str = ""  # message of the disk: nothing else can be written either
+
+
+def make(item: Item, *, plan: Draws, target: Target) -> Made:
+    """Make the files of an item and put them in its directory."""
+    try:
+        files = plan.files(item)
+    except Exception as error:  # noqa: BLE001 - a category may raise anything; the other items go on
+        text = " ".join(str(error).split())
+        expected = isinstance(error, ArtgenError) and not isinstance(error, ExportError)
+        return Made(failure(item, text if expected else f"{type(error).__name__}: {text}"))
+    try:
+        target.put(files, item.path, share=plan.shares_maps)
+    except OSError as error:
+        return Made(None, error.strerror or str(error))
+    return Made(record_of(files[ASSET_FILE], item.path))
+
+
+def record_of(text: bytes, path: str) -> Record:
+    """Return the manifest line of an asset, from its `asset.json` alone."""
+    data = json.loads(text)
+    certificate = data["certificate"]
+    return {
+        "name": data["name"],
+        "category": data["category"],
+        "seed": data["seed"],
+        "state": "done",
+        "path": path,
+        "files": {name: each["main"] for name, each in data["formats"].items()},
+        "attempt": data["attempt"],
+        "proven": None if certificate is None else certificate["proven"],
+        "mass": data["mass"],
+        "links": len(data["links"]),
+        "joints": {joint["name"]: joint["kind"] for joint in data["joints"]},
+        "parameters": data["parameters"],
+        "digest": hashlib.sha256(text).hexdigest()[:_DIGEST],
+    }
+
+
+def failure(item: Item, error: str) -> Record:
+    """Return the manifest line of an asset that cannot be made."""
+    return {
+        "name": item.name,
+        "category": item.category,
+        "seed": item.seed,
+        "state": "failed",
+        "error": error,
+    }
 
 
 def stored_plan(target: Target, form: str = Plan.FORMAT) -> dict[str, Any] | None:
-    """Return what a folder says of its dataset; None if it holds none."""
+    """Return the content of the plan file of a folder; None if the folder holds no dataset."""
     text = target.read(PLAN_FILE)
     if text is None:
         return None
@@ -115,7 +185,7 @@ def stored_plan(target: Target, form: str = Plan.FORMAT) -> dict[str, Any] | Non
 
 
 def _read_plan(target: Target, kind: type[Draws]) -> Draws | None:
-    """Return the plan of a folder that a run may go on with; None if it holds no dataset."""
+    """Return the plan of a folder that a run may continue; None if it holds no dataset."""
     data = stored_plan(target, kind.FORMAT)
     if data is None:
         return None
@@ -130,9 +200,9 @@ def _read_plan(target: Target, kind: type[Draws]) -> Draws | None:
         raise ExportError(f"{target}/{PLAN_FILE}: {error}") from error
 
 
-def read_manifest(target: Target) -> Iterator[dict[str, Any]]:
-    """Yield the lines of a manifest, without the last one if a killed run left it cut off."""
-    lines, _ = lines_in((target.read(MANIFEST_FILE) or b"").decode(errors="replace"))
+def read_manifest(target: Target) -> Iterator[Record]:
+    """Yield the lines of a manifest; a last line that a killed run left incomplete is skipped."""
+    *lines, _ = (target.read(MANIFEST_FILE) or b"").decode(errors="replace").split("\n")
     for number, line in enumerate(lines):
         try:
             record = json.loads(line)
@@ -141,14 +211,14 @@ def read_manifest(target: Target) -> Iterator[dict[str, Any]]:
         except (AttributeError, ValueError, ExportError) as error:
             raise ExportError(
                 f"{target}/{MANIFEST_FILE}: line {number + 1} is damaged ({error}); remove the file, and the "
-                "next run writes it again from the assets"
+                "next run makes it again from the assets"
             ) from error
 
 
-def _read_records(target: Target, paths: Sequence[str]) -> Iterator[tuple[str, dict[str, Any]]]:
-    """Yield the line of each asset that is there, with its directory."""
-    for start in range(0, len(paths), _TOGETHER):
-        texts = target.contents(f"{path}/{ASSET_FILE}" for path in paths[start : start + _TOGETHER])
+def _read_records(target: Target, paths: Sequence[str]) -> Iterator[tuple[str, Record]]:
+    """Yield the directory and the line of each asset that exists."""
+    for start in range(0, len(paths), _BATCH):
+        texts = target.contents(f"{path}/{ASSET_FILE}" for path in paths[start : start + _BATCH])
         for name, text in texts.items():
             path = name.rpartition("/")[0]
             try:
@@ -156,7 +226,7 @@ def _read_records(target: Target, paths: Sequence[str]) -> Iterator[tuple[str, d
             except (ValueError, LookupError) as error:
                 raise ExportError(
                     f"{target}/{name} is damaged: {error!r}; remove {target}/{path}, and the same command "
-                    "makes the asset anew"
+                    "makes the asset again"
                 ) from error
 
 
@@ -165,33 +235,28 @@ def _check_content(target: Target) -> None:
     found = sorted(target.names())
     if found and PLAN_FILE not in found:
         raise ExportError(
-            f"cannot write a dataset to {target}: it holds {found[0]!r} and is none; choose another folder"
+            f"cannot write a dataset to {target}: it holds {found[0]!r} and no dataset; choose another folder"
         )
 
 
 def _check_same(target: Target, before: Draws, plan: Draws) -> None:
-    """Refuse to add assets of another plan: there may only be more of them."""
+    """Refuse a plan that differs from the stored one in anything but a larger count."""
     if before.count > plan.count:
         raise ExportError(
             f"{target} holds a dataset of {before.count} assets: ask for as many or for more, or choose "
             "another folder"
         )
     old, new = before.to_data(), replace(plan, count=before.count).to_data()
-    different = [name for name in old if old[name] != new[name]]
-    if different:
-        name = different[0]
-        raise ExportError(
-            f"{target} holds a dataset with {name} = {_shown(old[name])}, not {_shown(new[name])}: go on "
-            "with the same options, or choose another folder"
-        )
+    for name, value in old.items():
+        if value != new[name]:
+            raise ExportError(
+                f"{target} holds a dataset with {name} = {_shown(value)}, not {_shown(new[name])}: go on "
+                "with the same options, or choose another folder"
+            )
 
 
 def _shown(value: Any) -> str:
     return ",".join(map(str, value)) or "none" if isinstance(value, list) else repr(value)
-
-
-def _plan_text(plan: Draws) -> str:
-    return json_text({"format": plan.FORMAT, "version": __version__, "plan": plan.to_data()})
 
 
 def _line(record: Mapping[str, Any]) -> str:
@@ -200,7 +265,7 @@ def _line(record: Mapping[str, Any]) -> str:
 
 @contextmanager
 def writing(target: Target) -> Iterator[None]:
-    """Say of errors of the disk where they were met, and that nothing is lost."""
+    """Turn an error of the disk into an ExportError that names the place."""
     try:
         yield
     except ExportError:

@@ -1,16 +1,19 @@
-"""What a dataset is to hold: categories, seeds, and how assets are drawn and written."""
+"""The plan of a dataset: categories, seeds, and how assets are drawn and written."""
 
-from collections.abc import Iterator, Mapping
+from abc import ABC, abstractmethod
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
+from importlib.util import find_spec
+from io import BytesIO
 from typing import Any, ClassVar, Literal, Self, get_args
 
 from artgen._caching import cached_property
 from artgen.asset.asset import Asset, Base
 from artgen.asset.collision import Collision
 from artgen.catalog import find, is_file
-from artgen.dataset.target import Target
+from artgen.dataset.store import Target
 from artgen.errors import ExportError, ParameterError
-from artgen.export.files import chosen_formats, find_layout
+from artgen.export.files import chosen_formats, encode, find_layout
 from artgen.export.formats import TEXTURES
 from artgen.export.precision import check_precision
 from artgen.generator import OnCollision
@@ -18,9 +21,12 @@ from artgen.generator.overrides import parse_overrides
 from artgen.materials.textures import check_size
 
 TextureMode = Literal["shared", "embedded", "none"]
-"""Where maps are kept: once for the whole dataset, with each asset, or nowhere."""
+"""Place of the texture maps: once for the whole dataset, with each asset, or nowhere."""
 
-_EVERY = ""  # the category of overrides that are for all
+TABLE_DIRECTORY = "parameters"
+
+_EVERY = ""  # stands for all categories in overrides
+_COMMON = ("name", "seed", "path", "attempt", "proven", "mass", "links")  # columns of every table
 
 
 @dataclass(frozen=True)
@@ -28,8 +34,8 @@ class Item:
     """One asset of a dataset.
 
     Attributes:
-        category: Name of its category.
-        seed: Its seed.
+        category: Name of the category.
+        seed: The seed.
     """
 
     category: str
@@ -42,27 +48,27 @@ class Item:
 
     @property
     def path(self) -> str:
-        """Its directory, relative to the dataset's."""
+        """Its directory, relative to that of the dataset."""
         return f"{self.category}/{self.name}"
 
 
 @dataclass(frozen=True)
-class Draws:
-    """Which assets a folder is made of, and how they are drawn; what is written of each, subclasses say."""
+class Draws(ABC):
+    """The assets of a folder and how they are drawn; subclasses define the files that are written."""
 
-    FORMAT: ClassVar[str]  # marks the folders of such plans
+    FORMAT: ClassVar[str]  # stands in the plan file of such folders
 
     categories: tuple[str, ...]  # names of the categories, each once
-    count: int  # how many assets, shared evenly among the categories: the first one gets what is left over
+    count: int  # number of assets, shared evenly among the categories; the first ones get the remainder
     seed: int = 0  # the first seed of each category; the others follow it
-    overrides: tuple[str, ...] = ()  # as in `NAME=VALUE` for all categories, or `CATEGORY:NAME=VALUE` for one
+    overrides: tuple[str, ...] = ()  # `NAME=VALUE` for all categories, or `CATEGORY:NAME=VALUE` for one
     base: Base = "fixed"  # whether assets are fixed to the world
     certify: bool = True  # whether each is proven free of collisions
     tolerance: float = 0.0  # clearance between links that has to be proven [m]
-    on_collision: OnCollision = "redraw"  # what to do if that is not proven
+    on_collision: OnCollision = "redraw"  # reaction where that is not proven
 
     def __post_init__(self) -> None:
-        """Refuse what no run could do, before anything is written."""
+        """Refuse an impossible plan before anything is written."""
         if not self.categories:
             raise ParameterError("a dataset needs at least one category")
         twice = next((name for name in self.categories if self.categories.count(name) > 1), None)
@@ -71,7 +77,7 @@ class Draws:
         if self.count < 1:
             raise ParameterError(f"a dataset holds at least one asset, not {self.count}")
         for name in self.categories:
-            if is_file(name):  # its assets are named by it, and other machines may not have it
+            if is_file(name):  # a name of assets; other machines may lack the file
                 raise ParameterError(
                     f"a dataset takes the names of categories, not the file {name}; `artgen new` makes a "
                     "package, which brings its category to every machine that installs it"
@@ -79,13 +85,13 @@ class Draws:
             find(name).sample(self.seed, overrides=self.overrides_of(name))
 
     def items(self) -> Iterator[Item]:
-        """Yield its assets, the categories in turn: a longer plan begins with those of a shorter one."""
+        """Yield the assets, categories in turn: a longer plan begins with the assets of a shorter one."""
         several = len(self.categories)
         for number in range(self.count):
             yield Item(self.categories[number % several], self.seed + number // several)
 
     def draw(self, item: Item) -> Asset:
-        """Make an asset as the plan says."""
+        """Make an asset."""
         asset, _ = find(item.category).evaluate(
             item.seed,
             base=self.base,
@@ -97,7 +103,7 @@ class Draws:
         return asset
 
     def overrides_of(self, category: str) -> dict[str, Any]:
-        """Return the overrides for a category, those for it alone before those for all."""
+        """Return the overrides for a category; its own replace those for all categories."""
         found = self._overrides
         return found.get(_EVERY, {}) | found.get(category, {})
 
@@ -109,14 +115,27 @@ class Draws:
             owner = before.strip() if colon and "=" not in before else _EVERY
             if owner and owner not in self.categories:
                 raise ParameterError(
-                    f"the override {text!r} is for {owner!r}, of which there are none; there are "
+                    f"the override {text!r} is for {owner!r}, which is not in the plan; its categories are "
                     f"{', '.join(self.categories)}"
                 )
             texts.setdefault(owner, []).append(after if owner else text)
         return {owner: parse_overrides(each) for owner, each in texts.items()}
 
+    @property
+    def shares_maps(self) -> bool:
+        """Whether the assets of the folder share texture maps by links."""
+        return False
+
+    @abstractmethod
+    def files(self, item: Item) -> dict[str, bytes]:
+        """Return the files of an item by path; one of them is its `asset.json`."""
+
+    @abstractmethod
+    def finish(self, target: Target, records: Sequence[Mapping[str, Any]]) -> None:
+        """Write the files that are common to all assets."""
+
     def placed(self, target: Target) -> Self:
-        """Return the plan as it is done in a place."""
+        """Return the plan with the defaults of a place."""
         return self
 
     def to_data(self) -> dict[str, Any]:
@@ -134,20 +153,20 @@ class Draws:
         try:
             return cls(**given)
         except TypeError as error:
-            raise ParameterError(f"this is no plan of a dataset: {error}") from error
+            raise ParameterError(f"not a plan of a dataset: {error}") from error
 
 
 @dataclass(frozen=True)
 class Plan(Draws):
-    """What a dataset holds and how it is made; two runs with equal plans write the same bytes.
+    """The content of a dataset; two runs with equal plans write the same bytes.
 
     Attributes:
-        formats: What is written of each asset.
-        layout: How its files lie.
-        collision: Which colliders it carries.
-        textures: Where its maps are kept; by default shared in a folder and embedded at a URL.
-        texture_size: Texels on a side of them.
-        mesh_precision: How far what is seen may lie from what was made [m].
+        formats: File formats of each asset.
+        layout: Layout of its files.
+        collision: Kind of its colliders.
+        textures: Place of its texture maps; by default shared in a folder and embedded at a URL.
+        texture_size: Texels on a side of a map.
+        mesh_precision: Largest deviation of exported meshes from the shape [m].
     """
 
     FORMAT: ClassVar[str] = "artgen-dataset-1"
@@ -160,11 +179,11 @@ class Plan(Draws):
     mesh_precision: float = 0.0
 
     def __post_init__(self) -> None:
-        """Refuse what no run could do, before anything is written.
+        """Refuse an impossible plan before anything is written.
 
         Raises:
             ParameterError: A category, number or override is unknown or not allowed.
-            ExportError: A layout or format is.
+            ExportError: A layout or format is unknown.
         """
         if self.textures not in (None, *get_args(TextureMode)):
             raise ParameterError(f"textures are shared, embedded or none, not {self.textures!r}")
@@ -174,18 +193,54 @@ class Plan(Draws):
         super().__post_init__()
 
     @property
+    def shares_maps(self) -> bool:
+        """Whether the assets of the folder share texture maps by links."""
+        return self.textures == "shared"
+
+    @property
     def texels(self) -> int:
         """Texels on a side of the maps; 0 where there are none."""
         return 0 if self.textures == "none" else self.texture_size
 
+    def files(self, item: Item) -> dict[str, bytes]:
+        """Return the exported files of an asset."""
+        asset = self.draw(item)
+        return encode(asset, self.formats, self.collision, self.texels, self.layout, self.mesh_precision)
+
+    def finish(self, target: Target, records: Sequence[Mapping[str, Any]]) -> None:
+        """Write a Parquet table for each category, if pyarrow is installed: `pip install artgen[data]`."""
+        if find_spec("pyarrow") is None:
+            return
+        import pyarrow as pa
+        from pyarrow import parquet
+
+        for category, table in rows(records).items():
+            names = dict.fromkeys(name for row in table for name in row)
+            columns = {name: [row.get(name) for row in table] for name in names}
+            content = BytesIO()
+            parquet.write_table(pa.table(columns), content)
+            target.write(f"{TABLE_DIRECTORY}/{category}.parquet", content.getvalue())
+
     def placed(self, target: Target) -> Self:
-        """Return a plan that says where maps are kept: once for all where the place knows links.
+        """Return the plan with the place of texture maps: shared where the target supports links.
 
         Raises:
-            ExportError: They are to be shared elsewhere.
+            ExportError: Maps are to be shared, and the target does not support links.
         """
         if self.textures == "shared" and not target.links:
             raise ExportError(
-                f"maps are shared by links, and {target} knows none; choose the textures 'embedded' or 'none'"
+                f"maps are shared by links, and {target} has no links; choose the textures 'embedded' or "
+                "'none'"
             )
         return replace(self, textures=self.textures or ("shared" if target.links else "embedded"))
+
+
+def rows(records: Iterable[Mapping[str, Any]]) -> dict[str, list[dict[str, Any]]]:
+    """Return a row for each asset that is done, by category: common columns, then parameters."""
+    found: dict[str, list[dict[str, Any]]] = {}
+    for record in records:
+        if record["state"] == "done":
+            row = {name: record[name] for name in _COMMON}
+            row |= {f"parameter.{name}": value for name, value in record["parameters"].items()}
+            found.setdefault(record["category"], []).append(row)
+    return {category: sorted(each, key=lambda row: row["seed"]) for category, each in found.items()}

@@ -1,11 +1,10 @@
-"""A dataset at a URL of any kind that fsspec knows: `s3://bucket/set`, `gs://`, `sftp://`, ...
+"""A dataset at a URL that fsspec can open: `s3://bucket/set`, `gs://`, `sftp://`, ...
 
-Stores of objects know no renaming, no links and no locks. So the `asset.json` of an asset is written last,
-and a directory without one is absent; and an object with the name of its owner says that a run goes on.
+Object stores support no renaming, links or locks. Therefore the `asset.json` of an asset is written last, a
+directory without one counts as absent, and an object with the name of the process marks a run.
 """
 
 import atexit
-import json
 import os
 import shutil
 import socket
@@ -23,19 +22,19 @@ from urllib.request import url2pathname
 from artgen._caching import cached_property
 from artgen._names import inside
 from artgen.asset.files import ASSET_FILE
-from artgen.dataset.disk import Disk
-from artgen.dataset.target import LOCK_FILE, PLAN_FILE, Target, unseen
+from artgen.dataset.disk import LOCK_FILE, PLAN_FILE, Disk, unseen
 from artgen.errors import ExportError
 from artgen.export.files import write_files
 
-_EVERY = 30.0  # how often lines are written that grow [s]
+_EVERY = 30.0  # time between two writes of a file that grows [s]
 
 
-class Store(Target):
-    """A place that fsspec knows; see `Target`. Credentials are found as fsspec finds them.
+class Store:
+    """A place at a URL, with the methods of `Disk`; fsspec finds the credentials.
 
     Attributes:
-        url: Where it is.
+        url: The URL.
+        links: Whether assets can share texture maps by links.
     """
 
     links = False
@@ -43,17 +42,17 @@ class Store(Target):
     def __init__(self, url: str) -> None:
         self.url = url.rstrip("/")
         with self._told():
-            self._files.invalidate_cache()  # others write to it too
+            self._files.invalidate_cache()  # other processes write to it too
 
     def __str__(self) -> str:
         return self.url
 
     def __reduce__(self) -> tuple[type["Store"], tuple[str]]:
-        """Let another process make connections and a cache of its own."""
+        """Pickle the URL alone: another process makes its own connections and cache."""
         return Store, (self.url,)
 
     def absolute(self) -> "Store":
-        """Return the place as processes with another working directory find it."""
+        """Return the place for processes with another working directory."""
         return self
 
     @contextmanager
@@ -70,21 +69,24 @@ class Store(Target):
                     self._files.rm_file(self._at(LOCK_FILE))
 
     def names(self) -> list[str]:
-        """Return what lies directly in it."""
+        """Return the names of the files and folders in the place, without those of a run itself."""
         with self._told():
             try:
                 found = self._files.ls(self._root, detail=True)
             except FileNotFoundError:
                 return []
-            if [each["type"] for each in found if each["name"].strip("/") == self._root.strip("/")] == [
-                "file"
-            ]:
+            own = [each["type"] for each in found if each["name"].strip("/") == self._root.strip("/")]
+            if own == ["file"]:
                 raise ExportError(f"cannot write a dataset to {self}: it is a file; choose another place")
         names = [each["name"].rstrip("/").rpartition("/")[2] for each in found]
         return [name for name in names if name and name != LOCK_FILE]
 
+    def read(self, path: str) -> bytes | None:
+        """Return the content of a file; None if there is none."""
+        return self.contents([path]).get(path)
+
     def contents(self, paths: Iterable[str]) -> dict[str, bytes]:
-        """Return what the files hold, of those that there are."""
+        """Return the contents of those files that exist."""
         places = {self._at(path): path for path in paths}
         if not places:
             return {}
@@ -96,13 +98,13 @@ class Store(Target):
         return {places[at]: content for at, content in found.items() if isinstance(content, bytes)}
 
     def write(self, path: str, content: bytes) -> None:
-        """Write a file, which nobody sees by half."""
+        """Write a file, which is complete or absent."""
         with self._told():
             self._pipe({path: content})
 
-    def lines(self, path: str, text: str) -> "_StoreLines":
-        """Begin a file with some lines, to add others."""
-        return _StoreLines(self, path, text)
+    def lines(self, path: str, text: str) -> "StoreLines":
+        """Begin a file that grows by a line at a time."""
+        return StoreLines(self, path, text)
 
     def complete(self, paths: Iterable[str]) -> set[str]:
         """Return those directories that have an `asset.json`."""
@@ -112,7 +114,7 @@ class Store(Target):
         return {path for path in paths if self._at(f"{path}/{ASSET_FILE}") in there}
 
     def put(self, files: Mapping[str, bytes], path: str, *, share: bool) -> None:
-        """Put an asset in its directory."""
+        """Put an asset in its directory, which is complete or counts as absent."""
         with self._told():
             if not self._files.exists(self._at(PLAN_FILE)):
                 raise unseen(self)
@@ -122,7 +124,7 @@ class Store(Target):
             self._pipe({last: whole[last]})
 
     def local(self, path: str) -> Path:
-        """Return the directory of an asset on this machine."""
+        """Return the directory of an asset on this machine, fetched once."""
         place = inside(self._cache, path)
         if not place.exists():
             with self._told():
@@ -141,33 +143,32 @@ class Store(Target):
     @property
     def _files(self) -> Any:
         """The file system of fsspec."""
-        return self._found[0]
+        return self._opened_url()[0]
 
     @property
     def _root(self) -> str:
-        """The place in its words."""
-        return self._found[1]
+        """The path of the place in that file system."""
+        return self._opened_url()[1]
 
-    @property
-    def _found(self) -> tuple[Any, str]:
-        """Both; fsspec remembers them, and makes connections anew in a process that was forked."""
+    def _opened_url(self) -> tuple[Any, str]:
+        """Return file system and path; fsspec caches them, and reconnects in a forked process."""
         try:
             from fsspec.core import url_to_fs
         except ImportError as error:
             raise ExportError(f"{self.url} needs fsspec: pip install 'artgen[url]'") from error
         try:
             files, root = url_to_fs(self.url)
-        except (ImportError, ValueError) as error:  # the package for such URLs is missing, or there is none
+        except (ImportError, ValueError) as error:  # no such protocol, or its package is missing
             raise ExportError(f"{self.url} cannot be opened: {error}") from error
         return files, root.rstrip("/")
 
     @cached_property
     def _cache(self) -> Path:
-        """Where assets are fetched to; assets read surfaces late, so it is there until the process ends."""
+        """Folder of fetched assets, removed at the exit of the process: assets read surfaces late."""
         folder, process = tempfile.mkdtemp(prefix="artgen_"), os.getpid()
 
         def remove() -> None:
-            if os.getpid() == process:  # a forked one has it from its parent
+            if os.getpid() == process:  # not in a fork
                 shutil.rmtree(folder, ignore_errors=True)
 
         atexit.register(remove)
@@ -181,18 +182,18 @@ class Store(Target):
         self._in_folders(files, lambda: self._files.pipe(content))
 
     def _in_folders(self, paths: Iterable[str], write: Callable[[], None]) -> None:
-        """Write files; where the store has folders that want to be made, in those."""
+        """Write files; create their folders where the store has folders."""
         try:
             write()
         except FileNotFoundError:
             parents = {self._at(str(each)) for path in paths for each in PurePosixPath(path).parents[:-1]}
-            for folder in sorted({self._root, *parents} - {""}):  # those above others first
+            for folder in sorted({self._root, *parents} - {""}):  # parents first
                 with suppress(FileExistsError):
                     self._files.mkdir(folder, create_parents=False)  # a bucket that is missing is a mistake
             write()
 
     def _own(self, owner: bytes) -> None:
-        """Write who holds the place, or refuse because another does."""
+        """Mark the place as held by this run; refuse it if another run holds it."""
         other = self.read(LOCK_FILE)
         if other is None:
             try:
@@ -200,15 +201,16 @@ class Store(Target):
             except FileExistsError:
                 other = self.read(LOCK_FILE) or owner
             else:
-                other = self.read(LOCK_FILE)  # the last one to write it, where a store cannot refuse
+                other = self.read(LOCK_FILE)  # the last writer, where a store cannot refuse
         if other != owner:
+            holder = (other or b"unknown").decode(errors="replace")
             raise ExportError(
-                f"another run ({_spelt(other or b'')}) writes to {self}; wait until it is done, or choose "
+                f"another run ({holder}) writes to {self}; wait until it is done, or choose "
                 f"another place; if it was killed, remove {self}/{LOCK_FILE} and run the same command again"
             )
 
     def _create(self, path: str, content: bytes) -> None:
-        """Write a file, or raise FileExistsError where the store can tell that there is one."""
+        """Write a file; raise FileExistsError if it exists, where the store supports that."""
 
         def write() -> None:
             with self._files.open(self._at(path), "xb") as file:
@@ -216,25 +218,25 @@ class Store(Target):
 
         try:
             self._in_folders([path], write)
-        except (NotImplementedError, ValueError, TypeError):  # it knows no such mode
+        except (NotImplementedError, ValueError, TypeError):  # the mode is not supported
             self._pipe({path: content})
 
     @contextmanager
     def _told(self) -> Iterator[None]:
-        """Say where it was that a store refused, whatever its package raises."""
+        """Turn any error of a store into an ExportError that names the place."""
         try:
             yield
         except ExportError:
             raise
-        except Exception as error:  # network and credentials: no two packages have the same errors
+        except Exception as error:  # each package has errors of its own
             reason = " ".join(str(error).split()) or type(error).__name__
             raise ExportError(
                 f"{self} cannot be used: {reason}; check the URL and its credentials"
             ) from error
 
 
-class _StoreLines:
-    """Lines that are written as a whole from time to time: objects cannot grow."""
+class StoreLines:
+    """A file that grows; it is written as a whole from time to time, because objects cannot grow."""
 
     def __init__(self, store: Store, path: str, text: str) -> None:
         self._store, self._path = store, path
@@ -242,12 +244,14 @@ class _StoreLines:
         self._write()
 
     def add(self, line: str) -> None:
+        """Add a line, which ends with a line break."""
         self._parts.append(line)
         self._new = True
         if time.monotonic() - self._at > _EVERY:
             self._write()
 
     def close(self) -> None:
+        """Write the lines that are still missing."""
         if self._new:
             self._write()
 
@@ -257,31 +261,22 @@ class _StoreLines:
 
 
 def _owner() -> bytes:
-    """Spell who this process is."""
-    data = {
-        "host": socket.gethostname(),
-        "process": os.getpid(),
-        "since": datetime.now(UTC).isoformat(timespec="seconds"),
-        "id": uuid.uuid4().hex,
-    }
-    return json.dumps(data).encode()
-
-
-def _spelt(owner: bytes) -> str:
-    try:
-        data = json.loads(owner)
-        return f"process {data['process']} on {data['host']}, since {data['since']}"
-    except (ValueError, LookupError, TypeError):
-        return "unknown"
+    """Return the unique description of this run for the lock."""
+    since = datetime.now(UTC).isoformat(timespec="seconds")
+    return f"process {os.getpid()} on {socket.gethostname()}, since {since}, run {uuid.uuid4().hex}".encode()
 
 
 def is_url(place: str | Path) -> bool:
-    """Tell whether a place is a URL, `file:` included; parts of chained ones are parted by `::`."""
+    """Tell whether a place is a URL; `file:` is one, and so are chained URLs, such as `zip::s3://x`."""
     return isinstance(place, str) and ("://" in place or "::" in place)
 
 
+Target = Disk | Store
+"""A place of a dataset."""
+
+
 def target_of(place: str | Path) -> Target:
-    """Return the target of a folder or URL."""
+    """Return the place of a folder or URL."""
     if isinstance(place, Path) or not is_url(place):
         return Disk(Path(place))
     parts = urlsplit(place)

@@ -1,4 +1,4 @@
-"""Assets without end, generated on the fly for training."""
+"""Endless assets, generated on the fly for training."""
 
 import logging
 import sys
@@ -16,19 +16,23 @@ _log = logging.getLogger("artgen")
 
 
 class Stream(Iterable[Asset]):
-    """Assets of some categories in turn, from seeds that follow one another; see `stream`.
+    """Endless assets of some categories in turn, from consecutive seeds; see `stream`.
 
     Attributes:
-        categories: Their names.
+        categories: Names of the categories.
         seed: The first seed.
-        options: What `generate` takes, overrides included.
+        options: Options of `generate`, overrides included.
     """
 
     def __init__(self, categories: tuple[str, ...], seed: int, options: dict[str, Any]) -> None:
         self.categories, self.seed, self.options = categories, seed, options
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Pickle the stream for a worker, which creates the class again."""
+        return _stream_of, (self.categories, self.seed, self.options)
+
     def __iter__(self) -> Iterator[Asset]:
-        """Yield assets without end; a worker of a PyTorch DataLoader its share of them."""
+        """Yield assets without end; a worker of a PyTorch DataLoader yields its share of them."""
         number, step = _share()
         while True:
             category = self.categories[number % len(self.categories)]
@@ -41,18 +45,18 @@ class Stream(Iterable[Asset]):
 
 
 def stream(categories: str | Iterable[str], *, seed: int = 0, **options: Any) -> Stream:
-    """Return assets without end, generated when they are asked for.
+    """Return an endless stream of assets, generated when they are accessed.
 
-    It can be iterated again and begins anew then. In the workers of a PyTorch DataLoader, forked or spawned,
-    each generates its share; give it `batch_size=None`, or a `collate_fn`, as assets are no tensors. It is an
-    `IterableDataset` where torch was imported before.
+    Each iteration begins with the first seed. In a PyTorch DataLoader, each worker, forked or spawned,
+    generates its share; pass `batch_size=None` or a `collate_fn`, as assets are not tensors. The stream is an
+    `IterableDataset` if torch was imported before.
 
         loader = torch.utils.data.DataLoader(artgen.stream("door"), batch_size=None, num_workers=4)
 
     Args:
-        categories: Name of a category, or several, which take turns.
+        categories: Name of a category, or several names, which take turns.
         seed: The first seed.
-        **options: What `artgen.generate` takes: values and distributions of parameters, `certify=False`, ...
+        **options: Options of `artgen.generate`: values and distributions of parameters, `certify=False`, ...
 
     Raises:
         ParameterError: A category, the seed, an option or an override is unknown or not allowed.
@@ -64,30 +68,24 @@ def stream(categories: str | Iterable[str], *, seed: int = 0, **options: Any) ->
     drawn = {name: value for name, value in options.items() if name not in RESERVED}
     for name in names:
         find(name).sample(first, overrides=drawn)
-    if "torch" in sys.modules:
-        return _torch_stream()(names, first, options)
-    return Stream(names, first, options)
+    return _stream_of(names, first, options)
 
 
 @cache
 def _torch_stream() -> type[Stream]:
-    """Return the class of streams that PyTorch's DataLoader iterates."""
+    """Return the stream class for the DataLoader of PyTorch."""
     from torch.utils.data import IterableDataset
 
-    return type("TorchStream", (Stream, IterableDataset), {"__reduce__": _pickled, "__doc__": Stream.__doc__})
+    return type("TorchStream", (Stream, IterableDataset), {"__doc__": Stream.__doc__})
 
 
-def _pickled(self: Stream) -> tuple[Any, ...]:
-    """Pickle a stream for a worker, which makes a class of its own."""
-    return _unpickled, (self.categories, self.seed, self.options)
-
-
-def _unpickled(*fields: Any) -> Stream:
-    return _torch_stream()(*fields)
+def _stream_of(*fields: Any) -> Stream:
+    """Return a stream, for the DataLoader of PyTorch if torch was imported."""
+    return (_torch_stream() if "torch" in sys.modules else Stream)(*fields)
 
 
 def _share() -> tuple[int, int]:
-    """Return the first of the assets for this process, and from one to the next how many are others'."""
+    """Return the number of the first asset for this process, and the step to the next one."""
     if "torch" in sys.modules:
         from torch.utils.data import get_worker_info
 

@@ -1,4 +1,4 @@
-"""Tasks in processes of their own, with a time limit: none of them can end a run."""
+"""Jobs whose tasks run in processes of their own with a time limit, and that can be interrupted."""
 
 import multiprocessing
 import os
@@ -7,6 +7,7 @@ import sys
 import threading
 import time
 import traceback
+from collections import Counter
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass
@@ -17,31 +18,63 @@ from types import ModuleType
 from typing import Any, Literal, Protocol
 
 _THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")  # each process has one core
-_START = 60.0  # that a process may take to start, beside its first task [s]
+_START = 60.0  # time limit for the start of a process, added to that of its first task [s]
 
 State = Literal["done", "failed", "timed out", "crashed"]
 
 
 @dataclass(frozen=True)
 class Ending:
-    """How a task ended."""
+    """The result of a task."""
 
-    item: Any  # what it was given
-    # `done`; `failed` where it raised; `timed out` where it took too long; `crashed` where its process died
-    state: State
-    value: Any = None  # what it returned; None unless it is done
-    message: str = ""  # what went wrong; empty if it is done
+    item: Any  # the argument of the task
+    state: State  # `failed`: it raised an exception; `crashed`: its process died
+    value: Any = None  # return value; None unless it is done
+    message: str = ""  # error message or traceback; empty if it is done
+
+    @property
+    def reason(self) -> str:
+        """The last line of the message."""
+        return self.message.strip().rpartition("\n")[2]
 
 
-class Engine(Protocol):
-    """A function that runs a task for each item, and yields how each ends, in the order in which they do."""
+Engine = Callable[..., Iterator[Ending]]
+"""A function of task, items and time limit [s] that runs a task for each item, as `run_tasks` does."""
 
-    def __call__(self, task: Callable[[Any], Any], items: Iterable[Any], *, limit: float) -> Iterator[Ending]:
-        """Run them; a task may take `limit` [s], and is ended then."""
+
+class Job(Protocol):
+    """Work on many items that can be interrupted, because each item is on record as soon as it is done."""
+
+    @property
+    def task(self) -> Callable[[Any], Any]:
+        """The function that runs in a worker process, on one item."""
+
+    def left(self) -> Iterable[Any]:
+        """Return the items that are not on record."""
+
+    def add(self, ending: Ending) -> Any:
+        """Put an item on record, and return the record."""
+
+
+def run_job(job: Job, engine: Engine, *, limit: float, tries: int = 1) -> Iterator[Any]:
+    """Do the remaining items of a job, and yield each record after it was added.
+
+    A task that ends its process, or takes longer than `limit` [s], runs up to `tries` times.
+    """
+    left, tried = job.left(), Counter[Any]()
+    while left:
+        again = []
+        for ending in engine(job.task, left, limit=limit):
+            tried[ending.item] += 1
+            if ending.state in ("crashed", "timed out") and tried[ending.item] < tries:
+                again.append(ending.item)
+            else:
+                yield job.add(ending)
+        left = again
 
 
 def cores() -> int:
-    """Return how many cores this process may use."""
+    """Return the number of cores that this process may use."""
     if hasattr(os, "sched_getaffinity"):
         return len(os.sched_getaffinity(0))
     return os.cpu_count() or 1
@@ -50,7 +83,7 @@ def cores() -> int:
 def run_tasks(
     task: Callable[[Any], Any], items: Iterable[Any], *, jobs: int, limit: float
 ) -> Iterator[Ending]:
-    """Run a task for each item, and yield how each ends, in the order in which they do."""
+    """Run a task for each item in processes of this machine, and yield the endings as they come."""
     for name in _THREADS:
         os.environ.setdefault(name, "1")
     waiting = iter(items)
@@ -83,12 +116,12 @@ class Worker:
     """A process that runs a task on one item after another.
 
     Attributes:
-        pipe: Where it is given items, and answers.
-        deadline: When its task has to be done, on the monotonic clock [s].
+        pipe: Connection for items and answers.
+        deadline: End of the time limit of its task, on the monotonic clock [s].
     """
 
     def __init__(self, task: Callable[[Any], Any], item: Any, limit: float) -> None:
-        context = multiprocessing.get_context("spawn")  # no threads and locks of this process come along
+        context = multiprocessing.get_context("spawn")  # copies no threads and locks
         self.pipe, other = context.Pipe()
         self._limit = limit
         self._process: BaseProcess = context.Process(target=_work, args=(task, other), daemon=True)
@@ -99,33 +132,30 @@ class Worker:
         self.deadline += _START
 
     def give(self, item: Any) -> None:
-        """Give it the next item."""
+        """Send the next item."""
         self._item = item
         self.deadline = time.monotonic() + self._limit
-        with suppress(OSError):  # it was killed since it answered: `ending` tells
+        with suppress(OSError):  # it was killed after its answer: `ending` reports that
             self.pipe.send(item)
 
     def ending(self, *, readable: bool) -> Ending | None:
-        """Return how its task ended; None if it has not."""
+        """Return the ending of its task; None while it runs."""
         if readable:
             try:
-                state, value = self.pipe.recv()
+                answer = self.pipe.recv()
             except (EOFError, OSError):
                 self._process.join()
                 code = self._process.exitcode
                 return Ending(self._item, "crashed", message=f"its process ended with code {code}")
-            if state == "ready":
-                self.deadline = time.monotonic() + self._limit
-                return None
-            if state == "done":
-                return Ending(self._item, "done", value)
-            return Ending(self._item, "failed", message=value)
-        if time.monotonic() >= self.deadline:
+            if answer is not None:
+                return Ending(self._item, *answer)
+            self.deadline = time.monotonic() + self._limit  # the process has started
+        elif time.monotonic() >= self.deadline:
             return Ending(self._item, "timed out", message=f"it took more than {self._limit:g} s")
         return None
 
     def stop(self) -> None:
-        """End the process, whatever it does."""
+        """Kill the process."""
         self._process.kill()
         self._process.join()
         self.pipe.close()
@@ -133,10 +163,7 @@ class Worker:
 
 @contextmanager
 def _unnamed_main() -> Iterator[None]:
-    """Keep new processes from running the program of the user again, which may have no `__name__` guard.
-
-    They import the module of their task and need nothing else.
-    """
+    """Hide the main program from new processes: without a `__name__` guard, each would run it again."""
     main = sys.modules["__main__"]
     sys.modules["__main__"] = ModuleType("__main__")
     try:
@@ -147,11 +174,11 @@ def _unnamed_main() -> Iterator[None]:
 
 @contextmanager
 def _deaf() -> Iterator[None]:
-    """Keep Ctrl-C from new processes while they start: those that begin inherit what is blocked here."""
+    """Block Ctrl-C for new processes while they start; they inherit the blocked signals."""
     if not hasattr(signal, "pthread_sigmask"):
         yield
         return
-    resource_tracker.ensure_running()  # it begins with the first process otherwise, and lifts the block
+    resource_tracker.ensure_running()  # started later, it would lift the block
     before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
     try:
         yield
@@ -160,24 +187,25 @@ def _deaf() -> Iterator[None]:
 
 
 def _work(task: Callable[[Any], Any], pipe: Connection) -> None:
-    """Answer one item after another, until the other end is closed or the process that gives them is gone."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the process that gives the items
+    """Answer one item after another, until the other end of the pipe is closed or the parent is gone."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the parent
     threading.Thread(target=_end_with_parent, daemon=True).start()
-    pipe.send(("ready", None))
-    while True:
-        try:
-            item = pipe.recv()
-        except EOFError:
-            return
-        try:
-            answer = ("done", task(item))
-        except Exception:  # noqa: BLE001 - whatever a task raises is its answer
-            answer = ("failed", traceback.format_exc())
-        pipe.send(answer)
+    pipe.send(None)
+    with suppress(EOFError):
+        while True:
+            pipe.send(attempt(task, pipe.recv()))
+
+
+def attempt(task: Callable[[Any], Any], item: Any) -> tuple[State, Any, str]:
+    """Run a task on an item; return state, value and message of its ending."""
+    try:
+        return "done", task(item), ""
+    except Exception:  # noqa: BLE001 - any exception is an answer
+        return "failed", None, traceback.format_exc()
 
 
 def _end_with_parent() -> None:
-    """End this process once the one that started it was killed: its task may write where a new run does."""
+    """End this process if its parent was killed: its task might write into the folder of a new run."""
     parent = multiprocessing.parent_process()
     if parent is not None:
         parent.join()

@@ -1,4 +1,4 @@
-"""Demonstrations: what the scripted policy does in a task, in robomimic's HDF5 layout; needs `artgen[demos]`.
+"""Demonstrations of the scripted policy in a task, in the HDF5 layout of robomimic; needs `artgen[demos]`.
 
 `artgen demos OpenDrawer -n 100 --out DIR` and `make_demos` write `DIR/demo.hdf5`, which imitation code reads.
 """

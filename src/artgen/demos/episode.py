@@ -1,4 +1,4 @@
-"""One demonstration: what the scripted policy sees and does in a task, with one asset."""
+"""One demonstration: observations and actions of the scripted policy in a task, with one asset."""
 
 from dataclasses import dataclass
 from typing import Any
@@ -10,7 +10,7 @@ from artgen.errors import EnvError, ParameterError, nearest
 
 Array = NDArray[Any]
 
-_AFTERWARDS = 40  # most steps that are recorded once the task is done, in which the hand lets go
+_AFTERWARDS = 40  # most steps after success, in which the hand lets go
 
 
 @dataclass(frozen=True, eq=False)
@@ -18,13 +18,13 @@ class Demo:
     """An episode of n steps.
 
     Attributes:
-        seed: Of the asset, and of all that is drawn.
-        asset: Its name.
-        success: Whether the task was done.
-        observations: By name, before the first step and after each, shape (n + 1, ...).
-        actions: What the policy wanted in each step, shape (n, 7), in [-1, 1].
-        applied: What was done, with the noise.
-        rewards: Shape (n,).
+        seed: Seed of the asset and of all random numbers.
+        asset: Name of the asset.
+        success: Whether the task succeeded.
+        observations: Observations by name, before the first step and after each, shape (n + 1, ...).
+        actions: Action of the policy in each step, shape (n, 7), in [-1, 1].
+        applied: The actions with noise, shape (n, 7), in [-1, 1].
+        rewards: Reward of each step, shape (n,).
         dones: 1 in the last step, else 0, shape (n,).
         states: Time, positions and velocities of MuJoCo before each step, shape (n, m).
     """
@@ -44,7 +44,7 @@ class Demo:
 
 
 def check_task(task: str) -> None:
-    """Refuse a task that there is not, or that cannot be done here."""
+    """Refuse an unknown task, or any task where the environments are not installed."""
     try:
         from artgen.envs import TASKS
     except ImportError as error:
@@ -54,13 +54,13 @@ def check_task(task: str) -> None:
 
 
 def record(task: str, seed: int, *, image: int = 0, noise: float = 0.0) -> Demo:
-    """Let the scripted policy do a task once.
+    """Record one attempt of the scripted policy at a task.
 
     Args:
-        task: Its name.
-        seed: Of the asset, and of all that is drawn.
+        task: Name of the task.
+        seed: Seed of the asset and of all random numbers.
         image: Pixels on a side of the pictures among the observations; 0 for none.
-        noise: Spread of what is added at random to the motion of the arm.
+        noise: Standard deviation of the noise that is added to the motion of the arm.
 
     Raises:
         ParameterError: There is no such task.
@@ -83,7 +83,7 @@ def record(task: str, seed: int, *, image: int = 0, noise: float = 0.0) -> Demo:
 
 
 def _episode(env: Any, policy: Any, seed: int, image: int, noise: float) -> Demo:
-    """Step through an episode, and a little on after the task is done."""
+    """Step through an episode, and some more steps after success."""
     env.reset(seed=seed, options={"asset": seed})
     scene, rng = env.unwrapped, np.random.default_rng((seed, 1))
     states, seen = [_state(scene)], [_observations(scene, image)]
@@ -92,9 +92,8 @@ def _episode(env: Any, policy: Any, seed: int, image: int, noise: float) -> Demo
     while not over and left > 0 and not (success and policy.done):
         action = np.clip(policy.action(), -1.0, 1.0).astype(np.float32)
         done = action.copy()
-        done[:6] = np.clip(
-            done[:6] + noise * rng.standard_normal(6), -1.0, 1.0
-        )  # the fingers do as they should
+        # no noise on the fingers
+        done[:6] = np.clip(done[:6] + noise * rng.standard_normal(6), -1.0, 1.0)
         _, reward, ended, truncated, info = env.step(done)
         states.append(_state(scene))
         seen.append(_observations(scene, image))
@@ -119,12 +118,12 @@ def _episode(env: Any, policy: Any, seed: int, image: int, noise: float) -> Demo
 
 
 def _state(scene: Any) -> Array:
-    """Return the state of the simulation as robosuite flattens it."""
+    """Return the state of the simulation in the order of robosuite."""
     return np.concatenate(([scene.data.time], scene.data.qpos, scene.data.qvel))
 
 
 def _observations(scene: Any, image: int) -> dict[str, Array]:
-    """Return what is seen now."""
+    """Return the observations of the current state."""
     found: dict[str, Array] = {"state": scene.state()}
     if image:
         found["image"] = scene.picture(image, camera="front")

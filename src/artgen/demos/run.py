@@ -1,17 +1,32 @@
-"""Many demonstrations of a task, made by processes and written in the order of their seeds."""
+"""Many demonstrations of a task, made by processes and written in the order of their seeds.
 
+The HDF5 layout is that of robomimic: a group for each demonstration, and lists for training and validation.
+
+data              attributes: total, env_args (JSON)
+  demo_0          attributes: num_samples, asset, seed
+    obs/state     before each step, shape (n, ...); obs/image with pictures
+    next_obs/...  after each step
+    actions       shape (n, 7), in [-1, 1]
+    rewards, dones, states
+mask/train, mask/valid    names of demonstrations
+"""
+
+import json
+import shutil
 import time
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Generator, Iterable, Iterator, Mapping
+from contextlib import closing
 from dataclasses import dataclass
 from functools import partial
+from io import BytesIO
 from pathlib import Path
 from typing import Any
 
-from artgen.dataset.lock import locked
-from artgen.dataset.workers import Ending, cores, run_tasks
-from artgen.demos import layout
+import numpy as np
+
+from artgen.dataset.disk import Disk, locked
+from artgen.dataset.workers import Ending, cores, run_job, run_tasks
 from artgen.demos.episode import Demo, check_task, record
-from artgen.demos.resume import Kept, read
 from artgen.errors import CheckError, ExportError, ParameterError
 from artgen.export.files import replaced
 from artgen.version import __version__
@@ -19,21 +34,28 @@ from artgen.version import __version__
 DEMO_FILE = "demo.hdf5"
 """The file with all demonstrations."""
 
-_KEPT = ".attempts"  # folder of what an unfinished run has made
-_LIMIT = 900.0  # that one demonstration may take [s]
-_SPARE = 10  # more attempts than twice as many as demonstrations
+VALID_EVERY = 10
+"""One of so many demonstrations is for validation."""
+
+_ATTEMPTS = ".attempts"  # folder of the attempts of an unfinished run
+_PLAN = "plan.json"
+_LIMIT = 900.0  # time limit for one attempt [s]
+_SPARE = 10  # attempts in addition to twice the number of demonstrations
+_SERIES = ("actions", "applied", "rewards", "dones", "states")
+_OBSERVED = "obs/"  # begins the names of observations in the file of an attempt
+_GYM = 2  # number of robomimic for environments of Gymnasium
 
 
 @dataclass(frozen=True)
 class Summary:
-    """What a run did.
+    """The result of a run.
 
     Attributes:
-        file: What it wrote.
-        demos: How many demonstrations there are.
-        steps: How many steps they have together.
-        failed: Why each seed gave no demonstration.
-        seconds: How long it took.
+        file: The file that it wrote.
+        demos: Number of demonstrations.
+        steps: Number of their steps in all.
+        failed: The reason why a seed gave no demonstration, by seed.
+        seconds: Duration of the run [s].
     """
 
     file: Path
@@ -54,26 +76,26 @@ def make_demos(
     jobs: int | None = None,
     progress: Callable[[bool], None] = lambda succeeded: None,
 ) -> Summary:
-    """Let the scripted policy do a task until it has succeeded so often, each time with another asset.
+    """Record successes of the scripted policy in a task, each with another asset.
 
     The bytes of the file depend on the task, the count, the seed, the image size and the noise alone.
 
     Args:
-        task: Its name, such as `OpenDrawer`.
-        count: How many demonstrations to write.
-        out: Folder for `demo.hdf5`, which is complete or absent; one of an earlier run is replaced. A run
-            that was interrupted goes on from what it has made, which is in `.attempts` there till the end.
-        seed: Of the first asset; those after it follow.
+        task: Name of the task, such as `OpenDrawer`.
+        count: Number of demonstrations.
+        out: Folder for `demo.hdf5`, which is complete or absent; one of an earlier run is replaced. An
+            interrupted run is continued from its attempts, which are in the folder `.attempts` until the end.
+        seed: Seed of the first asset; the others follow.
         image: Pixels on a side of the pictures among the observations; 0 for none.
-        noise: Spread of what is added at random to the motion of the arm, so that demonstrations show how to
-            get back to the way; the actions are those wanted, `applied` those that were done.
-        jobs: How many processes work; all cores by default.
-        progress: Told after each attempt whether it succeeded.
+        noise: Standard deviation of a disturbance of the arm's actions, so that demonstrations include
+            corrections; `actions` are those of the policy, `applied` the disturbed ones.
+        jobs: Number of processes; by default the number of cores.
+        progress: Called after each attempt, with its success.
 
     Raises:
         ParameterError: There is no such task, or a number is out of its range.
         EnvError: A package of the environments is not installed.
-        ExportError: h5py is not installed, `demo.hdf5` is there and not artgen's, or the disk refuses.
+        ExportError: h5py is not installed, `demo.hdf5` exists and is not of artgen, or the disk refuses.
         CheckError: The policy fails too often; nothing is written.
     """
     check_task(task)
@@ -81,35 +103,161 @@ def make_demos(
     _check("the size of an image", image, 0, 4096)
     _check("the noise", noise, 0.0, 1.0)
     file = Path(out) / DEMO_FILE
-    layout.hdf5()
-    if file.exists() and not layout.is_ours(file):
-        raise ExportError(f"{file} is there and holds no demonstrations of artgen; choose another directory")
-    start, steps = time.monotonic(), 0
+    if not is_replaceable(file):
+        raise ExportError(f"{file} exists and holds no demonstrations of artgen; choose another directory")
+    start = time.monotonic()
     failed: dict[int, str] = {}
-    attempts = range(seed, seed + 2 * count + _SPARE)
+    seeds = range(seed, seed + 2 * count + _SPARE)
     plan = {"task": task, "image": image, "noise": noise, "version": __version__}
-    with locked(_folder(file.parent)), replaced(file) as partial_file, layout.writer(partial_file) as writer:
-        kept = Kept(file.parent / _KEPT, plan)
-        for ending in _endings(partial(record, task, image=image, noise=noise), attempts, kept, jobs):
+
+    def successes(endings: Iterable[Ending]) -> Iterator[Demo]:
+        done = 0
+        for ending in endings:
             demo: Demo | None = ending.value
-            if demo is not None and demo.success:
-                writer.add(demo)
-                steps += len(demo)
-            else:
-                failed[ending.item] = _reason(ending)
+            if demo is None or not demo.success:
+                failed[ending.item] = ending.reason if demo is None else "time was over before success"
             progress(ending.item not in failed)
-            if len(writer.names) == count:
-                break
-        if len(writer.names) < count:
-            last = failed[max(failed)]
-            kept.remove()
-            raise CheckError(
-                f"the scripted policy of {task} succeeded in {len(writer.names)} of {len(attempts)} "
-                f"attempts, too few for {count} demonstrations; nothing was written. The last failure: {last}"
-            )
-        writer.finish(f"artgen/{task}-v0", {"obs": "state"})
-    kept.remove()
+            if demo is not None and demo.success:
+                yield demo
+                done += 1
+                if done == count:
+                    return
+        attempts.remove()
+        raise CheckError(
+            f"the scripted policy of {task} succeeded in {done} of {len(seeds)} attempts, too few for "
+            f"{count} demonstrations; nothing was written. The last failure: {failed[max(failed)]}"
+        )
+
+    with locked(_folder(file.parent)), replaced(file) as partial_file:
+        made_by = partial(record, task, image=image, noise=noise)
+        attempts = Attempts(file.parent / _ATTEMPTS, plan, seeds, made_by)
+        with closing(attempts.endings(jobs or cores())) as endings:
+            steps = write_demos(partial_file, successes(endings), f"artgen/{task}-v0", {"obs": "state"})
+    attempts.remove()
     return Summary(file, count, steps, failed, time.monotonic() - start)
+
+
+class Attempts:
+    """A folder with a file for each attempt of an unfinished run; as a `Job`, its items are the seeds."""
+
+    def __init__(
+        self, folder: Path, plan: Mapping[str, Any], seeds: range, task: Callable[[int], Demo]
+    ) -> None:
+        self.task, self._seeds, self._folder = task, seeds, Disk(folder)
+        text = json.dumps(dict(plan), sort_keys=True).encode()
+        if self._folder.read(_PLAN) != text:  # attempts of another plan
+            if folder.exists():
+                shutil.rmtree(folder)
+            self._folder.write(_PLAN, text)
+
+    def left(self) -> list[int]:
+        """Return the seeds without a file."""
+        return [seed for seed in self._seeds if not self._path(seed).exists()]
+
+    def add(self, ending: Ending) -> Ending:
+        """Write the file of an attempt; one that was killed has none, so that the next run repeats it."""
+        if ending.state in ("done", "failed"):
+            content: dict[str, Any] = {"message": np.array(ending.message)}
+            demo: Demo | None = ending.value
+            if demo is not None:
+                content |= {key: np.asarray(getattr(demo, key)) for key in ("asset", "success", *_SERIES)}
+                content |= {_OBSERVED + key: each for key, each in demo.observations.items()}
+            packed = BytesIO()
+            np.savez(packed, allow_pickle=False, **content)
+            self._folder.write(self._path(ending.item).name, packed.getvalue())
+        return ending
+
+    def read(self, seed: int) -> Ending:
+        """Read the ending of an attempt."""
+        with np.load(self._path(seed), allow_pickle=False) as content:
+            if "asset" not in content:
+                return Ending(seed, "failed", message=str(content["message"]))
+            names = [key for key in content.files if key.startswith(_OBSERVED)]
+            observed = {key.removeprefix(_OBSERVED): content[key] for key in names}
+            series = {key: content[key] for key in _SERIES}
+            demo = Demo(seed, str(content["asset"]), bool(content["success"]), observed, **series)
+            return Ending(seed, "done", demo)
+
+    def endings(self, jobs: int) -> Generator[Ending]:
+        """Yield the endings of all attempts in the order of the seeds; missing ones are made."""
+        left = set(self.left())
+        made = in_order(run_job(self, partial(run_tasks, jobs=jobs), limit=_LIMIT), sorted(left))
+        for seed in self._seeds:
+            yield next(made) if seed in left else self.read(seed)
+
+    def remove(self) -> None:
+        """Remove the folder."""
+        shutil.rmtree(self._folder.path, ignore_errors=True)
+
+    def _path(self, seed: int) -> Path:
+        return self._folder.path / f"{seed}.npz"
+
+
+def in_order(endings: Iterable[Ending], items: Iterable[Any]) -> Iterator[Ending]:
+    """Yield endings in the order of their items; early ones wait."""
+    early: dict[Any, Ending] = {}
+    arriving = iter(endings)
+    for item in items:
+        while item not in early:
+            ending = next(arriving)
+            early[ending.item] = ending
+        yield early.pop(item)
+
+
+def write_demos(path: Path, demos: Iterable[Demo], environment: str, arguments: Mapping[str, Any]) -> int:
+    """Write a file of demonstrations, and return the number of their steps."""
+    names, total = [], 0
+    with _hdf5().File(path, "w", track_order=False) as file:
+        data = file.create_group("data")
+        for number, demo in enumerate(demos):
+            name = f"demo_{number}"
+            group = data.create_group(name)
+            for key, series in demo.observations.items():
+                _put(group, f"obs/{key}", series[:-1])
+                _put(group, f"next_obs/{key}", series[1:])
+            for key in _SERIES:
+                _put(group, key, getattr(demo, key))
+            group.attrs["num_samples"] = len(demo)
+            group.attrs["asset"] = demo.asset
+            group.attrs["seed"] = demo.seed
+            total += len(demo)
+            names.append(name)
+        made = {"env_name": environment, "env_type": _GYM, "env_kwargs": dict(arguments)}
+        data.attrs["total"] = total
+        data.attrs["env_args"] = json.dumps(made, indent=4)
+        valid = names[VALID_EVERY - 1 :: VALID_EVERY]
+        for key, some in (("train", [each for each in names if each not in valid]), ("valid", valid)):
+            file.create_dataset(f"mask/{key}", data=np.array(some, "S"))
+    return total
+
+
+def _put(group: Any, key: str, series: Any) -> None:
+    """Add an array; pictures are compressed one by one."""
+    packed = series.ndim == 4  # time, rows, columns and colors
+    options = {"chunks": (1, *series.shape[1:]), "compression": "gzip"} if packed and len(series) else {}
+    group.create_dataset(key, data=series, **options)
+
+
+def _hdf5() -> Any:
+    try:
+        import h5py
+    except ImportError as error:
+        raise ExportError(
+            "demonstrations are HDF5 files, which need h5py: pip install 'artgen[demos]'"
+        ) from error
+    return h5py
+
+
+def is_replaceable(path: Path) -> bool:
+    """Tell whether there is no such file, or one with demonstrations of artgen."""
+    h5py = _hdf5()
+    if not path.exists():
+        return True
+    try:
+        with h5py.File(path, "r") as file:
+            return str(json.loads(file["data"].attrs["env_args"])["env_name"]).startswith("artgen/")
+    except (OSError, KeyError, ValueError, TypeError):
+        return False
 
 
 def _folder(path: Path) -> Path:
@@ -120,33 +268,6 @@ def _folder(path: Path) -> Path:
     return path
 
 
-def _endings(task: Callable[[int], Demo], seeds: range, kept: Kept, jobs: int | None) -> Iterator[Ending]:
-    """Yield how each attempt ended, in the order of the seeds: read, where an interrupted run has made it."""
-    there = kept.of(seeds)
-    todo = [seed for seed in seeds if seed not in there]
-    made = in_order(kept.saved(run_tasks(task, todo, jobs=jobs or cores(), limit=_LIMIT)), todo)
-    for seed in seeds:
-        yield read(seed, there[seed]) if seed in there else next(made)
-
-
-def in_order(endings: Iterable[Ending], items: Iterable[Any]) -> Iterator[Ending]:
-    """Yield how tasks ended in the order of their items; those that are early wait."""
-    early: dict[Any, Ending] = {}
-    arriving = iter(endings)
-    for item in items:
-        while item not in early:
-            ending = next(arriving)
-            early[ending.item] = ending
-        yield early.pop(item)
-
-
-def _reason(ending: Ending) -> str:
-    """Say why an attempt gave no demonstration."""
-    if ending.state == "done":
-        return "the time was over before it succeeded"
-    return ending.message.strip().splitlines()[-1]
-
-
-def _check(what: str, value: float, least: float, most: float) -> None:
+def _check(name: str, value: float, least: float, most: float) -> None:
     if not least <= value <= most:
-        raise ParameterError(f"{what} is {value:g}; it can be {least:g} to {most:g}")
+        raise ParameterError(f"{name} is {value:g}; it can be {least:g} to {most:g}")

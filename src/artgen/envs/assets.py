@@ -1,30 +1,33 @@
-"""Where a task's assets come from: a folder, a list, seeds, or all seeds there are."""
+"""The assets of a task, from a folder, a list or seeds, and a cache of their compiled models."""
 
+import copy
+from collections import OrderedDict
 from collections.abc import Hashable, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
+from artgen._caching import cached_property
 from artgen.asset import Asset
 from artgen.dataset import Dataset
+from artgen.envs.motion import Target
+from artgen.envs.scene import Scene, compiled
+from artgen.envs.task import Task
 from artgen.errors import EnvError
 
-if TYPE_CHECKING:
-    from artgen.envs.task import Task
-
 Source = str | Path | Dataset | Sequence[Asset] | range | None
-"""A folder that `artgen generate` made, a dataset, assets, seeds to draw them from, or None for all seeds."""
+"""A folder made by `artgen generate`, a dataset, assets, a range of seeds, or None for all seeds."""
 
-_SEEDS = 2**31  # seeds that are drawn from where none are given
+_SEEDS = 2**31  # number of all seeds
 
 
 class Assets:
-    """The assets of a task by number, each made or read when it is asked for.
+    """The assets of a task by number, made or read on access.
 
     Args:
         task: The task.
-        source: Where they come from; of a folder or dataset, those of the task's category.
+        source: Their source; in a folder or dataset, those of the task's category.
 
     Raises:
         EnvError: There are none, or some in a list are of another category.
@@ -32,10 +35,10 @@ class Assets:
 
     Attributes:
         task: The task.
-        keys: Their numbers: places in a dataset or list, or seeds.
+        keys: Their numbers: indices in a dataset or list, or seeds.
     """
 
-    def __init__(self, task: "Task", source: Source = None) -> None:
+    def __init__(self, task: Task, source: Source = None) -> None:
         self.task = task
         self._known: Sequence[Asset] | None = None
         self.keys: Sequence[int] = range(_SEEDS)
@@ -50,7 +53,7 @@ class Assets:
         if not len(self.keys):
             raise EnvError(
                 f"{task.name} got no assets: give a folder, assets or a range of seeds that is not empty, "
-                f"or None to draw a {task.category} anew for each episode"
+                f"or None for a new {task.category} in each episode"
             )
         if self._known is None and min(self.keys[0], self.keys[-1]) < 0:
             raise EnvError(f"{task.name} got the seeds {self.keys}; seeds are not negative")
@@ -60,7 +63,7 @@ class Assets:
         return int(self.keys[int(rng.integers(len(self.keys)))])
 
     def identity(self, key: int) -> Hashable:
-        """Return what stands for the asset of a number, the same wherever it is taken for this task."""
+        """Return the key of an asset in the cache, the same for equal sources and tasks."""
         if self._known is None:
             return self.task
         if isinstance(self._known, Dataset):
@@ -68,19 +71,15 @@ class Assets:
         return self.task, self._known[key]
 
     def load(self, key: int) -> Asset:
-        """Return the asset of a number.
-
-        Raises:
-            EnvError: There is none.
-        """
+        """Return the asset of a number, or raise an EnvError if there is none."""
         if key not in self.keys:
             raise EnvError(
-                f"{self.task.name} has no asset {key!r}; its numbers are {self.keys[0]} to {self.keys[-1]}"
+                f"{self.task.name} has no asset {key!r}; the numbers are {self.keys[0]} to {self.keys[-1]}"
             )
         return self.task.generate(key) if self._known is None else self._known[key]
 
 
-def _of_category(task: "Task", source: "str | Path | Dataset") -> Dataset:
+def _of_category(task: Task, source: str | Path | Dataset) -> Dataset:
     dataset = source if isinstance(source, Dataset) else Dataset(source)
     found = sorted({str(record["category"]) for record in dataset.records})
     if task.category not in found:
@@ -92,7 +91,7 @@ def _of_category(task: "Task", source: "str | Path | Dataset") -> Dataset:
     return dataset.filter(task.category)
 
 
-def _checked(task: "Task", assets: Any) -> Sequence[Asset]:
+def _checked(task: Task, assets: Any) -> Sequence[Asset]:
     for asset in assets if isinstance(assets, Sequence) else (assets,):
         if not isinstance(asset, Asset):
             raise EnvError(
@@ -104,3 +103,48 @@ def _checked(task: "Task", assets: Any) -> Sequence[Asset]:
                 f"{asset.category!r}"
             )
     return tuple(assets)
+
+
+class CompiledAsset:
+    """An asset with its compiled model and its variants of a task."""
+
+    def __init__(self, task: Task, asset: Asset, key: int, *, visual: bool, textures: int) -> None:
+        self.asset = asset
+        self._task, self._key, self._visual, self._textures = task, key, visual, textures
+        self._targets: dict[int, Target | str] = {}
+
+    @cached_property
+    def _model(self) -> Any:
+        return compiled(self.asset, visual=self._visual, textures=self._textures)
+
+    def scene(self) -> Scene:
+        """Return a scene with a model of its own, whose robot can move."""
+        return Scene(self.asset, copy.copy(self._model))
+
+    def target(self, number: int) -> Target:
+        """Return a variant of the task; it depends on the asset and the number alone."""
+        if number not in self._targets:
+            try:
+                self._targets[number] = self._task.target(
+                    self.asset, np.random.default_rng([self._key, number])
+                )
+            except EnvError as error:
+                self._targets[number] = str(error)
+        found = self._targets[number]
+        if isinstance(found, str):
+            raise EnvError(found)
+        return found
+
+
+_cache: OrderedDict[Hashable, CompiledAsset] = OrderedDict()
+
+
+def compiled_asset(assets: Assets, key: int, *, visual: bool, textures: int, most: int) -> CompiledAsset:
+    """Return the compiled asset of a number from the cache of the process, which keeps the `most` recent."""
+    name = (assets.identity(key), key, visual, textures)
+    if name not in _cache:
+        while len(_cache) >= most:
+            _cache.popitem(last=False)
+        _cache[name] = CompiledAsset(assets.task, assets.load(key), key, visual=visual, textures=textures)
+    _cache.move_to_end(name)
+    return _cache[name]

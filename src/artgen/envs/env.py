@@ -1,6 +1,7 @@
 """Manipulation tasks as environments of Gymnasium: a Panda and an asset, another one in each episode."""
 
-from collections.abc import Mapping
+import math
+from collections.abc import Mapping, Sequence
 from typing import Any, Literal
 
 import gymnasium
@@ -10,47 +11,61 @@ from numpy.typing import NDArray
 
 from artgen._arrays import Array
 from artgen.asset import Asset
-from artgen.envs.assets import Assets, Source
-from artgen.envs.compiled_assets import ready
-from artgen.envs.motion import Stage, Target
-from artgen.envs.observing import PROPRIOCEPTION, STATE, handle, proprioception, state
-from artgen.envs.pictures import Pictures
-from artgen.envs.rewards import dense, reward
-from artgen.envs.scene import CAMERAS, STEPS, TIME_STEP, Scene
+from artgen.envs.assets import Assets, Source, compiled_asset
+from artgen.envs.motion import Stage, Target, tip_of
+from artgen.envs.robot import OPENING
+from artgen.envs.scene import CAMERAS, STEPS, TIME_STEP, Pictures, Scene
 from artgen.envs.task import TASKS, Task
 from artgen.errors import EnvError, ParameterError, nearest
 
 RATE = round(1.0 / (STEPS * TIME_STEP))
-"""Actions in a second [1/s]."""
+"""Actions per second [1/s]."""
 
-_MOST_TRIES = 50  # assets without the part that are passed over in a row
-_SIZES = (16, 4096)  # pixels on a side of a picture
+PROPRIOCEPTION = 30
+"""Size of the observation of the robot alone."""
+
+STATE = PROPRIOCEPTION + 17
+"""Size of the observation of robot and asset."""
+
+DENSE = 10.0
+"""Largest sum of the rewards of an episode without the bonus."""
+
+BONUS = 20.0
+"""Reward of success, once."""
+
+NEAR, ALONG = 0.3, 0.7  # shares of nearness and of progress in the reward of a stage
+STEEPNESS = 5.0  # at 0.2 m a quarter of the reward of nearness is left [1/m]
+ACTION = 0.05  # cost of an action of 1 in all directions, as a share of all stages
+_SPEED = 0.5  # factor of speeds in observations, so that most numbers are within 1
+
+_MOST_TRIES = 50  # unsuitable assets in a row before the reset fails
+_SIZES = (16, 4096)  # range of pixels on a side of a picture
 _OBSERVATIONS = ("state", "rgb")
 _NOT_BEGUN = "{} has not begun; call reset() first"
-JITTER = 0.02  # of the arm's angles at reset, as robosuite has it [rad]
+JITTER = 0.02  # of the angles of the arm at reset, as in robosuite [rad]
 
 
 class ManipulationEnv(gymnasium.Env[Any, NDArray[np.float32]]):
-    """A Panda that has to move an asset's joints.
+    """A Panda that moves the joints of an asset.
 
     An action has 7 numbers within -1 and 1, at 20 Hz: a shift of the tip, of at most 0.05 m along each axis
-    of the world, a turn, of at most 0.5 rad about each, and the opening that the hand takes: -1 wide open,
-    1 closed, with force. The world is the asset's own frame.
+    of the world, a turn, of at most 0.5 rad about each, and the opening of the hand: -1 wide open, 1 closed,
+    with force. The frame of the world is that of the asset.
 
     Args:
         task: Name of a task, or a task.
-        assets: A folder that `artgen generate` made, a `Dataset`, assets, a `range` of seeds, or None to
-            draw a new asset for each episode. Assets on which the task cannot be done are passed over.
-        obs: `state`, numbers that tell all that matters, or `rgb`, pictures and what the robot feels.
-        in_turn: Whether each reset takes the next asset rather than a random one; one with a seed begins
-            with the asset at that place, counted round.
+        assets: A folder made by `artgen generate`, a `Dataset`, assets, a `range` of seeds, or None for a new
+            asset in each episode. Assets that are unsuitable for the task are skipped.
+        obs: `state`, numbers of robot and asset, or `rgb`, pictures and numbers of the robot.
+        in_turn: Whether each reset takes the next asset rather than a random one; a reset with a seed
+            continues from the asset at that index, modulo their number.
         terminate_on_success: Whether an episode ends when the task is done.
         size: Pixels on a side of the pictures.
-        textures: Texels on a side of the maps of the asset in pictures; 0 for colours alone.
-        scenes: How many assets with their compiled models the process keeps for all its environments, those
-            used last; one takes about 15 MB.
-        places: How many ways to set the task up are kept of each asset: where the robot stands, the pose of
-            its hand, and of several like parts the one to move.
+        textures: Texels on a side of the texture maps in pictures; 0 for plain colors.
+        scenes: Number of compiled assets that the process caches for all its environments; one takes about
+            15 MB.
+        places: Number of variants of the task on each asset: the place of the robot, the pose of its hand,
+            and the part to move among several equal ones.
         render_mode: `rgb_array`, so that `render()` returns a picture; None for no pictures.
 
     Raises:
@@ -60,8 +75,8 @@ class ManipulationEnv(gymnasium.Env[Any, NDArray[np.float32]]):
     Attributes:
         task: The task.
         asset: The asset of this episode.
-        target: What the task means on it.
-        steps: How many actions an episode has.
+        target: The stages of the task on it, and the place of the robot.
+        steps: Number of actions of an episode.
     """
 
     metadata: dict[str, Any] = {"render_modes": ["rgb_array"], "render_fps": RATE}  # noqa: RUF012 - Gymnasium's
@@ -107,12 +122,12 @@ class ManipulationEnv(gymnasium.Env[Any, NDArray[np.float32]]):
         """Begin an episode with another asset.
 
         Args:
-            seed: Decides all that follows, if it is given.
-            options: `asset`: the number of the asset to take: its place in the folder or list, or its seed.
+            seed: Seed of all random numbers from this reset on.
+            options: `asset`: the number of the asset: its index in the folder or list, or its seed.
 
         Raises:
-            EnvError: The asset that was asked for, or every one of the set, lacks what the task is about.
-            ParameterError: There is an unknown option.
+            EnvError: The chosen asset, or each one that was tried, is unsuitable for the task.
+            ParameterError: An option is unknown.
         """
         super().reset(seed=seed)
         if seed is not None:
@@ -128,7 +143,7 @@ class ManipulationEnv(gymnasium.Env[Any, NDArray[np.float32]]):
         return self._observed(), self._info()
 
     def step(self, action: Any) -> tuple[Any, float, bool, bool, dict[str, Any]]:
-        """Let the robot do an action; returns observation, reward, terminated, truncated and info."""
+        """Do an action; return observation, reward, terminated, truncated and info."""
         scene = self.scene
         taken = np.clip(np.asarray(action, float), -1.0, 1.0)
         if taken.shape != (7,) or not np.isfinite(taken).all():
@@ -140,8 +155,8 @@ class ManipulationEnv(gymnasium.Env[Any, NDArray[np.float32]]):
         first = success and not self._succeeded
         self._succeeded |= success
         distance = float(np.linalg.norm(self._handle[:3, 3] - scene.tip()[:3, 3]))
-        worth = dense(self._progress, self._done, distance)
-        gained = reward(worth, taken, self.steps, success=first)
+        value = dense(self._progress, self._done, distance)
+        gained = reward(value, taken, self.steps, success=first)
         ended = first and self._ends
         return self._observed(), gained, ended, self._step >= self.steps, self._info()
 
@@ -159,7 +174,7 @@ class ManipulationEnv(gymnasium.Env[Any, NDArray[np.float32]]):
         """The model and its state.
 
         Raises:
-            EnvError: There was no reset yet.
+            EnvError: There was no reset.
         """
         if self._scene is None:
             raise EnvError(_NOT_BEGUN.format(self.task.name))
@@ -172,7 +187,7 @@ class ManipulationEnv(gymnasium.Env[Any, NDArray[np.float32]]):
 
     @property
     def target(self) -> Target:
-        """What the task means on the asset of this episode."""
+        """The stages of the task on the asset of this episode, and the place of the robot."""
         if self._target is None:
             raise EnvError(_NOT_BEGUN.format(self.task.name))
         return self._target
@@ -192,30 +207,30 @@ class ManipulationEnv(gymnasium.Env[Any, NDArray[np.float32]]):
         return self.scene.tip()
 
     def q(self, joint: str) -> float:
-        """Return where a joint of the asset stands [rad or m]."""
+        """Return the position of a joint of the asset [rad or m]."""
         return self.scene.q(joint)
 
     def reached(self) -> tuple[bool, ...]:
-        """Tell of each stage whether it is done: its joint was at the goal, or still is if it must stay."""
+        """Tell for each stage whether it is done: its joint was at the goal, or still is if it must stay."""
         return tuple(self._done)
 
     def state(self) -> NDArray[np.float32]:
-        """Return the observation of the state, whatever the environment's observations are."""
+        """Return the observation of robot and asset, for any setting of `obs`."""
         number, stage = self._stage()
         return state(self.scene, self.target.base, stage, self._handle, number / len(self._done))
 
     def picture(self, size: int = 256, camera: str = "front", *, shadows: bool = False) -> NDArray[np.uint8]:
-        """Return a picture of the scene as it is, shape (size, size, 3).
+        """Return a picture of the current scene, shape (size, size, 3).
 
         Args:
             size: Pixels on a side.
-            camera: `front`, which looks on, or `hand`, on the hand.
-            shadows: Whether things cast shadows; without a graphics card that takes more than twice as long.
+            camera: `front`, beside the robot, or `hand`, on the hand.
+            shadows: Whether there are shadows; without a graphics card they take more than twice the time.
 
         Raises:
             EnvError: The environment was made without pictures.
             ParameterError: There is no such camera.
-            RenderError: There is no way to draw without a window.
+            RenderError: OpenGL cannot draw without a window.
         """
         if not self._visual:
             raise EnvError("pictures need render_mode='rgb_array' or obs='rgb' when the environment is made")
@@ -224,7 +239,7 @@ class ManipulationEnv(gymnasium.Env[Any, NDArray[np.float32]]):
         return self._pictures.take(self.scene, size, camera, shadows=shadows)
 
     def _begin(self, wanted: int | None) -> tuple[Scene, Target]:
-        """Return the scene of the next asset that the task can be done on, and what has to be done."""
+        """Return the scene and the target of the next suitable asset."""
         reason = ""
         tries = _MOST_TRIES if wanted is None else 1
         for _ in range(tries):
@@ -236,10 +251,10 @@ class ManipulationEnv(gymnasium.Env[Any, NDArray[np.float32]]):
                 reason = str(error)
         if wanted is not None:
             raise EnvError(reason)
-        raise EnvError(f"{self.task.name} found no fit asset in {tries} draws; the last one: {reason}")
+        raise EnvError(f"{self.task.name} found no suitable asset in {tries} draws; the last one: {reason}")
 
     def _next(self) -> int:
-        """Return the number of the asset whose turn it is."""
+        """Return the number of the next asset."""
         if not self._in_turn:
             return self.assets.draw(self.np_random)
         key = self.assets.keys[self._turn % len(self.assets.keys)]
@@ -247,15 +262,17 @@ class ManipulationEnv(gymnasium.Env[Any, NDArray[np.float32]]):
         return key
 
     def _set_up(self, key: int, number: int) -> tuple[Scene, Target]:
-        """Return an asset's scene and one of the ways to set the task up on it."""
-        found = ready(self.assets, key, visual=self._visual, textures=self._textures, most=self._most)
+        """Return the scene of an asset and a variant of the task on it."""
+        found = compiled_asset(
+            self.assets, key, visual=self._visual, textures=self._textures, most=self._most
+        )
         target = found.target(number)
         if self._scene is not None and self._scene.asset is found.asset:
             return self._scene, target
         return found.scene(), target
 
     def _note(self) -> None:
-        """Note how far the stages are and which are done: one that is not done holds up those after it."""
+        """Update the progress of the stages; a stage is done only after those before it."""
         before = True
         for number, stage in enumerate(self.target.stages):
             position = self.scene.q(stage.joint)
@@ -265,7 +282,7 @@ class ManipulationEnv(gymnasium.Env[Any, NDArray[np.float32]]):
         self._handle = handle(self.scene, self._stage()[1])
 
     def _stage(self) -> tuple[int, Stage]:
-        """Return the stage that the robot is at, the last one if all are done, with its number."""
+        """Return the current stage, the last one if all are done, with its number."""
         stages = self.target.stages
         number = self._done.index(False) if False in self._done else len(stages) - 1
         return number, stages[number]
@@ -310,7 +327,9 @@ def _check_options(obs: str, numbers: Mapping[str, tuple[Any, int, int]], render
 def _wanted_asset(options: Mapping[str, Any] | None) -> int | None:
     for name in options or {}:
         if name != "asset":
-            raise ParameterError(f"reset has no option {name!r}; it knows 'asset', the number of an asset")
+            raise ParameterError(
+                f"reset has no option {name!r}; its option is 'asset', the number of an asset"
+            )
     return (options or {}).get("asset")
 
 
@@ -320,3 +339,78 @@ def _observation_space(obs: str, size: int) -> spaces.Space[Any]:
     picture = spaces.Box(0, 255, (size, size, 3), np.uint8)
     robot = spaces.Box(-np.inf, np.inf, (PROPRIOCEPTION,), np.float32)
     return spaces.Dict({"rgb": picture, "hand_rgb": picture, "robot": robot})
+
+
+def handle(scene: Scene, stage: Stage) -> Array:
+    """Return the current pose of the tip at the affordance of a stage, shape (4, 4) [m]."""
+    affordance = stage.affordance
+    return np.asarray(scene.pose(affordance.link) @ tip_of(affordance))
+
+
+def proprioception(scene: Scene, base: Array) -> NDArray[np.float32]:
+    """Return the observation of the robot alone, shape (30,).
+
+    In order: angles of the arm (7) [rad], half their speeds (7) [rad/s], vector from base to tip (3) [m],
+    x and z axes of the tip (6), half its velocity (3) [m/s], half its angular velocity (3) [rad/s], opening
+    of the hand (1), 0-1.
+    """
+    control, tip = scene.control, scene.tip()
+    of_robot = [
+        scene.data.qpos[control.at],
+        _SPEED * scene.speeds[control.dofs],
+        tip[:3, 3] - base[:3, 3],
+        tip[:3, 0],
+        tip[:3, 2],
+        _SPEED * control.velocity(),
+        [scene.opening() / (2.0 * OPENING)],
+    ]
+    return np.concatenate(of_robot, dtype=np.float32)
+
+
+def state(scene: Scene, base: Array, stage: Stage, pose: Array, share: float) -> NDArray[np.float32]:
+    """Return the observation of robot and asset, shape (47,).
+
+    After `proprioception`: vector from the tip to the handle (3) [m], x and z axes of the handle (6), along
+    which fingers close and the hand approaches, direction of the handle as its joint moves to the goal (3),
+    progress of the joint, 0-1, its distance to the goal [rad or m] and its speed [rad/s or m/s], whether the
+    contact is a grasp, and the share of stages that are done. `pose` is the `handle` of the current stage.
+    """
+    toward, position = np.sign(stage.goal - stage.start), scene.q(stage.joint)
+    way = toward * scene.motion(stage.joint, pose[:3, 3])
+    of_asset = [
+        pose[:3, 3] - scene.tip()[:3, 3],
+        pose[:3, 0],
+        pose[:3, 2],
+        way / max(float(np.linalg.norm(way)), 1e-9),
+        [stage.progress(position), toward * (stage.goal - position), toward * scene.speed(stage.joint)],
+        [float(stage.affordance.kind == "grasp"), share],
+    ]
+    return np.concatenate([proprioception(scene, base), *of_asset], dtype=np.float32)
+
+
+def dense(progress: Sequence[float], done: Sequence[bool], distance: float) -> float:
+    """Return the value of a state, 0-1.
+
+    Each stage contributes up to its share of 1: a part for the nearness of the tip, and a part for the
+    progress of the joint. A finished stage contributes its full share, a later one nothing, so that the next
+    stage never costs reward. `distance` is that from the tip to the handle of the current stage [m].
+    """
+    if all(done):
+        return 1.0
+    stage = list(done).index(False)
+    current = NEAR * (1.0 - math.tanh(STEEPNESS * distance)) + ALONG * progress[stage]
+    return (stage + current) / len(progress)
+
+
+def penalty(action: Array) -> float:
+    """Return the cost of an action, 0-0.05."""
+    return ACTION * float(action @ action) / len(action)
+
+
+def reward(value: float, action: Array, steps: int, *, success: bool) -> float:
+    """Return the reward of a step.
+
+    All steps of an episode give at most `DENSE`, so that success is worth more than any delay of it. `value`
+    is that of the state after the step, and `success` is true in the first step at which the task is done.
+    """
+    return DENSE / steps * (value - penalty(action)) + (BONUS if success else 0.0)

@@ -1,4 +1,4 @@
-"""What a task asks of one asset: the joints to move, where hands do it, and where the robot stands."""
+"""The target of a task on one asset: joints to move, contacts of the hand, and the place of the robot."""
 
 from dataclasses import dataclass
 from typing import Literal
@@ -14,44 +14,28 @@ OPEN = GRIPPER.stroke
 """Widest opening of the hand [m]."""
 
 BACK, FAR_BACK = 0.10, 0.16
-"""How far away the hand begins its approach: as a rule, and where chance would do the task too often [m]."""
+"""Distance at which the hand begins its approach: usually, and where chance would do the task [m]."""
 
 
 @dataclass(frozen=True, eq=False)
 class Contact:
-    """Where a hand touches a link, and how it comes there.
+    """A contact of the hand with a link, and its approach."""
 
-    Attributes:
-        kind: `grasp`, closing on the link; `push`, with the closed fingers.
-        link: Name of the link.
-        frame: Pose of the tip, the middle between the pads, at the link's rest pose: z out of the hand, x
-            along which the fingers close, shape (4, 4) [m].
-        width: Opening with which the hand comes [m].
-        back: How far away along the approach the hand starts, and to where it goes back afterwards [m].
-        through: Poses of the tip, in asset coordinates, that lead to the start of the approach.
-    """
-
-    kind: Literal["grasp", "push"]
-    link: str
-    frame: Array
-    width: float = 0.0
-    back: float = BACK
-    through: tuple[Array, ...] = ()
+    kind: Literal["grasp", "push"]  # a push is with closed fingers
+    link: str  # name of the link
+    frame: Array  # pose of the tip for the link at rest: z out of the hand, fingers close along x, (4, 4) [m]
+    width: float = 0.0  # opening of the hand in the approach [m]
+    back: float = BACK  # distance at which the approach begins, and to which the hand retreats [m]
+    through: tuple[Array, ...] = ()  # poses of the tip, in asset coordinates, before the approach
 
 
 @dataclass(frozen=True, eq=False)
 class Move:
-    """One motion of the hand with a link, for the scripted policy.
+    """One motion of the hand with a link, for the scripted policy."""
 
-    Attributes:
-        joint: Name of the joint that it moves.
-        until: Where the joint is let go [rad or m].
-        contact: Where the hand touches; None to keep what it holds.
-    """
-
-    joint: str
-    until: float
-    contact: Contact | None
+    joint: str  # name of the joint that it moves
+    until: float  # position at which the joint is released [rad or m]
+    contact: Contact | None  # None to keep the last contact
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,11 +44,11 @@ class Stage:
 
     Attributes:
         joint: Name of a free joint.
-        start: Where it stands at reset [rad or m].
-        goal: Position from which on the stage is reached, in the direction from `start` [rad or m].
-        affordance: Where a hand can move it.
-        moves: How the scripted policy does it.
-        holds: Whether the joint must still be there when later stages are reached; a lever need not.
+        start: Position at reset [rad or m].
+        goal: Position at which the stage is reached, or beyond it in the direction from `start` [rad or m].
+        affordance: Grasp or push that moves it.
+        moves: Motions of the scripted policy.
+        holds: Whether the joint must stay at the goal in later stages; a lever need not.
     """
 
     joint: str
@@ -75,7 +59,7 @@ class Stage:
     holds: bool = False
 
     def progress(self, position: float) -> float:
-        """Return the share of the way to the goal, 0-1."""
+        """Return the progress to the goal, 0-1."""
         return float(np.clip((position - self.start) / (self.goal - self.start), 0.0, 1.0))
 
     def reached(self, position: float) -> bool:
@@ -85,13 +69,13 @@ class Stage:
 
 @dataclass(frozen=True, eq=False)
 class Target:
-    """What a task means on one asset.
+    """The stages of a task on one asset, and the place of the robot.
 
     Attributes:
         stages: The joints to move, in order.
-        start: Positions of free joints at reset; the others stand at rest [rad or m].
-        base: Pose of the robot's base in asset coordinates, turned about z only, shape (4, 4) [m].
-        arm: Angles of the arm's joints at reset, shape (7,) [rad].
+        start: Positions of free joints at reset; the others are at rest [rad or m].
+        base: Pose of the base of the robot in asset coordinates, turned about z only, shape (4, 4) [m].
+        arm: Angles of the arm at reset, shape (7,) [rad].
         hand: Pose of the tip at reset in asset coordinates, shape (4, 4) [m].
     """
 
@@ -108,10 +92,7 @@ class Target:
 
 
 def tip_of(affordance: Affordance) -> Array:
-    """Return the pose of the tip that acts at an affordance, shape (4, 4) [m].
-
-    The ends of the fingers, which push, reach past the tip.
-    """
+    """Return the pose of the tip at an affordance, shape (4, 4) [m]; fingers push with their ends."""
     return lifted(affordance.frame, -GRIPPER.tip if affordance.kind == "push" else 0.0)
 
 
@@ -130,14 +111,7 @@ def turned(pose: Array, axis: int, angle: float) -> Array:
 
 
 def between(first: Array, second: Array, shift: float, turn: float) -> list[Array]:
-    """Return poses on the straight way from one to another, so near each other; both are left out.
-
-    Args:
-        first: Where it begins, shape (4, 4).
-        second: Where it ends, shape (4, 4).
-        shift: Most by which the place changes from one pose to the next [m].
-        turn: Most by which they turn against each other [rad].
-    """
+    """Return poses between two, without both, at most a shift [m] and a turn [rad] apart."""
     vector = rotation_vector(second[:3, :3] @ first[:3, :3].T)
     angle = float(np.linalg.norm(vector))
     apart = second[:3, 3] - first[:3, 3]
@@ -167,5 +141,5 @@ def rotation_vector(matrix: Array) -> Array:
 
 
 def contact_of(affordance: Affordance, back: float = BACK) -> Contact:
-    """Return the contact that an affordance describes."""
+    """Return the contact of an affordance."""
     return Contact(affordance.kind, affordance.link, tip_of(affordance), affordance.width, back)

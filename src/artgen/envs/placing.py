@@ -1,6 +1,6 @@
-"""Where the robot stands and how its hand is turned, so that the whole of a task is within its reach."""
+"""Places of the robot and orientations of its hand from which the whole of a task is within reach."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import islice, product
 
@@ -9,57 +9,139 @@ from numpy.typing import NDArray
 
 from artgen._arrays import Array
 from artgen.asset import Asset
-from artgen.envs.kinematics import BALL_JOINTS, BALL_PLACES, BALL_RADII, frames, reach
+from artgen.asset.gripper import GRIPPER
+from artgen.colliders import Convex
 from artgen.envs.motion import Contact, Move, Stage, Target, between, lifted, turned
-from artgen.envs.obstacles import HAND, Obstacles
-from artgen.envs.robot import HOME, LIMITS
+from artgen.envs.robot import BALL_JOINTS, BALL_PLACES, BALL_RADII, HOME, LIMITS, frames, reach
 
 Flags = NDArray[np.bool_]
 
-_STEPS = 6  # poses looked at along the way of a joint
-_BASES = 16  # places that are tried at once
+_STEPS = 6  # poses along the motion of a joint
+_BASES = 16  # places of the base that are tried at once
 _ROUNDS = 4
-_TOGETHER = 4  # ways of turning the hand that are compared
-_GOOD = 0.4  # score that needs no better one
-_POSTURES = 2  # of the arm from which it sets out, at each base
-_DISTANCES = (0.40, 0.50, 0.60, 0.70)  # from what is touched to the base [m]
-_ANGLES = np.radians([0.0, 20.0, -20.0, 40.0, -40.0, 60.0, -60.0, 85.0, -85.0])  # off the approach
-_ABOVE = (0.15, 0.30, 0.45, 0.60)  # the hand over the base [m]
-_STEP = 0.05  # a robot beside a table stands lower by this much at least [m]
-_FOOT = 0.16  # half the width of what the base stands on [m]
-_MISS = 2e-3  # by which the tip may miss [m]
-_MOST_COMBINED, _COMBINED = 5000, 24  # combinations that are looked at, and those that are tried
-_APART = (0.15, 0.4)  # from one pose of the tip to the next [m], [rad]
-_JUMP = 1.0  # of an angle from one pose to the next [rad]
+_BATCH = 4  # paths of the hand that are compared
+_GOOD = 0.4  # score at which the search ends
+_POSTURES = 2  # initial postures of the arm at each base
+_DISTANCES = (0.40, 0.50, 0.60, 0.70)  # from the contact to the base [m]
+_ANGLES = np.radians([0.0, 20.0, -20.0, 40.0, -40.0, 60.0, -60.0, 85.0, -85.0])  # of the base [rad]
+_ABOVE = (0.15, 0.30, 0.45, 0.60)  # height of the hand over the base [m]
+_STEP = 0.05  # least height of a table over the base beside it [m]
+_FOOT = 0.16  # half the width of the pedestal [m]
+_MISS = 2e-3  # largest error of the tip [m]
+_MOST_COMBINED, _COMBINED = 5000, 24  # combinations that are sorted, and that are tried
+_APART = (0.15, 0.4)  # largest step between poses of the tip [m], [rad]
+_JUMP = 1.0  # largest change of an angle between poses [rad]
 _TILTS = np.radians([0.0, 25.0, -25.0, 45.0, -45.0, 60.0, -60.0])
 _JITTER = 0.02  # of the hand at reset [m]
-_ROOM = 0.004  # around the hand [m]
-_FARTHER = (0.03, 0.08)  # beyond the start of the approach [m]
+_ROOM = 0.004  # clearance of the hand [m]
+_FARTHER = (0.03, 0.08)  # distance of the reset pose beyond the start of the approach [m]
+_TABLE = 1.0  # its height, more than a robot reaches down [m]
+_GRAZE = 0.001  # gap between the table and the asset [m]
+_UNIT = np.stack(np.meshgrid(*[[-1.0, 1.0]] * 3, indexing="ij"), axis=-1).reshape(-1, 3)
+
+HAND = np.array(
+    [
+        [-GRIPPER.hand[0] / 2.0, -GRIPPER.hand[1] / 2.0, GRIPPER.tip - GRIPPER.long - GRIPPER.hand[2]],
+        [GRIPPER.hand[0] / 2.0, GRIPPER.hand[1] / 2.0, GRIPPER.tip - GRIPPER.long],
+    ]
+)
+"""Corners of the box behind the fingers, in the tip's frame, shape (2, 3) [m]."""
+
+
+class Obstacles:
+    """An asset as obstacles: each collider as an oriented box that moves with its link.
+
+    Attributes:
+        asset: The asset.
+        raised: Whether it stands on a table of its own size.
+        floor: Height of the floor; far below the asset if there is a table [m].
+    """
+
+    def __init__(self, asset: Asset, *, raised: bool = False) -> None:
+        self.asset, self.raised = asset, raised
+        low, high = asset.bounds()
+        self.floor = float(low[2]) - (_TABLE if raised else 0.0)
+        pieces = [(number, each.convex) for number, link in enumerate(asset.links) for each in link.colliders]
+        if raised:
+            table = np.eye(4)
+            table[:3, 3] = [*(low + high)[:2] / 2.0, self.floor + _TABLE / 2.0 - _GRAZE]
+            pieces.append((0, Convex.box(np.array([*(high - low)[:2], _TABLE]), table)))
+        boxes = [_box(convex) for _, convex in pieces]
+        corners = [
+            convex.points if convex.kind == "hull" else (_UNIT * half) @ frame[:3, :3].T + frame[:3, 3]
+            for (_, convex), (frame, half) in zip(pieces, boxes, strict=True)
+        ]
+        self._links = np.array([number for number, _ in pieces])
+        self._frames, self._halves = (np.array(each) for each in zip(*boxes, strict=True))
+        self._corners = np.concatenate(corners)
+        self._piece = np.repeat(np.arange(len(corners)), [len(each) for each in corners])
+        self._first = np.searchsorted(self._piece, np.arange(len(corners)))
+
+    def depth(self, points: Array, pose: Mapping[str, Array]) -> Array:
+        """Return the depth of points, shape (n, 3), in the asset, negative outside, shape (n,) [m]."""
+        boxes = self._placed(pose)
+        local = (points[None] - boxes[:, None, :3, 3]) @ boxes[:, :3, :3]
+        return np.asarray((self._halves[:, None] - np.abs(local)).min(axis=2).max(axis=0))
+
+    def touch(self, corners: Array, frame: Array, pose: Mapping[str, Array]) -> bool:
+        """Tell whether a box with opposite corners in a frame, shape (2, 3) [m], overlaps the asset."""
+        own, half = frame[:3, :3], (corners[1] - corners[0]) / 2.0
+        middle = own @ corners.mean(axis=0) + frame[:3, 3]
+        low, high = self._extents(pose, own)
+        at = middle @ own
+        near = ((low <= at + half) & (high >= at - half)).all(axis=1)
+        chosen = np.flatnonzero(near)
+        if not len(chosen):
+            return False
+        boxes, halves = self._placed(pose)[chosen], self._halves[chosen]
+        turn = own.T @ boxes[:, :3, :3]  # axes of the boxes in the frame, (n, 3, 3)
+        apart = (boxes[:, :3, 3] - middle) @ own
+        sides = turn.swapaxes(1, 2)
+        edges = np.cross(np.eye(3)[:, None], sides[:, None]).reshape(-1, 9, 3)
+        axes = np.concatenate([np.broadcast_to(np.eye(3), sides.shape), sides, edges], axis=1)
+        reach = np.abs(axes) @ half + np.einsum("nij,nj->ni", np.abs(axes @ turn), halves)
+        between = np.abs(np.einsum("nij,nj->ni", axes, apart))
+        return bool((between <= reach + 1e-9).all(axis=1).any())
+
+    def spans(self, pose: Mapping[str, Array]) -> Array:
+        """Return the bounding boxes of all pieces in asset coordinates, shape (n, 2, 3) [m]."""
+        boxes = self._placed(pose)
+        reach = np.einsum("nij,nj->ni", np.abs(boxes[:, :3, :3]), self._halves)
+        return np.stack([boxes[:, :3, 3] - reach, boxes[:, :3, 3] + reach], axis=1)
+
+    def _extents(self, pose: Mapping[str, Array], axes: Array) -> tuple[Array, Array]:
+        """Return the extents of the pieces along axes, the columns of a matrix, shape (n, 3) each [m]."""
+        moved = self._moved(pose)[self._piece]
+        points = (np.einsum("nij,nj->ni", moved[:, :3, :3], self._corners) + moved[:, :3, 3]) @ axes
+        return np.minimum.reduceat(points, self._first), np.maximum.reduceat(points, self._first)
+
+    def _placed(self, pose: Mapping[str, Array]) -> Array:
+        """Return the poses of the boxes, shape (n, 4, 4)."""
+        return np.asarray(self._moved(pose) @ self._frames)
+
+    def _moved(self, pose: Mapping[str, Array]) -> Array:
+        """Return the displacement of each box from rest, shape (n, 4, 4)."""
+        return np.asarray(np.array([pose[link.name] for link in self.asset.links])[self._links])
 
 
 @dataclass(frozen=True, eq=False)
-class _Way:
-    """A way of the hand: poses of the tip, and of the links of the asset at each."""
+class _Path:
+    """A path of the hand."""
 
     moves: tuple[Move, ...]
-    tips: Array
-    poses: list[dict[str, Array]]
+    tips: Array  # poses of the tip, shape (n, 4, 4)
+    poses: list[dict[str, Array]]  # displacement of each link at each pose of the tip
 
 
 def place(
     asset: Asset, stages: Sequence[Stage], rng: np.random.Generator, *, raised: bool = False
 ) -> Target | None:
-    """Return a target with a place for the robot; None if none was found.
+    """Return a target with a place for the robot; None if there is no place.
 
-    Hands are turned about their approach, and tilted where they would strike something; bases are tried
-    around what is touched, at several distances and heights. Of those from which the arm follows every pose
-    of the way within its limits and beside the asset, the one that is farthest from singular is taken.
-
-    Args:
-        asset: The asset.
-        stages: What has to be done.
-        rng: Draws the places that are tried and the pose of the hand at reset.
-        raised: Whether the asset stands on a table; the robot then stands lower than it.
+    The hand is turned about its approach, and tilted where it would collide; bases are tried around the
+    contact at several distances and heights. The result is the base that is farthest from singular postures,
+    among those from which the arm follows the whole path within its limits and without collision. A raised
+    asset stands on a table, and the robot stands lower.
     """
     obstacles = Obstacles(asset, raised=raised)
     options = [
@@ -67,29 +149,29 @@ def place(
         for stage in stages
         for move in stage.moves
     ]
-    ways = [_way(obstacles, moves, rng) for moves in _combined(options)]
+    paths = [_path(obstacles, moves, rng) for moves in _combined(options)]
     best, most = None, 0.0
-    for way, bases in _trials(obstacles, ways, rng):
-        for score, base, arm in _followed(obstacles, way, bases, rng):
+    for path, bases in _trials(obstacles, paths, rng):
+        for score, base, arm in _followed(obstacles, path, bases, rng):
             if score > most:
-                best, most = (way, base, arm), score
+                best, most = (path, base, arm), score
         if most > _GOOD:
             break
     if best is None:
         return None
-    way, base, arm = best
+    path, base, arm = best
     hand = base @ frames(arm[None])[0, 7]
-    return Target(_with_moves(stages, way.moves), {}, base, arm, hand)
+    return Target(_with_moves(stages, path.moves), {}, base, arm, hand)
 
 
 def _trials(
-    obstacles: Obstacles, ways: Sequence[_Way], rng: np.random.Generator
-) -> Iterator[tuple[_Way, Array]]:
-    """Yield ways of the hand, few at a time, with places to try them from, few at a time."""
-    for first in range(0, len(ways), _TOGETHER):
-        some = [(way, _bases(obstacles, way, rng)) for way in ways[first : first + _TOGETHER]]
+    obstacles: Obstacles, paths: Sequence[_Path], rng: np.random.Generator
+) -> Iterator[tuple[_Path, Array]]:
+    """Yield paths of the hand with bases to try them from, few at a time."""
+    for first in range(0, len(paths), _BATCH):
+        some = [(path, _bases(obstacles, path, rng)) for path in paths[first : first + _BATCH]]
         for begin in range(0, _ROUNDS * _BASES, _BASES):
-            yield from ((way, bases[begin : begin + _BASES]) for way, bases in some if len(bases) > begin)
+            yield from ((path, bases[begin : begin + _BASES]) for path, bases in some if len(bases) > begin)
 
 
 def _with_moves(stages: Sequence[Stage], moves: Sequence[Move]) -> tuple[Stage, ...]:
@@ -98,19 +180,20 @@ def _with_moves(stages: Sequence[Stage], moves: Sequence[Move]) -> tuple[Stage, 
 
 
 def _combined(options: Sequence[Sequence[Move]]) -> list[tuple[Move, ...]]:
-    """Return combinations of the hands of all moves, those that come first for each move first."""
+    """Return combinations of the variants of all moves, the preferred ones first."""
     numbers = product(*(range(len(each)) for each in options))
     chosen = sorted(islice(numbers, _MOST_COMBINED), key=sum)[:_COMBINED]
     return [tuple(each[index] for each, index in zip(options, some, strict=True)) for some in chosen]
 
 
 def _variants(obstacles: Obstacles, move: Move, stages: Sequence[Stage]) -> Iterator[Move]:
-    """Yield a move with its hand turned in ways in which the hand strikes nothing, the least tilted first."""
+    """Yield variants of a move with the hand turned and without collision, the least tilted first."""
     contact = move.contact
     assert contact is not None
     rolls = [0.0, np.pi] if contact.kind == "grasp" else [0.0, np.pi / 2, np.pi, -np.pi / 2]
     axes = (0,) if contact.kind == "grasp" else (0, 1)
-    before = _start(stages, move)
+    moves = [each for stage in stages for each in stage.moves]
+    before = {each.joint: each.until for each in moves[: moves.index(move)]}
     for tilt in _TILTS:
         for axis in axes if tilt else (0,):
             for roll in rolls:
@@ -120,19 +203,8 @@ def _variants(obstacles: Obstacles, move: Move, stages: Sequence[Stage]) -> Iter
                     yield replace(move, contact=turn)
 
 
-def _start(stages: Sequence[Stage], until: Move) -> dict[str, float]:
-    """Return where joints stand as a move begins."""
-    q: dict[str, float] = {}
-    for stage in stages:
-        for move in stage.moves:
-            if move is until:
-                return q
-            q[move.joint] = move.until
-    return q
-
-
 def _free(obstacles: Obstacles, contact: Contact, q: dict[str, float], move: Move) -> bool:
-    """Tell whether the hand strikes nothing as it comes, and as it moves the joint."""
+    """Tell whether the hand collides neither in its approach nor in the motion of the joint."""
     asset, hand = obstacles.asset, HAND + np.array([[-_ROOM], [_ROOM]])
     start = q.get(move.joint, asset.joint(move.joint).closed)
     for share, back in ((0.0, contact.back), (0.0, 0.0), (0.5, 0.0), (1.0, 0.0)):
@@ -144,16 +216,16 @@ def _free(obstacles: Obstacles, contact: Contact, q: dict[str, float], move: Mov
     return True
 
 
-def _way(obstacles: Obstacles, moves: tuple[Move, ...], rng: np.random.Generator) -> _Way:
-    """Return the way of the hand through all moves."""
+def _path(obstacles: Obstacles, moves: tuple[Move, ...], rng: np.random.Generator) -> _Path:
+    """Return the path of the hand through all moves."""
     asset = obstacles.asset
     tips: list[Array] = []
     poses: list[dict[str, Array]] = []
 
     def add(tip: Array, pose: dict[str, Array]) -> None:
-        way = [*between(tips[-1], tip, *_APART), tip] if tips else [tip]
-        tips.extend(way)
-        poses.extend([pose] * len(way))
+        path = [*between(tips[-1], tip, *_APART), tip] if tips else [tip]
+        tips.extend(path)
+        poses.extend([pose] * len(path))
 
     q: dict[str, float] = {}
     contact: Contact | None = None
@@ -177,44 +249,40 @@ def _way(obstacles: Obstacles, moves: tuple[Move, ...], rng: np.random.Generator
             q[move.joint] = begin + share * (move.until - begin)
             pose = asset.pose(q)
             add(pose[contact.link] @ contact.frame, pose)
-    return _Way(moves, np.array(tips), poses)
+    return _Path(moves, np.array(tips), poses)
 
 
-def _bases(obstacles: Obstacles, way: _Way, rng: np.random.Generator) -> Array:
-    """Return places around a way that the asset leaves free, in random order, shape (n, 4, 4)."""
-    middle = (way.tips[:, :3, 3].min(axis=0) + way.tips[:, :3, 3].max(axis=0)) / 2.0
-    approach = way.tips[:, :2, 2].mean(axis=0)
+def _bases(obstacles: Obstacles, path: _Path, rng: np.random.Generator) -> Array:
+    """Return free bases around a path in random order, shape (n, 4, 4)."""
+    middle = (path.tips[:, :3, 3].min(axis=0) + path.tips[:, :3, 3].max(axis=0)) / 2.0
+    approach = path.tips[:, :2, 2].mean(axis=0)
     away = -approach if np.linalg.norm(approach) > 0.3 else np.array([0.0, -1.0])
     heading = np.arctan2(away[1], away[0])
-    spans = np.concatenate([obstacles.spans(pose) for pose in way.poses])
+    spans = np.concatenate([obstacles.spans(pose) for pose in path.poses])
     most = float(obstacles.asset.bounds()[0, 2]) - _STEP if obstacles.raised else np.inf
     lowest = obstacles.floor
     heights = sorted({round(min(max(lowest, middle[2] - above), most), 3) + 0.0 for above in _ABOVE})
     result = []
-    for angle in heading + _ANGLES:
-        for distance in _DISTANCES:
-            for height in heights:
-                place = np.array(
-                    [*(middle[:2] + distance * np.array([np.cos(angle), np.sin(angle)])), height]
-                )
-                low, high = place - (_FOOT, _FOOT, 10.0), place + (_FOOT, _FOOT, 0.35)
-                if ((spans[:, 0] < high) & (spans[:, 1] > low)).all(axis=1).any():
-                    continue
-                base = np.eye(4)
-                sine, cosine = np.sin(angle + np.pi), np.cos(angle + np.pi)
-                base[:2, :2] = [[cosine, -sine], [sine, cosine]]
-                base[:3, 3] = place
-                result.append(base)
+    for angle, distance, height in product(heading + _ANGLES, _DISTANCES, heights):
+        away = distance * np.array([np.cos(angle), np.sin(angle)])
+        place = np.array([*(middle[:2] + away), height])
+        low, high = place - (_FOOT, _FOOT, 10.0), place + (_FOOT, _FOOT, 0.35)
+        if not ((spans[:, 0] < high) & (spans[:, 1] > low)).all(axis=1).any():
+            base = np.eye(4)
+            sine, cosine = np.sin(angle + np.pi), np.cos(angle + np.pi)
+            base[:2, :2] = [[cosine, -sine], [sine, cosine]]
+            base[:3, 3] = place
+            result.append(base)
     return np.array(result)[rng.permutation(len(result))] if result else np.zeros((0, 4, 4))
 
 
 def _followed(
-    obstacles: Obstacles, way: _Way, bases: Array, rng: np.random.Generator
+    obstacles: Obstacles, path: _Path, bases: Array, rng: np.random.Generator
 ) -> list[tuple[float, Array, Array]]:
-    """Return scores, bases and angles at the start, for the bases from which the arm follows a way."""
+    """Return score, base and initial angles for each base from which the arm follows a path."""
     inverse = np.linalg.inv(bases)
     starts = _postures(rng)
-    local = inverse @ way.tips[0]
+    local = inverse @ path.tips[0]
     which = np.repeat(np.arange(len(bases)), len(starts))
     angles = np.tile(starts, (len(bases), 1))
     angles[:, 0] += np.arctan2(local[:, 1, 3], local[:, 0, 3])[which]
@@ -225,26 +293,26 @@ def _followed(
     kept = _first_of_each(which, score)
     angles, which, score = angles[kept], which[kept], score[kept]
     begin = angles
-    for index, tip in enumerate(way.tips):
+    for index, tip in enumerate(path.tips):
         if not len(which):
             return []
         moved, miss = reach(angles, inverse[which] @ tip, 8 if index else 2)
         good = (miss < _MISS) & (np.abs(moved - angles).max(axis=1) < _JUMP)
-        good[good] &= _clear(obstacles, way, index, bases[which[good]], moved[good])
+        good[good] &= _clear(obstacles, path, index, bases[which[good]], moved[good])
         score = np.minimum(score, _ease(moved))
         angles, begin, which, score = (each[good] for each in (moved, begin, which, score))
     return [(float(score[index]), bases[which[index]], begin[index]) for index in range(len(which))]
 
 
 def _first_of_each(which: NDArray[np.int64], score: Array) -> NDArray[np.int64]:
-    """Return the indices of the `_POSTURES` best of each base."""
+    """Return the indices of the `_POSTURES` best postures of each base."""
     order = np.argsort(-score, kind="stable")
     kept = [index for base in np.unique(which) for index in order[which[order] == base][:_POSTURES]]
     return np.array(kept, int)
 
 
 def _postures(rng: np.random.Generator) -> Array:
-    """Return postures from which inverse kinematics starts, shape (n, 7) [rad]."""
+    """Return initial postures of inverse kinematics, shape (n, 7) [rad]."""
     down = np.array([0.0, -0.3, 0.0, -2.2, 0.0, 1.9, np.pi / 4])
     ahead = np.array([0.0, -0.3, 0.0, -2.0, 0.0, 3.2, np.pi / 4])
     left = np.array([-0.5, 0.3, 0.8, -2.0, -0.9, 2.6, 0.5])
@@ -257,7 +325,7 @@ def _postures(rng: np.random.Generator) -> Array:
 
 
 def _ease(angles: Array) -> Array:
-    """Return how far postures are from singular ones and from the limits of the joints, shape (n,)."""
+    """Return the distance of postures from singular ones and from the limits of the joints, shape (n,)."""
     poses = frames(angles)
     axes, places = poses[:, :7, :3, 2], poses[:, :7, :3, 3]
     jacobian = np.concatenate([np.cross(axes, poses[:, None, 7, :3, 3] - places), 0.3 * axes], axis=2)
@@ -266,11 +334,26 @@ def _ease(angles: Array) -> Array:
     return np.asarray(np.minimum(least / 0.1, margin / 0.3))
 
 
-def _clear(obstacles: Obstacles, way: _Way, index: int, bases: Array, angles: Array) -> Flags:
-    """Tell of postures whether the arm behind the hand strikes neither the asset nor the floor."""
+def _clear(obstacles: Obstacles, path: _Path, index: int, bases: Array, angles: Array) -> Flags:
+    """Tell for each posture whether the arm behind the hand collides with nothing."""
     poses = (bases[:, None] @ frames(angles))[:, BALL_JOINTS]
     points = np.einsum("nkij,kj->nki", poses[..., :3, :3], BALL_PLACES) + poses[..., :3, 3]
-    depth = obstacles.depth(points.reshape(-1, 3), way.poses[index]).reshape(points.shape[:2])
+    depth = obstacles.depth(points.reshape(-1, 3), path.poses[index]).reshape(points.shape[:2])
     floor = np.minimum(bases[:, 2, 3], 0.0) if obstacles.raised else np.full(len(bases), obstacles.floor)
     low = points[:, :, 2] - floor[:, None]
     return np.asarray(((depth < -BALL_RADII) & (low > BALL_RADII)).all(axis=1))
+
+
+def _box(convex: Convex) -> tuple[Array, Array]:
+    """Return the pose of a box around a piece, shape (4, 4), and half its size, shape (3,) [m]."""
+    if convex.kind == "hull":
+        low, high = convex.bounds()
+        frame = np.eye(4)
+        frame[:3, 3] = (low + high) / 2.0
+        return frame, (high - low) / 2.0
+    if convex.kind == "box":
+        return convex.pose, np.array(convex.size) / 2.0
+    radius = convex.size[0]
+    long = 0.0 if convex.kind == "sphere" else convex.size[1] / 2.0
+    beyond = 0.0 if convex.kind == "cylinder" else radius
+    return convex.pose, np.array([radius, radius, long + beyond])

@@ -1,4 +1,4 @@
-"""A scripted policy: it comes to each grasp or push, and follows the true arc or line of what it moves."""
+"""A scripted policy: it approaches each contact, and follows the true arc or line of the moved link."""
 
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any
@@ -7,7 +7,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from artgen._arrays import Array
-from artgen.asset import Asset
 from artgen.envs.control import POSITION, ROTATION
 from artgen.envs.motion import OPEN, Contact, Move, lifted, rotation_vector
 
@@ -15,25 +14,25 @@ if TYPE_CHECKING:
     import gymnasium
 
 
-_NEAR, _AT = 0.015, 0.004  # how exactly the hand comes to poses on its way, and to what it touches [m]
-_TURN_MATTERS = 0.05  # metres that a radian counts for
-_SLOW = 0.4  # share of the full speed with which it touches things
-_CLOSING = 10  # actions until the fingers have closed
-_OPENING = 6
-_LEAD = (0.02, 0.10)  # how far ahead on its way the hand is sent: at first, and where that moves nothing [m]
-_MORE = 0.004  # by which that grows with each action that moves nothing [m]
-_STUCK = 60  # actions without progress after which the hand lets go and takes hold again
-_IDLE, _NEARER = 8, 0.001  # actions in which the hand has to come nearer to where it goes, by how much [m]
-_TAKEN = 3  # times that it takes hold of one thing
+_NEAR, _AT = 0.015, 0.004  # accuracy of intermediate poses and of contacts [m]
+_TURN_MATTERS = 0.05  # distance that counts as much as a turn of 1 rad [m]
+_SLOW = 0.4  # speed of an approach, over the full speed
+_CLOSING = 10  # actions for the closing of the fingers
+_OPENING = 6  # actions for their opening
+_LEAD = (0.02, 0.10)  # least and largest distance of the aim ahead of the hand [m]
+_MORE = 0.004  # growth of that distance with each action without progress [m]
+_STUCK = 60  # actions without progress after which the hand grasps again
+_IDLE, _NEARER = 8, 0.001  # actions in which the hand has to come nearer by this distance [m]
+_TAKEN = 3  # attempts at one contact
 
 Aim = tuple[Array, float]
-"""A pose for the tip, and an opening of the fingers [m]; nothing asks for less than closed."""
+"""A pose of the tip, and an opening of the fingers, negative to squeeze [m]."""
 
 
 class ScriptedPolicy:
-    """Does the task of an environment from what it knows: where joints truly stand, and the frames of grasps.
+    """Does the task of an environment with the true positions of joints and the true frames of grasps.
 
-    It begins anew with each reset of the environment.
+    It starts again after each reset of the environment.
 
     Args:
         env: A `ManipulationEnv`, wrapped or not.
@@ -44,15 +43,18 @@ class ScriptedPolicy:
         self._time = np.inf
         self._script: Iterator[Aim] = iter(())
         self._last: Aim | None = None
+        self._opening = OPEN
+        self._kept: dict[str, float] = {}  # positions of joints that the hand still holds
+        self._ahead: dict[str, float] = {}  # offsets of the aim that keep them there
         self.done = False
-        """Whether it has done all it can and has let go."""
+        """Whether it has finished and released the asset."""
 
     def action(self, observation: object = None) -> NDArray[np.float32]:
-        """Return the next action, shape (7,); the observation is not looked at."""
+        """Return the next action, shape (7,); the observation is not used."""
         del observation
         now = self._env.data.time
         if now < self._time:  # there was a reset
-            self._script, self.done = _Script(self._env).run(), False
+            self._script, self._last, self.done = self._run(), None, False
         self._time = now
         try:
             self._last = next(self._script)
@@ -61,37 +63,8 @@ class ScriptedPolicy:
         pose, opening = self._last or (self._env.tip(), OPEN)
         return action_towards(self._env.tip(), pose, opening)
 
-
-def action_towards(tip: Array, pose: Array, opening: float, speed: float = 1.0) -> NDArray[np.float32]:
-    """Return the action that brings the tip towards a pose, shape (7,).
-
-    Args:
-        tip: Where the tip is, shape (4, 4).
-        pose: Where it is to go, shape (4, 4).
-        opening: Of the fingers; negative to squeeze [m].
-        speed: Share of the full speed.
-    """
-    result = np.empty(7)
-    shift = (pose[:3, 3] - tip[:3, 3]) / POSITION
-    turn = rotation_vector(pose[:3, :3] @ tip[:3, :3].T) / ROTATION
-    result[:3] = shift * min(1.0, speed / max(float(np.linalg.norm(shift)), 1e-9))
-    result[3:6] = turn * min(1.0, speed / max(float(np.linalg.norm(turn)), 1e-9))
-    result[6] = 1.0 - 2.0 * opening / OPEN
-    return np.clip(result, -1.0, 1.0).astype(np.float32)
-
-
-class _Script:
-    """One run of the policy: yields an aim for each action, and looks at the environment in between."""
-
-    def __init__(self, env: Any) -> None:
-        self._env = env
-        self._asset: Asset = env.asset
-        self._opening = OPEN
-        self._kept: dict[str, float] = {}  # joints that the hand still holds where it brought them
-        self._ahead: dict[str, float] = {}  # by how much it has to aim past them to keep them there
-
-    def run(self) -> Iterator[Aim]:
-        """Yield aims until everything is done."""
+    def _run(self) -> Iterator[Aim]:
+        """Yield aims until all moves are done, each from the current state of the environment."""
         contact: Contact | None = None
         for move in self._env.target.moves:
             for _ in range(_TAKEN if move.contact is not None else 1):
@@ -114,7 +87,7 @@ class _Script:
         return bool((self._env.q(move.joint) - end) * np.sign(stage.goal - stage.start) >= -1e-3)
 
     def _take(self, contact: Contact) -> Iterator[Aim]:
-        """Come to a contact and close the fingers where it is a grasp."""
+        """Approach a contact, and close the fingers if it is a grasp."""
         self._kept.clear()
         self._ahead.clear()
         self._opening = contact.width
@@ -129,7 +102,7 @@ class _Script:
                 yield place, self._opening
 
     def _leave(self, contact: Contact) -> Iterator[Aim]:
-        """Open the fingers and go back along the approach."""
+        """Open the fingers and retreat along the approach."""
         here = self._env.tip()
         self._opening = contact.width
         if contact.kind == "grasp":
@@ -138,7 +111,7 @@ class _Script:
         yield from self._go(lifted(here, -contact.back), _NEAR)
 
     def _go(self, pose: Array, near: float, speed: float = 1.0) -> Iterator[Aim]:
-        """Go straight to a pose, until the hand is near it or gets no nearer."""
+        """Go straight to a pose, until the hand is near it or comes no nearer."""
         best, idle = np.inf, 0
         while idle < _IDLE:
             tip = self._env.tip()
@@ -154,8 +127,8 @@ class _Script:
             yield aim, self._opening
 
     def _follow(self, move: Move, contact: Contact) -> Iterator[Aim]:
-        """Bring a joint to where it is let go, on the way on which its link takes the hand."""
-        joint = self._asset.joint(move.joint)
+        """Bring a joint to its release position; the hand follows the path of its link."""
+        joint = self._env.asset.joint(move.joint)
         held = contact.frame
         if contact.kind == "grasp":
             held = np.linalg.inv(self._place(contact.link)) @ self._env.tip()
@@ -172,9 +145,9 @@ class _Script:
             yield self._place(contact.link, {move.joint: q + way * lead / arm}) @ held, self._opening
 
     def _place(self, link: str, ahead: Mapping[str, float] | None = None) -> Array:
-        """Return how a link is displaced from rest, kept joints where they are kept, shape (4, 4)."""
+        """Return the displacement of a link from rest, with held joints at their positions, shape (4, 4)."""
         result = np.eye(4)
-        above = {child: (parent, joints) for parent, child, joints in self._asset.pairs()}
+        above = {child: (parent, joints) for parent, child, joints in self._env.asset.pairs()}
         while link in above:
             link, joints = above[link]
             motion = np.eye(4)
@@ -187,7 +160,7 @@ class _Script:
         return result
 
     def _keeping(self, joint: str, position: float) -> float:
-        """Return where a joint has to be aimed at so that it stays where the hand brought it."""
+        """Return the aim for a joint that keeps it at its position."""
         if joint not in self._kept:
             return position
         missing = self._kept[joint] - position
@@ -195,8 +168,19 @@ class _Script:
         return self._kept[joint] + self._ahead[joint]
 
 
+def action_towards(tip: Array, pose: Array, opening: float, speed: float = 1.0) -> NDArray[np.float32]:
+    """Return the action that moves the tip towards a pose, with an opening of the fingers [m], shape (7,)."""
+    result = np.empty(7)
+    shift = (pose[:3, 3] - tip[:3, 3]) / POSITION
+    turn = rotation_vector(pose[:3, :3] @ tip[:3, :3].T) / ROTATION
+    result[:3] = shift * min(1.0, speed / max(float(np.linalg.norm(shift)), 1e-9))
+    result[3:6] = turn * min(1.0, speed / max(float(np.linalg.norm(turn)), 1e-9))
+    result[6] = 1.0 - 2.0 * opening / OPEN
+    return np.clip(result, -1.0, 1.0).astype(np.float32)
+
+
 def _arm(joint: Any, place: Array) -> float:
-    """Return how far a pose goes as a joint moves by one [m or m/rad]."""
+    """Return the distance that a pose moves per unit of a joint [m or m/rad]."""
     if joint.kind == "prismatic":
         return 1.0
     apart = place[:3, 3] - joint.pivot

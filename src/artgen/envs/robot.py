@@ -1,7 +1,7 @@
-"""A Franka Panda with its hand, as robosuite's files have it.
+"""A Franka Panda with its hand from the files of robosuite, and the kinematics of its arm.
 
 The tip is the point in the middle of the fingers' pads: z points out of the hand, the fingers close along x.
-A hand whose tip is at the frame of a grasp can close on it; the fingers end `GRIPPER.tip` further out.
+A hand whose tip is at the frame of a grasp can close on it; the fingers end `GRIPPER.tip` farther out.
 """
 
 from importlib.util import find_spec
@@ -10,46 +10,84 @@ from typing import Any
 
 import numpy as np
 
+from artgen._arrays import Array
+from artgen.asset import rotation
 from artgen.asset.gripper import GRIPPER
 from artgen.errors import EnvError
 
 PREFIX = "robot_"
-"""Begins every name of the robot's in a scene."""
+"""Prefix of all names of the robot in a scene."""
 
 HAND = "hand_"
-"""Begins every name of the hand's, after that of the robot's."""
+"""Prefix of the names of the hand, after that of the robot."""
 
 HOME = np.array([0.0, np.pi / 16, 0.0, -5 * np.pi / 6, 0.0, np.pi - 0.2, np.pi / 4])
-"""Where robosuite lets a Panda begin: the hand before it, pointing down, shape (7,) [rad]."""
+"""Initial posture of robosuite: the hand in front, pointing down, shape (7,) [rad]."""
 
-LIMITS = np.array(
-    [
-        [-2.8973, 2.8973],
-        [-1.7628, 1.7628],
-        [-2.8973, 2.8973],
-        [-3.0718, -0.0698],
-        [-2.8973, 2.8973],
-        [-0.0175, 3.7525],
-        [-2.8973, 2.8973],
-    ]
+LIMITS = np.column_stack(
+    (
+        [-2.8973, -1.7628, -2.8973, -3.0718, -2.8973, -0.0175, -2.8973],
+        [2.8973, 1.7628, 2.8973, -0.0698, 2.8973, 3.7525, 2.8973],
+    )
 )
 """Range of each joint of the arm, shape (7, 2) [rad]."""
 
 OPENING = 0.04
-"""How far each finger goes from the middle [m]."""
+"""Travel of each finger from the middle [m]."""
 
 ROBOT_BIT, ASSET_BIT = 2, 1
-"""What may touch, in the bits of MuJoCo's `contype`: an asset is written with the first bit alone."""
+"""Bits of MuJoCo's `contype` for contacts: an asset is exported with the first bit alone."""
 
 _PEDESTAL = (0.11, 0.11)  # half its width and depth [m]
-_PEDESTAL_MIDDLE = -0.04  # along x: under the foot of the arm [m]
+_PEDESTAL_MIDDLE = -0.04  # x of the pedestal, under the foot of the arm [m]
 _INSTALL = "pip install 'artgen[envs]'"
-_SQUEEZE = 40.0  # most force of a finger [N]; robosuite's 20 N lets heavy doors slip
+_SQUEEZE = 40.0  # largest force of a finger [N]; with the 20 N of robosuite, heavy doors slip
 _FINGER_STIFFNESS = 4000.0  # [N/m]
+
+# from each joint to the next at angle 0, as in the model of robosuite: a turn about x and a shift
+_TURNS = (0.0, -0.5, 0.5, 0.5, -0.5, 0.5, 0.5)  # [pi]
+_SHIFTS = np.array(
+    [
+        [0.0, 0.0, 0.333],
+        [0.0, 0.0, 0.0],
+        [0.0, -0.316, 0.0],
+        [0.0825, 0.0, 0.0],
+        [-0.0825, 0.384, 0.0],
+        [0.0, 0.0, 0.0],
+        [0.088, 0.0, 0.0],
+    ]
+)  # [m]
+_TIP = 0.1065 + 0.097  # from the last joint along its axis: the flange, then the middle of the pads [m]
+_TIP_TURN = -0.75 * np.pi  # about that axis
+_BALLS = np.array(
+    [
+        [2, 0.0, 0.0, -0.06, 0.060],
+        [2, 0.08, 0.055, 0.0, 0.065],
+        [3, 0.0, 0.0, 0.05, 0.065],
+        [3, -0.08, 0.07, 0.0, 0.065],
+        [3, -0.08, 0.12, 0.0, 0.060],
+        [4, 0.0, 0.0, -0.20, 0.065],
+        [4, 0.0, 0.045, -0.15, 0.065],
+        [4, 0.0, 0.07, -0.08, 0.060],
+        [4, 0.0, 0.07, 0.0, 0.060],
+        [5, 0.0, 0.0, 0.0, 0.055],
+        [5, 0.085, 0.02, 0.0, 0.060],
+        [6, 0.0, 0.0, 0.07, 0.050],
+        [6, 0.04, 0.04, 0.08, 0.045],
+    ]
+)  # number of the joint, place in its frame, radius [m]
+BALL_JOINTS, BALL_PLACES, BALL_RADII = _BALLS[:, 0].astype(int), _BALLS[:, 1:4], _BALLS[:, 4]
+"""Balls that fill the arm from elbow to flange: indices of their joints, shape (n,), centers in the frames of
+the joints, shape (n, 3), and radii, shape (n,) [m]."""
+
+_MIDDLE = LIMITS.mean(axis=1)
+_DAMPING = 0.03
+_MARGIN = 0.05  # distance from the limits [rad]
+_LONGEST = 0.35  # largest change of an angle in one step [rad]
 
 
 def files() -> Path:
-    """Return the directory of robosuite's models; the package itself, which takes seconds, is not imported.
+    """Return the directory of the models of robosuite, without the import of robosuite, which takes seconds.
 
     Raises:
         EnvError: robosuite is not installed.
@@ -61,12 +99,9 @@ def files() -> Path:
 
 
 def panda(*, visual: bool) -> Any:
-    """Return the specification of the arm with its hand, which stands at the origin.
+    """Return the specification of the arm with its hand at the origin, with or without visual surfaces.
 
-    Parts of the arm do not touch each other, so that few pairs of them are looked at; they touch all else.
-
-    Args:
-        visual: Whether it has the surfaces that are seen, or only those that touch.
+    Parts of the robot do not collide with each other, which saves time.
 
     Raises:
         EnvError: robosuite or mujoco is not installed.
@@ -93,7 +128,7 @@ def panda(*, visual: bool) -> Any:
 
 
 def _strengthen_fingers(arm: Any) -> None:
-    """Let the fingers squeeze as a Panda's do, and be told to go beyond each other to do so."""
+    """Give the fingers the force of a Panda, and a control range beyond contact."""
     for finger in arm.actuators:
         if finger.name.startswith(HAND):
             finger.gainprm[0], finger.biasprm[1] = _FINGER_STIFFNESS, -_FINGER_STIFFNESS
@@ -102,7 +137,7 @@ def _strengthen_fingers(arm: Any) -> None:
 
 
 def _strip(arm: Any, *, visual: bool) -> None:
-    """Remove what measures and, unless it is wanted, what is only seen; say who may touch whom."""
+    """Remove sensors and, if not wanted, visual surfaces; set the bits of contacts."""
     for sensor in list(arm.sensors):
         arm.delete(sensor)
     for geom in list(arm.geoms):
@@ -121,7 +156,7 @@ def _strip(arm: Any, *, visual: bool) -> None:
 
 
 def _slim(finger: Any, side: float, box: Any) -> None:
-    """Make a finger a box as grasps are proven for; the hull of its mesh is up to three times as thick."""
+    """Make a finger the box of certified grasps; the hull of its mesh is up to three times as thick."""
     half = np.array([GRIPPER.wide, GRIPPER.thick, GRIPPER.long]) / 2.0
     finger.type, finger.meshname = box, ""
     finger.size, finger.pos = half, (0.0, side * half[1], half[2])
@@ -129,13 +164,78 @@ def _slim(finger: Any, side: float, box: Any) -> None:
 
 
 def simulator() -> Any:
-    """Return the module `mujoco`.
-
-    Raises:
-        EnvError: It is not installed.
-    """
+    """Return the module `mujoco`; raise an EnvError if it is not installed."""
     try:
         import mujoco
     except ImportError as error:
         raise EnvError(f"manipulation tasks run in MuJoCo: {_INSTALL}") from error
     return mujoco
+
+
+def _link(axis: int, turn: float, shift: Array) -> Array:
+    """Return the pose of a shift and a turn about one of its axes, shape (4, 4) [m, rad]."""
+    result = np.eye(4)
+    result[:3, :3] = rotation(np.eye(3)[axis], turn)
+    result[:3, 3] = shift
+    return result
+
+
+_FIXED = np.array([_link(0, np.pi * turn, shift) for turn, shift in zip(_TURNS, _SHIFTS, strict=True)])
+_LAST = _link(2, _TIP_TURN, np.array([0.0, 0.0, _TIP]))
+
+
+def frames(angles: Array) -> Array:
+    """Return the poses of the seven joints, with z along their axes, and of the tip, shape (n, 8, 4, 4).
+
+    They are in the frame of the base, for postures of shape (n, 7) [rad].
+    """
+    result = np.empty((len(angles), 8, 4, 4))
+    pose = np.tile(np.eye(4), (len(angles), 1, 1))
+    sines, cosines = np.sin(angles), np.cos(angles)
+    for index in range(7):
+        pose = pose @ _FIXED[index]
+        sine, cosine = sines[:, index, None], cosines[:, index, None]
+        x, y = pose[:, :, 0].copy(), pose[:, :, 1].copy()
+        pose[:, :, 0], pose[:, :, 1] = cosine * x + sine * y, cosine * y - sine * x
+        result[:, index] = pose
+    result[:, 7] = pose @ _LAST
+    return result
+
+
+def reach(angles: Array, tips: Array, steps: int) -> tuple[Array, Array]:
+    """Solve inverse kinematics by some steps of damped least squares within the limits of the joints.
+
+    From initial postures, shape (n, 7) [rad], to poses of the tips in the frame of the base, shape (n, 4, 4).
+    Returns the postures and the errors of the tips: meters plus a tenth of the radians, shape (n,).
+    """
+    low, high = LIMITS[:, 0] + _MARGIN, LIMITS[:, 1] - _MARGIN
+    angles = np.clip(angles, low, high)
+    for _ in range(steps):
+        poses = frames(angles)
+        error = _error(poses[:, 7], tips)
+        axes, places = poses[:, :7, :3, 2], poses[:, :7, :3, 3]
+        lever = np.cross(axes, poses[:, None, 7, :3, 3] - places)
+        jacobian = np.concatenate([lever, axes], axis=2)  # (n, 7, 6)
+        square = np.einsum("nji,njk->nik", jacobian, jacobian) + _DAMPING**2 * np.eye(6)
+        # a pull towards the middle of the ranges that does not move the tip
+        pull = 0.02 * (_MIDDLE - angles)
+        wanted = error - np.einsum("nji,nj->ni", jacobian, pull)
+        step = pull + np.einsum("nij,nj->ni", jacobian, np.linalg.solve(square, wanted[..., None])[..., 0])
+        longest = np.abs(step).max(axis=1, keepdims=True)
+        angles = np.clip(angles + step * np.minimum(1.0, _LONGEST / np.maximum(longest, 1e-9)), low, high)
+    error = _error(frames(angles)[:, 7], tips)
+    return angles, np.linalg.norm(error[:, :3], axis=1) + 0.1 * np.linalg.norm(error[:, 3:], axis=1)
+
+
+def _error(poses: Array, tips: Array) -> Array:
+    """Return the shifts and turns from poses to desired tips, shape (n, 6) [m, rad]."""
+    result = np.empty((len(poses), 6))
+    result[:, :3] = tips[:, :3, 3] - poses[:, :3, 3]
+    turn = tips[:, :3, :3] @ poses[:, :3, :3].transpose(0, 2, 1)
+    vector = np.stack(
+        [turn[:, 2, 1] - turn[:, 1, 2], turn[:, 0, 2] - turn[:, 2, 0], turn[:, 1, 0] - turn[:, 0, 1]], axis=1
+    )
+    sine = np.linalg.norm(vector, axis=1)  # twice the sine
+    angle = np.arctan2(sine, np.trace(turn, axis1=1, axis2=2) - 1.0)
+    result[:, 3:] = vector * (angle / np.maximum(sine, 1e-9))[:, None]
+    return result

@@ -1,4 +1,4 @@
-"""An asset and a Panda in one model of MuJoCo: the asset as it is exported, in its own coordinates."""
+"""An asset and a Panda in one MuJoCo model, in the coordinates of the asset, and pictures of it."""
 
 import warnings
 import xml.etree.ElementTree as ET
@@ -7,6 +7,7 @@ from itertools import combinations
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from artgen._arrays import Array
 from artgen.asset import Asset
@@ -17,44 +18,39 @@ from artgen.envs.robot import ASSET_BIT, HAND, LIMITS, OPENING, PREFIX, ROBOT_BI
 from artgen.export.frames import quaternion
 from artgen.export.meshes import MeshFiles, mesh_files
 from artgen.export.mjcf import mjcf_text, mjcf_tree
+from artgen.view import gl
 
 TIME_STEP = 0.0025
-"""Length of a step of the physics [s]: half the time constant of the contacts and limits in the exports."""
+"""Time step of the physics [s]: half the time constant of contacts and limits in the exports."""
 
 STEPS = 20
 """Steps of the physics in one action."""
 
 CAMERAS = ("front", "hand")
-"""What looks on: a camera beside the robot, and the one on its hand."""
+"""A camera beside the robot, and one on its hand."""
 
-STEPS_OF_TORQUES = 4  # the arm's torques are found anew after so many steps
-SHUT = 0.001  # the hand squeezes where less than this opening of each finger is asked for [m]
+STEPS_OF_TORQUES = 4  # steps of the physics with the same torques of the arm
+SHUT = 0.001  # smaller openings of each finger mean that the hand squeezes [m]
 _FLOOR, _TABLE, _FRONT, _LIGHT = "scene_floor", "scene_table", "scene_front", "scene_light"
-_AMBIENT, _HEADLIGHT, _LAMP = 0.28, 0.3, 0.5  # light from everywhere, from the camera and from above
+_AMBIENT, _HEADLIGHT, _LAMP = 0.28, 0.3, 0.5  # ambient light, light from the camera and from above
 _LIGHT_GOES = (0.3, 0.5, -1.0)
 _HAND_CAMERA = f"{PREFIX}eye_in_hand"
 _DEEP = 0.02  # least height of the pedestal [m]
+_VISUAL_GROUP, _GROUPS = 2, 6  # the geom group of visual surfaces, and the number of groups
 
 
 class Scene:
-    """A compiled model with its state, which `place` sets to the beginning of a task.
+    """A compiled model with its state; `place` sets the beginning of a task.
 
-    Names of the asset's are unchanged; the robot's begin with `robot_`. The world is the asset's frame.
-
-    Args:
-        asset: The asset.
-        model: What `compiled` returned for it; the scene moves the robot in it.
-
-    Raises:
-        EnvError: mujoco is not installed.
+    The names of the asset are unchanged; those of the robot begin with `robot_`.
 
     Attributes:
         asset: The asset.
-        model: MuJoCo's model.
-        data: MuJoCo's state.
-        control: What finds the torques of the arm.
-        fingers: Numbers of the two motors of the hand.
-        finger_at: Where the positions of the two fingers are in `qpos`.
+        model: Its model from `compiled`; the scene moves the robot in it.
+        data: State of MuJoCo.
+        control: Controller of the arm.
+        fingers: Indices of the two motors of the hand.
+        finger_at: Indices of the two fingers in `qpos`.
         speeds: Speeds of the joints of asset and robot, a view of the state.
     """
 
@@ -79,12 +75,7 @@ class Scene:
         self._qpos, self.speeds = self.data.qpos, self.data.qvel
 
     def place(self, target: Target, arm: Array) -> None:
-        """Set all to the beginning of a task, at rest.
-
-        Args:
-            target: What has to be done, and where the robot stands.
-            arm: Angles of its joints, shape (7,) [rad].
-        """
+        """Set the beginning of a task, with the arm at some angles, shape (7,) [rad], and all at rest."""
         self._mujoco.mj_resetData(self.model, self.data)
         self._put_robot(target.base)
         for name, position in self.asset.positions(target.start).items():
@@ -98,13 +89,7 @@ class Scene:
         self.control.begin()
 
     def act(self, action: Array) -> None:
-        """Let the robot do one action, which takes `STEPS * TIME_STEP`.
-
-        What follows from positions and speeds is computed when it returns.
-
-        Args:
-            action: As `ManipulationEnv` takes it, within -1 and 1, shape (7,).
-        """
+        """Simulate one action of `ManipulationEnv`, shape (7,), for `STEPS * TIME_STEP`."""
         mujoco, model, data, control = self._mujoco, self.model, self.data, self.control
         control.aim(action[:6])
         opening = 0.5 * OPENING * (1.0 - action[6])
@@ -123,34 +108,21 @@ class Scene:
         return pose
 
     def opening(self) -> float:
-        """Return how far the fingers' pads are apart [m]."""
+        """Return the distance between the pads of the fingers [m]."""
         first, second = self._qpos[self.finger_at]
         return float(first - second)
 
     def q(self, joint: str) -> float:
-        """Return where a joint of the asset stands [rad or m].
-
-        Raises:
-            AssetError: The asset has no such joint.
-        """
+        """Return the position of a joint of the asset [rad or m]."""
         known = self.asset.joint(joint)
         return known.closed if known.locked else float(self._qpos[self._joints[joint][0]])
 
     def speed(self, joint: str) -> float:
-        """Return how fast a joint of the asset moves [rad/s or m/s].
-
-        Raises:
-            AssetError: The asset has no such joint.
-        """
+        """Return the speed of a joint of the asset [rad/s or m/s]."""
         return 0.0 if self.asset.joint(joint).locked else float(self.speeds[self._joints[joint][1]])
 
     def motion(self, joint: str, place: Array) -> Array:
-        """Return how a place moves with a joint of the asset, for each radian or metre, shape (3,).
-
-        Args:
-            joint: Name of a joint that is not locked.
-            place: On what the joint moves, shape (3,) [m].
-        """
+        """Return the motion of a point, shape (3,) [m], per unit of an unlocked joint, shape (3,)."""
         number = self._joints[joint][2]
         axis = self.data.xaxis[number]
         if self.asset.joint(joint).kind == "prismatic":
@@ -158,7 +130,7 @@ class Scene:
         return np.cross(axis, place - self.data.xanchor[number])
 
     def pose(self, link: str) -> Array:
-        """Return how a link is displaced from rest, shape (4, 4)."""
+        """Return the displacement of a link from rest, shape (4, 4)."""
         body = self._bodies[self.asset.link(link).name]
         pose = np.eye(4)
         pose[:3, :3] = self.data.xmat[body].reshape(3, 3)
@@ -166,7 +138,7 @@ class Scene:
         return pose
 
     def _put_robot(self, base: Array) -> None:
-        """Put the robot on a pedestal on the floor: the asset's, or a lower one with the asset on a table."""
+        """Put the robot on a pedestal, on the floor of the asset or on a lower one beside a table."""
         body = self.model.body(f"{PREFIX}base")
         floor = float(base[2, 3]) if base[2, 3] < -_DEEP else 0.0
         body.pos[:], body.quat[:] = base[:3, 3], quaternion(base)
@@ -185,14 +157,14 @@ class Scene:
         self._put_box(self.model.geom(_TABLE), middle, half)
 
     def _put_box(self, box: Any, middle: Array, half: Sequence[float]) -> None:
-        """Put a box of the model's somewhere in its body, with half its sizes."""
+        """Set center and half sizes of a box of the model."""
         box.pos[:], box.size[:] = middle, half
-        # by these MuJoCo finds what is near
+        # bounds of collision detection
         self.model.geom_aabb[box.id][3:] = half
         self.model.geom_rbound[box.id] = np.linalg.norm(half)
 
     def _look(self, target: Target) -> None:
-        """Put the camera before what is to be moved, on the side where the robot does not stand."""
+        """Put the camera in front of the first handle, on the side away from the robot."""
         frame = target.stages[0].affordance.frame
         at = frame[:3, 3]
         before = -frame[:3, 2] * (1.0, 1.0, 0.0)
@@ -214,21 +186,12 @@ class Scene:
         camera.pos[:], camera.quat[:] = eye, quaternion(pose)
 
     def camera(self, name: str) -> str:
-        """Return what the model calls a camera of `CAMERAS`."""
+        """Return the name of a camera of `CAMERAS` in the model."""
         return _FRONT if name == "front" else _HAND_CAMERA
 
 
 def compiled(asset: Asset, *, visual: bool = False, textures: int = 0) -> Any:
-    """Return MuJoCo's model of an asset and a Panda.
-
-    Args:
-        asset: The asset.
-        visual: Whether the model has what is seen, or only what touches.
-        textures: Texels on a side of the asset's maps; 0 for colours alone.
-
-    Raises:
-        EnvError: robosuite or mujoco is not installed.
-    """
+    """Return the MuJoCo model of an asset and a Panda, with or without visual surfaces and texture maps."""
     mujoco = simulator()
     meshes = mesh_files(asset, textures if visual else 0)
     root = mjcf_tree(asset, meshes)
@@ -242,10 +205,10 @@ def compiled(asset: Asset, *, visual: bool = False, textures: int = 0) -> Any:
         name=_FLOOR,
         type=mujoco.mjtGeom.mjGEOM_PLANE,
         size=(0.0, 0.0, 0.05),
-        pos=(0.0, 0.0, -1.0),  # anywhere: what is compiled at the origin of its body stays there
+        pos=(0.0, 0.0, -1.0),  # anywhere but the origin, where it would stay
         rgba=(0.72, 0.71, 0.69, 1.0),
         group=2,
-        # an asset that is fixed was made without a floor: only the robot feels it
+        # a fixed asset needs no floor: only the robot touches it
         contype=ASSET_BIT if asset.base == "free" else 0,
         conaffinity=ROBOT_BIT,
         castshadow=False,
@@ -262,7 +225,7 @@ def compiled(asset: Asset, *, visual: bool = False, textures: int = 0) -> Any:
     )
     for first, second in apart(asset):
         spec.add_exclude(bodyname1=first, bodyname2=second)
-    with warnings.catch_warnings():  # the robot's files lie on the disk, the asset's do not: both are found
+    with warnings.catch_warnings():  # the files of the robot are on the disk, those of the asset in memory
         warnings.filterwarnings("ignore", message="Attaching a child without asset dict")
         spec.attach(panda(visual=visual), frame=world.add_frame(), prefix=PREFIX)
     world.add_camera(name=_FRONT, fovy=45.0)
@@ -280,12 +243,11 @@ def compiled(asset: Asset, *, visual: bool = False, textures: int = 0) -> Any:
 
 
 def apart(asset: Asset) -> list[tuple[str, str]]:
-    """Return the pairs of an asset's links that nothing has to keep apart.
+    """Return the pairs of links of an asset that cannot collide.
 
-    An asset is made so that its links never touch as long as its dependencies hold. What contacts are for
-    is to hold these, as the bolt of a latch does. So only such pairs can touch between which a joint moves
-    that depends on another joint between them, and those that touch by design. To look at all others takes
-    most of the time of a simulation.
+    Links never collide as long as the dependencies of the asset hold, and contacts enforce these, such as
+    that of a bolt. So only pairs can collide that are separated by a joint and by another joint on which it
+    depends, and pairs that touch by design. The other pairs would take most of the time of a simulation.
     """
     chains: dict[str, frozenset[str]] = {asset.links[0].name: frozenset()}
     for parent, child, joints in asset.pairs():
@@ -307,7 +269,7 @@ def apart(asset: Asset) -> list[tuple[str, str]]:
 
 
 def _strip(root: ET.Element) -> None:
-    """Remove what is only seen from the elements of an asset's MJCF."""
+    """Remove visual surfaces from the MJCF of an asset."""
     for parent in root.iter("body"):
         for geom in parent.findall("geom"):
             if geom.get("class", "").endswith("_visual"):
@@ -320,6 +282,65 @@ def _strip(root: ET.Element) -> None:
 
 
 def _used(root: ET.Element, meshes: MeshFiles) -> Mapping[str, bytes]:
-    """Return the files that the elements name, by path."""
+    """Return the files that the elements reference, by path."""
     named = {element.get("file") for element in root.iter() if element.get("file")}
     return {path: content for path, content in meshes.files.items() if path in named}
+
+
+class Pictures:
+    """Draws scenes without a window; it keeps the graphics resources of the last one."""
+
+    def __init__(self) -> None:
+        self._scene: Scene | None = None
+        self._size = 0
+        self._gl: Any = None
+        self._context: Any = None
+
+    def take(self, scene: Scene, size: int, camera: str, *, shadows: bool) -> NDArray[np.uint8]:
+        """Return a picture from one of the `CAMERAS`, shape (size, size, 3), or raise a RenderError."""
+        mujoco = simulator()
+        if scene is not self._scene or size != self._size:
+            self._open(scene, size)
+        self._gl.make_current()
+        model, data = scene.model, scene.data
+        mujoco.mj_camlight(model, data)
+        eye = mujoco.MjvCamera()
+        eye.type = mujoco.mjtCamera.mjCAMERA_FIXED
+        eye.fixedcamid = model.camera(scene.camera(camera)).id
+        every = mujoco.mjtCatBit.mjCAT_ALL
+        mujoco.mjv_updateScene(model, data, self._option, None, eye, every, self._view)
+        self._view.flags[mujoco.mjtRndFlag.mjRND_SHADOW] = shadows
+        rectangle = mujoco.MjrRect(0, 0, size, size)
+        pixels = np.empty((size, size, 3), np.uint8)
+        mujoco.mjr_render(rectangle, self._view, self._context)
+        mujoco.mjr_readPixels(pixels, None, rectangle, self._context)
+        return np.ascontiguousarray(pixels[::-1])
+
+    def close(self) -> None:
+        """Free the graphics memory."""
+        if self._gl is not None:
+            self._gl.make_current()
+            self._context.free()
+            self._gl.free()
+        self._gl = self._scene = None
+
+    def _open(self, scene: Scene, size: int) -> None:
+        mujoco = simulator()
+        if self._gl is not None and size != self._size:
+            self.close()
+        if self._gl is None:
+            gl.claim_process()
+            self._gl = gl.context(size, size)
+        else:
+            self._gl.make_current()
+            self._context.free()
+        self._gl.make_current()
+        visual = scene.model.vis.global_
+        visual.offwidth = visual.offheight = size
+        self._context = mujoco.MjrContext(scene.model, mujoco.mjtFontScale.mjFONTSCALE_100)
+        mujoco.mjr_setBuffer(mujoco.mjtFramebuffer.mjFB_OFFSCREEN, self._context)
+        self._view = mujoco.MjvScene(scene.model, scene.model.ngeom + 10)
+        self._option = mujoco.MjvOption()
+        for number in range(_GROUPS):
+            self._option.geomgroup[number] = number == _VISUAL_GROUP
+        self._scene, self._size = scene, size

@@ -1,36 +1,41 @@
-"""The manipulation tasks: which asset each is about, what has to be done, and how much time there is."""
+"""The manipulation tasks: category, joints to move, contacts and time limit of each."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 
+from artgen._arrays import Array
 from artgen.asset import Asset
+from artgen.asset.affordance import Affordance
 from artgen.catalog import generate
-from artgen.envs.motion import FAR_BACK, Contact, Move, Stage, Target
+from artgen.envs.motion import BACK, FAR_BACK, Contact, Move, Stage, Target, contact_of, lifted
 from artgen.envs.placing import place
-from artgen.envs.targets import Chooser, open_dishwasher, push_door, simple
 from artgen.errors import EnvError
 from artgen.sampling import choice
 
-__all__ = ["TASKS", "Contact", "Move", "Stage", "Target", "Task"]
+Choice = tuple[Stage, ...]
+Chooser = Callable[[Asset, np.random.Generator], Iterator[Choice]]
+"""Yields the possible stages of a task on an asset, in random order."""
 
-_FAR = 0.16  # that OpenFridge asks for: 9 degrees and a little [rad]
+_AJAR = 0.40  # opening of a dishwasher by its handle [rad]
+_STEEP = 1.0  # least opening of a dishwasher in all [rad]
+_PAST = 0.08  # distance of the scripted policy beyond a goal, over the distance to the goal
 
 
 @dataclass(frozen=True, eq=False)
 class Task:
-    """Something for a robot to do with any asset of a category.
+    """A manipulation task with the assets of a category.
 
     Attributes:
-        name: `PushDoor`; the environment is registered as `artgen/PushDoor-v0`.
+        name: Name, such as `PushDoor`; its environment is registered as `artgen/PushDoor-v0`.
         category: Name of the category.
         seconds: Time limit [s].
-        doc: What has to be done, in one sentence.
-        choose: Yields what the task may ask of an asset.
-        overrides: Values or distributions of parameters, so that the asset has the part.
-        raised: Whether the asset stands on a table, beside which the robot is.
+        doc: Description, in one sentence.
+        choose: Yields the possible stages of the task on an asset.
+        overrides: Values or distributions of parameters for assets that have the part.
+        raised: Whether the asset stands on a table beside the robot.
     """
 
     name: str
@@ -42,18 +47,18 @@ class Task:
     raised: bool = False
 
     def generate(self, seed: int) -> Asset:
-        """Draw an asset that has what the task is about; it is not certified."""
+        """Generate an asset that is suitable for the task; it is not certified."""
         return generate(self.category, seed, certify=False, **self.overrides)
 
     def target(self, asset: Asset, rng: np.random.Generator) -> Target:
-        """Return what has to be done with an asset, and where a Panda stands that can reach all of it.
+        """Return the stages of the task on an asset, and a place of a Panda from which it reaches them.
 
         Args:
             asset: An asset of any category that has the parts.
-            rng: Draws the part where there are several, where the robot stands, and the pose of its hand.
+            rng: Draws the part, the place of the robot, and the pose of its hand.
 
         Raises:
-            EnvError: The asset lacks the part, or no place for the robot was found from which it reaches it.
+            EnvError: The asset lacks the part, or there is no place from which the robot reaches it.
         """
         tried = 0
         for stages in self.choose(asset, rng):
@@ -67,98 +72,242 @@ class Task:
                 f"{self.doc} Take assets that the task's generate(seed) draws"
             )
         raise EnvError(
-            f"{self.name}: no place was found from which a Panda reaches what it has to move on asset "
-            f"{asset.name!r} ({tried} tried); leave the asset out, or make it with another seed"
+            f"{self.name}: there is no place from which a Panda reaches the parts of asset {asset.name!r} "
+            f"({tried} choices tried); leave the asset out, or make it with another seed"
         )
 
 
 def _hangs(asset: Asset) -> bool:
-    """Tell whether an asset hangs on a wall, where it has more room below than on a floor."""
+    """Tell whether an asset hangs on a wall, with more room below than on a floor."""
     return asset.parameters.get("kind") == "wall"
 
 
-def _tasks() -> dict[str, Task]:
-    tasks = (
-        Task(
-            "PushDoor",
-            "door",
-            10.0,
-            "Turn the lever until the latch is free, by 0.3 rad or more, then push the leaf open by 0.3 rad.",
-            push_door,
-            {"opener": "lever", "layout": "single"},
-        ),
-        Task(
-            "PushToasterLever",
-            "toaster",
-            8.0,
-            "Push a lever of the toaster down.",
-            simple("lever", "push", "prismatic", 0.9),
-        ),
-        Task(
-            "OpenFridge",
-            "refrigerator",
-            10.0,
-            "Open a door of the refrigerator to 9 degrees and more.",
-            simple("door", "grasp", "revolute", at_least=_FAR),
-        ),
-        Task(
-            "OpenDrawer",
-            "drawer",
-            10.0,
-            "Pull a drawer open by half its way.",
-            simple("drawer", "grasp", "prismatic", 0.5),
-        ),
-        Task(
-            "OpenDishwasher",
-            "dishwasher",
-            30.0,
-            "Open the door of the dishwasher, then pull a rack out by half its way.",
-            open_dishwasher,
-            {"racks": choice(2, 3)},
-        ),
-        Task(
-            "PressMicrowaveButton",
-            "microwave",
-            5.0,
-            "Press a key or button of the microwave oven.",
-            simple("", "push", "prismatic", 0.8, back=FAR_BACK),
-            {"controls": choice("keypad", "mixed")},
-            raised=True,
-        ),
-        Task(
-            "TurnFaucet",
-            "faucet",
-            6.0,
-            "Open the faucet by four fifths of what its handle turns or lifts.",
-            simple("handle", "grasp", "revolute", 0.8, back=FAR_BACK),
-        ),
-        Task(
-            "OpenTrashcan",
-            "trashcan",
-            8.0,
-            "Press the pedal that lifts the lid.",
-            simple("pedal", "push", "revolute", 0.8),
-            {"style": "pedal"},
-        ),
-        Task(
-            "OpenMicrowave",
-            "microwave",
-            10.0,
-            "Open the door of the microwave oven by 0.4 rad.",
-            simple("door", "grasp", "revolute", at_least=0.4),
-            {"handle": choice("bar", "pocket")},
-            raised=True,
-        ),
-        Task(
-            "OpenCabinet",
-            "cabinet",
-            10.0,
-            "Open a door of the cabinet by 0.4 rad.",
-            simple("door", "grasp", "revolute", at_least=0.4),
-        ),
-    )
-    return {task.name: task for task in tasks}
+def one_joint(
+    part: str,
+    kind: Literal["grasp", "push"],
+    joint_kind: Literal["revolute", "prismatic"],
+    share: float = 0.0,
+    *,
+    at_least: float = 0.0,
+    back: float = BACK,
+) -> Chooser:
+    """Return the chooser of a task that moves one joint of a part.
+
+    Args:
+        part: Part of the names of its links.
+        kind: Kind of the contact.
+        joint_kind: Kind of the joint.
+        share: Goal, over the range of the joint.
+        at_least: Goal where `share` is 0 [rad or m].
+        back: Start of the approach; far for joints that chance moves easily [m].
+    """
+
+    def choose(asset: Asset, rng: np.random.Generator) -> Iterator[Choice]:
+        for affordance in shuffled(found(asset, part, kind, joint_kind), rng):
+            yield (stage(asset, affordance, share, at_least, back=back),)
+
+    return choose
 
 
-TASKS = _tasks()
+def found(asset: Asset, part: str, kind: str, joint_kind: str) -> list[Affordance]:
+    """Return the affordances of a part whose nearest joint has a kind and no dependency; at least one."""
+    result = []
+    for each in asset.affordances:
+        if each.kind != kind or not each.joints or part not in each.link:
+            continue
+        joint = asset.joint(each.joints[0])
+        if joint.kind == joint_kind and joint.needs is None and joint.limits is not None:
+            result.append(each)
+    if not result:
+        way = "grasp" if kind == "grasp" else "push"
+        have = ", ".join(f"{each.name} ({each.link})" for each in asset.affordances) or "none"
+        raise EnvError(
+            f"asset {asset.name!r} of category {asset.category!r} has no {part} that a hand can {way} "
+            f"to move a {joint_kind} joint; it has these grasps and pushes: {have}. Draw it with the part, "
+            "as the task's own generate(seed) does"
+        )
+    return result
+
+
+def shuffled(items: list[Affordance], rng: np.random.Generator) -> list[Affordance]:
+    """Return items in random order."""
+    return [items[index] for index in rng.permutation(len(items))]
+
+
+def stage(
+    asset: Asset, affordance: Affordance, share: float, at_least: float = 0.0, *, back: float = BACK
+) -> Stage:
+    """Return the stage that moves the nearest joint of an affordance from rest upwards."""
+    joint = asset.joint(affordance.joints[0])
+    assert joint.limits is not None
+    start, end = joint.closed, joint.limits[1]
+    goal = start + share * (end - start) if share else start + min(at_least, 0.98 * (end - start))
+    until = min(goal + _PAST * (goal - start) + 0.01 * (end - start), end)
+    move = Move(joint.name, until, contact_of(affordance, back))
+    return Stage(joint.name, start, goal, affordance, (move,))
+
+
+def push_door(asset: Asset, rng: np.random.Generator) -> Iterator[Choice]:
+    """Yield the turn of a lever, which frees the latch, and the push of the leaf with the same grasp."""
+    for grasp in shuffled(found(asset, "handle", "grasp", "revolute"), rng):
+        lever, *others = (asset.joint(name) for name in grasp.joints)
+        hinge = next((each for each in others if each.kind == "revolute" and each.needs is not None), None)
+        if hinge is None or lever.limits is None or not _is_pushed(grasp, hinge.motion(0.1)):
+            continue
+        freed = _frees(asset, hinge.name, lever.name)
+        goal = max(0.3, freed + 0.02 * (lever.limits[1] - freed))
+        turn = Stage(
+            lever.name,
+            0.0,
+            goal,
+            grasp,
+            (Move(lever.name, 0.5 * (goal + lever.limits[1]), contact_of(grasp, FAR_BACK)),),
+        )
+        push = Stage(hinge.name, 0.0, 0.3, grasp, (Move(hinge.name, 0.34, None),))
+        yield (turn, push)
+
+
+def _is_pushed(affordance: Affordance, motion: Array) -> bool:
+    """Tell whether a motion carries an affordance along its approach: the hand pushes."""
+    before = affordance.frame[:3, 3]
+    way = motion[:3, :3] @ before + motion[:3, 3] - before
+    return bool(way @ affordance.frame[:3, 2] > 0.0)
+
+
+def _frees(asset: Asset, blocked: str, lever: str) -> float:
+    """Return the least position of a lever at which a joint is free [rad]."""
+    needs, limits = asset.joint(blocked).needs, asset.joint(lever).limits
+    assert limits is not None
+    if needs is None:
+        return limits[0]
+    low, high = limits
+    if not needs.condition.holds(asset.positions({lever: high})):
+        raise EnvError(f"asset {asset.name!r}: {lever} alone does not free {blocked}; it needs {needs}")
+    for _ in range(40):
+        middle = 0.5 * (low + high)
+        if needs.condition.holds(asset.positions({lever: middle})):
+            high = middle
+        else:
+            low = middle
+    return high
+
+
+def open_dishwasher(asset: Asset, rng: np.random.Generator) -> Iterator[Choice]:
+    """Yield the door, pulled ajar and then pressed down from within, and a rack behind it.
+
+    Racks that need the door less open come first.
+    """
+    grasp = found(asset, "door", "grasp", "revolute")[0]
+    door = asset.joint(grasp.joints[0])
+    racks = [each for each in asset.affordances if each.link.startswith("rack") and each.kind == "grasp"]
+    if not racks:
+        raise EnvError(f"asset {asset.name!r} has no rack that a hand can take")
+    freed = {each.name: _frees(asset, each.joints[0], door.name) for each in racks}
+    assert door.limits is not None
+    for rack in sorted(shuffled(racks, rng), key=lambda each: freed[each.name] > _STEEP):
+        goal = min(max(_STEEP, freed[rack.name] + 0.1), 0.97 * door.limits[1])
+        pull = stage(asset, rack, 0.5)
+        for side in rng.permutation([-1.0, 1.0, 0.0]):
+            ajar = Move(door.name, _AJAR, contact_of(grasp, back=0.15))
+            within = _from_within(asset, grasp, door.motion(_AJAR), 0.12 * side)
+            down = Move(door.name, min(goal + 0.15, door.limits[1]), within)
+            yield (Stage(door.name, 0.0, goal, grasp, (ajar, down), holds=True), pull)
+
+
+def _from_within(asset: Asset, grasp: Affordance, ajar: Array, beside: float) -> Contact:
+    """Return the contact of closed fingers with the inner side of the upper edge of a door that is ajar.
+
+    They point to the hinge, come from above the edge, and press the door down.
+    """
+    link = asset.link(grasp.link)
+    boxes = np.array([each.convex.bounds() for each in link.colliders])
+    top = float(boxes[:, 1, 2].max())
+    inner = float(boxes[boxes[:, 1, 2] > top - 0.03, 1, 1].max())
+    frame = np.eye(4)
+    frame[:3, 0], frame[:3, 1], frame[:3, 2] = (1.0, 0.0, 0.0), (0.0, -1.0, 0.0), (0.0, 0.0, -1.0)
+    frame[:3, 3] = (grasp.frame[0, 3] + beside, inner + 0.012, top - 0.03)
+    return Contact("push", link.name, frame, through=(lifted(ajar @ frame, -0.25),))
+
+
+_TASKS = (
+    Task(
+        "PushDoor",
+        "door",
+        10.0,
+        "Turn the lever until the latch is free, by 0.3 rad or more, then push the leaf open by 0.3 rad.",
+        push_door,
+        {"opener": "lever", "layout": "single"},
+    ),
+    Task(
+        "PushToasterLever",
+        "toaster",
+        8.0,
+        "Push a lever of the toaster down.",
+        one_joint("lever", "push", "prismatic", 0.9),
+    ),
+    Task(
+        "OpenFridge",
+        "refrigerator",
+        10.0,
+        "Open a door of the refrigerator to 9 degrees and more.",
+        one_joint("door", "grasp", "revolute", at_least=0.16),
+    ),
+    Task(
+        "OpenDrawer",
+        "drawer",
+        10.0,
+        "Pull a drawer open by half its way.",
+        one_joint("drawer", "grasp", "prismatic", 0.5),
+    ),
+    Task(
+        "OpenDishwasher",
+        "dishwasher",
+        30.0,
+        "Open the door of the dishwasher, then pull a rack out by half its way.",
+        open_dishwasher,
+        {"racks": choice(2, 3)},
+    ),
+    Task(
+        "PressMicrowaveButton",
+        "microwave",
+        5.0,
+        "Press a key or button of the microwave oven.",
+        one_joint("", "push", "prismatic", 0.8, back=FAR_BACK),
+        {"controls": choice("keypad", "mixed")},
+        raised=True,
+    ),
+    Task(
+        "TurnFaucet",
+        "faucet",
+        6.0,
+        "Open the faucet by four fifths of the range of its handle.",
+        one_joint("handle", "grasp", "revolute", 0.8, back=FAR_BACK),
+    ),
+    Task(
+        "OpenTrashcan",
+        "trashcan",
+        8.0,
+        "Press the pedal that lifts the lid.",
+        one_joint("pedal", "push", "revolute", 0.8),
+        {"style": "pedal"},
+    ),
+    Task(
+        "OpenMicrowave",
+        "microwave",
+        10.0,
+        "Open the door of the microwave oven by 0.4 rad.",
+        one_joint("door", "grasp", "revolute", at_least=0.4),
+        {"handle": choice("bar", "pocket")},
+        raised=True,
+    ),
+    Task(
+        "OpenCabinet",
+        "cabinet",
+        10.0,
+        "Open a door of the cabinet by 0.4 rad.",
+        one_joint("door", "grasp", "revolute", at_least=0.4),
+    ),
+)
+
+TASKS = {task.name: task for task in _TASKS}
 """Every task by its name."""

@@ -1,15 +1,16 @@
-"""What a set of images is to hold: assets, how many pictures of each, and what varies in them."""
+"""The plan of a set of images: assets, the number of pictures of each, and the random variations."""
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from numbers import Real
 from typing import Any, ClassVar, Literal, get_args
 
-from artgen.dataset.plan import Draws
+from artgen.catalog import find
+from artgen.dataset.plan import Draws, Item
+from artgen.dataset.store import Target
 from artgen.errors import ParameterError, nearest
-from artgen.images.labels import Vocabulary
-from artgen.images.split import PARTS
+from artgen.images.pictures import PARTS, pictures_of, write_coco
 from artgen.materials.textures import check_size
 from artgen.view.rendering import checked_size
 
@@ -17,31 +18,31 @@ PictureFormat = Literal["png", "jpg"]
 Range = tuple[float, float]
 
 RANDOM = ("backdrop", "floor", "light")
-"""What can be drawn anew for each picture."""
+"""Possible random parts of each picture."""
 
 
 @dataclass(frozen=True)
 class ImagePlan(Draws):
-    """What a set of images holds and how it is made; two runs with equal plans write the same numbers.
+    """The content of a set of images; two runs with equal plans write the same numbers.
 
-    The pictures' bytes are the same on one machine; another graphics driver may colour edges otherwise.
+    The bytes of the pictures are the same on one machine; other graphics drivers may color edges differently.
 
     Attributes:
-        images: How many pictures are taken of each asset.
+        images: Number of pictures of each asset.
         size: Width and height of a picture [pixels].
-        labels: Which labels have masks: NAME, NEW=OLD+OLD for several as one, each with CATEGORY: before it
-            for one category only; all of them if there are none.
-        random: What is drawn anew for each picture, of `RANDOM`; the rest is plain.
+        labels: Labels that have masks: NAME, or NEW=OLD+OLD to join several, each after CATEGORY: if for one
+            category only; all labels by default.
+        random: Random parts of each picture, of `RANDOM`; the others are plain.
         depth: Whether depths are written.
         normals: Whether normals are written.
-        field_of_view: Between which angles it is drawn [rad].
-        elevation: Between which angles above the horizon cameras stand, evenly on the sphere [rad].
-        azimuth: How far to each side of the front they stand; pi is all around [rad].
-        margin: Between which shares the picture's edges stay free; the distance follows from it.
-        samples: How finely shadows and edges are drawn.
-        texture_size: Texels on a side of the materials' maps; 0 for plain colours.
-        picture: What pictures are written as.
-        split: Shares of the assets that are for training, validation and test; together 1.
+        field_of_view: Range of the field of view [rad].
+        elevation: Range of the camera's angle above the horizon, uniform on the sphere [rad].
+        azimuth: Largest angle of the camera to each side of the front; pi is all around [rad].
+        margin: Range of the free margin of a picture, over its size; it determines the distance.
+        samples: Number of samples of shadows and edges.
+        texture_size: Texels on a side of texture maps; 0 for plain colors.
+        picture: File format of pictures.
+        split: Shares of the assets for training, validation and test; their sum is 1.
     """
 
     FORMAT: ClassVar[str] = "artgen-images-1"
@@ -62,7 +63,7 @@ class ImagePlan(Draws):
     split: tuple[float, ...] = (0.8, 0.1, 0.1)
 
     def __post_init__(self) -> None:
-        """Refuse what no run could do, before anything is written.
+        """Refuse an impossible plan before anything is written.
 
         Raises:
             ParameterError: A category, label, number or override is unknown or not allowed.
@@ -72,7 +73,7 @@ class ImagePlan(Draws):
         _check_whole("samples", self.samples, 1, 1024)
         for name in self.random:
             if name not in RANDOM:
-                raise ParameterError(f"there is no {name!r} to draw anew.{nearest(str(name), RANDOM)}")
+                raise ParameterError(f"nothing called {name!r} can be random.{nearest(str(name), RANDOM)}")
         _check_range("field_of_view", self.field_of_view, 0.1, 2.0)
         _check_range("elevation", self.elevation, 0.0, math.pi / 2)
         _check_range("azimuth", (0.0, self.azimuth), 0.0, math.pi)
@@ -85,26 +86,25 @@ class ImagePlan(Draws):
         super().__post_init__()
         self.vocabulary()
 
-    def vocabulary(self) -> Vocabulary:
-        """Return which labels have masks.
+    def vocabulary(self) -> "Vocabulary":
+        """Return the labels that have masks.
 
         Raises:
-            ParameterError: One is unknown, or named twice.
+            ParameterError: A label is unknown, or named twice.
         """
         return Vocabulary.of(self.categories, self.labels)
+
+    def files(self, item: Item) -> dict[str, bytes]:
+        """Return the pictures of an asset, their annotations, and its `asset.json`."""
+        return pictures_of(item, self)
+
+    def finish(self, target: Target, records: Sequence[Mapping[str, Any]]) -> None:
+        """Write the files of COCO."""
+        write_coco(target, records, self)
 
     def to_data(self) -> dict[str, Any]:
         """Return the plan as JSON data."""
         return super().to_data() | {"random": sorted(self.random)}
-
-    @classmethod
-    def from_data(cls, data: Mapping[str, Any]) -> "ImagePlan":
-        """Return the plan of JSON data.
-
-        Raises:
-            ParameterError: They are not those of a plan.
-        """
-        return super().from_data(data)
 
 
 def _check_whole(name: str, value: Any, least: int, most: int) -> None:
@@ -123,5 +123,54 @@ def _check_split(shares: Any) -> None:
     fine = isinstance(shares, tuple) and len(shares) == len(PARTS)
     if not fine or any(share < 0.0 for share in shares) or abs(sum(shares) - 1.0) > 1e-9:
         raise ParameterError(
-            f"the split {shares!r} must be the shares of {', '.join(PARTS)}, together 1, such as 0.8,0.1,0.1"
+            f"the split {shares!r} must be the shares of {', '.join(PARTS)} with the sum 1, such as "
+            "0.8,0.1,0.1"
         )
+
+
+@dataclass(frozen=True)
+class Vocabulary:
+    """The labels that have masks."""
+
+    names: Mapping[str, Mapping[str, str]]  # name of the mask of a label, by category and label
+
+    @staticmethod
+    def of(categories: Sequence[str], texts: Sequence[str]) -> "Vocabulary":
+        """Read the labels that have masks; all of them if there are no texts."""
+        known = {name: find(name).labels for name in categories}
+        if not texts:
+            return Vocabulary({name: {label: label for label in labels} for name, labels in known.items()})
+        found: dict[str, dict[str, str]] = {name: {} for name in categories}
+        for text in texts:
+            owner, colon, rest = text.partition(":")
+            if colon and owner.strip() not in known:
+                raise ParameterError(f"the label {text!r} is of {owner!r}, but the plan has no images of it")
+            owners = [owner.strip()] if colon else list(categories)
+            new, equals, old = (rest if colon else text).partition("=")
+            for label in map(str.strip, (old if equals else new).split("+")):
+                having = [owner for owner in owners if label in known[owner]]
+                if not having or not new.strip():
+                    allowed = [each for owner in owners for each in known[owner]]
+                    where = ", ".join(owners)
+                    raise ParameterError(f"{where}: there is no label {label!r}.{nearest(label, allowed)}")
+                for owner in having:
+                    if label in found[owner]:
+                        raise ParameterError(
+                            f"the label {label!r} of {owner} is named twice; leave one of them out"
+                        )
+                    found[owner][label] = new.strip()
+        return Vocabulary(found)
+
+    def categories(self) -> list[dict[str, Any]]:
+        """Return the categories of COCO: one for each part of each category, numbered from 1."""
+        parts = [
+            (owner, name) for owner, names in self.names.items() for name in dict.fromkeys(names.values())
+        ]
+        return [
+            {"id": number, "name": name, "supercategory": owner}
+            for number, (owner, name) in enumerate(parts, start=1)
+        ]
+
+    def ids(self) -> dict[tuple[str, str], int]:
+        """Return the number of each part, by category and name."""
+        return {(each["supercategory"], each["name"]): each["id"] for each in self.categories()}

@@ -1,7 +1,8 @@
-"""MuJoCo's classic renderer for many pictures of one asset: colours, and what each pixel shows."""
+"""Many pictures of one asset with the classic renderer of MuJoCo, and their encoding as files."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from io import BytesIO
 from typing import Any
 
 import numpy as np
@@ -9,7 +10,7 @@ from numpy.typing import NDArray
 
 from artgen._arrays import Array
 from artgen.asset import Asset
-from artgen.images.lighting import Setting, Surroundings
+from artgen.images.draws import Setting, Surroundings
 from artgen.materials import material
 from artgen.view.camera import Camera
 from artgen.view.classic import HALF, SKY, ClassicDress, ClassicRenderer
@@ -17,20 +18,23 @@ from artgen.view.scene import HIDDEN_GROUP, STUDIO_GROUP, Scene, add_geom
 from artgen.view.studio import Backdrop, ribbon
 
 _SKY_TEXELS = 32
-_WIDE = 40.0  # half the size of floors and walls, over the asset's radius
-_NEARER = 0.15  # where the floor begins to be seen, over where it would for the asset alone
+_WIDE = 40.0  # half the size of floors and walls, over the radius of the asset
+_NEARER = 0.15  # nearest depth with a floor, over that of the asset alone
 _SHADOW_TEXELS = {False: 1024, True: 2048}  # of small and of large pictures
-_LARGE = 640  # pixels on a side of large pictures
+_LARGE = 640  # least size of large pictures [pixels]
 _TILES = 6  # faces of the sky: right, left, up, down, front, back
+_PNG_LEVEL = 1  # compression: higher levels take longer and save little
+_JPEG_QUALITY = 95
+_MOST = 65535  # largest number of 16 bits
 
 
 @dataclass
 class ImageDress(ClassicDress):
-    """Makes materials as for other pictures, and the floors and walls of these."""
+    """Adds floors and walls to the materials of other pictures."""
 
-    around: Surroundings = field(default_factory=Surroundings)  # which floors and walls
-    textures_around: int = 0  # texels on a side of their maps
-    large: bool = True  # whether pictures are large, and want finer shadows
+    around: Surroundings = field(default_factory=Surroundings)
+    textures_around: int = 0  # texels on a side of the maps of floors and walls
+    large: bool = True  # whether pictures are large, with finer shadows
 
     def surroundings(self, spec: Any, place: Backdrop) -> None:
         """Add lights, the sky, floors and walls to a specification."""
@@ -44,7 +48,7 @@ class ImageDress(ClassicDress):
         upright = ribbon(np.array([[0.0, -wide], [0.0, wide]]), np.array([standing, standing]), 0.0, wide)
         for kind, mesh, names in (("floor", level, self.around.floors), ("wall", upright, self.around.walls)):
             for number, name in enumerate(names):
-                # by a name of its own, so that its tint is not the asset's
+                # its own name separates its tint from that of the asset
                 made = replace(material(name), name=f"{kind}_{name}")
                 body = spec.worldbody.add_body(name=f"{kind}_{number}", mocap=True)
                 layer = self.layers(spec, made, self.textures_around)[0]
@@ -52,20 +56,16 @@ class ImageDress(ClassicDress):
 
 
 class ImageScene(Scene):
-    """A scene whose floor is seen before the asset, too."""
+    """A scene whose floor is visible in front of the asset."""
 
     def depth_range(self, camera: Camera, poses: list[Array]) -> tuple[float, float]:
-        """Return between which depths along a camera's axis everything is seen [m]."""
+        """Return the nearest and farthest visible depth along the axis of a camera [m]."""
         near, far = super().depth_range(camera, poses)
         return _NEARER * near, far
 
 
 class ImageRenderer(ClassicRenderer):
-    """Takes pictures of one asset in changing settings; `close` frees what it holds of the graphics card.
-
-    Attributes:
-        around: What the settings choose from.
-    """
+    """Takes pictures of one asset in changing settings; `close` frees the graphics memory."""
 
     def __init__(self, asset: Asset, around: Surroundings, textures: int, size: int) -> None:
         dress = ImageDress(around=around, textures_around=textures, large=size >= _LARGE)
@@ -82,7 +82,7 @@ class ImageRenderer(ClassicRenderer):
     def take(
         self, camera: Camera, poses: Mapping[str, Array], points: Array, setting: Setting, samples: int
     ) -> tuple[NDArray[np.uint8], NDArray[np.int32], Array]:
-        """Take a picture."""
+        """Return colors, the surface of each pixel, and depths."""
         self._setting = setting
         studio = self.scene.place.turned(camera)
         self._furnish(points @ studio[:3, :3].T + studio[:3, 3])
@@ -91,7 +91,7 @@ class ImageRenderer(ClassicRenderer):
         return color, *self.surfaces(placed, moved, self._size_of_picture)
 
     def _furnish(self, points: Array) -> None:
-        """Put sky, floor and wall around an asset that reaches to some points, in studio coordinates."""
+        """Put sky, floor and wall around an asset with some vertices, in studio coordinates."""
         setting, place = self._setting, self.scene.place
         self._paint_sky()
         floor = min(place.floor, float(points[:, 2].min()) - 1e-4 * place.radius)
@@ -120,7 +120,7 @@ class ImageRenderer(ClassicRenderer):
         return int(model.geom_matid[model.geom(f"{kind}_{number}").id])
 
     def _paint_sky(self) -> None:
-        """Paint the sky from its colour at the horizon and below to that above."""
+        """Paint the sky with a gradient from horizon to zenith."""
         import mujoco
 
         setting, model = self._setting, self.scene.model
@@ -137,19 +137,14 @@ class ImageRenderer(ClassicRenderer):
         mujoco.mjr_uploadTexture(model, self._context, number)
 
     def _light(self, places: list[float], focus: Array) -> None:
-        """Put the lamp, at one of its points, and light from everywhere, which is stronger from above."""
+        """Place the lamp at one of its points, and the ambient light, which is stronger from above."""
         light, place = self._setting.light, self.scene.place
         dim, color = HALF, np.array(light.color)
-        above, front, below = (
-            np.array([0.0, -0.3, 0.954]),
-            np.array([0.15, -0.984, 0.1]),
-            np.array([0.0, 0.0, -1.0]),
-        )
         lamps = (
             (light.direction((places[0], places[1])), 1.15 * light.directional * color),
-            (above, 0.55 * light.ambient * np.ones(3)),
-            (front, 0.35 * light.ambient * np.ones(3)),
-            (below, 0.12 * light.ambient * np.ones(3)),
+            (np.array([0.0, -0.3, 0.954]), 0.55 * light.ambient * np.ones(3)),  # above
+            (np.array([0.15, -0.984, 0.1]), 0.35 * light.ambient * np.ones(3)),  # in front
+            (np.array([0.0, 0.0, -1.0]), 0.12 * light.ambient * np.ones(3)),  # below
         )
         for number, (lamp, (direction, strength)) in enumerate(zip(self._view.lights, lamps, strict=False)):
             lamp.dir = -direction
@@ -158,3 +153,34 @@ class ImageRenderer(ClassicRenderer):
             lamp.ambient = [0.55 * light.ambient * dim if number == 0 else 0.0] * 3
             lamp.castshadow = number == 0
             lamp.specular = [0.0] * 3
+
+
+def encoded_color(pixels: NDArray[np.uint8], form: str) -> bytes:
+    """Return colors, shape (height, width, 3), as PNG or JPEG."""
+    return _png(pixels) if form == "png" else _encoded(pixels, "JPEG", quality=_JPEG_QUALITY)
+
+
+def encoded_depth(depth: Array) -> tuple[bytes, float]:
+    """Return depths as a 16-bit PNG, 0 for nothing, and the depth of one step [m]."""
+    seen = np.isfinite(depth)
+    scale = float(depth[seen].max()) / _MOST if seen.any() else 1.0
+    steps = np.rint(np.where(seen, depth, 0.0) / scale)
+    return _png(steps.astype(np.uint16)), scale
+
+
+def encoded_normals(normals: Array) -> bytes:
+    """Return unit normals, shape (height, width, 3), as PNG: 127.5 + 127.5 n, black for nothing."""
+    seen = np.abs(normals).sum(axis=-1, keepdims=True) > 0.0
+    return _png(np.where(seen, np.rint(127.5 + 127.5 * normals), 0.0).astype(np.uint8))
+
+
+def _png(pixels: NDArray[Any]) -> bytes:
+    return _encoded(pixels, "PNG", compress_level=_PNG_LEVEL)
+
+
+def _encoded(pixels: NDArray[Any], form: str, **options: int) -> bytes:
+    from PIL import Image
+
+    content = BytesIO()
+    Image.fromarray(pixels).save(content, form, **options)
+    return content.getvalue()

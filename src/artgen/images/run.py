@@ -1,16 +1,13 @@
-"""The run: worker processes take the pictures that a folder has not, as those of a dataset make assets."""
+"""The run that takes pictures: a dataset whose items are pictures instead of files of assets."""
 
-import functools
 import os
 from collections.abc import Callable
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
-from artgen.dataset.run import Summary, fill
+from artgen.dataset.run import Summary, generate_many
 from artgen.errors import RenderError
-from artgen.images.coco import write_coco
-from artgen.images.make import make
 from artgen.images.plan import ImagePlan
 from artgen.view import gl
 
@@ -26,48 +23,38 @@ def make_images(
 ) -> Summary:
     """Take all pictures of a plan, and list them in the files of COCO: `train.json`, `val.json`, `test.json`.
 
-    What is drawn depends on the plan alone, not on how many processes work or how often they were
-    interrupted: a run in a folder of the same plan makes what is missing.
+    The pictures depend on the plan alone, not on the number of processes or of interruptions: a run in a
+    folder of the same plan makes the missing ones.
 
     Args:
-        plan: What to make.
-        directory: Where: a folder, or a URL that fsspec knows; made if there is none, else it is empty or
+        plan: The plan.
+        directory: A folder, or a URL that fsspec can open; created if necessary. An existing one is empty or
             holds images of the same plan.
-        jobs: How many processes work; by default as many as there are cores for this one.
-        limit: How long the pictures of one asset may take; by default ten minutes and one for each [s].
-        progress: Called with the line of each asset in the manifest as it is added.
-        begin: Called before, with how many assets are missing.
+        jobs: Number of processes; by default the number of cores of this process.
+        limit: Time limit for one asset; by default ten minutes, and one more for each picture [s].
+        progress: Called with each line that is added to the manifest.
+        begin: Called at the beginning with the number of missing assets.
 
     Raises:
         ParameterError: `jobs` is less than one.
         RenderError: MuJoCo, OpenGL or a package is missing; nothing was written.
-        ExportError: The folder holds something else, another run writes to it, or the disk refuses; what is
-            done stays.
+        ExportError: The folder holds something else, another run writes to it, or the disk refuses; finished
+            assets stay.
     """
     _check_tools(plan)
-    # Mesa draws with all cores in every process otherwise
-    os.environ.setdefault("LP_NUM_THREADS", "0")
-    return fill(
-        plan,
-        directory,
-        make=make,
-        finish=functools.partial(write_coco, plan=plan),
-        jobs=jobs,
-        limit=600.0 + 60.0 * plan.images if limit is None else limit,
-        progress=progress,
-        begin=begin,
-    )
+    os.environ.setdefault("LP_NUM_THREADS", "0")  # else Mesa uses all cores in every process
+    limit = 600.0 + 60.0 * plan.images if limit is None else limit
+    return generate_many(plan, directory, jobs=jobs, limit=limit, progress=progress, begin=begin)
 
 
 def _check_tools(plan: ImagePlan) -> None:
-    """Look for OpenGL and the packages, and begin a picture."""
+    """Check OpenGL and the packages."""
     gl.available()
     needed = {"mujoco": "draws pictures", "pycocotools": "encodes masks"}
     if plan.normals:
         needed["embreex"] = "finds normals"
-    for name, what in needed.items():
+    for name, purpose in needed.items():
         if find_spec(name) is None:
-            raise RenderError(f'{name}, which {what}, is not installed: pip install "artgen[images]"')
+            raise RenderError(f'{name}, which {purpose}, is not installed: pip install "artgen[images]"')
     gl.claim_process()
-    drawing = gl.context(16, 16)
-    drawing.free()
+    gl.context(16, 16).free()

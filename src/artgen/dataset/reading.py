@@ -1,4 +1,4 @@
-"""Reading a dataset back: assets are loaded when they are asked for."""
+"""Reading a dataset: assets are loaded when they are accessed."""
 
 import hashlib
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any, overload
 
 from artgen.asset import Asset
 from artgen.dataset.folder import MANIFEST_FILE, read_manifest, stored_plan
+from artgen.dataset.plan import rows
 from artgen.dataset.store import is_url, target_of
-from artgen.dataset.tables import rows
 from artgen.errors import ExportError, ParameterError, nearest
 
 if TYPE_CHECKING:
@@ -18,23 +18,22 @@ _SHARES = {"train": 0.8, "val": 0.1, "test": 0.1}
 
 
 class Dataset(Sequence[Asset]):
-    """The assets of a folder that `artgen generate -n` made, or some of them.
+    """The assets of a folder made by `artgen generate -n`, or a part of them.
 
         assets = artgen.Dataset("doors").filter("door", hand="left")
         parts = assets.split()
         for asset in parts["train"]: ...
 
     Args:
-        directory: The folder, or a URL that fsspec knows: from there, an asset is fetched when it is asked
-            for, to a folder that is removed when the process ends. Assets whose run was interrupted are not
-            in it.
+        directory: The folder, or a URL that fsspec can open. From a URL, an asset is fetched on its first
+            access, to a folder that is removed at the end of the process. Only finished assets count.
 
     Raises:
         ExportError: It holds no dataset, or cannot be read.
 
     Attributes:
         directory: The folder or URL.
-        records: The line of each asset in the manifest, in order.
+        records: The manifest line of each asset, in order.
     """
 
     def __init__(self, directory: str | Path) -> None:
@@ -47,7 +46,7 @@ class Dataset(Sequence[Asset]):
         )
 
     def __len__(self) -> int:
-        """Return how many assets there are."""
+        """Return the number of assets."""
         return len(self.records)
 
     @overload
@@ -60,7 +59,7 @@ class Dataset(Sequence[Asset]):
         """Load an asset, or return the dataset of a slice.
 
         Raises:
-            ExportError: Its files are gone or damaged.
+            ExportError: Its files are missing or damaged.
         """
         if isinstance(index, slice):
             return self._of(self.records[index])
@@ -71,19 +70,19 @@ class Dataset(Sequence[Asset]):
         return map(Asset.load, map(self._path, self.records))
 
     def __repr__(self) -> str:
-        """Say how many assets of which categories there are."""
+        """Return the number of assets and their categories."""
         names = sorted({record["category"] for record in self.records})
         return f"<{len(self)} assets of {', '.join(names) or 'no category'} in {self.directory}>"
 
     def paths(self) -> list[Path]:
-        """Return the directory of each asset, all fetched if they lie at a URL."""
+        """Return the directory of each asset; all are fetched from a URL."""
         return [self._path(record) for record in self.records]
 
     def files(self, written: str) -> list[Path]:
         """Return the main file of each asset in a format: `urdf`, `mjcf`, `usd` or `glb`.
 
         Raises:
-            ExportError: They were not written in it.
+            ExportError: The assets were not written in that format.
         """
         known = self.records[0]["files"] if self.records else {written: ""}
         if written not in known:
@@ -98,14 +97,14 @@ class Dataset(Sequence[Asset]):
         where: Callable[[Mapping[str, Any]], bool] | None = None,
         **parameters: Any,
     ) -> "Dataset":
-        """Return the dataset of the assets that meet all conditions.
+        """Return the dataset of those assets that meet all conditions.
 
         Args:
-            category: Name of their category, or several names.
-            joint: A kind of joint that they have: `revolute` or `prismatic`.
-            where: A function of an asset's line in the manifest.
-            **parameters: What was drawn: a value, several in a list or set, or a range as a tuple of its
-                lowest and highest value. An asset without such a parameter does not meet it.
+            category: Name of a category, or several names.
+            joint: Kind of a joint: `revolute` or `prismatic`.
+            where: Condition on the manifest line of an asset.
+            **parameters: Values of drawn parameters: a value, several in a list or set, or a range as a tuple
+                of its lowest and highest value. An asset without the parameter does not meet it.
 
         Raises:
             ParameterError: No asset here is of such a category, or has such a joint or parameter.
@@ -132,29 +131,31 @@ class Dataset(Sequence[Asset]):
     def split(self, **shares: float) -> dict[str, "Dataset"]:
         """Divide the assets by seed, so that no seed is in two parts; by default 80, 10 and 10 %.
 
-        Assets of one seed share draws, such as materials, even across categories. Where a seed goes depends
-        on nothing else: a dataset that grows moves no asset from one part to another. The shares are met on
-        average.
+        Assets of one seed share draws, such as materials, even across categories. The part of a seed depends
+        on the seed and the shares alone: an asset stays in its part when a dataset grows. The sizes of the
+        parts meet the shares on average.
 
         Args:
-            **shares: Of each part by its name; together 1.
+            **shares: Share of each part, by the name of the part; their sum is 1.
 
         Raises:
-            ParameterError: They are not.
+            ParameterError: Their sum is not 1.
         """
         chosen = shares or _SHARES
         if any(share < 0.0 for share in chosen.values()) or abs(sum(chosen.values()) - 1.0) > 1e-9:
-            raise ParameterError(f"the shares of the parts are together 1, not {sum(chosen.values()):g}")
+            raise ParameterError(
+                f"the sum of the shares has to be 1, not {sum(chosen.values()):g}, and no share negative"
+            )
         parts: dict[str, list[Mapping[str, Any]]] = {name: [] for name in chosen}
         for record in self.records:
             parts[_part_of(record["seed"], chosen)].append(record)
         return {name: self._of(tuple(records)) for name, records in parts.items()}
 
     def to_pandas(self) -> "pd.DataFrame":
-        """Return a table with a row for each asset: what the manifest says of it, and its parameters.
+        """Return a table with a row for each asset: its data from the manifest, and its parameters.
 
         Raises:
-            ExportError: pandas is missing.
+            ExportError: pandas is not installed.
         """
         try:
             import pandas as pd
@@ -173,11 +174,11 @@ class Dataset(Sequence[Asset]):
     def _path(self, record: Mapping[str, Any]) -> Path:
         return self._target.local(str(record["path"]))
 
-    def _refuse_unknown(self, what: str, names: Iterable[str], known: Iterable[str]) -> None:
+    def _refuse_unknown(self, kind: str, names: Iterable[str], known: Iterable[str]) -> None:
         allowed = set(known)
         for name in names:
             if name not in allowed:
-                raise ParameterError(f"no asset here has the {what} {name!r}.{nearest(name, allowed)}")
+                raise ParameterError(f"no asset here has the {kind} {name!r}.{nearest(name, allowed)}")
 
 
 def _matches(drawn: Any, wanted: Any) -> bool:
@@ -190,11 +191,11 @@ def _matches(drawn: Any, wanted: Any) -> bool:
 
 
 def _part_of(seed: int, shares: Mapping[str, float]) -> str:
-    """Return the part that a seed belongs to, the same everywhere."""
+    """Return the part of a seed, the same on every machine."""
     word = hashlib.blake2b(f"split {seed}".encode(), digest_size=8).digest()
     left = int.from_bytes(word, "big") / 2.0**64
     for name, share in shares.items():
         left -= share
         if left < 0.0:
             return name
-    return [name for name, share in shares.items() if share > 0.0][-1]  # of rounding
+    return [name for name, share in shares.items() if share > 0.0][-1]  # after a rounding error

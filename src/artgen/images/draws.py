@@ -1,0 +1,245 @@
+"""Random poses, cameras, lights and surroundings of pictures.
+
+A camera's axes are those of OpenCV: x to the right of the picture, y down, z forward. A pixel at column i and
+row j spans i..i+1 and j..j+1, so its center lies at (i + 0.5, j + 0.5), as for the boxes of COCO.
+"""
+
+import colorsys
+import math
+from collections.abc import Collection, Mapping
+from dataclasses import asdict, dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from artgen._arrays import Array
+from artgen.asset import Asset, Joint
+from artgen.export.regions import Region, leader_of, regions
+from artgen.view.camera import Camera, View
+
+Color = tuple[float, float, float]  # red, green and blue, 0-1
+
+FLOORS = ("oak", "walnut_flat_sawn", "pine", "marble", "granite", "black_granite", "linen", "canvas", "mdf")
+"""Materials of random floors."""
+
+WALLS = ("linen", "marble", "plywood", "cardboard", "fabric", "beech", "mdf", "granite")
+"""Materials of random walls."""
+
+_PLAIN_SKY = (0.80, 0.80, 0.80)
+
+_ASIDE = 0.7  # largest shift of the asset off the center, over the free width beside it
+_MOVED = 0.7  # share of the joints that are away from rest
+_FREED = 0.7  # probability that a blocking joint is moved, rather than the blocked joint put back
+_ROUNDS = 8  # rounds of freeing blocked joints
+
+
+def random_positions(asset: Asset, draw: np.random.Generator) -> dict[str, float]:
+    """Return positions of the free joints that satisfy all dependencies [rad or m].
+
+    Most joints stand anywhere between their limits, some at rest. For a blocked joint, the joint that blocks
+    it is moved (the door for a rack), or the joint is put back. A certified asset has no collision there.
+    """
+    free = {joint.name: joint for joint in asset.free_joints}
+    q = {name: _anywhere(joint, draw) for name, joint in free.items()}
+    q |= {name: free[name].closed for name in free if draw.random() > _MOVED}
+    freed = {joint.name: draw.random() < _FREED for joint in asset.joints}
+    for _ in range(_ROUNDS):
+        for name in asset.blocked(q):
+            joint = asset.joint(name)
+            q |= _freeing(asset, joint, free, draw) if freed[name] else _back(asset, joint, free)
+    # joints that are still blocked go back, which may block others: until nothing changes
+    while blocked := [name for name in asset.blocked(q) if _is_away(asset, name, q, free)]:
+        for name in blocked:
+            q |= _back(asset, asset.joint(name), free)
+    return q if not asset.blocked(q) else {name: joint.closed for name, joint in free.items()}
+
+
+def _anywhere(joint: Joint, draw: np.random.Generator) -> float:
+    low, high = joint.limits or (-math.pi, math.pi)
+    return float(draw.uniform(low, high))
+
+
+def _back(asset: Asset, joint: Joint, free: Mapping[str, Joint]) -> dict[str, float]:
+    leader = leader_of(asset, joint)[0]
+    return {leader: free[leader].closed} if leader in free else {}
+
+
+def _is_away(asset: Asset, name: str, q: Mapping[str, float], free: Mapping[str, Joint]) -> bool:
+    leader = leader_of(asset, asset.joint(name))[0]
+    return leader in free and q[leader] != free[leader].closed
+
+
+def _freeing(
+    asset: Asset, joint: Joint, free: Mapping[str, Joint], draw: np.random.Generator
+) -> dict[str, float]:
+    """Return positions of other joints that free a joint; if there are none, put the joint back."""
+    assert joint.needs is not None
+    found = (_within_limits(region, free) for region in regions(asset, joint.needs.condition))
+    boxes = [box for box in found if box is not None]
+    if not boxes:
+        return _back(asset, joint, free)
+    box = boxes[int(draw.integers(len(boxes)))]
+    return {name: float(draw.uniform(low, high)) for name, (low, high) in box.items()}
+
+
+def _within_limits(region: Region, free: Mapping[str, Joint]) -> Region | None:
+    """Return the part of a region within the limits of the joints; None if it is empty."""
+    found = {}
+    for name, (low, high) in region.items():
+        if name not in free:
+            return None
+        least, most = free[name].limits or (-math.pi, math.pi)
+        if max(low, least) >= min(high, most):
+            return None
+        found[name] = (max(low, least), min(high, most))
+    return found
+
+
+def random_camera(
+    points: Array,
+    draw: np.random.Generator,
+    *,
+    field_of_view: tuple[float, float],
+    elevation: tuple[float, float],
+    azimuth: float,
+    margin: tuple[float, float],
+) -> Camera:
+    """Return a camera with all points in its square picture, somewhat off the center."""
+    height = draw.uniform(math.sin(elevation[0]), math.sin(elevation[1]))
+    view = View(
+        float(draw.uniform(-azimuth, azimuth)),
+        math.asin(height),
+        float(draw.uniform(*field_of_view)),
+        float(draw.uniform(*margin)),
+    )
+    return _shifted(view.camera(points), points, draw)
+
+
+def _shifted(camera: Camera, points: Array, draw: np.random.Generator) -> Camera:
+    """Return the camera moved aside with all points in the picture, and never below the floor."""
+    seen = camera.pixels(points, (1, 1))  # in fractions of the picture
+    free = np.clip(np.minimum(seen.min(axis=0), 1.0 - seen.max(axis=0)), 0.0, 1.0)
+    across, up = draw.uniform(-_ASIDE, _ASIDE, 2) * free
+    right, above, forward = camera.axes()
+    depth = float(((points - camera.position) @ forward).min())  # the nearest points move farthest
+    move = 2.0 * depth * math.tan(camera.field_of_view / 2.0) * (across * right + up * above)
+    floor = float(points[:, 2].min())
+    if camera.position[2] + move[2] < floor + 0.02 * depth:
+        move[2] = 0.0
+    return replace(
+        camera, position=tuple(camera.position + move), target=tuple(np.array(camera.target) + move)
+    )
+
+
+def intrinsics(camera: Camera, size: int) -> Array:
+    """Return the camera matrix, from camera coordinates to pixels, shape (3, 3)."""
+    focal = size / (2.0 * math.tan(camera.field_of_view / 2.0))
+    return np.array([[focal, 0.0, size / 2.0], [0.0, focal, size / 2.0], [0.0, 0.0, 1.0]])
+
+
+def extrinsics(camera: Camera) -> Array:
+    """Return the transform from asset to camera coordinates, shape (4, 4) [m]."""
+    right, up, forward = camera.axes()
+    result = np.eye(4)
+    result[:3, :3] = [right, -up, forward]
+    result[:3, 3] = -result[:3, :3] @ np.array(camera.position)
+    return result
+
+
+@dataclass(frozen=True)
+class Light:
+    """Light of one picture: ambient light, and a distant lamp that casts shadows."""
+
+    azimuth: float = -0.6  # direction to the lamp: 0 is the camera, a quarter turn its right side [rad]
+    elevation: float = 0.9  # angle of the lamp above the horizon [rad]
+    directional: float = 0.55  # strength of the lamp
+    ambient: float = 0.45  # strength of the ambient light
+    color: Color = (1.0, 1.0, 1.0)  # color of the lamp
+    spread: float = 0.05  # angular width of the lamp, which blurs its shadows [rad]
+
+    def direction(self, aside: tuple[float, float] = (0.0, 0.0)) -> Array:
+        """Return the unit direction to a point of the lamp, in coordinates that turn with the camera."""
+        turn = self.azimuth + 2.0 * self.spread * (aside[0] - 0.5)
+        high = self.elevation + 2.0 * self.spread * (aside[1] - 0.5)
+        level = math.cos(high)
+        return np.array([level * math.sin(turn), -level * math.cos(turn), math.sin(high)])
+
+    def to_data(self) -> dict[str, Any]:
+        """Return the light as JSON data."""
+        data = asdict(self) | {"color": list(self.color)}
+        del data["spread"]
+        return data
+
+
+@dataclass(frozen=True)
+class Setting:
+    """Light and surroundings of one picture."""
+
+    light: Light = Light()
+    horizon: Color = _PLAIN_SKY  # color of the sky at the horizon and below
+    zenith: Color = _PLAIN_SKY  # color of the sky at the zenith
+    floor: int = -1  # index of the floor; -1 for none
+    floor_tint: Color = (1.0, 1.0, 1.0)  # factor of its colors
+    floor_turn: float = 0.0  # turn about z [rad]
+    wall: int = -1  # index of the wall behind the asset; -1 for none
+    wall_tint: Color = (1.0, 1.0, 1.0)  # factor of its colors
+    wall_turn: float = 0.0  # turn about z [rad]
+    wall_distance: float = 1.5  # from the center of the asset, over the radius of the asset
+
+
+@dataclass(frozen=True)
+class Surroundings:
+    """The floors and walls that the pictures of one asset choose from."""
+
+    floors: tuple[str, ...] = ()  # materials of the floors
+    walls: tuple[str, ...] = ()  # materials of the walls
+
+
+def random_surroundings(random: Collection[str], draw: np.random.Generator) -> Surroundings:
+    """Return three random floors and walls for the pictures of an asset, as far as they are random."""
+    floors = tuple(str(each) for each in draw.choice(FLOORS, 3, replace=False))
+    walls = tuple(str(each) for each in draw.choice(WALLS, 3, replace=False))
+    return Surroundings(floors if "floor" in random else (), walls if "backdrop" in random else ())
+
+
+def random_setting(around: Surroundings, random: Collection[str], draw: np.random.Generator) -> Setting:
+    """Return random light and surroundings of a picture; the rest is plain."""
+    light = _random_light(draw) if "light" in random else Light()
+    plain = "backdrop" not in random
+    horizon, zenith = (_PLAIN_SKY,) * 2 if plain else (_random_color(draw), _random_color(draw))
+    wall = int(draw.integers(2 * len(around.walls))) if around.walls else -1  # half of the pictures have none
+    return Setting(
+        light,
+        horizon,
+        zenith,
+        floor=int(draw.integers(len(around.floors))) if around.floors else -1,
+        floor_tint=_random_tint(draw),
+        floor_turn=float(draw.uniform(-math.pi, math.pi)),
+        wall=wall if wall < len(around.walls) else -1,
+        wall_tint=_random_tint(draw),
+        wall_turn=float(draw.uniform(-0.7, 0.7)),
+        wall_distance=float(draw.uniform(1.3, 4.0)),
+    )
+
+
+def _random_light(draw: np.random.Generator) -> Light:
+    directional = float(draw.uniform(0.25, 0.8))
+    warmth = float(draw.uniform(-0.12, 0.12))
+    return Light(
+        azimuth=float(draw.uniform(-2.4, 2.4)),
+        elevation=float(draw.uniform(0.45, 1.4)),
+        directional=directional,
+        ambient=float(draw.uniform(0.8, 1.05)) - 0.8 * directional,
+        color=(1.0 + min(warmth, 0.0), 1.0 - 0.4 * abs(warmth), 1.0 - max(warmth, 0.0)),
+        spread=float(draw.uniform(0.01, 0.05)),
+    )
+
+
+def _random_color(draw: np.random.Generator) -> Color:
+    hue, saturation = draw.uniform(0.0, 1.0), 0.5 * draw.uniform(0.0, 1.0) ** 2
+    return colorsys.hsv_to_rgb(hue, saturation, draw.uniform(0.25, 0.95))
+
+
+def _random_tint(draw: np.random.Generator) -> Color:
+    red, green, blue = draw.uniform(0.75, 1.0) * draw.uniform(0.85, 1.0, 3)
+    return float(red), float(green), float(blue)
