@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 import artgen
-from artgen._caching import cached, cached_per_object, cached_property
+from artgen._arrays import cached, cached_per_object, cached_property
 from artgen.asset import Asset
 from artgen.catalog import categories
 from artgen.export.files import encode

@@ -11,8 +11,8 @@ from typer.testing import CliRunner
 from artgen.asset.report import CheckResult, Finding
 from artgen.commands.validate import validate
 from artgen.errors import ExportError, ParameterError
+from artgen.validate import Examination
 from artgen.validate.clients.outcome import Outcome
-from artgen.validate.run import Examination
 from support.exports import stand
 
 

@@ -28,10 +28,10 @@ from stable_baselines3 import PPO
 from stable_baselines3.common.vec_env import VecEnv, VecMonitor, VecNormalize
 
 from artgen.envs import TASKS, ManipulationEnv, Task
-from artgen.envs.assets import Assets, Source, compiled_asset
 from artgen.envs.env import BONUS, JITTER, RATE, STATE
 from artgen.envs.motion import Target
 from artgen.envs.scene import Scene
+from artgen.envs.task import Assets, Source, compiled_asset
 from artgen.errors import EnvError, ParameterError
 
 

@@ -12,7 +12,7 @@ from artgen.asset import Asset
 from artgen.errors import ArtgenError
 from artgen.generator import Generator
 from artgen.view.camera import View
-from artgen.view.rays import cast
+from artgen.view.rendering import cast
 from artgen.view.sheet import shots
 
 SAME = 0.07

@@ -12,8 +12,8 @@ from artgen.asset import Asset
 from artgen.asset.files import main_files
 from artgen.catalog import find
 from artgen.errors import InfeasibleError
+from artgen.validate import guarded
 from artgen.validate.colliders import check_colliders
-from artgen.validate.run import guarded
 from artgen.validate.solids import check_solids
 from artgen.validate.tree import check_tree
 from artgen.version import __version__

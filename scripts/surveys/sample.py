@@ -12,9 +12,9 @@ from artgen.catalog import find
 from artgen.errors import ArtgenError, InfeasibleError
 from artgen.generator import Generator
 from artgen.graph import Cache, Graph
+from artgen.validate import guarded
 from artgen.validate.colliders import check_colliders
 from artgen.validate.hands import check_grasps
-from artgen.validate.run import guarded
 from artgen.validate.solids import check_solids
 from artgen.validate.tree import check_tree
 from artgen.version import __version__

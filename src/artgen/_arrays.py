@@ -1,9 +1,94 @@
 """Types of arrays, and the neighbors of rows in a ring such as a contour."""
 
-from typing import TypeVar
+from collections.abc import Callable, Mapping
+from functools import lru_cache, wraps
+from threading import Lock
+from typing import Any, Generic, Self, TypeVar, overload
+from weakref import WeakKeyDictionary
 
 import numpy as np
 from numpy.typing import NDArray
+
+OPENUSD = Lock()
+"""Lock around calls of OpenUSD: while it loads its plugins, two threads would wait for each other forever."""
+
+Value = TypeVar("Value")
+Key = TypeVar("Key")
+
+
+def frozen(value: Value) -> Value:
+    """Return the value, with its arrays read-only, also those in tuples, lists and mappings."""
+    if isinstance(value, np.ndarray):
+        value.flags.writeable = False
+    elif isinstance(value, tuple | list):
+        for each in value:
+            frozen(each)
+    elif isinstance(value, Mapping):
+        for each in value.values():
+            frozen(each)
+    return value
+
+
+class FrozenArrays:
+    """Base of dataclasses whose arrays are read-only: a caller copies an array before changing it."""
+
+    def __post_init__(self) -> None:
+        """Make the arrays of all fields read-only."""
+        frozen(vars(self))
+
+
+class cached_property(Generic[Value]):  # noqa: N801 - the name of the field
+    """A property that is computed once; threads that compute it at the same time get one value."""
+
+    def __init__(self, compute: Callable[[Any], Value]) -> None:
+        self._compute = compute
+        self.__doc__ = compute.__doc__
+
+    def __set_name__(self, owner: type, name: str) -> None:
+        """Learn the name under which an instance keeps the value."""
+        self._name = name
+
+    @overload
+    def __get__(self, instance: None, owner: type | None = None) -> Self: ...
+
+    @overload
+    def __get__(self, instance: object, owner: type | None = None) -> Value: ...
+
+    def __get__(self, instance: object | None, owner: type | None = None) -> Self | Value:
+        """Compute the value; from then on the instance's dictionary holds it."""
+        if instance is None:
+            return self
+        value: Value = vars(instance).setdefault(self._name, frozen(self._compute(instance)))
+        return value
+
+
+def cached(maxsize: int | None) -> Callable[[Callable[..., Value]], Callable[..., Value]]:
+    """Return a decorator like `functools.lru_cache`, for functions that return arrays."""
+
+    def decorate(compute: Callable[..., Value]) -> Callable[..., Value]:
+        @lru_cache(maxsize)
+        @wraps(compute)
+        def remembered(*arguments: Any, **options: Any) -> Value:
+            return frozen(compute(*arguments, **options))
+
+        return remembered
+
+    return decorate
+
+
+def cached_per_object(compute: Callable[[Key], Value]) -> Callable[[Key], Value]:
+    """Remember the value of a function for each argument as long as that object lives, but no errors."""
+    known: WeakKeyDictionary[Key, Value] = WeakKeyDictionary()
+
+    @wraps(compute)
+    def remembered(key: Key) -> Value:
+        try:
+            return known[key]
+        except KeyError:
+            return known.setdefault(key, frozen(compute(key)))
+
+    return remembered
+
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]

@@ -61,9 +61,9 @@ def validate(self: Asset, *, behaviour: bool = True) -> "Report":
     Args:
         behaviour: Whether to try the asset out in MuJoCo, if that is installed.
     """
-    from artgen.validate import run
+    from artgen.validate import validate
 
-    return run.validate(self, behaviour=behaviour)
+    return validate(self, behaviour=behaviour)
 
 
 def export(

@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
-from artgen._caching import cached_per_object
+from artgen._arrays import cached_per_object
 from artgen.asset.distance import distinct_rows
 from artgen.asset.link import Link
 

@@ -7,8 +7,8 @@ from hypothesis import strategies as st
 
 from artgen.asset.collision import closed_mesh, connected_parts
 from artgen.colliders import Convex
+from artgen.colliders.coacd import fewest, single_hull
 from artgen.colliders.polytope import hull_triangles
-from artgen.colliders.single import fewest, single_hull
 from colliders.covering import block, drum, pose
 from support.trays import tray
 

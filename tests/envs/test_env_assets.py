@@ -5,7 +5,7 @@ import pytest
 
 import artgen
 from artgen.dataset import Dataset, Plan, generate_many
-from artgen.envs.assets import Assets
+from artgen.envs.task import Assets
 from artgen.errors import EnvError, ExportError
 from support.manipulation import PULL
 

@@ -22,8 +22,8 @@ from artgen.export.layouts.partnet.names import semantic
 from artgen.validate.clients.client import Client
 from artgen.validate.clients.exported import read_exported
 from artgen.validate.clients.install_location import interpreters
+from artgen.validate.clients.registry import SAPIEN
 from artgen.validate.clients.run import ask
-from artgen.validate.clients.sapien import SAPIEN
 from support.exports import edit_text
 from support.partnet import TO_BASE, TO_MESH, pose_errors, robot, table
 from support.textured import recipes, textured

@@ -14,7 +14,7 @@ from artgen.asset.manifolds import is_closed
 from artgen.dataset.folder import record_of
 from artgen.errors import AssetError, ParameterError
 from artgen.export.files import encode
-from artgen.validate.run import validate
+from artgen.validate import validate
 
 PRECISION = 0.0005
 

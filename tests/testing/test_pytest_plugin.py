@@ -8,7 +8,7 @@ import sys
 import pytest
 
 from artgen.asset.report import CheckResult, Finding
-from artgen.validate.run import Examination
+from artgen.validate import Examination
 from support.exports import stand
 
 pytest_plugins = ["pytester"]

@@ -13,8 +13,8 @@ from artgen import Body, Prismatic, Revolute, X, Y, Z, box, cylinder, frame, gra
 from artgen.asset import Asset, rotation
 from artgen.asset.affordance import Grasp, Push
 from artgen.asset.report import CheckResult
+from artgen.validate import validate
 from artgen.validate.hands import check_grasps
-from artgen.validate.run import validate
 
 STEEL = material("steel")
 SEEDS = range(8)

@@ -11,7 +11,7 @@ import pytest
 
 import artgen
 from artgen.asset import Asset
-from artgen.validate.run import validate
+from artgen.validate import validate
 from support import injections_files, injections_mjcf, injections_urdf, injections_usd
 from support.exports import edit_json
 from support.injections import FAULTS, Absent, Export, Fault, place

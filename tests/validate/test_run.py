@@ -16,10 +16,9 @@ from artgen.asset.contact import AllowedContact
 from artgen.asset.report import CheckResult, Finding, Report
 from artgen.commands.validate import write_report
 from artgen.errors import AssetError, ExportError, ParameterError
-from artgen.validate import tree
+from artgen.validate import CHECKS, Examination, tree, validate
 from artgen.validate.certified import check_certificate
 from artgen.validate.files import read_export
-from artgen.validate.run import CHECKS, Examination, validate
 from support.exports import edit_json, edit_text, stand
 
 

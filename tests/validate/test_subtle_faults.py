@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 from lxml import etree
 
-from artgen.validate.run import validate
+from artgen.validate import validate
 from support.exports import edit_json
 from support.injections import Export, named
 

@@ -11,9 +11,7 @@ from artgen import Body, Float, Revolute, Z, box, cylinder, fixed, generator, ma
 from artgen.catalog import find
 from artgen.errors import ParameterError, RenderError
 from artgen.generator import Generator
-from artgen.graph_view import graph_page
-from artgen.graph_view.page import dagre_js
-from artgen.graph_view.record import graph_record
+from artgen.graph_view import dagre_js, graph_page, graph_record
 from support.browser import Browser, Tab, started
 
 

@@ -6,8 +6,7 @@ from typing import TYPE_CHECKING, Any, Literal, Self
 
 import numpy as np
 
-from artgen._arrays import Array
-from artgen._caching import FrozenArrays
+from artgen._arrays import Array, FrozenArrays
 
 if TYPE_CHECKING:
     from artgen.asset.asset import Asset

@@ -6,8 +6,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
-from artgen._arrays import Array
-from artgen._caching import cached_property
+from artgen._arrays import Array, cached_property
 from artgen.asset.affordance import Affordance, affordances
 from artgen.asset.certificate import Certificate
 from artgen.asset.contact import AllowedContact

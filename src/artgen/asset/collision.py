@@ -8,14 +8,12 @@ import numpy as np
 from manifold3d import Manifold, Mesh64, OpType
 from numpy.typing import NDArray
 
-from artgen._arrays import Array
-from artgen._caching import cached_property
+from artgen._arrays import Array, cached_property
 from artgen.asset import Asset, Collider, Link, Surface
 from artgen.asset.link import MOST_COLLIDERS, boxes_overlap
 from artgen.asset.mass import MassProperties
 from artgen.colliders import Convex
-from artgen.colliders.coacd import coacd_pieces
-from artgen.colliders.single import fewest, single_hull
+from artgen.colliders.coacd import coacd_pieces, fewest, single_hull
 from artgen.errors import AssetError, ExportError, nearest
 from artgen.materials import Material
 

@@ -9,8 +9,7 @@ from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 from trimesh.triangles import closest_point
 
-from artgen._arrays import Array, Indices
-from artgen._caching import FrozenArrays, cached_property
+from artgen._arrays import Array, FrozenArrays, Indices, cached_property
 
 Number = TypeVar("Number", np.float64, np.int64)
 

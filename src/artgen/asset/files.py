@@ -10,8 +10,7 @@ from typing import Any, NoReturn
 
 import numpy as np
 
-from artgen._arrays import Array
-from artgen._caching import cached_property
+from artgen._arrays import Array, cached_property
 from artgen._names import check_names
 from artgen.asset.affordance import Grasp, Push
 from artgen.asset.asset import FORMAT, Asset, remember

@@ -6,8 +6,7 @@ from typing import Any, Literal
 
 import numpy as np
 
-from artgen._arrays import Array
-from artgen._caching import FrozenArrays
+from artgen._arrays import Array, FrozenArrays
 from artgen.errors import AssetError
 
 JointKind = Literal["revolute", "prismatic"]

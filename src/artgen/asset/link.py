@@ -7,8 +7,7 @@ from typing import Any, overload
 import numpy as np
 from manifold3d import Manifold, OpType
 
-from artgen._arrays import Array
-from artgen._caching import FrozenArrays, cached_property
+from artgen._arrays import Array, FrozenArrays, cached_property
 from artgen.asset.affordance import Grasp, Push
 from artgen.asset.mass import MassProperties, Moments, polyhedron_moments, total
 from artgen.asset.record import rounded_link

@@ -4,8 +4,7 @@ import numpy as np
 from manifold3d import Manifold, Mesh64
 from numpy.typing import ArrayLike
 
-from artgen._arrays import Array, Indices
-from artgen._caching import cached
+from artgen._arrays import Array, Indices, cached
 from artgen.colliders.triangles import cross
 
 PROPERTIES = 6

@@ -11,8 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from artgen._arrays import Array
-from artgen._caching import FrozenArrays
+from artgen._arrays import Array, FrozenArrays
 from artgen.colliders.triangles import cross
 from artgen.errors import AssetError
 

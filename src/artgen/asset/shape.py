@@ -6,8 +6,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from manifold3d import Error, Manifold
 
-from artgen._arrays import Array, Indices
-from artgen._caching import FrozenArrays, cached_property, frozen
+from artgen._arrays import Array, FrozenArrays, Indices, cached_property, frozen
 from artgen.asset.manifolds import (
     PROPERTIES,
     TURNED_OVER,

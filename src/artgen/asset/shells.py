@@ -9,8 +9,7 @@ from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 from scipy.spatial import cKDTree
 
-from artgen._arrays import Array, Indices
-from artgen._caching import FrozenArrays, cached_per_object, cached_property
+from artgen._arrays import Array, FrozenArrays, Indices, cached_per_object, cached_property
 from artgen.asset import Link, Mesh
 from artgen.asset.distance import distinct_rows
 

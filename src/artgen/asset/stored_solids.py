@@ -7,8 +7,7 @@ from typing import Any
 import numpy as np
 from manifold3d import Error, Manifold, Mesh64
 
-from artgen._arrays import Array
-from artgen._caching import FrozenArrays, cached_per_object
+from artgen._arrays import Array, FrozenArrays, cached_per_object
 from artgen.asset import Link, Surface
 from artgen.asset.collision import Part, connected_parts, solid_parts
 from artgen.errors import AssetError

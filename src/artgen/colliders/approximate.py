@@ -5,8 +5,7 @@ import math
 import numpy as np
 from manifold3d import Manifold
 
-from artgen._arrays import Array
-from artgen._caching import cached
+from artgen._arrays import Array, cached
 from artgen.colliders.polytope import SLIVER, Polytope
 
 MOST_SIDES = 64

@@ -1,18 +1,120 @@
 """Approximate convex pieces of a mesh of unknown making, by CoACD."""
 
+import hashlib
 import io
 import json
 import subprocess
 import sys
+import zlib
+from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from importlib import metadata
+from zipfile import BadZipFile
 
 import numpy as np
 from numpy.typing import NDArray
 
+from artgen import _disk_cache as disk_cache
 from artgen._arrays import Array
-from artgen.colliders.cache import digest, read_points, write_points
-from artgen.colliders.convex import Convex
-from artgen.colliders.single import single_hull
+from artgen._disk_cache import cache_directory
+from artgen.colliders.convex import TOLERANCE, Convex
+from artgen.colliders.enclose import Facets, enclosing
+
+
+def single_hull(points: Array, most_vertices: int = 64) -> Convex:
+    """Return the convex hull of points, shape (n, 3) [m], or a polytope of fewer vertices around it.
+
+    The order of the points does not show.
+
+    Raises:
+        ValueError: The points are fewer than four, not finite, or lie in one plane.
+    """
+    piece = Convex.hull(points)
+    if piece.kind != "hull" or len(piece.points) <= most_vertices:
+        return piece
+    return Convex.hull(enclosing(Facets.hull(piece.points), most_vertices, TOLERANCE)[0])
+
+
+def fewest(
+    pieces: Sequence[Convex], most_pieces: int, most_vertices: int = 64
+) -> list[tuple[Convex, tuple[int, ...]]]:
+    """Join pieces until they are few enough, those first whose common bounding box adds least.
+
+    Args:
+        pieces: The pieces; with few enough vertices each.
+        most_pieces: How many there may be, at least 1.
+        most_vertices: How many vertices a joined piece may have.
+
+    Returns:
+        Each piece with the numbers of those that it stands for.
+    """
+    groups: list[tuple[int, ...]] = [(number,) for number in range(len(pieces))]
+    boxes = np.array([piece.bounds() for piece in pieces]).reshape(-1, 2, 3)
+    while len(groups) > most_pieces:
+        lower = np.minimum(boxes[:, None, 0], boxes[None, :, 0])
+        upper = np.maximum(boxes[:, None, 1], boxes[None, :, 1])
+        volume = np.prod(boxes[:, 1] - boxes[:, 0], axis=1)
+        added = np.prod(upper - lower, axis=2) - volume[:, None] - volume
+        added[np.tril_indices(len(groups))] = np.inf
+        first, second = divmod(int(np.argmin(added)), len(groups))
+        groups[first] += groups.pop(second)
+        boxes[first] = (lower[first, second], upper[first, second])
+        boxes = np.delete(boxes, second, axis=0)
+    return [(_around([pieces[number] for number in group], most_vertices), group) for group in groups]
+
+
+def _around(pieces: Sequence[Convex], most_vertices: int) -> Convex:
+    if len(pieces) == 1:
+        return pieces[0]
+    return single_hull(np.concatenate([piece.outer_points() for piece in pieces]), most_vertices)
+
+
+__all__ = ["cache_directory", "digest", "read_points", "write_points"]
+
+_FORMAT = "artgen-pieces-1"
+_DAMAGED = (OSError, ValueError, KeyError, EOFError, BadZipFile, zlib.error)  # what a damaged file raises
+
+
+def digest(vertices: Array, triangles: NDArray[np.int64], settings: Mapping[str, float | str]) -> str:
+    """Return a digest of a mesh, as its numbers are, and of how its pieces are found."""
+    head = {"format": _FORMAT, "vertices": len(vertices), "triangles": len(triangles), **settings}
+    found = hashlib.sha256(json.dumps(head, sort_keys=True).encode())
+    found.update(np.ascontiguousarray(vertices, "<f8").tobytes())
+    found.update(np.ascontiguousarray(triangles, "<i8").tobytes())
+    return found.hexdigest()
+
+
+def read_points(kind: str, key: str) -> list[Array] | None:
+    """Return the points of the pieces that are kept under a key, each shape (n, 3) [m], or None."""
+    content = disk_cache.read(kind, f"{key}.npz")
+    if content is None:
+        return None
+    try:
+        with np.load(io.BytesIO(content), allow_pickle=False) as stored:
+            points, counts = stored["points"], stored["counts"]
+    except _DAMAGED:
+        return None
+    sound = (
+        points.dtype == np.float64
+        and counts.dtype == np.int64
+        and points.shape == (counts.sum(), 3)
+        and counts.ndim == 1
+        and bool((counts > 0).all())
+        and bool(np.isfinite(points).all())
+    )
+    return np.split(points, np.cumsum(counts)[:-1]) if sound else None
+
+
+def write_points(kind: str, key: str, pieces: Sequence[Array]) -> None:
+    """Keep the points of pieces, each shape (n, 3) [m], under a key; other processes see all or nothing."""
+    if not pieces:
+        return
+    counts = np.array([len(points) for points in pieces], np.int64)
+    with suppress(OSError):
+        file = io.BytesIO()
+        np.savez(file, points=np.concatenate(pieces).astype(np.float64), counts=counts)
+        disk_cache.write(kind, f"{key}.npz", file.getvalue())
+
 
 THRESHOLD = 0.05
 """Concavity that CoACD allows in a piece unless said otherwise, relative to the size of the mesh."""
@@ -50,7 +152,7 @@ def coacd_pieces(
 
     The hulls follow the surface to about `threshold` times the size of the mesh and need not contain it:
     prefer pieces known from how a solid was made. CoACD runs in a process of its own, which it may end. What
-    it found is kept on disk, see `artgen.colliders.cache`: the same mesh, in whatever order, is decomposed
+    it found is kept on disk, see `artgen.colliders.coacd`: the same mesh, in whatever order, is decomposed
     once.
 
     Args:

@@ -7,8 +7,7 @@ from typing import Literal
 import numpy as np
 from manifold3d import Manifold
 
-from artgen._arrays import Array
-from artgen._caching import FrozenArrays, cached, cached_property
+from artgen._arrays import Array, FrozenArrays, cached, cached_property
 from artgen.colliders.approximate import (
     circle_sides,
     circumscribed_circle,

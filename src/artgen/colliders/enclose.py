@@ -7,8 +7,7 @@ import numpy as np
 from manifold3d import Manifold, Mesh64
 from numpy.typing import NDArray
 
-from artgen._arrays import Array
-from artgen._caching import cached, cached_property
+from artgen._arrays import Array, cached, cached_property
 from artgen.colliders.convex import TOLERANCE, Convex
 from artgen.colliders.polytope import SNAP
 from artgen.colliders.triangles import across, cross, hull_of, planes_of, triangles_of

@@ -5,8 +5,7 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
-from artgen._arrays import Array
-from artgen._caching import frozen
+from artgen._arrays import Array, frozen
 from artgen.colliders.convex import Convex
 from artgen.colliders.enclose import few_vertices
 from artgen.colliders.merge import joined

@@ -13,8 +13,7 @@ import numpy as np
 from manifold3d import Manifold
 from numpy.typing import NDArray
 
-from artgen._arrays import Array, Indices, Mask, successors
-from artgen._caching import FrozenArrays, cached_property
+from artgen._arrays import Array, FrozenArrays, Indices, Mask, cached_property, successors
 from artgen.colliders.triangles import cross, hull_of, triangles_of
 
 SNAP = 1e-9

@@ -5,8 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from artgen._arrays import Array
-from artgen._caching import cached_property
+from artgen._arrays import Array, cached_property
 from artgen.colliders.convex import Convex
 from artgen.colliders.enclose import few_vertices
 from artgen.colliders.polytope import SLIVER, SNAP, Polytope

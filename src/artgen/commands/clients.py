@@ -11,8 +11,7 @@ from rich.table import Table
 from rich.text import Text
 
 from artgen.errors import ClientError
-from artgen.validate.clients.client import Client
-from artgen.validate.clients.environments import REQUIREMENTS
+from artgen.validate.clients.client import REQUIREMENTS, Client
 from artgen.validate.clients.install import install as install_environment
 from artgen.validate.clients.install_location import (
     environments_directory,

@@ -8,7 +8,7 @@ from artgen.asset.collision import Collision
 from artgen.asset.files import main_files
 from artgen.catalog import find
 from artgen.commands.export import check_formats
-from artgen.commands.many import many
+from artgen.commands.progress import many
 from artgen.dataset import Plan, TextureMode, generate_many
 from artgen.dataset.engine import EngineName
 from artgen.dataset.store import is_url

@@ -5,7 +5,7 @@ from typing import Annotated
 
 import typer
 
-from artgen.commands.many import many
+from artgen.commands.progress import many
 from artgen.errors import ParameterError
 from artgen.generator import OnCollision
 from artgen.images import ImagePlan, make_images

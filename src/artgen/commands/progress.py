@@ -1,5 +1,10 @@
 """The progress bars of commands that take long."""
 
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import typer
 from rich.console import Console
 from rich.progress import (
     BarColumn,
@@ -11,6 +16,9 @@ from rich.progress import (
     TimeRemainingColumn,
 )
 from rich.text import Text
+
+from artgen.dataset import Summary
+from artgen.dataset.disk import GO_ON
 
 
 def progress_bar() -> Progress:
@@ -44,3 +52,55 @@ def _bar(*columns: ProgressColumn) -> Progress:
         transient=True,
         disable=not console.is_terminal,
     )
+
+
+_FAULT = 1  # exit code
+_INTERRUPTED = 130  # exit code
+_SHOWN = 20  # failed seeds that are spelt out
+
+Step = Callable[[dict[str, Any]], None]
+Begin = Callable[[int], None]
+
+
+def many(work: Callable[[Step, Begin], Summary], out: str, *, each: int = 1, what: str = "assets") -> None:
+    """Make a dataset, show how it goes on, and list what cannot be made.
+
+    Args:
+        work: Makes it: given what to call with each line of the manifest, and with how many are missing.
+        out: Where to.
+        each: How many things are made of an asset.
+        what: What these are.
+
+    Raises:
+        Exit: An asset cannot be made.
+    """
+    try:
+        with rate_bar() as bar:
+            task = bar.add_task(Path(out).name, total=None, failed="")
+            failed = 0
+
+            def step(record: dict[str, Any]) -> None:
+                nonlocal failed
+                failed += record["state"] != "done"
+                bar.update(task, advance=each, failed=f"{failed} failed" if failed else "")
+
+            summary = work(step, lambda left: bar.update(task, total=each * left))
+    except KeyboardInterrupt:
+        typer.echo(f"interrupted; {GO_ON}", err=True)
+        raise typer.Exit(_INTERRUPTED) from None
+    _tell(summary, out, each, what)
+    if summary.failed:
+        raise typer.Exit(_FAULT)
+
+
+def _tell(summary: Summary, out: str, each: int, what: str) -> None:
+    """List what cannot be made on stderr, and say on stdout what there is."""
+    for record in summary.failed[:_SHOWN]:
+        typer.echo(f"{record['name']}: {record['error']}", err=True)
+    if len(summary.failed) > _SHOWN:
+        typer.echo(f"and {len(summary.failed) - _SHOWN} more: manifest.jsonl lists them", err=True)
+    made, kept = each * summary.made, each * summary.kept
+    rate = f", {summary.seconds / made:.2f} s each" if made else ""
+    before = f", {kept} were there" if kept else ""
+    failed = f", {len(summary.failed)} cannot be made" if summary.failed else ""
+    typer.echo(f"made {made} {what} in {summary.seconds:.0f} s{rate}{before}{failed}: {out}")

@@ -17,10 +17,10 @@ from artgen.asset.files import ASSET_FILE
 from artgen.asset.report import CheckResult, Finding, Report
 from artgen.errors import ExportError
 from artgen.export.files import REPORT_FILE
-from artgen.validate.clients.ask import ask_clients
+from artgen.validate import validate as run_checks
 from artgen.validate.clients.outcome import ClientReport, Outcome
 from artgen.validate.clients.registry import ALL, chosen_clients
-from artgen.validate.run import validate as run_checks
+from artgen.validate.clients.run import ask_clients
 
 _FAULT = 1  # exit code
 _PLAIN_WIDTH = 1000  # columns where no terminal shows them: one line for each row

@@ -7,7 +7,7 @@ from importlib.util import find_spec
 from io import BytesIO
 from typing import Any, ClassVar, Literal, Self, get_args
 
-from artgen._caching import cached_property
+from artgen._arrays import cached_property
 from artgen.asset.asset import Asset, Base
 from artgen.asset.collision import Collision
 from artgen.catalog import find, is_file

@@ -19,7 +19,7 @@ from typing import Any
 from urllib.parse import urlsplit
 from urllib.request import url2pathname
 
-from artgen._caching import cached_property
+from artgen._arrays import cached_property
 from artgen._names import inside
 from artgen.asset.files import ASSET_FILE
 from artgen.dataset.disk import LOCK_FILE, PLAN_FILE, Disk, unseen

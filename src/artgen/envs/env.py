@@ -11,11 +11,10 @@ from numpy.typing import NDArray
 
 from artgen._arrays import Array
 from artgen.asset import Asset
-from artgen.envs.assets import Assets, Source, compiled_asset
 from artgen.envs.motion import Stage, Target, tip_of
 from artgen.envs.robot import OPENING
 from artgen.envs.scene import CAMERAS, STEPS, TIME_STEP, Pictures, Scene
-from artgen.envs.task import TASKS, Task
+from artgen.envs.task import TASKS, Assets, Source, Task, compiled_asset
 from artgen.errors import EnvError, ParameterError, nearest
 
 RATE = round(1.0 / (STEPS * TIME_STEP))

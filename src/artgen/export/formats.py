@@ -1,11 +1,12 @@
 """The formats that an asset can be written in, by name."""
 
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 
-from artgen._caching import OPENUSD
+from artgen._arrays import OPENUSD
 from artgen.asset import Asset
 from artgen.export.glb import write_glb
-from artgen.export.losses import Written
+from artgen.export.losses import Layout, Written
 from artgen.export.mjcf import write_mjcf
 from artgen.export.urdf import write_urdf
 
@@ -33,3 +34,21 @@ DEFAULT_FORMATS = ("urdf", "mjcf", "usd")
 
 TEXTURES = 512
 """Texels on a side of the maps unless more or fewer are asked for."""
+
+
+SUFFIXES = {"urdf": ".urdf", "mjcf": ".xml", "usd": ".usda", "glb": ".glb"}
+"""Ending of the main file of each format; its stem is the name of the asset."""
+
+
+def write_flat(asset: Asset, name: str, textures: int) -> Written:
+    """Write one format of an asset; see `Layout.write`."""
+    return replace(FORMATS[name](asset, textures), main=asset.name + SUFFIXES[name])
+
+
+FLAT = Layout(
+    "flat",
+    "one file for each format beside one folder of meshes",
+    tuple(FORMATS),
+    len(DEFAULT_FORMATS),
+    write_flat,
+)

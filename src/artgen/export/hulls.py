@@ -5,8 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from artgen._arrays import Array, Indices
-from artgen._caching import FrozenArrays, cached
+from artgen._arrays import Array, FrozenArrays, Indices, cached
 from artgen.asset import Asset
 from artgen.asset.record import DECIMALS
 from artgen.colliders import Convex

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from artgen._caching import cached
+from artgen._arrays import cached
 from artgen.asset import Asset
 from artgen.asset.files import MESH_DIRECTORY
 from artgen.materials import Material

@@ -7,8 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from artgen._arrays import Array, Indices
-from artgen._caching import FrozenArrays, cached
+from artgen._arrays import Array, FrozenArrays, Indices, cached
 from artgen.asset import Asset, Mesh
 from artgen.asset.files import (
     MESH_DIRECTORY,

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from artgen._caching import cached_property
+from artgen._arrays import cached_property
 from artgen.asset import Asset, Mesh, Surface
 from artgen.asset.asset import remember
 from artgen.asset.collision import DerivedLink, fields_of, need_solids

@@ -9,7 +9,7 @@ from typing import Any, Literal
 
 import numpy as np
 
-from artgen._caching import cached_property
+from artgen._arrays import cached_property
 from artgen.errors import ParameterError
 from artgen.graph import Handle
 from artgen.materials import MATERIALS, Material

@@ -1,10 +1,72 @@
 """The graph: immutable nodes, the handles that authors hold, evaluation, JSON, source and drawings."""
 
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from artgen.graph.draw import table, to_mermaid
 from artgen.graph.evaluation import Cache, Evaluation, evaluate
-from artgen.graph.graph import Graph
 from artgen.graph.handle import LITERAL_TYPES, Handle, LiteralType, handle_of
+from artgen.graph.jsonfile import from_json, to_json
 from artgen.graph.kernel import OPERATIONS, Operation, kernel, operation
-from artgen.graph.node import Node, topological
+from artgen.graph.node import PARAMETER, Node, topological
+from artgen.graph.source import to_python
+
+
+@dataclass(frozen=True, eq=False)
+class Graph:
+    """Everything that a handle reaches.
+
+    Attributes:
+        result: The handle of the root.
+    """
+
+    result: Handle
+
+    @property
+    def key(self) -> str:
+        """Hash of the content: equal graphs have equal keys."""
+        return self.result.node.key
+
+    @property
+    def nodes(self) -> list[Node]:
+        """Every node once, inputs before the nodes that use them."""
+        return topological(self.result.node)
+
+    @property
+    def parameters(self) -> tuple[str, ...]:
+        """Names of the parameters whose values evaluation needs, in order of appearance."""
+        return tuple(node.inputs["name"] for node in self.nodes if node.op == PARAMETER)
+
+    def evaluate(self, parameters: Mapping[str, Any] | None = None, cache: Cache | None = None) -> Evaluation:
+        """Compute the value of the root; see `artgen.graph.evaluate`."""
+        return evaluate(self.result, parameters, cache)
+
+    def to_json(self) -> str:
+        """Return the graph as JSON text."""
+        return to_json(self.result)
+
+    @staticmethod
+    def from_json(text: str) -> "Graph":
+        """Read a graph that `to_json` wrote; runs no code of the text.
+
+        Raises:
+            GraphError: The text is no valid graph.
+        """
+        return Graph(from_json(text))
+
+    def to_python(self, name: str = "build") -> str:
+        """Return Python source of a function that builds the graph."""
+        return to_python(self.result, name)
+
+    def to_mermaid(self) -> str:
+        """Return a Mermaid flow chart."""
+        return to_mermaid(self.result)
+
+    def table(self, evaluation: Evaluation | None = None) -> str:
+        """Return the nodes, and the costs of an evaluation, as a text table."""
+        return table(self.result, evaluation)
+
 
 __all__ = [
     "LITERAL_TYPES",

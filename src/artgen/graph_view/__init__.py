@@ -1,5 +1,168 @@
 """The node graph of a category as a page: values, times, cache and geometry of every node."""
 
-from artgen.graph_view.page import graph_page
+import html
+import json
+from collections import Counter
+from collections.abc import Mapping
+from functools import lru_cache
+from importlib.resources import files
+from typing import Any
+
+from artgen.errors import RenderError
+from artgen.generator import Generator
+from artgen.graph import Cache, Evaluation, Graph
+from artgen.graph.handle import handle_of
+from artgen.graph.node import PARAMETER, Node
+from artgen.graph_view.authors import Authors
+from artgen.graph_view.geometry import Gallery
+from artgen.graph_view.spelled import input_text, value_text
+from artgen.view.web.page import Page, filled, packed, three_js
+from artgen.view.web.page import read as read_viewer
+
+_ABSENT = object()
+_ALL = 10**7  # values: a cache that forgets nothing
+
+
+def graph_record(
+    generator: Generator, seed: int, overrides: Mapping[str, Any], change: Mapping[str, Any]
+) -> tuple[dict[str, Any], bytes]:
+    """Evaluate a graph and return the data of its page, and the meshes."""
+    asset, _ = generator.evaluate(seed, cache=Cache(), certify=False, overrides=overrides)
+    cache = Cache(_ALL)
+    values = generator.sample(seed, attempt=asset.attempt, overrides=overrides)
+    graph = Graph(generator.build(values))
+    evaluation = graph.evaluate(values, cache)
+    if change:
+        values = generator.sample(seed, attempt=asset.attempt, overrides={**overrides, **change})
+        graph = Graph(generator.build(values))
+        evaluation = graph.evaluate(values, cache)
+    nodes = graph.nodes
+    number = {node.key: index for index, node in enumerate(nodes)}
+    uses = Counter(child.key for node in nodes for child in dict.fromkeys(node.children))
+    shown = {key: getattr(value, "name", value) for key, value in values.items()}
+    distributions = {name: repr(each.distribution) for name, each in generator.parameters().items()}
+    gallery, authors = Gallery(), Authors()
+    records = []
+    for node in nodes:
+        value = shown[node.inputs["name"]] if node.op == PARAMETER else _value(node, evaluation, cache)
+        record = _described(node, number, authors) | _outcome(node, value, evaluation, gallery)
+        record["uses"] = uses[node.key]
+        if node.op == PARAMETER:
+            declared = distributions[_declared(node.inputs["name"], values)]
+            record["inputs"] = [["drawn from", [declared]]]
+        records.append(record)
+    data = {
+        "name": generator.name,
+        "seed": seed,
+        "change": {name: repr(value) for name, value in change.items()},
+        "nodes": records,
+        "meshes": gallery.meshes,
+        "items": gallery.items,
+    }
+    return data, gallery.blob
+
+
+def _declared(name: str, values: Mapping[str, Any]) -> str:
+    """Return the name by which a category declares what is drawn as `leaf.stile`: `leaf.panelled.stile`."""
+    chooser, _, last = name.rpartition(".")
+    return f"{_declared(chooser, values)}.{values[chooser].name}.{last}" if chooser else name
+
+
+def _value(node: Node, evaluation: Evaluation, cache: Cache) -> Any:
+    return cache.get(evaluation.keys[node.key], _ABSENT)
+
+
+def _described(node: Node, number: Mapping[str, int], authors: Authors) -> dict[str, Any]:
+    """Say what a node is, and who made it."""
+    where, source = authors.line_of(node)
+    given = node.inputs.get("label") or node.inputs.get("name")
+    return {
+        "op": node.op,
+        "type": type(handle_of(node)).__name__,
+        "name": given if isinstance(given, str) else "",
+        "group": authors.group_of(node),
+        "where": where,
+        "source": source,
+        "inputs": [[name, input_text(value, number)] for name, value in node.inputs.items()],
+        "from": list(dict.fromkeys(number[child.key] for child in node.children)),
+    }
+
+
+def _outcome(node: Node, value: Any, evaluation: Evaluation, gallery: Gallery) -> dict[str, Any]:
+    """Say what a node gave, what that took, and how it looks."""
+    if value is _ABSENT:  # the other branch of a switch
+        return {"state": "unused", "value": "", "ms": 0.0, "shape": []}
+    seconds = evaluation.node_seconds.get(node.key)
+    ran = "cached" if seconds is None else "computed"
+    return {
+        "state": "given" if node.op == PARAMETER else ran,
+        "value": value_text(value),
+        "ms": round(1e3 * (seconds or 0.0), 4),
+        "shape": gallery.add(value),
+    }
+
+
+_OF_VIEWER = ("elements.js", "orbit.js", "signs.js")
+_SCRIPTS = ("visible.js", "drawing.js", "geometry.js", "details.js", "main.js")
+_EXPORT = "export const { layout, Graph } = dagre;"  # how dagre ends, as a module
+
+
+def graph_page(
+    generator: Generator,
+    seed: int = 0,
+    *,
+    overrides: Mapping[str, Any] | None = None,
+    change: Mapping[str, Any] | None = None,
+    height: int = 700,
+) -> Page:
+    """Make the page of the node graph of a category.
+
+    Args:
+        generator: A category or generator.
+        seed: Decides every draw.
+        overrides: A value or a distribution by parameter name.
+        change: Overrides with which the graph is evaluated a second time, from the cache of the first: the
+            page then tells what had to be computed anew.
+        height: Of the cell of a notebook [pixels].
+
+    Raises:
+        ParameterError: The seed, an override or a change is unknown or not allowed.
+        ArtgenError: The graph cannot be built or evaluated.
+        RenderError: The library that lays graphs out is not installed.
+    """
+    layout = dagre_js()
+    data, meshes = graph_record(generator, seed, overrides or {}, change or {})
+    parts = {
+        "TITLE": html.escape(f"Graph of {generator.name}, seed {seed}"),
+        "STYLE": _read("graph.css"),
+        "THREE": packed(three_js().encode()),
+        "DAGRE": packed(layout.encode()),
+        "MESHES": packed(meshes),
+        "DATA": packed(json.dumps(data, separators=(",", ":"), allow_nan=False).encode()),
+        "SCRIPT": "\n".join([*map(read_viewer, _OF_VIEWER), *map(_read, _SCRIPTS)]),
+    }
+    return Page(f"{generator.name}_{seed}_graph", filled(_read("graph.html"), parts), height)
+
+
+@lru_cache(maxsize=1)
+def dagre_js() -> str:
+    """Return dagre, which lays out layered graphs and comes with Netron: a script that defines `dagre`."""
+    try:
+        script = files("netron").joinpath("dagre.js").read_text(encoding="utf-8")
+    except (ModuleNotFoundError, FileNotFoundError) as error:
+        raise RenderError(
+            "the graph is laid out by dagre, which comes with Netron: pip install 'artgen[studio]'"
+        ) from error
+    if _EXPORT not in script:
+        raise RenderError(
+            "this version of Netron has another dagre; install the one that artgen[studio] asks for"
+        )
+    return script.replace(_EXPORT, "")
+
+
+@lru_cache(maxsize=16)
+def _read(name: str) -> str:
+    return files("artgen.graph_view").joinpath(name).read_text(encoding="utf-8")
+
 
 __all__ = ["graph_page"]

@@ -14,7 +14,7 @@ import numpy as np
 
 from artgen._arrays import Array
 from artgen.asset import Asset, Joint
-from artgen.export.regions import Region, leader_of, regions
+from artgen.export.frames import Region, leader_of, regions
 from artgen.view.camera import Camera, View
 
 Color = tuple[float, float, float]  # red, green and blue, 0-1

@@ -2,8 +2,7 @@
 
 import numpy as np
 
-from artgen._arrays import Array, Indices
-from artgen._caching import cached
+from artgen._arrays import Array, Indices, cached
 from artgen.nodes.surfaces import Skin
 from artgen.nodes.unwrap import grain_of
 

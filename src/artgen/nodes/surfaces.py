@@ -12,8 +12,7 @@ import numpy as np
 from manifold3d import triangulate
 from numpy.typing import NDArray
 
-from artgen._arrays import Array, Indices, predecessors, successors
-from artgen._caching import FrozenArrays, cached
+from artgen._arrays import Array, FrozenArrays, Indices, cached, predecessors, successors
 from artgen.asset.shape import GRAIN, Contour, Shape
 from artgen.colliders import Pieces
 from artgen.nodes import validators as inputs

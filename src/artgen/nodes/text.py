@@ -9,8 +9,7 @@ from typing import Any, Literal
 
 import numpy as np
 
-from artgen._arrays import Array
-from artgen._caching import cached
+from artgen._arrays import Array, cached
 from artgen.asset.shape import Contour, Outline
 from artgen.graph import kernel
 from artgen.nodes import validators as inputs

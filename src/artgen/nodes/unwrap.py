@@ -9,8 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from artgen._arrays import Array, Indices, successors
-from artgen._caching import FrozenArrays
+from artgen._arrays import Array, FrozenArrays, Indices, successors
 from artgen.asset.shape import Contour
 
 

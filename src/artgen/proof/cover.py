@@ -8,8 +8,7 @@ import numpy as np
 from manifold3d import Manifold
 from numpy.typing import NDArray
 
-from artgen._arrays import Array, Indices
-from artgen._caching import FrozenArrays, cached_per_object
+from artgen._arrays import Array, FrozenArrays, Indices, cached_per_object
 from artgen.asset import Link
 from artgen.asset.link import MovedLink
 from artgen.asset.shape import Shape

@@ -9,9 +9,9 @@ from artgen.sampling.distributions import (
     given,
     loguniform,
     normal,
+    stream,
     uniform,
 )
-from artgen.sampling.streams import stream
 
 __all__ = [
     "Distribution",

@@ -1,5 +1,6 @@
 """Distributions: values that say how a parameter is drawn, checked when they are made."""
 
+import hashlib
 import math
 from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
@@ -10,6 +11,19 @@ from typing import Any
 import numpy as np
 
 from artgen.errors import ParameterError
+
+
+def stream(seed: int, path: str, attempt: int = 0) -> np.random.Generator:
+    """Return the random stream of one parameter of one asset.
+
+    Args:
+        seed: Seed of the asset, not negative.
+        path: Category and parameter, such as `door/handle.lever_handle.length`.
+        attempt: Number of infeasible draws before.
+    """
+    name = int.from_bytes(hashlib.blake2b(path.encode(), digest_size=8).digest(), "little")
+    return np.random.Generator(np.random.PCG64(np.random.SeedSequence([seed, attempt, name])))
+
 
 Within = tuple[float, float] | None
 

@@ -11,7 +11,7 @@ from artgen.asset.asset import remember
 from artgen.asset.certificate import Certificate, PairResult
 from artgen.catalog import is_file
 from artgen.errors import ArtgenError, InfeasibleError, ParameterError
-from artgen.export.regions import leader_of
+from artgen.export.frames import leader_of
 from artgen.graph import Cache, Evaluation
 from artgen.sampling import Distribution
 from artgen.studio.controls import Control, JointControl, joint_controls, parameters_in_use, read_value

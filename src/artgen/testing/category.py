@@ -8,7 +8,7 @@ from artgen.catalog import find
 from artgen.errors import ArtgenError, BuildError, InfeasibleError, ParameterError
 from artgen.generator import Generator
 from artgen.graph import Cache, Graph
-from artgen.validate.run import validate
+from artgen.validate import validate
 
 
 def check_category(

@@ -19,7 +19,7 @@ if TYPE_CHECKING:  # pytest loads plugins always: nothing else of artgen before 
     from collections.abc import Iterator
 
     from artgen.asset.report import CheckResult
-    from artgen.validate.run import Examination
+    from artgen.validate import Examination
 
 _ASSET_FILE = "asset.json"
 _DIRECTORIES = pytest.StashKey[list[Path]]()
@@ -76,7 +76,7 @@ class AssetDirectory(pytest.Collector):
 
     def collect(self) -> Iterator[pytest.Item]:
         """Make a test of each check that the export has something for."""
-        from artgen.validate.run import Examination
+        from artgen.validate import Examination
 
         examination = Examination(self.path)
         for check in examination.checks:

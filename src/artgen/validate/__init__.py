@@ -1,1 +1,145 @@
 """Checks of exported assets: solids, tree, colliders, files, formats, hands, behavior, simulators."""
+
+import tempfile
+from collections.abc import Callable, Collection
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from artgen._arrays import cached_property
+from artgen.asset import Asset
+from artgen.asset.report import CheckResult, Finding, Report
+from artgen.errors import ArtgenError, ParameterError, nearest
+from artgen.validate.files import FORMAT_CHECKS, Exported, read_export
+
+if TYPE_CHECKING:
+    from artgen.validate.readback import FormatChecks
+
+
+CHECKS = ("files", "solids", "tree", "colliders", *FORMAT_CHECKS, "certificate", "grasps", "behaviour")
+"""The checks, in the order in which they run."""
+
+_MESH_CHECKS = ("solids", "colliders", "grasps")
+
+
+def validate(
+    target: Asset | str | Path, *, behaviour: bool = True, checks: Collection[str] | None = None
+) -> Report:
+    """Run the checks of an asset on its exported files, read back."""
+    for name in checks or ():
+        if name not in CHECKS:
+            raise ParameterError(f"there is no check {name!r}.{nearest(name, CHECKS)}")
+    if not isinstance(target, Asset):
+        return Examination(target, behaviour=behaviour).report(checks)
+    with tempfile.TemporaryDirectory(prefix="artgen_") as folder:
+        directory = target.export(Path(folder) / target.name)
+        return Examination(directory, behaviour=behaviour).report(checks)
+
+
+class Examination:
+    """The checks of one exported asset; each runs when its result is first asked for."""
+
+    def __init__(self, directory: str | Path, *, behaviour: bool = True) -> None:
+        self.directory = Path(directory)
+        self._behaviour = behaviour
+        self._exported: Exported = read_export(self.directory)
+        self._results: dict[str, CheckResult] = {"files": self._exported.result}
+
+    @property
+    def name(self) -> str:
+        """Name of the asset; of its directory where the asset cannot be read."""
+        asset = self._exported.asset
+        return self.directory.resolve().name if asset is None else asset.name
+
+    @property
+    def checks(self) -> tuple[str, ...]:
+        """Names of the checks that the export has something for, in order."""
+        formats = self._exported.formats
+        return tuple(name for name in CHECKS if name not in FORMAT_CHECKS or name in formats)
+
+    def report(self, checks: Collection[str] | None = None) -> Report:
+        """Run the named checks, by default all, in the order of `CHECKS`."""
+        chosen = [name for name in CHECKS if name in (self.checks if checks is None else checks)]
+        return Report(self.name, tuple(self.result(name) for name in chosen))
+
+    def result(self, check: str) -> CheckResult:
+        """Run one check, unless it has run before, and return its result."""
+        if check not in self._results:
+            reason = self._why_not(check)
+            self._results[check] = CheckResult(check, skipped=reason) if reason else self._run(check)
+        return self._results[check]
+
+    def _why_not(self, check: str) -> str:
+        """Say why a check cannot run; nothing if it can."""
+        formats = self._exported.formats
+        if self._exported.asset is None:
+            return "the asset cannot be read"
+        if check in FORMAT_CHECKS and check not in formats:
+            return f"the export has no {check}"
+        if check in _MESH_CHECKS and not self._exported.meshes:
+            return "the export has no meshes to read back: those of urdf and mjcf in the layout flat have"
+        if check in _MESH_CHECKS and (precision := self._mesh_precision):
+            return f"its meshes, precise to {1e3 * precision:g} mm, are not those of the solids"
+        if check == "behaviour" and not self._behaviour:
+            return "not asked for"
+        return "the export has no mjcf" if check == "behaviour" and "mjcf" not in formats else ""
+
+    def _run(self, check: str) -> CheckResult:
+        return guarded(check, lambda: self._runner(check))
+
+    def _runner(self, check: str) -> CheckResult:
+        asset = self._exported.asset
+        assert asset is not None
+        if check in FORMAT_CHECKS:
+            return self._formats.result(check)
+        if check == "solids":
+            from artgen.validate.solids import check_solids
+
+            return check_solids(asset)
+        if check == "tree":
+            from artgen.validate.tree import check_tree
+
+            return check_tree(asset)
+        if check == "colliders":
+            from artgen.validate.colliders import check_colliders
+
+            return check_colliders(asset)
+        if check == "certificate":
+            from artgen.validate.certified import check_certificate
+
+            return check_certificate(asset, meshes=self._exported.meshes)
+        if check == "grasps":
+            from artgen.validate.hands import check_grasps
+
+            return check_grasps(asset)
+        from artgen.validate.behavior import check_behaviour
+
+        return check_behaviour(asset, self.directory)
+
+    @cached_property
+    def _mesh_precision(self) -> float:
+        from artgen.asset.stored_solids import mesh_precision
+
+        asset = self._exported.asset
+        return mesh_precision(*asset.links) if asset is not None else 0.0
+
+    @cached_property
+    def _formats(self) -> "FormatChecks":
+        from artgen.validate.readback import FormatChecks
+
+        asset = self._exported.asset
+        assert asset is not None
+        return FormatChecks(asset, self.directory)
+
+
+def guarded(check: str, run: Callable[[], CheckResult]) -> CheckResult:
+    """Run a check; if it raises, that is a fault and the other checks still run."""
+    try:
+        return run()
+    except Exception as error:  # noqa: BLE001 - a damaged file may make a check raise anything
+        reason = str(error) if isinstance(error, ArtgenError) else f"{type(error).__name__}: {error}"
+        finding = Finding(
+            check,
+            f"the check could not run: {reason}",
+            hint="mend what the other checks find, or export again",
+        )
+        return CheckResult(check, (finding,))

@@ -7,7 +7,7 @@ import numpy as np
 
 from artgen.asset import Asset, Condition, Joint
 from artgen.errors import ParameterError
-from artgen.export.regions import leader_of, regions
+from artgen.export.frames import leader_of, regions
 
 _WIDE = 1.2  # a swing that is wider shows more from in front when it is not opened fully [rad]
 _SHARE = 0.45  # of a wide swing about an upright axis: farther, a door is seen edge on

@@ -7,8 +7,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from artgen._arrays import Array
-from artgen._caching import cached_property
+from artgen._arrays import Array, cached_property
 from artgen.errors import AssetError, ExportError, nearest
 from artgen.view.camera import Camera
 

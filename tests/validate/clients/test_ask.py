@@ -7,9 +7,9 @@ import pytest
 from artgen.asset.report import CheckResult, Finding
 from artgen.errors import ParameterError
 from artgen.validate.clients import ask as module
-from artgen.validate.clients.ask import ask_clients
 from artgen.validate.clients.outcome import ClientReport, Outcome
 from artgen.validate.clients.registry import CLIENTS, chosen_clients
+from artgen.validate.clients.run import ask_clients
 from support.exports import edit_json
 
 PASSED = Outcome("one", "urdf", "1", "passed", note="all of it")

@@ -4,8 +4,7 @@ import pytest
 
 from artgen.commands import clients as module
 from artgen.errors import ClientError
-from artgen.validate.clients.client import Client
-from artgen.validate.clients.environments import REQUIREMENTS
+from artgen.validate.clients.client import REQUIREMENTS, Client
 from artgen.validate.clients.registry import CLIENTS
 
 

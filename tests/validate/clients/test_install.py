@@ -9,7 +9,7 @@ import pytest
 
 from artgen.errors import ClientError
 from artgen.validate.clients import install as module
-from artgen.validate.clients.environments import REQUIREMENTS
+from artgen.validate.clients.client import REQUIREMENTS
 from artgen.validate.clients.install import install
 from artgen.validate.clients.install_location import (
     UNFINISHED,

@@ -5,7 +5,7 @@ import sys
 import threading
 import time
 
-from artgen.validate.clients.process import run_process, stop_running
+from artgen.validate.clients.run import run_process, stop_running
 
 
 def run(tmp_path, code, seconds=20.0):

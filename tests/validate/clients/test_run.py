@@ -12,7 +12,7 @@ from artgen.validate.clients import install_location as place
 from artgen.validate.clients import run
 from artgen.validate.clients.client import Unavoidable
 from artgen.validate.clients.compare import moved_by_several
-from artgen.validate.clients.messages import joined_lines, sorted_messages
+from artgen.validate.clients.outcome import joined_lines, sorted_messages
 from artgen.validate.clients.run import ask, ask_all
 from artgen.validate.readback.reading import expected_frames
 

@@ -15,10 +15,10 @@ from pxr import Sdf, Usd, UsdPhysics
 import artgen
 from artgen.asset.files import main_files
 from artgen.export import LAYOUTS
-from artgen.validate.clients.environments import REQUIREMENTS
+from artgen.validate.clients.client import REQUIREMENTS
 from artgen.validate.clients.exported import read_exported
+from artgen.validate.clients.registry import USD
 from artgen.validate.clients.run import DRIVERS, ask
-from artgen.validate.clients.usd import USD
 
 CLIENTS = {client.name: client for client in USD}
 

@@ -7,7 +7,7 @@ turned over.
 from dataclasses import dataclass
 
 from artgen import Body, Material, Scalar, Solid, Span, board, details, material, part, require, weld
-from artgen._caching import cached_property
+from artgen._arrays import cached_property
 from artgen.categories.shared.controls.buttons import ButtonShape, button_press, push_button
 from artgen.categories.shared.controls.dials import DialStyle, dial, dial_print, dial_turn
 from artgen.categories.shared.controls.panels import (

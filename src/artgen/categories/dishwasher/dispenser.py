@@ -22,7 +22,7 @@ from artgen import (
     rectangle,
     weld,
 )
-from artgen._caching import cached_property
+from artgen._arrays import cached_property
 from artgen.categories.dishwasher.space import DISH, Space
 
 FLAP_TRAVEL = 0.036

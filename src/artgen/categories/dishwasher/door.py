@@ -27,7 +27,7 @@ from artgen import (
     sin,
     weld,
 )
-from artgen._caching import cached_property
+from artgen._arrays import cached_property
 from artgen.categories.dishwasher.console import LAP, Console
 from artgen.categories.dishwasher.dispenser import Dispenser
 from artgen.categories.dishwasher.space import DISH, Controls, Space

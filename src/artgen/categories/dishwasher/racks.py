@@ -31,7 +31,7 @@ from artgen import (
     vector,
     weld,
 )
-from artgen._caching import cached_property
+from artgen._arrays import cached_property
 from artgen.categories.dishwasher.space import ROLLER, UNDER, Size, Space
 from artgen.categories.shared.appliances.wire_baskets import Basket, Grip, rack_slide, rollers
 

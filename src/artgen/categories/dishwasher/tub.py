@@ -27,7 +27,7 @@ from artgen import (
     sweep,
     weld,
 )
-from artgen._caching import cached_property
+from artgen._arrays import cached_property
 from artgen.categories.dishwasher.space import Build, Space
 from artgen.categories.shared.appliances.cords import cord_stub
 from artgen.categories.shared.appliances.finish import DARK, filled

@@ -28,7 +28,7 @@ from artgen import (
     text,
     weld,
 )
-from artgen._caching import cached_property
+from artgen._arrays import cached_property
 from artgen.categories.drawer.runners import SIDE_PLAY, RunnerStyle, fixed_member, moving_member
 from artgen.categories.shared.furniture.carcass import Carcass
 from artgen.categories.shared.furniture.fronts import FrontLook, front

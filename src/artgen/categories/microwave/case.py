@@ -22,7 +22,7 @@ from artgen import (
     rectangle,
     weld,
 )
-from artgen._caching import cached_property
+from artgen._arrays import cached_property
 from artgen.categories.microwave.space import FRAME, SHAFT, SHEET, Space
 from artgen.categories.shared.appliances.cords import mains_cord
 from artgen.categories.shared.appliances.finish import DARK, filled

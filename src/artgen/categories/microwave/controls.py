@@ -18,7 +18,7 @@ from artgen import (
     rectangle,
     weld,
 )
-from artgen._caching import cached_property
+from artgen._arrays import cached_property
 from artgen.categories.microwave.door import PANE, FaceStyle
 from artgen.categories.microwave.space import EDGE, Space
 from artgen.categories.shared.appliances.finish import filled

@@ -26,7 +26,7 @@ from artgen import (
     rectangle,
     weld,
 )
-from artgen._caching import cached_property
+from artgen._arrays import cached_property
 from artgen.categories.microwave.space import Space
 from artgen.categories.shared.appliances.finish import filled
 from artgen.categories.shared.controls.panels import ink_on

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 from artgen import Float, Scalar, Span, min_
-from artgen._caching import cached_property
+from artgen._arrays import cached_property
 from artgen.categories.shared.appliances.finish import ApplianceSpace
 
 SEAL = 0.0028

@@ -22,7 +22,7 @@ from artgen import (
     tube,
     weld,
 )
-from artgen._caching import cached_property
+from artgen._arrays import cached_property
 
 _PLAY = 0.0004  # between floor, rollers and plate [m]
 _ROLLER = 0.0075  # radius of a roller [m]

@@ -19,7 +19,7 @@ from artgen import (
     ring,
     weld,
 )
-from artgen._caching import cached_property
+from artgen._arrays import cached_property
 from artgen.categories.oven.space import LAP, Space
 from artgen.categories.shared.appliances.cords import cord_stub
 from artgen.categories.shared.appliances.finish import DARK, filled

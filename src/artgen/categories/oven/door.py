@@ -27,7 +27,7 @@ from artgen import (
     sin,
     weld,
 )
-from artgen._caching import cached_property
+from artgen._arrays import cached_property
 from artgen.categories.oven.space import LAP, SKIN, Space
 from artgen.categories.shared.appliances.finish import DARK, filled
 from artgen.categories.shared.controls.panels import ink_on

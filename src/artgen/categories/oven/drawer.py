@@ -20,7 +20,7 @@ from artgen import (
     rectangle,
     weld,
 )
-from artgen._caching import cached_property
+from artgen._arrays import cached_property
 from artgen.categories.oven.body import FOOT, LOW
 from artgen.categories.oven.space import LAP, UNDER, Space
 from artgen.categories.shared.appliances.finish import filled

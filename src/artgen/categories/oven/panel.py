@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from artgen import Body, Joint, Material, Scalar, board, details, material, part, weld
-from artgen._caching import cached_property
+from artgen._arrays import cached_property
 from artgen.categories.oven.space import LAP, Space
 from artgen.categories.shared.appliances.finish import filled
 from artgen.categories.shared.controls.dials import DialStyle, dial, dial_print, dial_turn

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from artgen import Float, Scalar, Span, atan2, sqrt
-from artgen._caching import cached_property
+from artgen._arrays import cached_property
 from artgen.categories.shared.appliances.finish import ApplianceSpace
 
 Build = Literal["built_in", "range"]

@@ -19,7 +19,7 @@ from artgen import (
     rectangle,
     weld,
 )
-from artgen._caching import cached_property
+from artgen._arrays import cached_property
 from artgen.categories.oven.space import LAP, TOP, UNDER, Space
 from artgen.categories.shared.appliances.finish import DARK, filled
 from artgen.categories.shared.controls.panels import ink_on

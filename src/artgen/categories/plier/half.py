@@ -4,7 +4,7 @@ import math
 from dataclasses import dataclass
 
 from artgen import Body, Float, Material, Scalar, Solid, Y, material, max_, min_, part, union, weld
-from artgen._caching import cached_property
+from artgen._arrays import cached_property
 from artgen.categories.plier.fittings import (
     Grip,
     Key,

@@ -14,7 +14,7 @@ from itertools import pairwise
 from typing import Literal, NamedTuple
 
 from artgen import Float, Profile, Scalar, Solid, Y, Z, circle, extrude, loft, min_, polygon, rectangle, union
-from artgen._caching import cached_property
+from artgen._arrays import cached_property
 
 Style = Literal["combination", "needle_nose", "cutter", "slip_joint"]
 

@@ -23,7 +23,7 @@ from artgen import (
     vector,
     weld,
 )
-from artgen._caching import cached_property
+from artgen._arrays import cached_property
 from artgen.categories.refrigerator.case import SEAL_GAP, Case, Cell
 from artgen.categories.refrigerator.hinges import door_swing
 

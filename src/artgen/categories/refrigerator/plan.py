@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from artgen import Body, Material, Scalar, X, min_, require
-from artgen._caching import cached_property
+from artgen._arrays import cached_property
 from artgen.categories.refrigerator.case import HUMP_HIGH, Case, Cell
 from artgen.categories.refrigerator.drawers import Front
 from artgen.categories.refrigerator.hinges import hinge_bracket, hinge_cover

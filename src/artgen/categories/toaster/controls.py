@@ -24,7 +24,7 @@ from artgen import (
     vector,
     weld,
 )
-from artgen._caching import cached_property
+from artgen._arrays import cached_property
 from artgen.categories.shared.controls.buttons import (
     PLAY,
     ButtonShape,

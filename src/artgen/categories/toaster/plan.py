@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from artgen import Float, Profile, Scalar, min_, polygon, rectangle
-from artgen._caching import cached_property
+from artgen._arrays import cached_property
 
 BodyStyle = Literal["box", "rounded", "retro", "steel", "classic"]
 """A plain box; one with round shoulders; a bulging one; a steel sleeve between plastic ends; bevelled."""

@@ -8,10 +8,9 @@ import numpy as np
 
 from artgen._arrays import Array
 from artgen.asset import Asset
-from artgen.export.frames import Segment
+from artgen.export.frames import Segment, leader_of
 from artgen.export.glb.buffer import Buffer, Json
 from artgen.export.glb.motion import Stop, opening
-from artgen.export.regions import leader_of
 
 _OPENS = 1.0  # how long a joint opens [s]
 _PREPARES = 0.5  # how long another one moves, for which it waits [s]

@@ -5,8 +5,7 @@ import math
 from collections.abc import Iterable, Mapping
 
 from artgen.asset import Asset, Condition, Joint
-from artgen.export.frames import coupling
-from artgen.export.regions import BORDER, Region, leader_of, regions
+from artgen.export.frames import BORDER, Region, coupling, leader_of, regions
 
 Stop = Mapping[str, float]
 """Positions of all free joints [rad or m]."""

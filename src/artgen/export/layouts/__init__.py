@@ -2,11 +2,11 @@
 
 from collections.abc import Mapping
 
-from artgen.export.layouts.flat import FLAT
-from artgen.export.layouts.layout import Layout
+from artgen.export.formats import FLAT
 from artgen.export.layouts.partnet import PARTNET_MOBILITY
 from artgen.export.layouts.robocasa import ROBOCASA
 from artgen.export.layouts.simready import SIMREADY
+from artgen.export.losses import Layout
 
 LAYOUTS: Mapping[str, Layout] = {
     layout.name: layout for layout in (FLAT, SIMREADY, PARTNET_MOBILITY, ROBOCASA)

@@ -23,12 +23,12 @@ from artgen.export.losses import Written, look_losses
 from artgen.export.maps import TEXTURE_DIRECTORY, MapFiles, map_files
 from artgen.export.usd.geometry import (
     PART_LABEL,
+    write_holds,
     write_hull,
     write_label,
     write_primitive,
     write_surface,
 )
-from artgen.export.usd.grasps import write_holds
 from artgen.export.usd.joints import joint_losses, write_fixed_joint, write_joints
 from artgen.export.usd.layer import (
     TYPES,

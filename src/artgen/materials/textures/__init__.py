@@ -1,6 +1,7 @@
 """Procedural textures: tileable maps in metric scale, baked once per recipe and kept on disk."""
 
 from artgen.materials.textures.bake import Maps, as_bytes, displayed
+from artgen.materials.textures.fields import Pattern, Recipe
 from artgen.materials.textures.maps import (
     KINDS,
     RECIPES,
@@ -15,7 +16,6 @@ from artgen.materials.textures.maps import (
     shifts_of,
     tile_of,
 )
-from artgen.materials.textures.recipe import Pattern, Recipe
 
 __all__ = [
     "KINDS",

@@ -10,8 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from artgen.materials.textures import keep
-from artgen.materials.textures.fields import in_strips
-from artgen.materials.textures.recipe import Recipe
+from artgen.materials.textures.fields import Recipe, in_strips
 
 Pixels = NDArray[np.uint8]
 

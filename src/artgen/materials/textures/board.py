@@ -3,8 +3,7 @@
 import numpy as np
 
 from artgen._arrays import Array
-from artgen.materials.textures.fields import Tile, centred, smoothstep, with_mean
-from artgen.materials.textures.recipe import Pattern, Recipe, Varying
+from artgen.materials.textures.fields import Pattern, Recipe, Tile, Varying, centred, smoothstep, with_mean
 
 _PLYWOOD = (0.62, 0.45, 0.28)
 _PLYWOOD_TILE = (0.60, 1.20)

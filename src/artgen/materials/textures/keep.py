@@ -11,7 +11,7 @@ from typing import Any, TypeVar
 import numpy as np
 
 from artgen import _disk_cache as disk_cache
-from artgen._caching import cached
+from artgen._arrays import cached
 from artgen.errors import ExportError
 
 _KIND = "textures"

@@ -9,14 +9,13 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from artgen._caching import cached
+from artgen._arrays import cached
 from artgen.errors import ParameterError, nearest
 from artgen.materials.material import Material
 from artgen.materials.table import MATERIALS
 from artgen.materials.textures import board, keep, metal, plastic, stone, wood, woven
 from artgen.materials.textures.bake import MEMORY, Maps, Pixels, as_bytes, bake, baked, displayed
-from artgen.materials.textures.fields import Tile
-from artgen.materials.textures.recipe import Pattern, Recipe
+from artgen.materials.textures.fields import Pattern, Recipe, Tile
 
 _SIGNATURE = b"\x89PNG\r\n\x1a\n"
 _GREY, _COLOR = 0, 2

@@ -3,8 +3,17 @@
 import numpy as np
 
 from artgen._arrays import Array
-from artgen.materials.textures.fields import Tile, blend, centred, hairlines, smoothstep, with_mean
-from artgen.materials.textures.recipe import Pattern, Recipe, Varying
+from artgen.materials.textures.fields import (
+    Pattern,
+    Recipe,
+    Tile,
+    Varying,
+    blend,
+    centred,
+    hairlines,
+    smoothstep,
+    with_mean,
+)
 
 _GREY = (0.5, 0.5, 0.5)
 _BRUSHED_TILE = (0.15, 0.60)

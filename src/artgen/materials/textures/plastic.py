@@ -2,8 +2,16 @@
 
 import numpy as np
 
-from artgen.materials.textures.fields import Tile, centred, hairlines, smoothstep, with_mean
-from artgen.materials.textures.recipe import Pattern, Recipe, Varying
+from artgen.materials.textures.fields import (
+    Pattern,
+    Recipe,
+    Tile,
+    Varying,
+    centred,
+    hairlines,
+    smoothstep,
+    with_mean,
+)
 
 _GREY = (0.5, 0.5, 0.5)
 _FINE_TILE = (0.08, 0.08)

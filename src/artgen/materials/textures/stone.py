@@ -7,8 +7,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from artgen._arrays import Array
-from artgen.materials.textures.fields import Tile, blend, centred, in_strips, smoothstep, with_mean
-from artgen.materials.textures.recipe import Pattern, Recipe, Varying
+from artgen.materials.textures.fields import (
+    Pattern,
+    Recipe,
+    Tile,
+    Varying,
+    blend,
+    centred,
+    in_strips,
+    smoothstep,
+    with_mean,
+)
 
 Color = tuple[float, float, float]
 

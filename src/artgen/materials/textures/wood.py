@@ -14,8 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from artgen._arrays import Array
-from artgen.materials.textures.fields import Tile, blend, centred, smoothstep, with_mean
-from artgen.materials.textures.recipe import Pattern, Recipe
+from artgen.materials.textures.fields import Pattern, Recipe, Tile, blend, centred, smoothstep, with_mean
 
 _SPREAD = 0.45  # of the logarithm of lengths
 _AT_ONCE = 1 << 14  # pores drawn at once: more are many pages of memory

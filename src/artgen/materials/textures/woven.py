@@ -6,8 +6,7 @@ from functools import partial
 import numpy as np
 
 from artgen._arrays import Array
-from artgen.materials.textures.fields import Tile, centred, smoothstep, with_mean
-from artgen.materials.textures.recipe import Pattern, Recipe, Varying
+from artgen.materials.textures.fields import Pattern, Recipe, Tile, Varying, centred, smoothstep, with_mean
 
 Color = tuple[float, float, float]
 

@@ -6,8 +6,7 @@ from typing import Literal
 
 import numpy as np
 
-from artgen._arrays import Array
-from artgen._caching import cached
+from artgen._arrays import Array, cached
 from artgen.asset.shape import Contour, Outline
 from artgen.graph import kernel
 from artgen.nodes import text

@@ -9,8 +9,7 @@ from typing import Literal
 
 import numpy as np
 
-from artgen._arrays import Array
-from artgen._caching import FrozenArrays
+from artgen._arrays import Array, FrozenArrays
 from artgen.nodes.contours import arc_points
 
 Kind = Literal["stroke", "fill", "cut", "gap"]

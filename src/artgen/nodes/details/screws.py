@@ -6,8 +6,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from artgen._arrays import Array
-from artgen._caching import cached
+from artgen._arrays import Array, cached
 from artgen.asset.shape import Contour, Outline, Shape
 from artgen.graph import kernel
 from artgen.materials import Material

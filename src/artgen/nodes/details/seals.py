@@ -5,7 +5,7 @@ from typing import Literal
 
 import numpy as np
 
-from artgen._caching import cached
+from artgen._arrays import cached
 from artgen.asset.shape import Outline
 from artgen.graph import kernel
 from artgen.nodes import validators as inputs

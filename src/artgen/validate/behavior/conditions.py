@@ -6,7 +6,7 @@ from itertools import product
 from typing import Literal
 
 from artgen.asset import Asset, Condition, Joint
-from artgen.export.regions import BORDER, intersection, leader_of, regions
+from artgen.export.frames import BORDER, intersection, leader_of, regions
 
 _OPEN_TRAVEL = 0.5  # how far inside a region that has no end a position is chosen [rad or m]
 

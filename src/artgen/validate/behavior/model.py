@@ -9,8 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from artgen._arrays import Array
-from artgen._caching import cached_property
+from artgen._arrays import Array, cached_property
 from artgen.asset import Asset, Condition
 from artgen.asset.report import Finding
 from artgen.validate.behavior.motion import Motion, length, motions_of, unit

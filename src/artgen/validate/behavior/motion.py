@@ -7,8 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from artgen._arrays import Array
-from artgen._caching import cached_property
+from artgen._arrays import Array, cached_property
 from artgen.asset import Asset, Joint
 from artgen.export.frames import coupling
 

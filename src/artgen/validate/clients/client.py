@@ -1,7 +1,33 @@
 """What artgen knows of each client: simulators, validators and converters that read its exports."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Literal
+
+REQUIREMENTS: Mapping[str, tuple[str, ...]] = {
+    "bullet": ("pybullet>=3.2.7", "numpy"),
+    "drake": ("drake>=1.51",),
+    "genesis": ("genesis-world>=1.4.5", "torch"),
+    "light": (
+        "mujoco>=4.0",
+        "omniverse-asset-validator>=1.18; python_version < '3.13'",
+        "pin>=4.1",
+        "simready-foundation-tier-core>=2026.8; python_version < '3.13'",
+        "simready-validate>=2026.8; python_version < '3.13'",
+        "usd-core>=26.11",
+        "yourdfpy>=0.0.60",
+    ),
+    "mani_skill": ("mani_skill>=3.0.1",),
+    "mjx": ("jax[cpu]", "mujoco-mjx[warp]>=3.17", "mujoco>=4.0"),
+    "newton": ("newton[importers,sim]>=1.8", "trimesh"),
+    "ovphysx": ("newton-usd-schemas", "ovphysx>=0.7", "physx-usd-schemas"),
+    "robosuite": ("robosuite>=1.5",),
+    "sapien": ("pillow", "sapien>=3.0.3"),
+    "urchin": ("urchin>=0.0.30",),
+    "usd_converters": ("mujoco-usd-converter>=0.8", "urdf-usd-converter>=0.3.4"),
+}
+"""What is installed in each environment. `light` is what `artgen[test]` brings into artgen's own."""
+
 
 FormatName = Literal["urdf", "mjcf", "usd", "glb"]
 
@@ -36,7 +62,7 @@ class Client:
     name: str  # identifier, such as `pybullet` or `newton_usd`
     format: FormatName  # the format that it reads
     distribution: str  # python distribution whose version is shown; empty for a program of the system
-    environment: str  # name of its environment, see `artgen.validate.clients.environments`
+    environment: str  # name of its environment, see `artgen.validate.clients.client`
     driver: str  # name of its script in `artgen/validate/clients/drivers`, which runs in that environment
     layouts: tuple[str, ...] = ("flat",)  # layouts of exports whose main file of that format it reads
     seconds: float = 120.0  # how long one asset may take

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
 from artgen.errors import ClientError, nearest
-from artgen.validate.clients.environments import REQUIREMENTS
+from artgen.validate.clients.client import REQUIREMENTS
 from artgen.validate.clients.install_location import UNFINISHED, python_of
 
 if TYPE_CHECKING:

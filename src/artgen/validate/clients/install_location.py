@@ -8,8 +8,7 @@ from pathlib import Path
 
 from artgen._disk_cache import cache_directory
 from artgen.errors import ClientError
-from artgen.validate.clients.client import Client
-from artgen.validate.clients.environments import REQUIREMENTS
+from artgen.validate.clients.client import REQUIREMENTS, Client
 
 VARIABLE = "ARTGEN_CLIENTS"
 """Environment variable that names the folder of the clients' environments."""

@@ -4,7 +4,7 @@ from collections.abc import Iterator, Mapping
 
 from artgen.asset import Asset, Condition
 from artgen.asset.affordance import Affordance, moved_joints
-from artgen.export.regions import leader_of
+from artgen.export.frames import leader_of
 from artgen.validate.behavior.conditions import state_for
 
 _WIDE = 0.98  # share of its way from which a joint is open

@@ -4,7 +4,7 @@ import re
 from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 
-from artgen._caching import OPENUSD
+from artgen._arrays import OPENUSD
 from artgen.asset import Asset
 from artgen.asset.files import main_files
 from artgen.asset.report import CHANGED, CheckResult, Finding

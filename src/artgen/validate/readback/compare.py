@@ -4,8 +4,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from artgen._arrays import Array
-from artgen._caching import cached_property
+from artgen._arrays import Array, cached_property
 from artgen.asset import Asset, Joint, Link
 from artgen.asset.joint import DYNAMICS
 from artgen.asset.report import CHANGED, Finding

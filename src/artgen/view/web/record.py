@@ -9,8 +9,8 @@ import numpy as np
 from artgen._arrays import Array
 from artgen.asset import Asset, Joint
 from artgen.asset.certificate import Certificate, PairResult
+from artgen.export.frames import regions
 from artgen.export.glb.motion import opening
-from artgen.export.regions import regions
 from artgen.view.opening import opened
 from artgen.view.overlays import Overlays, overlays
 from artgen.view.sheet import shots

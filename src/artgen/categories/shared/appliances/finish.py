@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from typing import Any, Literal, get_args
 
 from artgen import COLORS, Float, Material, Scalar, by, coloured, material, shades
-from artgen._caching import cached_property
+from artgen._arrays import cached_property
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -40,7 +40,7 @@ from artgen import (
     vector,
     weld,
 )
-from artgen._caching import cached_property
+from artgen._arrays import cached_property
 
 Grip = Literal["bar", "plate"]
 """The grip in front of a rack: a round bar or a flat moulded plate."""

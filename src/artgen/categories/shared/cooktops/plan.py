@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from artgen import Float, Scalar, min_
-from artgen._caching import cached_property
+from artgen._arrays import cached_property
 
 BurnerKind = Literal["gas", "radiant", "coil", "induction"]
 """Flames, glowing bands under glass, tubes of steel, or coils under glass that heat the pot itself."""

@@ -9,12 +9,11 @@ which blocks both, so those are left to the table of names.
 """
 
 from artgen.asset import Asset
-from artgen.export.layouts.layout import Layout
 from artgen.export.layouts.partnet.meshes import object_meshes
 from artgen.export.layouts.partnet.names import NAMES_FILE, ROOT, Naming, naming
 from artgen.export.layouts.partnet.tables import tables
 from artgen.export.layouts.partnet.urdf import ROOT_MASS, urdf_text
-from artgen.export.losses import Loss, Written, look_losses, loss
+from artgen.export.losses import Layout, Loss, Written, look_losses, loss
 from artgen.export.urdf.losses import material_losses, motion_losses
 
 MAIN = "mobility.urdf"

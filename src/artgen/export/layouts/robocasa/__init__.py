@@ -17,9 +17,8 @@ from artgen._arrays import Array
 from artgen.asset import Asset
 from artgen.errors import ExportError
 from artgen.export.frames import seen_box
-from artgen.export.layouts.layout import Layout
 from artgen.export.layouts.robocasa.regions import interiors
-from artgen.export.losses import Loss, Written, loss
+from artgen.export.losses import Layout, Loss, Written, loss
 from artgen.export.meshes import mesh_files
 from artgen.export.mjcf import mjcf_losses, mjcf_text, mjcf_tree
 from artgen.export.mjcf.materials import numbers

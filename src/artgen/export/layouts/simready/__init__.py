@@ -1,9 +1,8 @@
 """The layout of NVIDIA's SimReady profile: a light interface before the asset, a variant per simulator."""
 
-from artgen._caching import OPENUSD
+from artgen._arrays import OPENUSD
 from artgen.asset import Asset
-from artgen.export.layouts.layout import Layout
-from artgen.export.losses import Written
+from artgen.export.losses import Layout, Written
 
 
 def write_simready(asset: Asset, name: str, textures: int) -> Written:
