@@ -30,7 +30,7 @@ from stable_baselines3.common.vec_env import VecEnv, VecMonitor, VecNormalize
 from artgen.envs import TASKS, ManipulationEnv, Task
 from artgen.envs.env import BONUS, JITTER, RATE, STATE
 from artgen.envs.motion import Target
-from artgen.envs.scene import Scene
+from artgen.envs.scene import TaskScene
 from artgen.envs.task import Assets, Source, compiled_asset
 from artgen.errors import EnvError, ParameterError
 
@@ -185,10 +185,10 @@ class BatchedTask(VecEnv):
         return [False] * len(list(self._get_indices(indices)))
 
 
-def _fit(task: Task, source: Source, most: int) -> tuple[list[Scene], list[Target]]:
+def _fit(task: Task, source: Source, most: int) -> tuple[list[TaskScene], list[Target]]:
     """Return scenes of the first assets that a task can be done on, placed, and what it means there."""
     assets = Assets(task, source)
-    scenes: list[Scene] = []
+    scenes: list[TaskScene] = []
     targets: list[Target] = []
     reason = ""
     for key in assets.keys[: 10 * most]:
@@ -215,7 +215,7 @@ def _fit(task: Task, source: Source, most: int) -> tuple[list[Scene], list[Targe
 
 
 def _groups(
-    scenes: Sequence[Scene], targets: Sequence[Target], worlds: int
+    scenes: Sequence[TaskScene], targets: Sequence[Target], worlds: int
 ) -> list[tuple[Worlds, NDArray[np.int64]]]:
     """Return worlds by the structure of their assets, with their numbers."""
     kinds: dict[Any, list[tuple[int, Any]]] = {}

@@ -10,7 +10,7 @@ from artgen.envs.control import DAMPING, POSTURE, POSTURE_DAMPING, STIFFNESS
 from artgen.envs.env import ACTION, ALONG, DENSE, NEAR, STEEPNESS
 from artgen.envs.motion import Target, tip_of
 from artgen.envs.robot import OPENING
-from artgen.envs.scene import Scene
+from artgen.envs.scene import TaskScene
 
 
 def rotations(vectors: torch.Tensor) -> torch.Tensor:
@@ -83,7 +83,7 @@ class Goals:
     """
 
     def __init__(
-        self, scenes: Sequence[Scene], targets: Sequence[Target], of: Sequence[int], device: str
+        self, scenes: Sequence[TaskScene], targets: Sequence[Target], of: Sequence[int], device: str
     ) -> None:
         def tensor(values: Sequence[Any], kind: torch.dtype = torch.float64) -> torch.Tensor:
             return torch.as_tensor(np.array([values[number] for number in of]), dtype=kind, device=device)

@@ -16,7 +16,7 @@ from batched_maths import Goals, jacobians, rotations, torques
 from artgen.envs.control import POSITION, ROTATION
 from artgen.envs.motion import Target
 from artgen.envs.robot import LIMITS, OPENING
-from artgen.envs.scene import SHUT, STEPS, STEPS_OF_TORQUES, Scene
+from artgen.envs.scene import SHUT, STEPS, STEPS_OF_TORQUES, TaskScene
 
 _CONTACTS, _CONSTRAINTS = 96, 384  # room in each world; MuJoCo Warp says so if it is not enough
 _SEEN = ("mat_", "nmat", "cam_", "light_", "tex_", "flex_rgba")  # what is only seen
@@ -51,7 +51,7 @@ class Worlds:
     """
 
     def __init__(
-        self, scenes: Sequence[Scene], models: Sequence[Any], targets: Sequence[Target], of: Sequence[int]
+        self, scenes: Sequence[TaskScene], models: Sequence[Any], targets: Sequence[Target], of: Sequence[int]
     ) -> None:
         import mujoco_warp
         import warp
@@ -105,7 +105,7 @@ class Worlds:
         self._goal[worlds], self._goal_turn[worlds] = seen["place"][worlds], seen["turn"][worlds]
 
     def act(self, actions: torch.Tensor) -> None:
-        """Let each robot do one action, as `Scene.act` does, shape (n, 7)."""
+        """Let each robot do one action, as `TaskScene.act` does, shape (n, 7)."""
         warp, model, data = self._warp, self._model, self._data
         seen = self.seen()
         self._goal = seen["place"] + POSITION * actions[:, :3]
@@ -147,7 +147,7 @@ class Worlds:
         }
 
 
-def structured(scene: Scene) -> tuple[Hashable, Any]:
+def structured(scene: TaskScene) -> tuple[Hashable, Any]:
     """Return what models of worlds that are stepped together must have in common, and this scene's model."""
     import mujoco_warp
     import warp

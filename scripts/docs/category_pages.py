@@ -12,7 +12,7 @@ from gallery_page import viewer_of
 from surveys.pages import escaped
 
 from artgen import _disk_cache as disk_cache
-from artgen.asset import Joint
+from artgen.asset import AssetJoint
 from artgen.catalog import find
 from artgen.generator import Generator
 from artgen.sampling import Distribution
@@ -51,7 +51,7 @@ class Row:
     follows: bool = False
     waits: bool = False
 
-    def add(self, joints: list[Joint]) -> None:
+    def add(self, joints: list[AssetJoint]) -> None:
         """Count what one asset has of it."""
         self.seeds += 1
         self.most = max(self.most, len(joints))
@@ -72,7 +72,7 @@ def rows(category: str, seeds: int, digest: str) -> dict[str, Row]:
         return {name: Row(**row) for name, row in json.loads(kept).items()}
     found: dict[str, Row] = {}
     for seed in range(seeds):
-        groups: dict[str, list[Joint]] = {}
+        groups: dict[str, list[AssetJoint]] = {}
         for joint in find(category).generate(seed, certify=False).joints:
             groups.setdefault(_NUMBER.sub("_<n>", joint.name), []).append(joint)
         for name, joints in groups.items():

@@ -57,7 +57,8 @@ def nodes() -> Iterator[tuple[str, Any]]:
     """Yield every public node by its name: functions, details, joints, handles and their methods."""
     for name in artgen.__all__:
         made = getattr(artgen, name)
-        if inspect.isfunction(made) and made.__module__.startswith("artgen.nodes."):
+        function = inspect.isfunction(made) and made.__module__.startswith("artgen.nodes.")
+        if function or (inspect.isclass(made) and made is not Joint and issubclass(made, Joint)):
             yield name, made
     for name in details.__all__:
         if inspect.isfunction(getattr(details, name)):

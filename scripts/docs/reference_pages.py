@@ -22,7 +22,7 @@ PAGES: Mapping[str, tuple[str, tuple[str, ...]]] = {
         "Distributions",
         ("uniform", "normal", "loguniform", "choice", "count", "by", "fixed", "given", "Distribution"),
     ),
-    "assets": ("Assets", ("Asset", "asset.Link", "asset.Joint", "asset.affordance.Affordance")),
+    "assets": ("Assets", ("Asset", "asset.Link", "asset.AssetJoint", "asset.affordance.Affordance")),
     "proof": (
         "Certificate and checks",
         (

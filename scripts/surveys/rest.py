@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from artgen._arrays import Array
-from artgen.asset import Asset, Joint
+from artgen.asset import Asset, AssetJoint
 from artgen.validate.behavior.model import Simulation, collected_warnings, fixed_model
 from artgen.validate.behavior.settle import settle
 from surveys.speed import STEP
@@ -113,7 +113,7 @@ def _give(stop: Array, speed: float) -> float:
     return float(time * ratio * speed / math.e)
 
 
-def _absurd(asset: Asset, joint: Joint, speed: float) -> bool:
+def _absurd(asset: Asset, joint: AssetJoint, speed: float) -> bool:
     """Tell whether a released part is too fast: small parts on a spring turn quickly."""
     if joint.kind == "prismatic":
         return speed > FASTEST

@@ -10,7 +10,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from artgen.asset import Asset, Branch, Condition, Coupling, Dependency, Joint, Link, Tree
+from artgen.asset import Asset, Branch, Link, Tree
+from artgen.asset import AssetCondition as Condition
+from artgen.asset import AssetCoupling as Coupling
+from artgen.asset import AssetDependency as Dependency
+from artgen.asset import AssetJoint as Joint
 from artgen.catalog import find
 from artgen.errors import AssetError
 from artgen.materials import Material

@@ -7,7 +7,7 @@ import pytest
 from manifold3d import Manifold, OpType
 
 from artgen.asset import Asset, collision
-from artgen.asset.collision import Part, made_colliders, with_colliders
+from artgen.asset.collision import SolidPart, made_colliders, with_colliders
 from artgen.errors import AssetError, ExportError
 from artgen.export import export
 from artgen.export.files import encode
@@ -44,7 +44,7 @@ def test_hulls_contain_the_solids_and_close_their_hollows(asset):
 
 
 def test_hulls_of_round_solids_have_few_vertices_and_contain_them():
-    ball = Part("ball", STEEL, Manifold.sphere(0.05, 100))
+    ball = SolidPart("ball", STEEL, Manifold.sphere(0.05, 100))
     assert ball.solid.num_vert() > 1000
     (collider,) = made_colliders([ball], "hull")
     assert len(collider.convex.points) <= 64
@@ -54,7 +54,7 @@ def test_hulls_of_round_solids_have_few_vertices_and_contain_them():
 
 def test_too_many_parts_are_joined_with_their_neighbours():
     link = comb.generate(certify=False).links[0]
-    parts = [Part(piece.label, piece.material, piece.shape.manifold) for piece in link.pieces]
+    parts = [SolidPart(piece.label, piece.material, piece.shape.manifold) for piece in link.pieces]
     colliders = made_colliders(parts, "hull")
     assert len(colliders) == 64
     lengths = sorted(np.ptp(collider.convex.bounds(), axis=0)[0] for collider in colliders)
@@ -64,7 +64,7 @@ def test_too_many_parts_are_joined_with_their_neighbours():
 def test_a_joined_hull_is_named_like_the_largest_of_its_parts(monkeypatch):
     monkeypatch.setattr(collision, "MOST_COLLIDERS", 1)
     blocks = [
-        Part(label, material, Manifold.cube((size,) * 3).translate((x, 0, 0)))
+        SolidPart(label, material, Manifold.cube((size,) * 3).translate((x, 0, 0)))
         for label, material, size, x in (("small", STEEL, 0.01, 0.0), ("large", RUBBER, 0.02, 0.02))
     ]
     (collider,) = made_colliders(blocks, "hull")
@@ -92,13 +92,13 @@ def test_coacd_takes_convex_solids_as_they_are_and_overlapping_ones_as_one(monke
 
     monkeypatch.setattr(collision, "coacd_pieces", spy)
     cubes = [
-        Part("cube", STEEL, Manifold.cube((1, 1, 1)).translate(place))
+        SolidPart("cube", STEEL, Manifold.cube((1, 1, 1)).translate(place))
         for place in ((0, 0, 0), (1 + 1e-7, 0, 0), (2 - 1e-7, 0, 0))  # as near as files tell
     ]
     colliders = made_colliders(cubes, "coacd")
     assert [collider.convex.kind for collider in colliders] == ["box"] * 3
     assert not seen
-    overlapping = Part("cube", STEEL, Manifold.cube((1, 1, 1)).translate((0.5, 0.5, 0)))
+    overlapping = SolidPart("cube", STEEL, Manifold.cube((1, 1, 1)).translate((0.5, 0.5, 0)))
     with pytest.raises(ExportError, match="cannot make colliders of kind 'coacd': CoACD fails on a mesh"):
         made_colliders([*cubes[::2], overlapping], "coacd")
     assert len(seen) == 1

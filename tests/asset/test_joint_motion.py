@@ -7,7 +7,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from artgen.asset import Condition, Coupling, Dependency, Joint, rotation
+from artgen.asset import AssetCondition as Condition
+from artgen.asset import AssetCoupling as Coupling
+from artgen.asset import AssetDependency as Dependency
+from artgen.asset import AssetJoint as Joint
+from artgen.asset import rotation
 from artgen.asset.joint import JointKind
 
 directions = st.tuples(*[st.floats(-1.0, 1.0)] * 3).filter(lambda v: np.linalg.norm(v) > 0.1)

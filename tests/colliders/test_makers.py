@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 from manifold3d import CrossSection, Manifold
 from numpy.typing import NDArray
 
-from artgen.asset.distance import Faces
+from artgen.asset.distance import TriangleSet
 from artgen.colliders import (
     Convex,
     Pieces,
@@ -226,8 +226,8 @@ def test_thin_turned_wall_keeps_its_hollow(
     solid = Manifold.revolve(CrossSection([profile]), 48)
     pieces = revolve_pieces([profile], mesh_segments=48)
     assert uncovered(solid, pieces.outer(tolerance)) < FILM
-    beyond = Faces.of(joined_manifold(pieces.outer(tolerance)) - solid)
-    assert Faces.of(solid).farthest(beyond.spread(500), outside=True)[0] < 2.0 * tolerance
+    beyond = TriangleSet.of(joined_manifold(pieces.outer(tolerance)) - solid)
+    assert TriangleSet.of(solid).farthest(beyond.spread(500), outside=True)[0] < 2.0 * tolerance
 
 
 @pytest.mark.parametrize("wall", [0.0003, 0.0009])
@@ -245,8 +245,8 @@ def test_turned_disc_with_a_thin_rim_is_not_filled_to_a_cone() -> None:
     profile = np.array([(0.0, 0.0), (0.05, 0.0), (0.05, 0.0002), (0.01, 0.0004), (0.01, 0.1), (0.0, 0.1)])
     solid = Manifold.revolve(CrossSection([profile]), 48)
     assert_bracketed(solid, revolve_pieces([profile], mesh_segments=48))
-    beyond = Faces.of(joined_manifold(revolve_pieces([profile], mesh_segments=48).outer(0.001)) - solid)
-    assert Faces.of(solid).farthest(beyond.spread(500), outside=True)[0] < 0.0012
+    beyond = TriangleSet.of(joined_manifold(revolve_pieces([profile], mesh_segments=48).outer(0.001)) - solid)
+    assert TriangleSet.of(solid).farthest(beyond.spread(500), outside=True)[0] < 0.0012
 
 
 def test_turned_rectangle_is_a_cylinder() -> None:

@@ -7,7 +7,7 @@ import pytest
 from artgen.asset.affordance import Affordance
 from artgen.envs.motion import Stage, Target
 from artgen.envs.robot import HOME, LIMITS
-from artgen.envs.scene import STEPS, TIME_STEP, Scene, apart, compiled
+from artgen.envs.scene import STEPS, TIME_STEP, TaskScene, apart, compiled
 from support.manipulation import PULL
 from support.proof_assets import bearing_door
 
@@ -30,13 +30,13 @@ def drawer():
 
 @pytest.fixture(scope="module")
 def scene(drawer):
-    return Scene(drawer, compiled(drawer))
+    return TaskScene(drawer, compiled(drawer))
 
 
 @pytest.fixture(scope="module")
 def door():
     asset = bearing_door()
-    return Scene(asset, compiled(asset))
+    return TaskScene(asset, compiled(asset))
 
 
 def test_the_asset_is_the_one_that_is_exported(drawer, scene, tmp_path):
@@ -64,7 +64,7 @@ def test_the_asset_is_the_one_that_is_exported(drawer, scene, tmp_path):
 
 
 def test_what_is_seen_changes_nothing(drawer, scene):
-    seen = Scene(drawer, compiled(drawer, visual=True))
+    seen = TaskScene(drawer, compiled(drawer, visual=True))
     assert seen.model.ngeom > scene.model.ngeom
     assert seen.model.nmesh > scene.model.nmesh
     target = PULL.target(drawer, np.random.default_rng(0))

@@ -13,7 +13,8 @@ from concepts.page import concept_page
 from concepts.table import CONCEPTS
 from pxr import Sdf
 
-from artgen.asset import AllowedContact, Asset, Joint, Push
+from artgen.asset import AllowedContact, Asset, Push
+from artgen.asset import AssetJoint as Joint
 from artgen.export.files import encode
 from artgen.export.formats import FORMATS
 

@@ -6,7 +6,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from artgen.asset import Asset, Dependency, Link, Mesh, Piece, Tree
+from artgen.asset import Asset, Link, Mesh, Piece, Tree
+from artgen.asset import AssetDependency as Dependency
 from artgen.asset.surface import texture_coordinates
 from artgen.catalog import find
 from artgen.errors import ParameterError

@@ -6,7 +6,10 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from artgen.asset import Asset, Condition, Coupling, Dependency
+from artgen.asset import Asset
+from artgen.asset import AssetCondition as Condition
+from artgen.asset import AssetCoupling as Coupling
+from artgen.asset import AssetDependency as Dependency
 from artgen.catalog import find
 from artgen.export import write_glb
 from artgen.export.frames import translation

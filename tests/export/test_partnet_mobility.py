@@ -14,7 +14,8 @@ import pytest
 import trimesh
 
 import artgen
-from artgen.asset import Asset, Coupling, JointKind
+from artgen.asset import Asset, JointKind
+from artgen.asset import AssetCoupling as Coupling
 from artgen.errors import ExportError
 from artgen.export import export
 from artgen.export.files import encode

@@ -10,7 +10,9 @@ import pytest
 import trimesh
 import yourdfpy
 
-from artgen.asset import Asset, Branch, Coupling, Joint, Link, Piece, Push, Tree
+from artgen.asset import Asset, Branch, Link, Piece, Push, Tree
+from artgen.asset import AssetCoupling as Coupling
+from artgen.asset import AssetJoint as Joint
 from artgen.export import Written, export, write_urdf
 from artgen.export.meshes import display_color
 from support.readers import silence

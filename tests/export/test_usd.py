@@ -14,7 +14,8 @@ from numpy.typing import NDArray
 from PIL import Image
 from pxr import Gf, Usd, UsdGeom, UsdPhysics, UsdSemantics, UsdShade, UsdValidation
 
-from artgen.asset import Asset, Joint, Push
+from artgen.asset import Asset, Push
+from artgen.asset import AssetJoint as Joint
 from artgen.asset.surface import texture_coordinates
 from artgen.asset.wikidata import THING
 from artgen.colliders import Convex

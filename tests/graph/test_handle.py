@@ -30,7 +30,7 @@ def handles():
         "Profile": circle(number),
         "Solid": solid,
         "Body": part(solid, "block", material("oak")),
-        "Joint": Revolute("turn", axis=Z),
+        "Revolute": Revolute("turn", axis=Z),
     }
 
 
@@ -200,7 +200,7 @@ def test_handles_share_no_graph():
 
 
 def test_a_joint_cannot_carry_a_requirement():
-    with pytest.raises(BuildError, match=r"a Joint cannot carry a requirement"):
+    with pytest.raises(BuildError, match=r"a Revolute cannot carry a requirement"):
         Revolute("a", axis=Z).require(Float.parameter("a") > 1.0, "no")
 
 

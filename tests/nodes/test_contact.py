@@ -2,7 +2,8 @@
 
 import pytest
 
-from artgen.asset import AllowedContact, Asset, Branch, Condition, Tree
+from artgen.asset import AllowedContact, Asset, Branch, Tree
+from artgen.asset import AssetCondition as Condition
 from artgen.errors import AssetError, BuildError, EvaluationError
 from artgen.generator import generator
 from artgen.graph import evaluate

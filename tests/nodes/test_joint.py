@@ -5,14 +5,15 @@ import math
 import numpy as np
 import pytest
 
-from artgen.asset import Asset, Dependency
+from artgen.asset import Asset
+from artgen.asset import AssetDependency as Dependency
 from artgen.errors import AssetError, BuildError, EvaluationError
 from artgen.graph import evaluate
 from artgen.materials import material
 from artgen.nodes.body import part
 from artgen.nodes.condition import Condition
 from artgen.nodes.handles import Float
-from artgen.nodes.joint import Coupling, Prismatic, Revolute
+from artgen.nodes.joint import Coupling, Joint, Prismatic, Revolute
 from artgen.nodes.primitive import box
 from artgen.nodes.vector import X, Z
 from support.lines import place_of
@@ -240,3 +241,12 @@ def test_motion_moves_the_child_along_the_axis(kind):
     moved = joint.motion(0.5) @ np.array([2.0, 0.0, 0.0, 1.0])
     expected = [1 + math.cos(0.5), math.sin(0.5), 0] if kind is Revolute else [2, 0, 0.5]
     assert moved[:3] == pytest.approx(expected)
+
+
+def test_the_kinds_of_joints_are_types():
+    turn, slide = Revolute("turn", axis=Z), Prismatic("slide", axis=X)
+    assert isinstance(turn, Revolute)
+    assert isinstance(turn, Joint)
+    assert not isinstance(turn, Prismatic)
+    assert isinstance(slide, Prismatic)
+    assert [evaluate(each).value.kind for each in (turn, slide)] == ["revolute", "prismatic"]

@@ -9,7 +9,9 @@ from hypothesis import strategies as st
 
 from artgen import Prismatic, Revolute, X, Y, Z, box, material, part
 from artgen.asset import Asset
-from artgen.asset.joint import Condition, Coupling, Dependency
+from artgen.asset.joint import AssetCondition as Condition
+from artgen.asset.joint import AssetCoupling as Coupling
+from artgen.asset.joint import AssetDependency as Dependency
 from artgen.proof.overlap import displacement
 from artgen.proof.paths import FULL_SLIDE, FULL_TURN, Space
 from support.proof_fridges import evaluated

@@ -9,10 +9,13 @@ import numpy as np
 import pytest
 
 from artgen import Solid, box, material, part, union, weld
-from artgen.asset import AllowedContact, Asset, Condition, Joint, Link
+from artgen.asset import AllowedContact, Asset, Link
+from artgen.asset import AssetCondition as Condition
+from artgen.asset import AssetJoint as Joint
 from artgen.asset.certificate import Certificate
 from artgen.asset.collision import replace_colliders
-from artgen.asset.joint import Coupling, Dependency
+from artgen.asset.joint import AssetCoupling as Coupling
+from artgen.asset.joint import AssetDependency as Dependency
 from artgen.asset.tree import Branch, Tree
 from artgen.colliders import Convex
 from artgen.errors import AssetError

@@ -12,9 +12,12 @@ from typing import Any
 import numpy as np
 
 from artgen import Solid, bore, box, cylinder, material, part, tube, union, weld
-from artgen.asset import AllowedContact, Asset, Condition, Joint, Link
+from artgen.asset import AllowedContact, Asset, Link
+from artgen.asset import AssetCondition as Condition
+from artgen.asset import AssetJoint as Joint
 from artgen.asset.certificate import Certificate
-from artgen.asset.joint import Coupling, Dependency
+from artgen.asset.joint import AssetCoupling as Coupling
+from artgen.asset.joint import AssetDependency as Dependency
 from artgen.asset.tree import Branch, Tree
 from artgen.errors import AssetError
 from artgen.proof.overlap import allowed_at, displacement

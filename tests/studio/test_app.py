@@ -16,7 +16,7 @@ import pytest
 
 from artgen.cli import main
 from artgen.errors import ParameterError, RenderError
-from artgen.studio import Session, Source
+from artgen.studio import CategorySource, Session
 
 pytest.importorskip("viser", reason='viser is not installed: pip install "artgen[studio]"')
 
@@ -26,7 +26,7 @@ CRATE = Path(__file__).parent.parent / "support" / "crate.py"
 
 
 def crate() -> Session:
-    return Session(Source(str(CRATE)), seed=1)
+    return Session(CategorySource(str(CRATE)), seed=1)
 
 
 def until(what: Callable[[], Any], why: str, patience: float = 30.0) -> Any:

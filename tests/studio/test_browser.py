@@ -14,7 +14,7 @@ from support.browser import Browser, Tab, started
 
 pytest.importorskip("viser", reason='viser is not installed: pip install "artgen[studio]"')
 
-from artgen.studio import Session, Source
+from artgen.studio import CategorySource, Session
 from artgen.studio.app import Studio
 
 CRATE = Path(__file__).parent.parent / "support" / "crate.py"
@@ -32,7 +32,7 @@ def browser() -> Iterator[Browser]:
 def studio(tmp_path: Path) -> Iterator[Studio]:
     """A studio of a file that a test may edit, lit so that browsers without a GPU are quick."""
     file = shutil.copy(CRATE, tmp_path / "mine.py")
-    made = Studio(Session(Source(str(file)), seed=1), port=0, rich_light=False)
+    made = Studio(Session(CategorySource(str(file)), seed=1), port=0, rich_light=False)
     made.stage.textures = 0
     try:
         yield made

@@ -10,8 +10,8 @@ import pytest
 import artgen
 from artgen.catalog import load_file
 from artgen.errors import ExportError, ParameterError
-from artgen.studio import Session, Source
-from artgen.studio.controls import Control
+from artgen.studio import CategorySource, Session
+from artgen.studio.controls import ParameterControl
 from artgen.studio.prover import Prover
 from artgen.studio.stage import placed
 
@@ -20,7 +20,7 @@ CRATE = Path(__file__).parent.parent / "support" / "crate.py"
 
 @pytest.fixture
 def session() -> Session:
-    made = Session(Source(str(CRATE)), seed=1)
+    made = Session(CategorySource(str(CRATE)), seed=1)
     assert made.evaluate(), made.fault
     return made
 
@@ -28,12 +28,12 @@ def session() -> Session:
 @pytest.fixture
 def edited(tmp_path: Path) -> Session:
     """A session of a file that a test may edit."""
-    made = Session(Source(str(shutil.copy(CRATE, tmp_path / "mine.py"))), seed=1)
+    made = Session(CategorySource(str(shutil.copy(CRATE, tmp_path / "mine.py"))), seed=1)
     assert made.evaluate(), made.fault
     return made
 
 
-def control(session: Session, short: str) -> Control:
+def control(session: Session, short: str) -> ParameterControl:
     return next(found for found in session.controls() if found.short == short)
 
 
@@ -55,7 +55,7 @@ def test_each_parameter_has_the_control_of_its_kind(session: Session) -> None:
 
 
 def test_the_largest_category_has_a_control_for_every_parameter() -> None:
-    found = Session(Source("door"), seed=3)
+    found = Session(CategorySource("door"), seed=3)
     assert found.evaluate()
     controls = found.controls()
     assert [each.short for each in controls if each.name.count(".") == 0] == list(found.source.generator.own)
@@ -126,7 +126,7 @@ def test_a_kernel_that_fails_is_told_with_the_authors_line(session: Session) -> 
 
 def test_unknown_overrides_are_refused_at_once() -> None:
     with pytest.raises(ParameterError, match="Did you mean 'width'"):
-        Session(Source(str(CRATE)), seed=1, overrides={"widht": 0.4})
+        Session(CategorySource(str(CRATE)), seed=1, overrides={"widht": 0.4})
 
 
 def test_a_dependency_holds_a_joint_until_it_is_met(session: Session) -> None:
@@ -213,7 +213,7 @@ def test_what_is_copied_makes_the_same_asset(session: Session) -> None:
     )
     again = load_file(CRATE).generate(seed=1, handle="bar", handle__length=0.09, certify=False)
     assert dict(again.parameters) == dict(session.asset.parameters)
-    named = Session(Source("drawer"), seed=2, overrides={"width": artgen.uniform(0.5, 0.6)})
+    named = Session(CategorySource("drawer"), seed=2, overrides={"width": artgen.uniform(0.5, 0.6)})
     assert named.evaluate()
     width = named.asset.parameters["width"]
     assert named.python().splitlines()[-1] == (

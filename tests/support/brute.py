@@ -13,7 +13,9 @@ import numpy as np
 from manifold3d import Manifold, Mesh64, OpType
 from numpy.typing import NDArray
 
-from artgen.asset import AllowedContact, Asset, Condition, Joint, Link
+from artgen.asset import AllowedContact, Asset, Link
+from artgen.asset import AssetCondition as Condition
+from artgen.asset import AssetJoint as Joint
 
 Array = NDArray[np.float64]
 Pose = Mapping[str, float]

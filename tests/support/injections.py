@@ -13,7 +13,8 @@ from typing import Any
 
 from lxml import etree
 
-from artgen.asset import Asset, Joint
+from artgen.asset import Asset
+from artgen.asset import AssetJoint as Joint
 from artgen.asset.files import main_files
 
 

@@ -6,7 +6,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from artgen.asset import Asset, Joint, Link
+from artgen.asset import Asset, Link
+from artgen.asset import AssetJoint as Joint
 from support.brute import Overlap, draw_poses, overlaps
 
 Array = NDArray[np.float64]

@@ -45,10 +45,10 @@ BY_TYPE: dict[Any, Any] = {
     Outline: rectangle(SIZE, 0.2),
     Curve: line((0.0, 0.0, 0.0), (0.0, SIZE, 1.0)),
     Tree: part(BLOCK, "block", material("oak")),
-    values.Joint: Revolute("turn", axis=Z, limits=(-1.0, 0.0)),
-    values.Coupling: 4.0 * LEADER + 0.25,
-    values.Condition: LEADER > SIZE,
-    values.Dependency: (LEADER > SIZE).until(0.25),
+    values.AssetJoint: Revolute("turn", axis=Z, limits=(-1.0, 0.0)),
+    values.AssetCoupling: 4.0 * LEADER + 0.25,
+    values.AssetCondition: LEADER > SIZE,
+    values.AssetDependency: (LEADER > SIZE).until(0.25),
 }
 """What an input of each type is given, unless `OVERRIDES` says otherwise."""
 

@@ -19,7 +19,7 @@ from artgen.proof.recheck import recheck
 from artgen.validate.behavior import check_behaviour
 from artgen.validate.behavior.drive import Servo
 from artgen.validate.behavior.model import Simulation, fixed_model
-from artgen.validate.behavior.motion import Motion
+from artgen.validate.behavior.motion import JointMotion
 from artgen.validate.behavior.settle import start_poses
 from artgen.validate.hands import check_grasps
 from artgen.validate.hands.force import MOST_FORCE, hand_forces
@@ -176,7 +176,7 @@ def test_racks_are_also_let_go_halfway_out_over_the_open_door(wet: Asset) -> Non
     assert not any(wet.blocked(q) for q in poses)
 
 
-def _motions(asset: Asset) -> Mapping[str, Motion]:
+def _motions(asset: Asset) -> Mapping[str, JointMotion]:
     with TemporaryDirectory() as folder:
         path = main_files(asset.export(Path(folder) / "toy", formats=("mjcf",)))["mjcf"]
         return Simulation(asset, fixed_model(path), []).motions

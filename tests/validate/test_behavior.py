@@ -14,7 +14,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from artgen import Body, Prismatic, Revolute, Solid, X, Y, Z, box, cylinder, material, part, union, weld
-from artgen.asset import AllowedContact, Asset, Condition
+from artgen.asset import AllowedContact, Asset
+from artgen.asset import AssetCondition as Condition
 from artgen.asset.report import CheckResult, Finding
 from artgen.graph import evaluate
 from artgen.validate.behavior import check_behaviour

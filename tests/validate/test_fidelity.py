@@ -6,7 +6,7 @@ from manifold3d import Manifold, OpType
 from trimesh.triangles import closest_point
 
 import artgen
-from artgen.asset.distance import Faces
+from artgen.asset.distance import TriangleSet
 from artgen.colliders import Convex
 from artgen.validate.fidelity import fidelity
 
@@ -89,10 +89,10 @@ def test_films_of_pieces_in_the_solid_stand_off_nothing():
     # rounding leaves them where two solids share a face: thin, with surfaces deep within the union of both
     film = Manifold.cube((1e-12, 0.05, 0.05), center=True)
     solid = Manifold.cube((0.1, 0.1, 0.1), center=True)
-    assert Faces.of(solid).farthest(Faces.of(film).spread(300), outside=True)[0] == 0.0
-    assert Faces.of(solid).farthest(Faces.of(film).spread(300))[0] > 0.045
+    assert TriangleSet.of(solid).farthest(TriangleSet.of(film).spread(300), outside=True)[0] == 0.0
+    assert TriangleSet.of(solid).farthest(TriangleSet.of(film).spread(300))[0] > 0.045
     hollow = solid - Manifold.cube((0.08, 0.08, 0.08), center=True)
-    assert Faces.of(hollow).farthest(np.zeros((1, 3)), outside=True)[0] == pytest.approx(0.04)
+    assert TriangleSet.of(hollow).farthest(np.zeros((1, 3)), outside=True)[0] == pytest.approx(0.04)
 
 
 @given(st.integers(0, 2**32 - 1))
@@ -100,7 +100,7 @@ def test_films_of_pieces_in_the_solid_stand_off_nothing():
 def test_points_are_within_a_solid_where_it_says(seed):
     draw = np.random.default_rng(seed)
     solid = Manifold.cube((0.2, 0.1, 0.1), center=True) - Manifold.cube((0.1, 0.05, 0.2), center=True)
-    faces = Faces.of(solid)
+    faces = TriangleSet.of(solid)
     for point in draw.uniform(-0.12, 0.12, size=(20, 3)):
         block = (np.abs(point) < (0.1, 0.05, 0.05)).all()
         assert faces.surround(point) == (block and not (np.abs(point[:2]) < (0.05, 0.025)).all())
@@ -123,13 +123,13 @@ def test_the_farthest_point_from_a_box_is_as_far_as_geometry_says(points, size):
     outside = np.maximum(np.abs(points) - np.array(size) / 2, 0.0)
     inside = np.maximum((np.abs(points) - np.array(size) / 2).max(axis=1), -1.0)
     expected = np.where(inside > 0.0, np.linalg.norm(outside, axis=1), -inside)
-    distance, place = Faces.of(solid).farthest(points)
+    distance, place = TriangleSet.of(solid).farthest(points)
     assert distance == pytest.approx(expected.max(), abs=2e-8)
     assert np.abs(points - place).sum(axis=1).min() < 1e-7
 
 
 def test_spread_points_lie_on_the_surface_and_cover_it():
-    faces = Faces.of(Manifold.cube((0.2, 0.1, 0.05), center=True))
+    faces = TriangleSet.of(Manifold.cube((0.2, 0.1, 0.05), center=True))
     points = faces.spread(400)
     assert faces.farthest(points)[0] < 1e-9
     # as many on a side as its area says: each of 0.2 x 0.1 has 2/7 of the whole
@@ -145,7 +145,7 @@ def test_the_farthest_point_is_that_of_all_triangles(seed, count):
     # long and short triangles, so that the nearest one is often not that of the nearest corner
     corners = draw.normal(size=(count, 3, 3)) * draw.choice([0.1, 1.0, 10.0], size=(count, 1, 1))
     points = draw.normal(size=(300, 3)) * 3.0
-    away, place = Faces(corners).farthest(points)
+    away, place = TriangleSet(corners).farthest(points)
     each = [
         np.linalg.norm(closest_point(corners, np.tile(point, (count, 1))) - point, axis=1).min()
         for point in np.round(points, 8)

@@ -5,7 +5,9 @@ import pytest
 
 import artgen
 from artgen import Prismatic, Revolute, X, Y, Z, box, part, weld
-from artgen.asset import Asset, Condition, Dependency, Grasp
+from artgen.asset import Asset, Grasp
+from artgen.asset import AssetCondition as Condition
+from artgen.asset import AssetDependency as Dependency
 from artgen.asset.mass import MassProperties
 from artgen.validate.tree import check_tree
 from support.blocks import STEEL, block, with_shapes

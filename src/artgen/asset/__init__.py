@@ -3,8 +3,16 @@
 from artgen.asset.affordance import Affordance, Grasp, Hold, Push
 from artgen.asset.asset import Asset, Base
 from artgen.asset.contact import AllowedContact
-from artgen.asset.joint import DYNAMICS, Condition, Coupling, Dependency, Joint, JointKind, rotation
-from artgen.asset.link import MOST_COLLIDERS, Collider, Link, Piece, Reading, Surface
+from artgen.asset.joint import (
+    DYNAMICS,
+    AssetCondition,
+    AssetCoupling,
+    AssetDependency,
+    AssetJoint,
+    JointKind,
+    rotation,
+)
+from artgen.asset.link import MOST_COLLIDERS, Collider, Link, Piece, PrintDirection, Surface
 from artgen.asset.manifolds import PROPERTIES
 from artgen.asset.mass import MassProperties, Moments, polyhedron_moments
 from artgen.asset.shape import Contour, Curve, Mesh, Outline, Shape
@@ -17,17 +25,17 @@ __all__ = [
     "Affordance",
     "AllowedContact",
     "Asset",
+    "AssetCondition",
+    "AssetCoupling",
+    "AssetDependency",
+    "AssetJoint",
     "Base",
     "Branch",
     "Collider",
-    "Condition",
     "Contour",
-    "Coupling",
     "Curve",
-    "Dependency",
     "Grasp",
     "Hold",
-    "Joint",
     "JointKind",
     "Link",
     "MassProperties",
@@ -35,8 +43,8 @@ __all__ = [
     "Moments",
     "Outline",
     "Piece",
+    "PrintDirection",
     "Push",
-    "Reading",
     "Shape",
     "Surface",
     "Tree",

@@ -10,7 +10,7 @@ from artgen._arrays import Array, FrozenArrays
 
 if TYPE_CHECKING:
     from artgen.asset.asset import Asset
-    from artgen.asset.joint import Joint
+    from artgen.asset.joint import AssetJoint
 
 
 @dataclass(frozen=True, eq=False)
@@ -108,14 +108,14 @@ def moved_joints(asset: "Asset", link: str) -> tuple[str, ...]:
     return tuple(name for name in dict.fromkeys(found) if name in free)
 
 
-def head(joint: "Joint", asset: "Asset") -> "Joint":
+def head(joint: "AssetJoint", asset: "Asset") -> "AssetJoint":
     """Return the joint at the head of a joint's chain of leaders; the joint itself if it follows none."""
     while joint.follows is not None:
         joint = asset.joint(joint.follows.leader)
     return joint
 
 
-def _motion(joint: "Joint") -> Mapping[str, Any]:
+def _motion(joint: "AssetJoint") -> Mapping[str, Any]:
     return {
         "joint": joint.name,
         "kind": joint.kind,

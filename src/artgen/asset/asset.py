@@ -10,7 +10,7 @@ from artgen._arrays import Array, cached_property
 from artgen.asset.affordance import Affordance, affordances
 from artgen.asset.certificate import Certificate
 from artgen.asset.contact import AllowedContact
-from artgen.asset.joint import Joint, is_number, positions_of_followers
+from artgen.asset.joint import AssetJoint, is_number, positions_of_followers
 from artgen.asset.link import Link
 from artgen.asset.mass import MassProperties, total
 from artgen.asset.record import json_text, rounded
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from artgen import asset_methods
 
 
-def assembled(tree: Tree) -> tuple[tuple[Link, ...], tuple[Joint, ...], tuple[AllowedContact, ...]]:
+def assembled(tree: Tree) -> tuple[tuple[Link, ...], tuple[AssetJoint, ...], tuple[AllowedContact, ...]]:
     """Return the links, the joints and the contacts by design of a body; coupled joints get their ranges."""
     links = tuple(tree.links())
     for link in links:
@@ -45,7 +45,7 @@ def assembled(tree: Tree) -> tuple[tuple[Link, ...], tuple[Joint, ...], tuple[Al
     return links, ranged, contacts
 
 
-def _check_references(joint: Joint, joints: Mapping[str, Joint]) -> None:
+def _check_references(joint: AssetJoint, joints: Mapping[str, AssetJoint]) -> None:
     named = [("follows", joint.follows.leader)] if joint.follows is not None else []
     if joint.needs is not None:
         named += [("needs", name) for name in joint.needs.condition.joints()]
@@ -61,7 +61,7 @@ def _check_references(joint: Joint, joints: Mapping[str, Joint]) -> None:
             raise AssetError(f"joint {joint.name!r} {verb} itself; name another joint", joint=joint.name)
 
 
-def _with_followed_limits(joint: Joint, joints: Mapping[str, Joint]) -> Joint:
+def _with_followed_limits(joint: AssetJoint, joints: Mapping[str, AssetJoint]) -> AssetJoint:
     """Give a coupled joint the range over which its leader takes it."""
     if joint.follows is None:
         return joint
@@ -99,7 +99,7 @@ class Asset:
     name: str
     category: str
     links: tuple[Link, ...]
-    joints: tuple[Joint, ...]
+    joints: tuple[AssetJoint, ...]
     seed: int | None = None
     attempt: int = 0
     parameters: Mapping[str, Any] = field(default_factory=dict)
@@ -138,7 +138,7 @@ class Asset:
         return {link.name: link for link in self.links}
 
     @cached_property
-    def _joints(self) -> dict[str, Joint]:
+    def _joints(self) -> dict[str, AssetJoint]:
         return {joint.name: joint for joint in self.joints}
 
     def link(self, name: str) -> Link:
@@ -151,7 +151,7 @@ class Asset:
             raise AssetError(f"asset {self.name!r} has no link {name!r}.{nearest(name, self._links)}")
         return self._links[name]
 
-    def joint(self, name: str) -> Joint:
+    def joint(self, name: str) -> AssetJoint:
         """Return the joint of that name.
 
         Raises:
@@ -178,7 +178,7 @@ class Asset:
         return tuple(found.values())
 
     @cached_property
-    def free_joints(self) -> tuple[Joint, ...]:
+    def free_joints(self) -> tuple[AssetJoint, ...]:
         """The joints that are free to be set: neither coupled to another nor locked."""
         return tuple(joint for joint in self.joints if joint.follows is None and not joint.locked)
 
@@ -253,9 +253,9 @@ class Asset:
             result[child] = transform
         return result
 
-    def pairs(self) -> list[tuple[str, str, tuple[Joint, ...]]]:
+    def pairs(self) -> list[tuple[str, str, tuple[AssetJoint, ...]]]:
         """Return each pair of joined links, parent first, with its joints in order."""
-        grouped: dict[str, list[Joint]] = {}
+        grouped: dict[str, list[AssetJoint]] = {}
         for joint in self.joints:
             grouped.setdefault(joint.child, []).append(joint)
         return [(joints[0].parent, child, tuple(joints)) for child, joints in grouped.items()]

@@ -114,7 +114,7 @@ _RECORD = "collision"  # in the data of a link whose colliders were replaced
 
 
 @dataclass(frozen=True, eq=False)
-class Part:
+class SolidPart:
     """A solid of a link as colliders are made of it."""
 
     label: str  # semantic label
@@ -169,14 +169,16 @@ def collision_of(links: Sequence[dict[str, Any]]) -> str:
     return next((kind for kind in kinds if kind != "exact"), "exact")
 
 
-def solid_parts(link: Link) -> list[Part]:
+def solid_parts(link: Link) -> list[SolidPart]:
     """Return the solids of a link that was generated, without what is only seen."""
     return [
-        Part(piece.label, piece.material, piece.shape.manifold) for piece in link.pieces if not piece.visual
+        SolidPart(piece.label, piece.material, piece.shape.manifold)
+        for piece in link.pieces
+        if not piece.visual
     ]
 
 
-def made_colliders(parts: Sequence[Part], kind: str) -> tuple[Collider, ...]:
+def made_colliders(parts: Sequence[SolidPart], kind: str) -> tuple[Collider, ...]:
     """Return the colliders of a link's solids, `hull` or `coacd`."""
     if kind == "hull":
         return _hulls(parts)
@@ -187,7 +189,7 @@ def made_colliders(parts: Sequence[Part], kind: str) -> tuple[Collider, ...]:
     return tuple(_named(convex, parts) for convex, _ in fewest(convexes, MOST_COLLIDERS, _MOST_VERTICES))
 
 
-def _unions(parts: Sequence[Part]) -> list[Manifold]:
+def _unions(parts: Sequence[SolidPart]) -> list[Manifold]:
     """Return the unions of solids that overlap by more than files round away."""
     groups: list[list[Manifold]] = []
     for solid in (connected for part in parts for connected in connected_parts(part.solid)):
@@ -213,7 +215,7 @@ def _decomposed(solid: Manifold) -> tuple[Convex, ...]:
     return coacd_pieces(vertices, triangles, most_pieces=MOST_COLLIDERS, most_vertices=_MOST_VERTICES)
 
 
-def _hulls(parts: Sequence[Part]) -> tuple[Collider, ...]:
+def _hulls(parts: Sequence[SolidPart]) -> tuple[Collider, ...]:
     """Return one hull around each connected part of the solids."""
     convexes, owners, volumes = [], [], []
     for part in parts:
@@ -228,7 +230,7 @@ def _hulls(parts: Sequence[Part]) -> tuple[Collider, ...]:
     return tuple(result)
 
 
-def _named(convex: Convex, parts: Sequence[Part]) -> Collider:
+def _named(convex: Convex, parts: Sequence[SolidPart]) -> Collider:
     """Give a piece the label and the material of the solid that fills most of it."""
     manifold, bounds = convex.manifold(), convex.bounds()
     filled = [

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
-from artgen.asset.joint import Condition
+from artgen.asset.joint import AssetCondition
 
 
 @dataclass(frozen=True)
@@ -23,7 +23,7 @@ class AllowedContact:
     labels: tuple[str, str]
     depth: float
     reason: str
-    when: Condition | None = None
+    when: AssetCondition | None = None
 
     def renamed(self, links: Mapping[str, str], joints: Mapping[str, str]) -> "AllowedContact":
         """Return the contact with links and joints renamed; names not in the mappings stay."""
@@ -57,5 +57,5 @@ class AllowedContact:
             (first, second),
             data["depth"],
             data["reason"],
-            None if when is None else Condition.from_data(when),
+            None if when is None else AssetCondition.from_data(when),
         )

@@ -31,16 +31,18 @@ _ON = 1e-6  # points nearer than this to a surface are on it [m]
 
 
 @dataclass(frozen=True, eq=False)
-class Faces(FrozenArrays):
+class TriangleSet(FrozenArrays):
     """Triangles of a surface."""
 
     corners: Array  # the corners of each triangle, shape (m, 3, 3) [m]
 
     @staticmethod
-    def of(solid: Manifold) -> "Faces":
+    def of(solid: Manifold) -> "TriangleSet":
         """Return the triangles of a solid's surface."""
         mesh = solid.to_mesh64()
-        return Faces(np.asarray(mesh.vert_properties)[:, :3][np.asarray(mesh.tri_verts).astype(np.int64)])
+        return TriangleSet(
+            np.asarray(mesh.vert_properties)[:, :3][np.asarray(mesh.tri_verts).astype(np.int64)]
+        )
 
     @cached_property
     def areas(self) -> Array:

@@ -16,7 +16,7 @@ from artgen.asset.affordance import Grasp, Push
 from artgen.asset.asset import FORMAT, Asset, remember
 from artgen.asset.certificate import Certificate
 from artgen.asset.contact import AllowedContact
-from artgen.asset.joint import Joint
+from artgen.asset.joint import AssetJoint
 from artgen.asset.link import Collider, Link, Surface
 from artgen.asset.mass import MassProperties
 from artgen.asset.shape import Mesh
@@ -140,7 +140,7 @@ def asset_from_data(
 ) -> Asset:
     """Make an asset of its JSON data; the surfaces are read from files where no link is their source."""
     materials = {item["name"]: Material.from_data(item) for item in data["materials"]}
-    joints = tuple(Joint.from_data(item) for item in data["joints"])
+    joints = tuple(AssetJoint.from_data(item) for item in data["joints"])
     files = mesh_names({item["name"]: [each["name"] for each in item["surfaces"]] for item in data["links"]})
     # the last joint before a link lies on the link's origin; the base has the asset's frame
     origins = {joint.child: joint.pivot for joint in joints}

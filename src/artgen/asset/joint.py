@@ -13,7 +13,7 @@ JointKind = Literal["revolute", "prismatic"]
 
 
 @dataclass(frozen=True)
-class Coupling:
+class AssetCoupling:
     """A joint that follows another: position = ratio * leader + offset.
 
     Attributes:
@@ -28,7 +28,7 @@ class Coupling:
 
 
 @dataclass(frozen=True)
-class Condition:
+class AssetCondition:
     """A region of joint space.
 
     Attributes:
@@ -41,7 +41,7 @@ class Condition:
     kind: Literal["above", "below", "all", "any"]
     joint: str = ""
     value: float = 0.0
-    terms: tuple["Condition", ...] = ()
+    terms: tuple["AssetCondition", ...] = ()
 
     def holds(self, q: Mapping[str, float]) -> bool:
         """Tell whether the joint positions `q` (of every joint named here) lie in the region."""
@@ -58,7 +58,7 @@ class Condition:
             return (self.joint,)
         return tuple(dict.fromkeys(name for term in self.terms for name in term.joints()))
 
-    def renamed(self, names: Mapping[str, str]) -> "Condition":
+    def renamed(self, names: Mapping[str, str]) -> "AssetCondition":
         """Return the condition with joints renamed; names not in `names` stay."""
         return replace(
             self,
@@ -80,14 +80,14 @@ class Condition:
         return {"kind": self.kind, "joint": self.joint, "value": self.value}
 
     @staticmethod
-    def from_data(data: Mapping[str, Any]) -> "Condition":
+    def from_data(data: Mapping[str, Any]) -> "AssetCondition":
         """Read what `to_data` wrote."""
-        terms = tuple(Condition.from_data(term) for term in data.get("terms", ()))
-        return Condition(data["kind"], data.get("joint", ""), data.get("value", 0.0), terms)
+        terms = tuple(AssetCondition.from_data(term) for term in data.get("terms", ()))
+        return AssetCondition(data["kind"], data.get("joint", ""), data.get("value", 0.0), terms)
 
 
 @dataclass(frozen=True)
-class Dependency:
+class AssetDependency:
     """A joint may stand away from its closed position (0) only where a condition holds.
 
     Attributes:
@@ -98,7 +98,7 @@ class Dependency:
             drawer is until it strikes the closed door before it. None: already where it leaves 0 [rad or m].
     """
 
-    condition: Condition
+    condition: AssetCondition
     until: float | None = None
     beyond: float | None = None
 
@@ -122,13 +122,13 @@ class Dependency:
         return {"condition": self.condition.to_data(), "until": self.until, **beyond}
 
     @staticmethod
-    def from_data(data: Mapping[str, Any]) -> "Dependency":
+    def from_data(data: Mapping[str, Any]) -> "AssetDependency":
         """Read what `to_data` wrote."""
-        return Dependency(Condition.from_data(data["condition"]), data["until"], data.get("beyond"))
+        return AssetDependency(AssetCondition.from_data(data["condition"]), data["until"], data.get("beyond"))
 
 
 @dataclass(frozen=True, eq=False)
-class Joint(FrozenArrays):
+class AssetJoint(FrozenArrays):
     """One degree of freedom between two links.
 
     Several joints may join one pair of links; they act in order, the first nearest to the parent.
@@ -165,8 +165,8 @@ class Joint(FrozenArrays):
     armature: float = 0.0
     effort: float = 100.0
     velocity: float = 10.0
-    follows: Coupling | None = None
-    needs: Dependency | None = None
+    follows: AssetCoupling | None = None
+    needs: AssetDependency | None = None
     parent: str = ""
     child: str = ""
     driven: str = ""
@@ -193,14 +193,14 @@ class Joint(FrozenArrays):
         result[:3, 3] = self.pivot - result[:3, :3] @ self.pivot
         return result
 
-    def moved(self, matrix: Array) -> "Joint":
+    def moved(self, matrix: Array) -> "AssetJoint":
         """Return the joint carried along by a rigid motion or a reflection, shape (4, 4)."""
         axis = matrix[:3, :3] @ self.axis
         if self.kind == "revolute" and np.linalg.det(matrix[:3, :3]) < 0.0:
             axis = -axis  # a rotation axis is a pseudovector
         return replace(self, axis=axis, pivot=matrix[:3, :3] @ self.pivot + matrix[:3, 3])
 
-    def renamed(self, names: Mapping[str, str]) -> "Joint":
+    def renamed(self, names: Mapping[str, str]) -> "AssetJoint":
         """Return the joint with itself and the joints that it refers to renamed."""
         follows, needs = self.follows, self.needs
         if follows is not None:
@@ -229,10 +229,10 @@ class Joint(FrozenArrays):
         }
 
     @staticmethod
-    def from_data(data: Mapping[str, Any]) -> "Joint":
+    def from_data(data: Mapping[str, Any]) -> "AssetJoint":
         """Read what `to_data` wrote."""
         limits, follows, needs = data["limits"], data["follows"], data["needs"]
-        return Joint(
+        return AssetJoint(
             name=data["name"],
             kind=data["kind"],
             parent=data["parent"],
@@ -241,8 +241,8 @@ class Joint(FrozenArrays):
             pivot=np.array(data["pivot"], float),
             limits=None if limits is None else (limits[0], limits[1]),
             **{field: data[field] for field in DYNAMICS},
-            follows=None if follows is None else Coupling(**follows),
-            needs=None if needs is None else Dependency.from_data(needs),
+            follows=None if follows is None else AssetCoupling(**follows),
+            needs=None if needs is None else AssetDependency.from_data(needs),
             driven=data.get("driven", ""),
         )
 
@@ -264,7 +264,7 @@ def rotation(axis: Array, angle: float) -> Array:
     return result
 
 
-def positions_of_followers(joints: Mapping[str, Joint], q: dict[str, float]) -> dict[str, float]:
+def positions_of_followers(joints: Mapping[str, AssetJoint], q: dict[str, float]) -> dict[str, float]:
     """Add the positions of coupled joints to those of the free ones."""
     result = dict(q)
     for name in joints:

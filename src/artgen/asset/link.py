@@ -22,7 +22,7 @@ MOST_COLLIDERS = 64
 
 
 @dataclass(frozen=True, eq=False)
-class Reading(FrozenArrays):
+class PrintDirection(FrozenArrays):
     """How print is read, so that the mirror image of a product does not have mirrored print.
 
     Attributes:
@@ -46,9 +46,9 @@ class Reading(FrozenArrays):
         turned[:3, 3] = self.about - turned[:3, :3] @ self.about
         return np.asarray(matrix @ turned)
 
-    def moved(self, motion: Array) -> "Reading":
+    def moved(self, motion: Array) -> "PrintDirection":
         """Return how the print is read after that motion of its own, shape (4, 4)."""
-        return Reading(motion[:3, :3] @ self.about + motion[:3, 3], motion[:3, :3] @ self.direction)
+        return PrintDirection(motion[:3, :3] @ self.about + motion[:3, 3], motion[:3, :3] @ self.direction)
 
 
 @dataclass(frozen=True, eq=False)
@@ -67,7 +67,7 @@ class Piece:
     material: Material
     shape: Shape
     visual: bool = False
-    reading: Reading | None = None
+    reading: PrintDirection | None = None
 
     def moved(self, matrix: Array) -> "Piece":
         """Return the piece carried along by a rigid motion or a reflection, shape (4, 4)."""

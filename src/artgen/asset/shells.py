@@ -91,7 +91,7 @@ class Shell(FrozenArrays):
 
 
 @dataclass(frozen=True, eq=False)
-class Skin(FrozenArrays):
+class LinkShells(FrozenArrays):
     """The surface of a piece, or of all of a link that was read from files."""
 
     label: str  # label of the piece; empty for a whole link
@@ -149,7 +149,7 @@ _AGAINST = 0.5  # cosine between a face and the normal at a corner, below which 
 
 
 @cached_per_object
-def skins(link: Link) -> tuple[Skin, ...]:
+def skins(link: Link) -> tuple[LinkShells, ...]:
     """Return the surface of each piece of a link, or of the whole link if it was read from files."""
     if link.pieces:
         return tuple(
@@ -184,11 +184,11 @@ def _skin(
     piece: int = 0,
     *,
     detail: bool | None = None,
-) -> Skin:
+) -> LinkShells:
     """Weld corners at one place, count the faults and take the surface apart."""
     label = names[0] if detail is not None else ""
     if not np.isfinite(mesh.vertices).all():
-        return Skin(label, detail=detail, finite=False, triangles=len(mesh.triangles))
+        return LinkShells(label, detail=detail, finite=False, triangles=len(mesh.triangles))
     if labels is None:
         labels = np.zeros(len(mesh.triangles), np.int64)
     points, number = _welded(mesh.vertices, reach)
@@ -204,7 +204,7 @@ def _skin(
     edges = _Edges.of(faces)
     faulty = np.concatenate([edges.open, edges.turned])
     places = [*points[faulty[:1, 0]], *corners[against[:1], 0]]
-    return Skin(
+    return LinkShells(
         label,
         tuple(_shells(points, faces, edges, labels, names, piece)),
         detail,

@@ -9,7 +9,7 @@ from manifold3d import Error, Manifold, Mesh64
 
 from artgen._arrays import Array, FrozenArrays, cached_per_object
 from artgen.asset import Link, Surface
-from artgen.asset.collision import Part, connected_parts, solid_parts
+from artgen.asset.collision import SolidPart, connected_parts, solid_parts
 from artgen.errors import AssetError
 
 _ONE_POINT = 3e-7  # [m]: vertices of a file nearer than this are one; it has seven decimals
@@ -43,7 +43,7 @@ def mesh_precision(*links: Link) -> float:
 
 
 @cached_per_object
-def link_parts(link: Link) -> tuple[Part, ...]:
+def link_parts(link: Link) -> tuple[SolidPart, ...]:
     """Return the solids of a link; where it was read from files, the closed parts of its meshes.
 
     What has neither mass nor collider, such as the head of a screw, is told by its label and bounding box.
@@ -63,7 +63,7 @@ def link_parts(link: Link) -> tuple[Part, ...]:
     closed = {label: _closed(link, label, surfaces) for label, surfaces in groups.items()}
     details = Details.of(link.to_data().get("details", ()))
     return tuple(
-        Part(label, known.get(label, groups[label][0].material), part)
+        SolidPart(label, known.get(label, groups[label][0].material), part)
         for label, parts in closed.items()
         for part in parts
         if not details.have(label, np.reshape(part.bounding_box(), (2, 3)))

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 
 from artgen._arrays import Array
 from artgen.asset.contact import AllowedContact
-from artgen.asset.joint import Joint
+from artgen.asset.joint import AssetJoint
 from artgen.asset.link import Link
 from artgen.errors import AssetError, nearest
 
@@ -15,7 +15,7 @@ from artgen.errors import AssetError, nearest
 class Branch:
     """A child with the joints that join it, the first nearest to the parent."""
 
-    joints: tuple[Joint, ...]
+    joints: tuple[AssetJoint, ...]
     tree: "Tree"
 
 
@@ -40,7 +40,7 @@ class Tree:
         for branch in self.branches:
             yield from branch.tree.links()
 
-    def joints(self) -> Iterator[Joint]:
+    def joints(self) -> Iterator[AssetJoint]:
         """Yield every joint with the names of its parent and child, parents before their children."""
         for branch in self.branches:
             for joint in branch.joints:
@@ -106,7 +106,7 @@ class Tree:
         return self
 
 
-def check_contact(contact: AllowedContact, links: Collection[str], joints: Mapping[str, Joint]) -> None:
+def check_contact(contact: AllowedContact, links: Collection[str], joints: Mapping[str, AssetJoint]) -> None:
     """Check that a contact by design speaks of links, and of joints that move one against the other."""
     for link in contact.links:
         if link not in links:
@@ -132,7 +132,7 @@ def check_contact(contact: AllowedContact, links: Collection[str], joints: Mappi
         )
 
 
-def _moving(links: tuple[str, str], joints: Mapping[str, Joint]) -> list[str]:
+def _moving(links: tuple[str, str], joints: Mapping[str, AssetJoint]) -> list[str]:
     """Return the joints on the way between two links, then the joints that those follow."""
     ways: list[list[str]] = []
     for link in links:

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import typer
 
-from artgen.commands.view import Source, SourceOverrides, SourceSeed, asset_from
+from artgen.commands.view import SourceArgument, SourceOverrides, SourceSeed, asset_from
 from artgen.errors import ParameterError
 
 if TYPE_CHECKING:
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 def render(
-    source: Source,
+    source: SourceArgument,
     *,
     seed: SourceSeed = 0,
     overrides: SourceOverrides = None,

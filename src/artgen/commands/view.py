@@ -14,7 +14,7 @@ from artgen.commands.progress import progress_bar
 from artgen.errors import ParameterError
 from artgen.generator.overrides import parse_overrides
 
-Source = Annotated[
+SourceArgument = Annotated[
     str,
     typer.Argument(metavar="DIRECTORY|CATEGORY", help="An exported asset, a category, or a file with one."),
 ]
@@ -62,7 +62,7 @@ TEXELS = 512
 
 
 def view(
-    source: Source,
+    source: SourceArgument,
     *,
     seed: SourceSeed = 0,
     overrides: SourceOverrides = None,
@@ -201,10 +201,10 @@ def studio(
 
     The file of the category is loaded again when it is saved. Ctrl-C ends the studio.
     """
-    from artgen.studio import Session, Source
+    from artgen.studio import CategorySource, Session
     from artgen.studio.app import Studio
 
-    session = Session(Source(category), seed, parse_overrides(overrides or []))
+    session = Session(CategorySource(category), seed, parse_overrides(overrides or []))
     served = Studio(session, host, port, out=out)
     try:
         typer.echo(f"{session.source.generator.name} in the studio: {served.address} (Ctrl-C ends it)")

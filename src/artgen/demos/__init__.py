@@ -4,6 +4,6 @@
 """
 
 from artgen.demos.episode import Demo, record
-from artgen.demos.run import DEMO_FILE, Summary, make_demos
+from artgen.demos.run import DEMO_FILE, DemoSummary, make_demos
 
-__all__ = ["DEMO_FILE", "Demo", "Summary", "make_demos", "record"]
+__all__ = ["DEMO_FILE", "Demo", "DemoSummary", "make_demos", "record"]

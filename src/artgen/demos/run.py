@@ -47,7 +47,7 @@ _GYM = 2  # number of robomimic for environments of Gymnasium
 
 
 @dataclass(frozen=True)
-class Summary:
+class DemoSummary:
     """The result of a run.
 
     Attributes:
@@ -75,7 +75,7 @@ def make_demos(
     noise: float = 0.0,
     jobs: int | None = None,
     progress: Callable[[bool], None] = lambda succeeded: None,
-) -> Summary:
+) -> DemoSummary:
     """Record successes of the scripted policy in a task, each with another asset.
 
     The bytes of the file depend on the task, the count, the seed, the image size and the noise alone.
@@ -134,7 +134,7 @@ def make_demos(
         with closing(attempts.endings(jobs or cores())) as endings:
             steps = write_demos(partial_file, successes(endings), f"artgen/{task}-v0", {"obs": "state"})
     attempts.remove()
-    return Summary(file, count, steps, failed, time.monotonic() - start)
+    return DemoSummary(file, count, steps, failed, time.monotonic() - start)
 
 
 class Attempts:

@@ -13,7 +13,7 @@ from artgen._arrays import Array
 from artgen.asset import Asset
 from artgen.envs.motion import Stage, Target, tip_of
 from artgen.envs.robot import OPENING
-from artgen.envs.scene import CAMERAS, STEPS, TIME_STEP, Pictures, Scene
+from artgen.envs.scene import CAMERAS, STEPS, TIME_STEP, Pictures, TaskScene
 from artgen.envs.task import TASKS, Assets, Source, Task, compiled_asset
 from artgen.errors import EnvError, ParameterError, nearest
 
@@ -106,7 +106,7 @@ class ManipulationEnv(gymnasium.Env[Any, NDArray[np.float32]]):
         self._places = places
         self._pictures = Pictures()
         self._turn = self._step = 0
-        self._scene: Scene | None = None
+        self._scene: TaskScene | None = None
         self._target: Target | None = None
         self._done: list[bool] = []
         self._progress: list[float] = []
@@ -169,7 +169,7 @@ class ManipulationEnv(gymnasium.Env[Any, NDArray[np.float32]]):
         self._scene = None
 
     @property
-    def scene(self) -> Scene:
+    def scene(self) -> TaskScene:
         """The model and its state.
 
         Raises:
@@ -237,7 +237,7 @@ class ManipulationEnv(gymnasium.Env[Any, NDArray[np.float32]]):
             raise ParameterError(f"there is no camera {camera!r}.{nearest(camera, CAMERAS)}")
         return self._pictures.take(self.scene, size, camera, shadows=shadows)
 
-    def _begin(self, wanted: int | None) -> tuple[Scene, Target]:
+    def _begin(self, wanted: int | None) -> tuple[TaskScene, Target]:
         """Return the scene and the target of the next suitable asset."""
         reason = ""
         tries = _MOST_TRIES if wanted is None else 1
@@ -260,7 +260,7 @@ class ManipulationEnv(gymnasium.Env[Any, NDArray[np.float32]]):
         self._turn += 1
         return key
 
-    def _set_up(self, key: int, number: int) -> tuple[Scene, Target]:
+    def _set_up(self, key: int, number: int) -> tuple[TaskScene, Target]:
         """Return the scene of an asset and a variant of the task on it."""
         found = compiled_asset(
             self.assets, key, visual=self._visual, textures=self._textures, most=self._most
@@ -340,13 +340,13 @@ def _observation_space(obs: str, size: int) -> spaces.Space[Any]:
     return spaces.Dict({"rgb": picture, "hand_rgb": picture, "robot": robot})
 
 
-def handle(scene: Scene, stage: Stage) -> Array:
+def handle(scene: TaskScene, stage: Stage) -> Array:
     """Return the current pose of the tip at the affordance of a stage, shape (4, 4) [m]."""
     affordance = stage.affordance
     return np.asarray(scene.pose(affordance.link) @ tip_of(affordance))
 
 
-def proprioception(scene: Scene, base: Array) -> NDArray[np.float32]:
+def proprioception(scene: TaskScene, base: Array) -> NDArray[np.float32]:
     """Return the observation of the robot alone, shape (30,).
 
     In order: angles of the arm (7) [rad], half their speeds (7) [rad/s], vector from base to tip (3) [m],
@@ -366,7 +366,7 @@ def proprioception(scene: Scene, base: Array) -> NDArray[np.float32]:
     return np.concatenate(of_robot, dtype=np.float32)
 
 
-def state(scene: Scene, base: Array, stage: Stage, pose: Array, share: float) -> NDArray[np.float32]:
+def state(scene: TaskScene, base: Array, stage: Stage, pose: Array, share: float) -> NDArray[np.float32]:
     """Return the observation of robot and asset, shape (47,).
 
     After `proprioception`: vector from the tip to the handle (3) [m], x and z axes of the handle (6), along

@@ -39,7 +39,7 @@ _DEEP = 0.02  # least height of the pedestal [m]
 _VISUAL_GROUP, _GROUPS = 2, 6  # the geom group of visual surfaces, and the number of groups
 
 
-class Scene:
+class TaskScene:
     """A compiled model with its state; `place` sets the beginning of a task.
 
     The names of the asset are unchanged; those of the robot begin with `robot_`.
@@ -291,12 +291,12 @@ class Pictures:
     """Draws scenes without a window; it keeps the graphics resources of the last one."""
 
     def __init__(self) -> None:
-        self._scene: Scene | None = None
+        self._scene: TaskScene | None = None
         self._size = 0
         self._gl: Any = None
         self._context: Any = None
 
-    def take(self, scene: Scene, size: int, camera: str, *, shadows: bool) -> NDArray[np.uint8]:
+    def take(self, scene: TaskScene, size: int, camera: str, *, shadows: bool) -> NDArray[np.uint8]:
         """Return a picture from one of the `CAMERAS`, shape (size, size, 3), or raise a RenderError."""
         mujoco = simulator()
         if scene is not self._scene or size != self._size:
@@ -324,7 +324,7 @@ class Pictures:
             self._gl.free()
         self._gl = self._scene = None
 
-    def _open(self, scene: Scene, size: int) -> None:
+    def _open(self, scene: TaskScene, size: int) -> None:
         mujoco = simulator()
         if self._gl is not None and size != self._size:
             self.close()

@@ -16,7 +16,7 @@ from artgen.catalog import generate
 from artgen.dataset import Dataset
 from artgen.envs.motion import BACK, FAR_BACK, Contact, Move, Stage, Target, contact_of, lifted
 from artgen.envs.placing import place
-from artgen.envs.scene import Scene, compiled
+from artgen.envs.scene import TaskScene, compiled
 from artgen.errors import EnvError
 from artgen.sampling import choice
 
@@ -419,9 +419,9 @@ class CompiledAsset:
     def _model(self) -> Any:
         return compiled(self.asset, visual=self._visual, textures=self._textures)
 
-    def scene(self) -> Scene:
+    def scene(self) -> TaskScene:
         """Return a scene with a model of its own, whose robot can move."""
-        return Scene(self.asset, copy.copy(self._model))
+        return TaskScene(self.asset, copy.copy(self._model))
 
     def target(self, number: int) -> Target:
         """Return a variant of the task; it depends on the asset and the number alone."""

@@ -13,7 +13,7 @@ from itertools import product
 import numpy as np
 
 from artgen._arrays import Array, FrozenArrays
-from artgen.asset import Asset, Condition, Coupling, Joint, Link
+from artgen.asset import Asset, AssetCondition, AssetCoupling, AssetJoint, Link
 
 FAR = 1000.0
 """Where an unlimited slide ends in a format that wants limits of it [m]."""
@@ -26,7 +26,7 @@ INTERMEDIATE_INERTIA = 1e-9
 
 
 @dataclass(frozen=True, eq=False)
-class Frame(FrozenArrays):
+class LinkFrame(FrozenArrays):
     """The frame of a body.
 
     Attributes:
@@ -49,16 +49,16 @@ class Segment(FrozenArrays):
     """One joint between two frames; the origin of the child frame is the joint's pivot.
 
     Attributes:
-        parent: Frame of the body nearer to the base.
-        child: Frame of the body that moves.
+        parent: LinkFrame of the body nearer to the base.
+        child: LinkFrame of the body that moves.
         joint: The joint; its axis is the same in asset, parent and child coordinates.
         origin: The child frame in the parent's with the joint at 0, or at its position if it is locked,
             shape (4, 4) [m].
     """
 
-    parent: Frame
-    child: Frame
-    joint: Joint
+    parent: LinkFrame
+    child: LinkFrame
+    joint: AssetJoint
     origin: Array
 
 
@@ -73,7 +73,7 @@ class BodyJoint(FrozenArrays):
         position: Where the joint stands when the body is placed as written [rad or m].
     """
 
-    joint: Joint
+    joint: AssetJoint
     axis: Array
     pivot: Array
     position: float
@@ -124,7 +124,7 @@ def chain(asset: Asset) -> tuple[Segment, ...]:
             taken.add(name)
             displacement = displacement @ joint.motion(positions[joint.name])
             origin = asset.origin(child_name) if last else joint.pivot
-            child = Frame(
+            child = LinkFrame(
                 name, origin, displacement @ translation(origin), asset.link(name) if last else None
             )
             fixed = joint.motion(positions[joint.name]) if joint.locked else np.eye(4)
@@ -136,10 +136,10 @@ def chain(asset: Asset) -> tuple[Segment, ...]:
     return tuple(segments)
 
 
-def base_frame(asset: Asset) -> Frame:
+def base_frame(asset: Asset) -> LinkFrame:
     """Return the frame of the base, which is the asset's own."""
     base = asset.links[0]
-    return Frame(base.name, asset.origin(base.name), np.eye(4), base)
+    return LinkFrame(base.name, asset.origin(base.name), np.eye(4), base)
 
 
 def bodies(asset: Asset) -> tuple[BodyFrame, ...]:
@@ -170,7 +170,7 @@ def unused(name: str, taken: Collection[str]) -> str:
     return name
 
 
-def joint_type(joint: Joint) -> str:
+def joint_type(joint: AssetJoint) -> str:
     """Return what formats that follow URDF call the kind of a joint."""
     if joint.locked:
         return "fixed"
@@ -193,7 +193,7 @@ def quaternion(matrix: Array) -> Array:
     return row / (-length if row[0] < 0.0 else length)
 
 
-def coupling(asset: Asset, joint: Joint) -> Coupling | None:
+def coupling(asset: Asset, joint: AssetJoint) -> AssetCoupling | None:
     """Return the coupling of a joint to the free joint at the head of its chain of leaders, if it follows."""
     if joint.follows is None:
         return None
@@ -202,7 +202,7 @@ def coupling(asset: Asset, joint: Joint) -> Coupling | None:
     if above is None:
         return joint.follows
     ratio, offset = joint.follows.ratio, joint.follows.offset
-    return Coupling(above.leader, ratio * above.ratio, ratio * above.offset + offset)
+    return AssetCoupling(above.leader, ratio * above.ratio, ratio * above.offset + offset)
 
 
 def mass_in_frame(asset: Asset, link: Link) -> tuple[float, Array, Array]:
@@ -238,13 +238,13 @@ Region = dict[str, tuple[float, float]]
 """A box of joint space: open intervals of free joints; those that are not named may stand anywhere."""
 
 
-def leader_of(asset: Asset, joint: Joint) -> tuple[str, float, float]:
+def leader_of(asset: Asset, joint: AssetJoint) -> tuple[str, float, float]:
     """Return the free joint that decides where a joint stands, with ratio and offset."""
     law = coupling(asset, joint)
     return (joint.name, 1.0, 0.0) if law is None else (law.leader, law.ratio, law.offset)
 
 
-def regions(asset: Asset, condition: Condition) -> list[Region]:
+def regions(asset: Asset, condition: AssetCondition) -> list[Region]:
     """Return boxes that together are the region of a condition."""
     if condition.kind == "any":
         return [region for term in condition.terms for region in regions(asset, term)]

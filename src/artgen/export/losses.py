@@ -3,7 +3,7 @@
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import asdict, dataclass
 
-from artgen.asset import Asset, Joint
+from artgen.asset import Asset, AssetJoint
 
 
 @dataclass(frozen=True)
@@ -46,7 +46,7 @@ def loss(feature: str, where: Iterable[str], instead: str) -> tuple[Loss, ...]:
     return (Loss(feature, names, instead),) if names else ()
 
 
-def joints_where(asset: Asset, condition: Callable[[Joint], bool]) -> list[str]:
+def joints_where(asset: Asset, condition: Callable[[AssetJoint], bool]) -> list[str]:
     """Return the names of the joints for which a condition holds."""
     return [joint.name for joint in asset.joints if condition(joint)]
 

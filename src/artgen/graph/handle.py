@@ -31,8 +31,8 @@ class Handle:
         self.node = node
 
     def __init_subclass__(cls) -> None:
-        """Make the handle known as the one for its value type."""
-        if cls.value_type is not None:
+        """Make the handle known as the one for its value type, unless that is the type of its base."""
+        if vars(cls).get("value_type") is not None:
             Handle.HANDLES[cls.value_type] = cls
 
     @classmethod

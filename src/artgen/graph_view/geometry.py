@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 
-from artgen.asset.joint import Joint
+from artgen.asset.joint import AssetJoint
 from artgen.asset.shape import Curve, MovedShape, Outline, Shape
 from artgen.asset.tree import Tree
 
@@ -99,7 +99,7 @@ class Gallery:
 
 def _drawn(value: Any) -> list[dict[str, Any]]:
     """Return the lines, points and axes of a value that is neither a solid nor a body."""
-    if isinstance(value, Joint):
+    if isinstance(value, AssetJoint):
         return [{"axis": value.kind, "at": _rows(value.pivot), "along": _rows(value.axis)}]
     if isinstance(value, Outline):
         flat = [np.pad(contour.points, ((0, 0), (0, 1))) for contour in value.contours]

@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from artgen.asset.joint import Joint
+from artgen.asset.joint import AssetJoint
 from artgen.asset.shape import Curve, Outline, Shape
 from artgen.asset.tree import Tree
 from artgen.graph.node import Node
@@ -29,7 +29,7 @@ def value_text(value: Any) -> str:
     if isinstance(value, Tree):
         links, joints = [link.name for link in value.links()], [joint.name for joint in value.joints()]
         return _listed("link", links) + (f"; {_listed('joint', joints)}" if joints else "")
-    if isinstance(value, Joint):
+    if isinstance(value, AssetJoint):
         return _joint(value)
     if isinstance(value, Outline):
         points = sum(len(contour.points) for contour in value.contours)
@@ -55,7 +55,7 @@ def input_text(value: Any, number: Mapping[str, int]) -> list[str | int]:
     return [_number(value) if isinstance(value, float) else _cut(repr(value))]
 
 
-def _joint(joint: Joint) -> str:
+def _joint(joint: AssetJoint) -> str:
     unit = "rad" if joint.kind == "revolute" else "m"
     limits = joint.limits
     reach = "unlimited" if limits is None else f"{_number(limits[0])} to {_number(limits[1])} {unit}"

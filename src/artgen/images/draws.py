@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from artgen._arrays import Array
-from artgen.asset import Asset, Joint
+from artgen.asset import Asset, AssetJoint
 from artgen.export.frames import Region, leader_of, regions
 from artgen.view.camera import Camera, View
 
@@ -54,23 +54,23 @@ def random_positions(asset: Asset, draw: np.random.Generator) -> dict[str, float
     return q if not asset.blocked(q) else {name: joint.closed for name, joint in free.items()}
 
 
-def _anywhere(joint: Joint, draw: np.random.Generator) -> float:
+def _anywhere(joint: AssetJoint, draw: np.random.Generator) -> float:
     low, high = joint.limits or (-math.pi, math.pi)
     return float(draw.uniform(low, high))
 
 
-def _back(asset: Asset, joint: Joint, free: Mapping[str, Joint]) -> dict[str, float]:
+def _back(asset: Asset, joint: AssetJoint, free: Mapping[str, AssetJoint]) -> dict[str, float]:
     leader = leader_of(asset, joint)[0]
     return {leader: free[leader].closed} if leader in free else {}
 
 
-def _is_away(asset: Asset, name: str, q: Mapping[str, float], free: Mapping[str, Joint]) -> bool:
+def _is_away(asset: Asset, name: str, q: Mapping[str, float], free: Mapping[str, AssetJoint]) -> bool:
     leader = leader_of(asset, asset.joint(name))[0]
     return leader in free and q[leader] != free[leader].closed
 
 
 def _freeing(
-    asset: Asset, joint: Joint, free: Mapping[str, Joint], draw: np.random.Generator
+    asset: Asset, joint: AssetJoint, free: Mapping[str, AssetJoint], draw: np.random.Generator
 ) -> dict[str, float]:
     """Return positions of other joints that free a joint; if there are none, put the joint back."""
     assert joint.needs is not None
@@ -82,7 +82,7 @@ def _freeing(
     return {name: float(draw.uniform(low, high)) for name, (low, high) in box.items()}
 
 
-def _within_limits(region: Region, free: Mapping[str, Joint]) -> Region | None:
+def _within_limits(region: Region, free: Mapping[str, AssetJoint]) -> Region | None:
     """Return the part of a region within the limits of the joints; None if it is empty."""
     found = {}
     for name, (low, high) in region.items():

@@ -31,7 +31,7 @@ from artgen.version import __version__
 from artgen.view.camera import Camera
 from artgen.view.classic import HALF, SKY, ClassicDress, ClassicRenderer
 from artgen.view.rendering import cast
-from artgen.view.scene import HIDDEN_GROUP, STUDIO_GROUP, Scene, add_geom
+from artgen.view.scene import HIDDEN_GROUP, STUDIO_GROUP, RenderScene, add_geom
 from artgen.view.studio import Backdrop, ribbon
 
 if TYPE_CHECKING:
@@ -76,7 +76,7 @@ class ImageDress(ClassicDress):
                 add_geom(spec, body, f"{kind}_{number}", mesh, made, layer, STUDIO_GROUP)
 
 
-class ImageScene(Scene):
+class ImageScene(RenderScene):
     """A scene whose floor is visible in front of the asset."""
 
     def depth_range(self, camera: Camera, poses: list[Array]) -> tuple[float, float]:

@@ -7,7 +7,7 @@ import numpy as np
 
 from artgen import asset as values
 from artgen._names import NAME_RULE, is_identifier
-from artgen.asset import Branch, Grasp, Link, Piece, Push, Reading, Shape, Tree, rotation
+from artgen.asset import Branch, Grasp, Link, Piece, PrintDirection, Push, Shape, Tree, rotation
 from artgen.asset.gripper import GRIPPER, held
 from artgen.graph import kernel
 from artgen.materials import Material
@@ -110,7 +110,7 @@ def _detail(solid: Shape, label: str, material: Material, reads: Array3 | None, 
     reading = None
     if reads is not None:
         middle = solid.bounds().mean(axis=0) if about is None else about
-        reading = Reading(middle, unit(reads))
+        reading = PrintDirection(middle, unit(reads))
     return Tree(Link(label, label, (Piece(label, material, solid, visual=True, reading=reading),)))
 
 
@@ -172,7 +172,7 @@ def weld(*bodies: Body) -> Body:
 
 
 @kernel
-def _attach(parent: Tree, child: Tree, joints: tuple[values.Joint, ...]) -> Tree:
+def _attach(parent: Tree, child: Tree, joints: tuple[values.AssetJoint, ...]) -> Tree:
     if not joints:
         raise ValueError("attach needs at least one joint; weld joins bodies rigidly")
     return replace(parent, branches=(*parent.branches, Branch(joints, child))).checked()
@@ -187,7 +187,7 @@ _NOWHERE = Link("nowhere", "nowhere")  # stands for the parent while a branch is
 
 
 @kernel
-def _repeat(parent: Tree, child: Tree, joints: tuple[values.Joint, ...], at: ArrayN3) -> Tree:
+def _repeat(parent: Tree, child: Tree, joints: tuple[values.AssetJoint, ...], at: ArrayN3) -> Tree:
     if not joints:
         raise ValueError("repeat needs at least one joint; array and weld join copies rigidly")
     branches = []

@@ -21,7 +21,7 @@ class Condition(Handle):
     """
 
     __slots__ = ()
-    value_type: ClassVar[Any] = values.Condition
+    value_type: ClassVar[Any] = values.AssetCondition
 
     def __and__(self, other: "Condition") -> "Condition":
         """Intersect two regions."""
@@ -73,7 +73,7 @@ class Dependency(Handle):
     """
 
     __slots__ = ()
-    value_type: ClassVar[Any] = values.Dependency
+    value_type: ClassVar[Any] = values.AssetDependency
 
     def until(self, position: Scalar) -> "Dependency":
         """Ask for the condition only while the dependent joint stands below a position [rad or m].
@@ -112,45 +112,45 @@ class Dependency(Handle):
 
 
 @kernel
-def _joint_above(joint: str, position: float) -> values.Condition:
-    return values.Condition("above", joint, position)
+def _joint_above(joint: str, position: float) -> values.AssetCondition:
+    return values.AssetCondition("above", joint, position)
 
 
 @kernel
-def _joint_below(joint: str, position: float) -> values.Condition:
-    return values.Condition("below", joint, position)
+def _joint_below(joint: str, position: float) -> values.AssetCondition:
+    return values.AssetCondition("below", joint, position)
 
 
 @kernel(spelling="({a} & {b})")
-def _condition_all(a: values.Condition, b: values.Condition) -> values.Condition:
-    return values.Condition("all", terms=(a, b))
+def _condition_all(a: values.AssetCondition, b: values.AssetCondition) -> values.AssetCondition:
+    return values.AssetCondition("all", terms=(a, b))
 
 
 @kernel(spelling="({a} | {b})")
-def _condition_any(a: values.Condition, b: values.Condition) -> values.Condition:
-    return values.Condition("any", terms=(a, b))
+def _condition_any(a: values.AssetCondition, b: values.AssetCondition) -> values.AssetCondition:
+    return values.AssetCondition("any", terms=(a, b))
 
 
 @kernel
-def _dependency(condition: values.Condition, until: float | None) -> values.Dependency:
-    return _checked(values.Dependency(condition, until))
+def _dependency(condition: values.AssetCondition, until: float | None) -> values.AssetDependency:
+    return _checked(values.AssetDependency(condition, until))
 
 
 @kernel(spelling="{needs}.until({position})")
-def _dependency_until(needs: values.Dependency, position: float) -> values.Dependency:
+def _dependency_until(needs: values.AssetDependency, position: float) -> values.AssetDependency:
     if needs.until is not None:
         raise ValueError(f"until is said twice: {needs.until:.6g} and {position:.6g}")
     return _checked(replace(needs, until=position))
 
 
 @kernel(spelling="{needs}.beyond({position})")
-def _dependency_beyond(needs: values.Dependency, position: float) -> values.Dependency:
+def _dependency_beyond(needs: values.AssetDependency, position: float) -> values.AssetDependency:
     if needs.beyond is not None:
         raise ValueError(f"beyond is said twice: {needs.beyond:.6g} and {position:.6g}")
     return _checked(replace(needs, beyond=position))
 
 
-def _checked(needs: values.Dependency) -> values.Dependency:
+def _checked(needs: values.AssetDependency) -> values.AssetDependency:
     """Return a dependency whose positions make sense."""
     if needs.until is not None and needs.until <= 0.0:
         raise ValueError(f"until must be positive, got {needs.until:.6g}: a joint needs nothing at 0")

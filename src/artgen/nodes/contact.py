@@ -17,7 +17,7 @@ Place = tuple[str, str]
 
 @kernel
 def _allow_contact(
-    body: Tree, a: str, b: str, depth: float, reason: str, when: values.Condition | None
+    body: Tree, a: str, b: str, depth: float, reason: str, when: values.AssetCondition | None
 ) -> Tree:
     if finite("depth", depth) < 0.0:
         raise ValueError(f"depth must not be negative, got {depth:.6g} m; 0 allows them to touch")

@@ -1,5 +1,7 @@
 """Joints, and couplings between them."""
 
+import inspect
+from collections.abc import Mapping
 from typing import Any, ClassVar, Literal
 
 import numpy as np
@@ -7,6 +9,7 @@ import numpy as np
 from artgen import asset as values
 from artgen._names import NAME_RULE, is_identifier
 from artgen.graph import Handle, kernel
+from artgen.graph.node import Node
 from artgen.nodes.condition import Condition, Dependency
 from artgen.nodes.handles import Array3, Float, Scalar, VectorLike
 from artgen.nodes.vector import unit
@@ -26,7 +29,7 @@ class Coupling(Handle):
     """
 
     __slots__ = ()
-    value_type: ClassVar[Any] = values.Coupling
+    value_type: ClassVar[Any] = values.AssetCoupling
 
     @classmethod
     def lift(cls, value: Any) -> Any:
@@ -72,7 +75,7 @@ class Joint(Handle):
     """
 
     __slots__ = ()
-    value_type: ClassVar[Any] = values.Joint
+    value_type: ClassVar[Any] = values.AssetJoint
 
     @property
     def name(self) -> str:
@@ -118,19 +121,19 @@ class Joint(Handle):
 
 
 @kernel
-def _coupling(leader: str, ratio: float, offset: float) -> values.Coupling:
+def _coupling(leader: str, ratio: float, offset: float) -> values.AssetCoupling:
     if ratio == 0.0:
         raise ValueError(f"a coupling to {leader!r} with ratio 0 would not move; lock the joint instead")
-    return values.Coupling(leader, ratio, offset)
+    return values.AssetCoupling(leader, ratio, offset)
 
 
 @kernel(spelling="({coupling} + {by})")
-def _coupling_shift(coupling: values.Coupling, by: float) -> values.Coupling:
-    return values.Coupling(coupling.leader, coupling.ratio, coupling.offset + by)
+def _coupling_shift(coupling: values.AssetCoupling, by: float) -> values.AssetCoupling:
+    return values.AssetCoupling(coupling.leader, coupling.ratio, coupling.offset + by)
 
 
 @kernel(spelling="({coupling} * {factor})")
-def _coupling_scale(coupling: values.Coupling, factor: float) -> values.Coupling:
+def _coupling_scale(coupling: values.AssetCoupling, factor: float) -> values.AssetCoupling:
     return _coupling(coupling.leader, coupling.ratio * factor, coupling.offset * factor)
 
 
@@ -152,10 +155,10 @@ def _joint(
     armature: float,
     effort: float,
     velocity: float,
-    follows: values.Coupling | None,
-    needs: values.Dependency | None,
+    follows: values.AssetCoupling | None,
+    needs: values.AssetDependency | None,
     driven: str,
-) -> values.Joint:
+) -> values.AssetJoint:
     if not is_identifier(name):
         raise ValueError(f"joint name {name!r} is no identifier; use {NAME_RULE}")
     if limits is not None and limits[0] > limits[1]:
@@ -186,7 +189,7 @@ def _joint(
     for field in _POSITIVE:
         if dynamics[field] <= 0.0:
             raise ValueError(f"joint {name!r}: {field} {dynamics[field]:.6g} must be positive")
-    return values.Joint(
+    return values.AssetJoint(
         name,
         kind,
         unit(np.asarray(axis)),
@@ -200,63 +203,14 @@ def _joint(
     )
 
 
-def joint(
-    name: str,
-    kind: Literal["revolute", "prismatic"],
-    *,
-    axis: VectorLike,
-    pivot: VectorLike = (0.0, 0.0, 0.0),
-    limits: Limits = None,
-    stiffness: Scalar = 0.0,
-    damping: Scalar = 0.0,
-    friction: Scalar = 0.0,
-    rest: Scalar = 0.0,
-    armature: Scalar = 0.0,
-    effort: Scalar = 100.0,
-    velocity: Scalar = 10.0,
-    follows: "Coupling | Joint | None" = None,
-    needs: Condition | Dependency | None = None,
-    driven: str = "",
-) -> Joint:
-    """Make a joint of either kind; see `Revolute` and `Prismatic`."""
-    return Joint.record(
-        _joint,
-        name=name,
-        kind=kind,
-        pivot=pivot,
-        axis=axis,
-        limits=limits,
-        stiffness=stiffness,
-        damping=damping,
-        friction=friction,
-        rest=rest,
-        armature=armature,
-        effort=effort,
-        velocity=velocity,
-        follows=follows,
-        needs=needs,
-        driven=driven,
-    )
+def _recorded(kind: Literal["revolute", "prismatic"], arguments: Mapping[str, Any]) -> Node:
+    """Return the node of a joint from the arguments of its type."""
+    inputs = {name: value for name, value in arguments.items() if name not in ("self", "__class__")}
+    return Joint.record(_joint, kind=kind, **inputs).node
 
 
-def Revolute(  # noqa: N802 - reads as the type of joint that it makes
-    name: str,
-    *,
-    axis: VectorLike,
-    pivot: VectorLike = (0.0, 0.0, 0.0),
-    limits: Limits = None,
-    stiffness: Scalar = 0.0,
-    damping: Scalar = 0.0,
-    friction: Scalar = 0.0,
-    rest: Scalar = 0.0,
-    armature: Scalar = 0.0,
-    effort: Scalar = 100.0,
-    velocity: Scalar = 10.0,
-    follows: "Coupling | Joint | None" = None,
-    needs: Condition | Dependency | None = None,
-    driven: str = "",
-) -> Joint:
-    """Make a joint that turns about an axis, counter-clockwise seen against the axis.
+class Revolute(Joint):
+    """A joint that turns about an axis, counter-clockwise seen against the axis.
 
     Args:
         name: Identifier, unique in the asset.
@@ -280,43 +234,32 @@ def Revolute(  # noqa: N802 - reads as the type of joint that it makes
         >>> case = part(box(0.3, 0.2, 0.1).at(z=-0.057), "case", material("walnut"))
         >>> case.attach(lid, Revolute("hinge", pivot=(0, 0.1, -0.006), axis=-X, limits=(0, 1.5)))
     """
-    return joint(
-        name,
-        "revolute",
-        pivot=pivot,
-        axis=axis,
-        limits=limits,
-        stiffness=stiffness,
-        damping=damping,
-        friction=friction,
-        rest=rest,
-        armature=armature,
-        effort=effort,
-        velocity=velocity,
-        follows=follows,
-        needs=needs,
-        driven=driven,
-    )
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        name: str,
+        *,
+        axis: VectorLike,
+        pivot: VectorLike = (0.0, 0.0, 0.0),
+        limits: Limits = None,
+        stiffness: Scalar = 0.0,
+        damping: Scalar = 0.0,
+        friction: Scalar = 0.0,
+        rest: Scalar = 0.0,
+        armature: Scalar = 0.0,
+        effort: Scalar = 100.0,
+        velocity: Scalar = 10.0,
+        follows: Coupling | Joint | None = None,
+        needs: Condition | Dependency | None = None,
+        driven: str = "",
+    ) -> None:
+        super().__init__(_recorded("revolute", locals()))
 
 
-def Prismatic(  # noqa: N802 - reads as the type of joint that it makes
-    name: str,
-    *,
-    axis: VectorLike,
-    limits: Limits = None,
-    pivot: VectorLike = (0.0, 0.0, 0.0),
-    stiffness: Scalar = 0.0,
-    damping: Scalar = 0.0,
-    friction: Scalar = 0.0,
-    rest: Scalar = 0.0,
-    armature: Scalar = 0.0,
-    effort: Scalar = 100.0,
-    velocity: Scalar = 1.0,
-    follows: "Coupling | Joint | None" = None,
-    needs: Condition | Dependency | None = None,
-    driven: str = "",
-) -> Joint:
-    """Make a joint that slides along an axis.
+class Prismatic(Joint):
+    """A joint that slides along an axis.
 
     Args:
         name: Identifier, unique in the asset.
@@ -340,20 +283,35 @@ def Prismatic(  # noqa: N802 - reads as the type of joint that it makes
         >>> drawer = part(box(0.27, 0.18, 0.07).at(y=-0.01), "drawer", material("oak"))
         >>> case.attach(drawer, Prismatic("slide", axis=-Y, limits=(0, 0.15)))
     """
-    return joint(
-        name,
-        "prismatic",
-        pivot=pivot,
-        axis=axis,
-        limits=limits,
-        stiffness=stiffness,
-        damping=damping,
-        friction=friction,
-        rest=rest,
-        armature=armature,
-        effort=effort,
-        velocity=velocity,
-        follows=follows,
-        needs=needs,
-        driven=driven,
-    )
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        name: str,
+        *,
+        axis: VectorLike,
+        limits: Limits = None,
+        pivot: VectorLike = (0.0, 0.0, 0.0),
+        stiffness: Scalar = 0.0,
+        damping: Scalar = 0.0,
+        friction: Scalar = 0.0,
+        rest: Scalar = 0.0,
+        armature: Scalar = 0.0,
+        effort: Scalar = 100.0,
+        velocity: Scalar = 1.0,
+        follows: Coupling | Joint | None = None,
+        needs: Condition | Dependency | None = None,
+        driven: str = "",
+    ) -> None:
+        super().__init__(_recorded("prismatic", locals()))
+
+
+def joint(name: str, kind: Literal["revolute", "prismatic"], **options: Any) -> Revolute | Prismatic:
+    """Make a joint of either kind; `options` are the keywords of `Revolute` and `Prismatic`."""
+    return (Revolute if kind == "revolute" else Prismatic)(name, **options)
+
+
+_KIND = inspect.signature(joint).parameters["kind"]
+_NAME, *_OPTIONS = inspect.signature(Revolute).parameters.values()
+joint.__signature__ = inspect.Signature([_NAME, _KIND, *_OPTIONS])  # type: ignore[attr-defined]

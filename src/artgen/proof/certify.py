@@ -22,7 +22,7 @@ from artgen.asset.joint import is_number
 from artgen.errors import AssetError
 from artgen.proof.cover import Cover, collider_cover, fine_cover
 from artgen.proof.hierarchy import Hierarchy
-from artgen.proof.items import Items, Outcome, Settings
+from artgen.proof.items import Items, SearchOutcome, Settings
 from artgen.proof.overlap import (
     Links,
     Overlap,
@@ -54,7 +54,7 @@ class Judged:
     """
 
     way: Way
-    outcome: Outcome
+    outcome: SearchOutcome
     nodes: Hierarchy
     covers: Mapping[str, Cover]
     number: int
@@ -127,7 +127,7 @@ def _of_solids(judged: Judged) -> Verdict:
     return "proven" if judged.proven and judged.contained else "not proven"
 
 
-def _of_colliders(outcome: Outcome) -> Verdict:
+def _of_colliders(outcome: SearchOutcome) -> Verdict:
     if outcome.hit is not None or outcome.collider_hit is not None:
         return "collision"
     return "proven" if outcome.proven else "not proven"

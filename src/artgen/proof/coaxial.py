@@ -9,8 +9,8 @@ import numpy as np
 from artgen._arrays import Array, Indices
 from artgen.proof.bounds import Motion, around_axis, axis_gap, gap
 from artgen.proof.hierarchy import Hierarchy
-from artgen.proof.items import NONE, Items, Outcome
-from artgen.proof.kinematics import Layout, is_coaxial
+from artgen.proof.items import NONE, Items, SearchOutcome
+from artgen.proof.kinematics import JointTable, is_coaxial
 from artgen.proof.paths import Way
 
 Confirm = Callable[[int, int, int, Array, float], str]
@@ -37,7 +37,7 @@ class Witnesses:
     """
 
     def __init__(
-        self, ways: Sequence[Way], outcomes: Sequence[Outcome], confirm: Confirm, depths: Depths | None
+        self, ways: Sequence[Way], outcomes: Sequence[SearchOutcome], confirm: Confirm, depths: Depths | None
     ) -> None:
         self.ways = ways
         self.outcomes = outcomes
@@ -163,7 +163,7 @@ class Ahead:
     normal: Array
     frame: Indices
 
-    def dimension(self, layout: Layout, ways: Indices, rows: Indices, motion: Array) -> Indices:
+    def dimension(self, layout: JointTable, ways: Indices, rows: Indices, motion: Array) -> Indices:
         """Return the variable to split for some items: the one that would raise the bound most."""
         motion = motion[rows]
         if motion.shape[1] == 1:

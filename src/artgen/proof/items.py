@@ -77,7 +77,7 @@ class Items:
 
 
 @dataclass(eq=False)
-class Outcome:
+class SearchOutcome:
     """What the search found about one pair of links.
 
     Attributes:

@@ -20,7 +20,7 @@ _ROUNDING = 1e-9  # of points on an axis [m]
 
 
 @dataclass(eq=False)
-class Layout:
+class JointTable:
     """Ways whose joints are of the same kinds, in the order from A to B.
 
     Attributes:
@@ -42,14 +42,14 @@ class Layout:
     offset: Array
 
     @staticmethod
-    def of(kinds: tuple[JointKind, ...], ways: Sequence[Way]) -> "Layout":
+    def of(kinds: tuple[JointKind, ...], ways: Sequence[Way]) -> "JointTable":
         """Collect the numbers of some ways."""
         signs = np.array([way.signs for way in ways], float)
         numbers = [
             [way.variables.index(each.variable) if each.variable else NONE for each in way.followers]
             for way in ways
         ]
-        return Layout(
+        return JointTable(
             kinds,
             np.array([[joint.pivot for joint in way.steps] for way in ways]),
             np.array([[joint.axis for joint in way.steps] for way in ways]) * signs[:, :, None],

@@ -6,8 +6,8 @@ from dataclasses import replace
 import numpy as np
 
 from artgen._arrays import Array
-from artgen.asset import Asset, Joint
-from artgen.asset.collision import Part
+from artgen.asset import Asset, AssetJoint
+from artgen.asset.collision import SolidPart
 from artgen.proof.certify import certify
 from artgen.proof.overlap import Links, allowed_at
 from artgen.proof.paths import Space
@@ -69,7 +69,7 @@ def _is_safe(asset: Asset, joint: str, limits: tuple[float, float]) -> bool:
     return certify(_narrowed(asset, {joint: (low, high)}), only=lambda way: way.links in moved).proven
 
 
-def _leaders(asset: Asset, joint: Joint) -> Iterator[str]:
+def _leaders(asset: Asset, joint: AssetJoint) -> Iterator[str]:
     while joint.follows is not None:
         yield joint.follows.leader
         joint = asset.joint(joint.follows.leader)
@@ -117,7 +117,7 @@ def clearance(asset: Asset, q: Mapping[str, float] | None = None) -> dict[tuple[
     return result
 
 
-def _distance(first: Sequence[Part], second: Sequence[Part], matrix: Array) -> float:
+def _distance(first: Sequence[SolidPart], second: Sequence[SolidPart], matrix: Array) -> float:
     """Return the distance between the solids of two links, the second one moved [m]."""
     moved = [part.solid.transform(matrix[:3]) for part in second]
     boxes = [

@@ -8,7 +8,7 @@ from manifold3d import Manifold
 
 from artgen._arrays import Array
 from artgen.asset import Link
-from artgen.asset.collision import Part
+from artgen.asset.collision import SolidPart
 from artgen.asset.contact import AllowedContact
 from artgen.asset.stored_solids import link_parts
 from artgen.colliders.triangles import cross
@@ -46,10 +46,10 @@ class Links:
 
     def __init__(self, links: Sequence[Link]) -> None:
         self._links = {link.name: link for link in links}
-        self._parts: dict[str, tuple[Part, ...]] = {}
+        self._parts: dict[str, tuple[SolidPart, ...]] = {}
         self._boxes: dict[str, Array] = {}
 
-    def parts(self, link: str) -> tuple[Part, ...]:
+    def parts(self, link: str) -> tuple[SolidPart, ...]:
         """Return the solids of a link at rest."""
         if link not in self._parts:
             self._parts[link] = link_parts(self._links[link])

@@ -12,9 +12,9 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from artgen._arrays import Array
-from artgen.asset import Asset, Joint
+from artgen.asset import Asset, AssetJoint
 from artgen.asset.contact import AllowedContact
-from artgen.asset.joint import Condition
+from artgen.asset.joint import AssetCondition
 from artgen.errors import AssetError
 
 Interval = tuple[float, float]
@@ -61,7 +61,7 @@ class Way:
     """
 
     links: tuple[str, str]
-    steps: tuple[Joint, ...]
+    steps: tuple[AssetJoint, ...]
     signs: tuple[int, ...]
     followers: tuple[Follower, ...]
     variables: tuple[str, ...]
@@ -75,7 +75,7 @@ class Space:
     def __init__(self, asset: Asset) -> None:
         self.asset = asset
         self._joints = {joint.name: joint for joint in asset.joints}
-        self._chains: dict[str, tuple[Joint, ...]] = {asset.links[0].name: ()}
+        self._chains: dict[str, tuple[AssetJoint, ...]] = {asset.links[0].name: ()}
         for parent, child, joints in asset.pairs():
             self._chains[child] = (*self._chains[parent], *joints)
         self.followers: dict[str, Follower] = {}
@@ -150,7 +150,7 @@ class Space:
                 result += [name for name in dict.fromkeys(needs) if name and name not in result]
         return result
 
-    def _resolve(self, joint: Joint) -> None:
+    def _resolve(self, joint: AssetJoint) -> None:
         """Find the variable that a joint's position depends on."""
         ratio, offset, leader = 1.0, 0.0, joint
         while leader.follows is not None:
@@ -169,7 +169,7 @@ class Space:
         self.followers[joint.name] = Follower(leader.name, ratio, offset)
         self.ranges[leader.name] = full if leader.limits is None else leader.limits
 
-    def _check(self, joint: Joint) -> None:
+    def _check(self, joint: AssetJoint) -> None:
         """Refuse a dependency that no position of the other joints meets."""
         if joint.needs is None or any(each is not None for each in self._terms(joint.needs.condition)):
             return
@@ -191,7 +191,7 @@ class Space:
         low, high = sorted(follower.ratio * end + follower.offset for end in ends)
         return low, high
 
-    def _clauses(self, joint: Joint, variables: Sequence[str]) -> list[Box] | None:
+    def _clauses(self, joint: AssetJoint, variables: Sequence[str]) -> list[Box] | None:
         """Return the boxes, one of which a joint's dependency asks for; None if it says nothing here."""
         if joint.needs is None:
             return None
@@ -223,7 +223,7 @@ class Space:
         low, high = max(ends[0], limits[0]), min(ends[1], limits[1])
         return {name: (low, high)} if low <= high else None
 
-    def _terms(self, condition: Condition) -> Iterator[Box | None]:
+    def _terms(self, condition: AssetCondition) -> Iterator[Box | None]:
         """Yield boxes, the union of which a condition describes."""
         if condition.kind == "above":
             yield self._where(condition.joint, condition.value, math.inf)
@@ -252,7 +252,7 @@ class Space:
                 boxes = [part for each in boxes for part in _halves(each, name, value)]
         return boxes
 
-    def _holds(self, condition: Condition, box: Box) -> bool:
+    def _holds(self, condition: AssetCondition, box: Box) -> bool:
         """Tell whether a condition holds everywhere in a box."""
         if condition.kind in ("all", "any"):
             results = [self._holds(term, box) for term in condition.terms]
@@ -290,7 +290,7 @@ def _largest(boxes: Sequence[Box]) -> list[Box]:
     return result
 
 
-def _comparisons(condition: Condition | None) -> Iterator[Condition]:
+def _comparisons(condition: AssetCondition | None) -> Iterator[AssetCondition]:
     if condition is None:
         return
     if condition.terms:

@@ -19,8 +19,8 @@ from artgen.asset.joint import JointKind
 from artgen.proof.bounds import Motion
 from artgen.proof.coaxial import GRAIN, Ahead, Coaxial, Confirm, Depths, Planes, Witnesses, depth_of, taken
 from artgen.proof.hierarchy import Hierarchy
-from artgen.proof.items import NONE, Items, Outcome, Settings
-from artgen.proof.kinematics import Frames, Layout, frames, nearest_zero, starting_cells
+from artgen.proof.items import NONE, Items, SearchOutcome, Settings
+from artgen.proof.kinematics import Frames, JointTable, frames, nearest_zero, starting_cells
 from artgen.proof.paths import Way
 
 MARGIN = 1e-8
@@ -67,7 +67,7 @@ class Search:
         self.tolerances = tolerances.copy()
         self.least = least
         self.settings = settings
-        self.outcomes = [Outcome() for _ in ways]
+        self.outcomes = [SearchOutcome() for _ in ways]
         self.leaves: list[Items] = []
         self._most = max((len(way.variables) for way in ways), default=0)
         self._contacts = np.array([any(way.allowed) for way in ways], bool)
@@ -76,19 +76,19 @@ class Search:
         self._found = np.full(len(ways), np.inf)
         self._split_close = np.zeros(len(ways), np.int64)
         self._guaranteed = np.full(len(ways), np.inf)
-        self._layouts: list[Layout] = []
+        self._layouts: list[JointTable] = []
         self._layout = np.zeros(len(ways), np.int64)
         self._row = np.zeros(len(ways), np.int64)
         kinds: dict[tuple[JointKind, ...], list[int]] = {}
         for number, way in enumerate(ways):
             kinds.setdefault(tuple(joint.kind for joint in way.steps), []).append(number)
         for number, (of_kind, members) in enumerate(kinds.items()):
-            self._layouts.append(Layout.of(of_kind, [ways[member] for member in members]))
+            self._layouts.append(JointTable.of(of_kind, [ways[member] for member in members]))
             self._layout[members] = number
             self._row[members] = np.arange(len(members))
         self._coaxial = Coaxial(hierarchy, ways)
 
-    def run(self) -> list[Outcome]:
+    def run(self) -> list[SearchOutcome]:
         """Search until everything is closed, refuted or given up, and return the outcome of each way."""
         if not self.ways:
             return []
@@ -175,7 +175,7 @@ class Search:
             return float("nan")
         return depth_of(self.depths, items, row)
 
-    def _examine(self, items: Items, layout: Layout) -> list[Items]:
+    def _examine(self, items: Items, layout: JointTable) -> list[Items]:
         """Close what can be closed of some items of one layout, and return what the others split into."""
         path = layout.path(self._row[items.way], items.low, items.high)
         threshold = self._threshold(items)
@@ -331,7 +331,7 @@ class Search:
             self.outcomes[way].open.append((low, high, *nodes, float(distance[row])))
 
     def _split(
-        self, items: Items, distance: Array, threshold: Array, layout: Layout, ahead: Ahead
+        self, items: Items, distance: Array, threshold: Array, layout: JointTable, ahead: Ahead
     ) -> list[Items]:
         """Split the larger box of each item, or its cell."""
         nodes = self.nodes

@@ -4,6 +4,6 @@
 """
 
 from artgen.studio.session import Session
-from artgen.studio.source import Source
+from artgen.studio.source import CategorySource
 
-__all__ = ["Session", "Source"]
+__all__ = ["CategorySource", "Session"]

@@ -16,7 +16,7 @@ from artgen.studio.panel import Panel, tell
 from artgen.studio.prover import Prover
 from artgen.studio.session import Session, message_of
 from artgen.studio.signs import Sign
-from artgen.studio.stage import Stage
+from artgen.studio.stage import Viewport
 
 HOST, PORT = "127.0.0.1", 8080
 OUT = Path("out")
@@ -66,7 +66,7 @@ class Studio:
         self._prover = Prover()
         self._moving = ""
         self.updates: list[float] = []
-        self.stage = Stage(self._server)
+        self.stage = Viewport(self._server)
         self.stage.light(rich=rich_light)
         self.panel = Panel(
             self._server,

@@ -22,7 +22,7 @@ _ROOM = 0.5  # how far a joint without limits can be pulled either way [m]
 
 
 @dataclass(frozen=True)
-class Control:
+class ParameterControl:
     """One parameter in use."""
 
     name: str  # full name, generators included: `handle.lever_handle.length`
@@ -47,14 +47,14 @@ class Control:
         return (self.name, self.kind, self.hint, self.low, self.high, self.options)
 
 
-def parameters_in_use(generator: Generator, asset: Asset) -> tuple[Control, ...]:
+def parameters_in_use(generator: Generator, asset: Asset) -> tuple[ParameterControl, ...]:
     """Return a control for each parameter that an asset of a category was made of, in their order."""
     return tuple(_controls(generator.own, asset.parameters, "", ""))
 
 
 def _controls(
     own: Mapping[str, Parameter], values: Mapping[str, Any], short: str, full: str
-) -> Iterator[Control]:
+) -> Iterator[ParameterControl]:
     for name, parameter in own.items():
         value = values[short + name]
         siblings = {sibling: values[short + sibling] for sibling in own}
@@ -64,12 +64,12 @@ def _controls(
             yield from _controls(chosen.own, values, f"{short}{name}.", f"{full}{name}.{chosen.name}.")
 
 
-def _control(parameter: Parameter, short: str, value: Any, siblings: Mapping[str, Any]) -> Control:
+def _control(parameter: Parameter, short: str, value: Any, siblings: Mapping[str, Any]) -> ParameterControl:
     distribution = parameter.distribution
     drawn = _drawn(distribution, siblings)
     name = parameter.name.rpartition(".")[2]
     hint = _hint(distribution, drawn)
-    control = Control(parameter.name, short + name, "text", str(value), hint, distribution.unit)
+    control = ParameterControl(parameter.name, short + name, "text", str(value), hint, distribution.unit)
     options = _options(parameter, drawn, value)
     if parameter.kind in (Bool, bool):
         return replace(control, kind="checkbox", value=bool(value))
@@ -140,7 +140,7 @@ def _step(width: float) -> float:
     return float(f"{step:.0e}")
 
 
-def read_value(control: Control, kind: Any, value: Any) -> Any:
+def read_value(control: ParameterControl, kind: Any, value: Any) -> Any:
     """Return what a user interface gave as the parameter takes it."""
     if typing.get_origin(kind) is Literal:
         return next((item for item in typing.get_args(kind) if str(item) == value), value)

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from artgen.export.formats import DEFAULT_FORMATS, FORMATS
-from artgen.studio.controls import Control, JointControl
+from artgen.studio.controls import JointControl, ParameterControl
 from artgen.studio.session import Session
 from artgen.studio.signs import SIGNS, Sign
 
@@ -147,7 +147,7 @@ class Panel:
             self._suggested = self._session.asset.name
             self._folder.value = self._suggested
 
-    def _show_parameters(self, controls: tuple[Control, ...]) -> None:
+    def _show_parameters(self, controls: tuple[ParameterControl, ...]) -> None:
         wanted = {control.name: control for control in controls}
         for name in [name for name in self._controls if name not in wanted]:
             self._controls.pop(name)[1].remove()
@@ -194,7 +194,7 @@ class Panel:
 
         return self._by_person(act, _wish(name))
 
-    def _add(self, control: Control, order: float) -> Any:
+    def _add(self, control: ParameterControl, order: float) -> Any:
         label, value = _label(control, is_set=False), _displayed(control)
         common = {"hint": control.hint, "order": order}
         if control.kind == "checkbox":
@@ -298,13 +298,13 @@ def _wish(parameter: str) -> str:
     return f"set {parameter}"
 
 
-def _label(control: Control, *, is_set: bool) -> str:
+def _label(control: ParameterControl, *, is_set: bool) -> str:
     name = control.name.rpartition(".")[2]
     unit = f" [{control.unit}]" if control.unit else ""
     return f"{_SET if is_set else ''}{name}{unit}"
 
 
-def _displayed(control: Control) -> Any:
+def _displayed(control: ParameterControl) -> Any:
     value = control.value
     if control.kind == "menu":
         return value or _NONE

@@ -15,7 +15,7 @@ _LIMIT = 600.0  # that a proof may take [s]
 
 
 @dataclass(frozen=True)
-class Task:
+class ProofTask:
     """What another process needs to know to make an asset again."""
 
     reference: str  # what the category is found by
@@ -31,7 +31,7 @@ def _category(reference: str, revision: int) -> Generator:
     return find(reference)
 
 
-def prove(task: Task) -> Certificate:
+def prove(task: ProofTask) -> Certificate:
     """Make the asset and certify it."""
     generator = _category(task.reference, task.revision)
     asset, _ = generator.evaluate(task.seed, attempts=task.attempts, certify=False, overrides=task.overrides)
@@ -50,7 +50,7 @@ class Prover:
         """Whether a proof is being made."""
         return self._busy
 
-    def start(self, task: Task) -> None:
+    def start(self, task: ProofTask) -> None:
         """Begin a proof; one that was being made is given up."""
         self.cancel()
         if self._worker is None:

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from artgen.asset import Asset, Condition
+from artgen.asset import Asset, AssetCondition
 from artgen.asset.asset import remember
 from artgen.asset.certificate import Certificate, PairResult
 from artgen.catalog import is_file
@@ -14,9 +14,15 @@ from artgen.errors import ArtgenError, InfeasibleError, ParameterError
 from artgen.export.frames import leader_of
 from artgen.graph import Cache, Evaluation
 from artgen.sampling import Distribution
-from artgen.studio.controls import Control, JointControl, joint_controls, parameters_in_use, read_value
-from artgen.studio.prover import Task
-from artgen.studio.source import Source
+from artgen.studio.controls import (
+    JointControl,
+    ParameterControl,
+    joint_controls,
+    parameters_in_use,
+    read_value,
+)
+from artgen.studio.prover import ProofTask
+from artgen.studio.source import CategorySource
 
 _NUDGE = 1e-9  # beyond a place where a dependency begins or ends [rad or m]
 
@@ -79,7 +85,7 @@ def _places(asset: Asset, joint: str, start: float, end: float) -> Iterator[floa
     yield from sorted((place for place in found if low <= place <= high), reverse=end < start)
 
 
-def _thresholds(condition: Condition) -> Iterator[tuple[str, float]]:
+def _thresholds(condition: AssetCondition) -> Iterator[tuple[str, float]]:
     if condition.joint:
         yield condition.joint, condition.value
     for term in condition.terms:
@@ -117,7 +123,9 @@ class Session:
         certificate: What is proven of the asset; None while that is not known.
     """
 
-    def __init__(self, source: Source, seed: int = 0, overrides: Mapping[str, Any] | None = None) -> None:
+    def __init__(
+        self, source: CategorySource, seed: int = 0, overrides: Mapping[str, Any] | None = None
+    ) -> None:
         """Begin; the asset is made by `evaluate`.
 
         Raises:
@@ -134,7 +142,7 @@ class Session:
         self.certificate: Certificate | None = None
         self._cache = Cache(_VALUES)
         self._attempts = _ATTEMPTS
-        self._controls: tuple[Control, ...] = ()
+        self._controls: tuple[ParameterControl, ...] = ()
 
     @property
     def asset(self) -> Asset:
@@ -224,11 +232,11 @@ class Session:
         self.held = ""
         return True
 
-    def controls(self) -> tuple[Control, ...]:
+    def controls(self) -> tuple[ParameterControl, ...]:
         """Return a control for each parameter that the asset was made of."""
         return self._controls
 
-    def is_set(self, control: Control) -> bool:
+    def is_set(self, control: ParameterControl) -> bool:
         """Tell whether a person set a parameter."""
         return control.name in self.overrides or control.short in self.overrides
 
@@ -258,13 +266,13 @@ class Session:
 
     # the certificate
 
-    def task(self) -> Task | None:
+    def task(self) -> ProofTask | None:
         """Return what another process needs to know to certify the asset; None if there is none."""
         if self.shown is None or self.fault:
             return None
         source, shown = self.source, self.shown
         attempts = shown.asset.attempt + 1
-        return Task(source.reference, source.revision, shown.seed, attempts, dict(shown.overrides))
+        return ProofTask(source.reference, source.revision, shown.seed, attempts, dict(shown.overrides))
 
     def certified(self, certificate: Certificate) -> None:
         """Take what was proven of the asset that is shown."""
@@ -315,7 +323,7 @@ class Session:
             raise ParameterError("choose a format to export")
         return self.asset.export(folder, formats=formats)
 
-    def _control(self, name: str) -> Control | None:
+    def _control(self, name: str) -> ParameterControl | None:
         return next((control for control in self.controls() if control.name == name), None)
 
     def _applicable(self) -> dict[str, Any]:

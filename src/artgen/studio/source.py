@@ -8,7 +8,7 @@ from artgen.generator import Generator
 _Stamp = tuple[int, int]  # time and size of a file
 
 
-class Source:
+class CategorySource:
     """A category by name or file.
 
     Attributes:

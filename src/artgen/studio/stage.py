@@ -123,7 +123,7 @@ class _Shown:
     pose: Array = field(default_factory=lambda: np.full((4, 4), np.nan))  # where the frame stands
 
 
-class Stage:
+class Viewport:
     """The scene of a viser server.
 
     Attributes:

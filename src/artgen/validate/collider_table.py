@@ -8,7 +8,7 @@ from typing import Any
 from manifold3d import Manifold, OpType
 
 from artgen.asset import Asset
-from artgen.asset.collision import COLLISIONS, Part, collision_of, made_colliders, replace_colliders
+from artgen.asset.collision import COLLISIONS, SolidPart, collision_of, made_colliders, replace_colliders
 from artgen.asset.record import significant
 from artgen.asset.stored_solids import link_parts
 from artgen.export.mjcf import write_mjcf
@@ -131,7 +131,7 @@ def steps_per_second(asset: Asset) -> float | None:
     return steps / elapsed
 
 
-def _united(parts: Sequence[Part]) -> Manifold:
+def _united(parts: Sequence[SolidPart]) -> Manifold:
     return Manifold.batch_boolean([part.solid for part in parts], OpType.Add)
 
 

@@ -7,7 +7,7 @@ import numpy as np
 from manifold3d import Manifold, OpType
 
 from artgen._arrays import Array
-from artgen.asset.distance import Faces, distinct_rows
+from artgen.asset.distance import TriangleSet, distinct_rows
 from artgen.colliders import Convex
 from artgen.colliders.polytope import Polytope
 from artgen.colliders.triangles import hull_of
@@ -42,12 +42,12 @@ def fidelity(solid: Manifold, convexes: Sequence[Convex]) -> Fidelity:
     polytopes = [convex.outer_polytope(_FINE) for convex in convexes]
     cover = Manifold.batch_boolean([hull_of(polytope.points) for polytope in polytopes], OpType.Add)
     excess, missing = cover - solid, solid - cover
-    volume, hull, faces = solid.volume(), solid.hull(), Faces.of(solid)
+    volume, hull, faces = solid.volume(), solid.hull(), TriangleSet.of(solid)
     outside, place = _sticking_out(missing, polytopes, faces)
     error, surface_place = outside, place
     if not excess.is_empty():
         # films along faces that solids share are excess by rounding only, and within the solid
-        points = Faces.of(excess).spread(_SPREAD)
+        points = TriangleSet.of(excess).spread(_SPREAD)
         points = points[_outside(polytopes, points) < _DOUBTED]
         apart, at = faces.farthest(points, outside=True) if len(points) else (0.0, place)
         if apart > error:
@@ -67,14 +67,16 @@ def fidelity(solid: Manifold, convexes: Sequence[Convex]) -> Fidelity:
     )
 
 
-def _sticking_out(missing: Manifold, polytopes: Sequence[Polytope], faces: Faces) -> tuple[float, Array]:
+def _sticking_out(
+    missing: Manifold, polytopes: Sequence[Polytope], faces: TriangleSet
+) -> tuple[float, Array]:
     """Return how far what pieces miss of a solid is from the nearest of them, and where.
 
     Measured along the normals of their faces; films between pieces that share a face count as nothing.
     """
     if missing.is_empty():
         return 0.0, np.zeros(3)
-    points, _, _ = distinct_rows(np.round(Faces.of(missing).spread(_SPREAD), 8))
+    points, _, _ = distinct_rows(np.round(TriangleSet.of(missing).spread(_SPREAD), 8))
     outside = _outside(polytopes, points)
     worst = int(np.argmax(outside))
     # where many faces coincide, manifold3d may add to a difference what is in neither solid

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 
 import numpy as np
 
-from artgen.asset import Asset, Condition, Dependency, Joint
+from artgen.asset import Asset, AssetCondition, AssetDependency, AssetJoint
 from artgen.asset.report import Finding
 from artgen.errors import ArtgenError, nearest
 
@@ -31,15 +31,15 @@ def joint_findings(asset: Asset) -> Iterator[Finding]:
     yield from _dependency_findings(joints)
 
 
-def _fault(joint: Joint, message: str, hint: str, value: float | None = None, unit: str = "") -> Finding:
+def _fault(joint: AssetJoint, message: str, hint: str, value: float | None = None, unit: str = "") -> Finding:
     return Finding("tree", message, joint=joint.name, value=value, unit=unit, hint=hint)
 
 
-def _unit(joint: Joint) -> str:
+def _unit(joint: AssetJoint) -> str:
     return "rad" if joint.kind == "revolute" else "m"
 
 
-def _number_findings(joint: Joint) -> Iterator[Finding]:
+def _number_findings(joint: AssetJoint) -> Iterator[Finding]:
     length = float(np.linalg.norm(joint.axis))
     if not abs(length - 1.0) <= _UNIT:
         yield _fault(joint, f"its axis has length {length:.6g}", "give a unit vector", length)
@@ -72,7 +72,7 @@ def _number_findings(joint: Joint) -> Iterator[Finding]:
         yield _fault(joint, f"{span}: it cannot move, but is not locked", hint, high - low, _unit(joint))
 
 
-def _spring_findings(joint: Joint) -> Iterator[Finding]:
+def _spring_findings(joint: AssetJoint) -> Iterator[Finding]:
     """Yield springs under tension everywhere in the range, as faults where they beat the effort."""
     if joint.stiffness <= 0.0 or joint.limits is None or joint.locked:
         return
@@ -95,7 +95,7 @@ def _spring_findings(joint: Joint) -> Iterator[Finding]:
         yield Finding("tree", message, joint=joint.name, value=tension, unit=unit, severity="note")
 
 
-def _coupling_findings(joint: Joint, joints: Mapping[str, Joint]) -> Iterator[Finding]:
+def _coupling_findings(joint: AssetJoint, joints: Mapping[str, AssetJoint]) -> Iterator[Finding]:
     if joint.follows is None:
         return
     leader = joints.get(joint.follows.leader)
@@ -123,9 +123,9 @@ def _coupling_findings(joint: Joint, joints: Mapping[str, Joint]) -> Iterator[Fi
         yield _fault(joint, message, "leave its limits to the coupling", unit=_unit(joint))
 
 
-def _goes_round(joint: Joint, joints: Mapping[str, Joint]) -> bool:
+def _goes_round(joint: AssetJoint, joints: Mapping[str, AssetJoint]) -> bool:
     seen = set()
-    current: Joint | None = joint
+    current: AssetJoint | None = joint
     while current is not None and current.follows is not None:
         if current.name in seen:
             return True
@@ -138,7 +138,7 @@ def _span(limits: Interval | None) -> str:
     return "none" if limits is None else f"{limits[0]:.6g} to {limits[1]:.6g}"
 
 
-def _pivot_findings(asset: Asset, joint: Joint) -> Iterator[Finding]:
+def _pivot_findings(asset: Asset, joint: AssetJoint) -> Iterator[Finding]:
     """Yield axes that pass both links by more than the links' size."""
     if joint.kind != "revolute" or not np.isfinite(joint.pivot).all():
         return
@@ -162,7 +162,7 @@ def _pivot_findings(asset: Asset, joint: Joint) -> Iterator[Finding]:
         )  # fmt: skip
 
 
-def _dependency_findings(joints: Mapping[str, Joint]) -> Iterator[Finding]:
+def _dependency_findings(joints: Mapping[str, AssetJoint]) -> Iterator[Finding]:
     """Yield dependencies that can never be satisfied, and those that forbid nothing."""
     dependent = []
     for joint in joints.values():
@@ -177,7 +177,7 @@ def _dependency_findings(joints: Mapping[str, Joint]) -> Iterator[Finding]:
         if not unknown:
             dependent.append(joint)
     ranges = {name: _range(joint) for name, joint in joints.items()}
-    open_still: list[Joint] = []
+    open_still: list[AssetJoint] = []
     for joint in dependent:
         assert joint.needs is not None
         condition = joint.needs.condition
@@ -196,7 +196,7 @@ def _dependency_findings(joints: Mapping[str, Joint]) -> Iterator[Finding]:
         yield _fault(joint, message, "let one of them move freely")
 
 
-def _slack_findings(joint: Joint, needs: Dependency, limits: Interval) -> Iterator[Finding]:
+def _slack_findings(joint: AssetJoint, needs: AssetDependency, limits: Interval) -> Iterator[Finding]:
     """Yield why the positions between which a joint needs its condition make no sense."""
     low, high = needs.beyond, needs.until
     first, last = 0.0 if low is None else low, math.inf if high is None else high
@@ -210,8 +210,8 @@ def _slack_findings(joint: Joint, needs: Dependency, limits: Interval) -> Iterat
 
 
 def _stuck(
-    dependent: list[Joint], joints: Mapping[str, Joint], ranges: Mapping[str, Interval]
-) -> list[Joint]:
+    dependent: list[AssetJoint], joints: Mapping[str, AssetJoint], ranges: Mapping[str, Interval]
+) -> list[AssetJoint]:
     """Return the joints that can never leave their closed position or slack, started with all closed."""
     waiting = list(dependent)
     while True:
@@ -230,7 +230,7 @@ def _stuck(
         waiting = [joint for joint in waiting if joint not in released]
 
 
-def _slack(joint: Joint, joints: Mapping[str, Joint]) -> tuple[str, float, float]:
+def _slack(joint: AssetJoint, joints: Mapping[str, AssetJoint]) -> tuple[str, float, float]:
     """Return the joint that leads a joint, and between where it may move while the joint needs nothing."""
     head, ratio, offset = _led(joint.name, joints)
     closed = joints[head].closed
@@ -240,7 +240,7 @@ def _slack(joint: Joint, joints: Mapping[str, Joint]) -> tuple[str, float, float
     return head, min(*ends, closed), max(*ends, closed)
 
 
-def _range(joint: Joint) -> Interval:
+def _range(joint: AssetJoint) -> Interval:
     return (-math.inf, math.inf) if joint.limits is None else joint.limits
 
 
@@ -248,10 +248,10 @@ def _limits(interval: Interval) -> str:
     return "is unlimited" if math.isinf(interval[0]) else f"is {interval[0]:.6g} to {interval[1]:.6g}"
 
 
-def _negated(condition: Condition) -> Condition:
+def _negated(condition: AssetCondition) -> AssetCondition:
     """Return the region outside a region, but for its border."""
     other = {"above": "below", "below": "above", "all": "any", "any": "all"}
-    return Condition(
+    return AssetCondition(
         other[condition.kind],  # type: ignore[arg-type]
         condition.joint,
         condition.value,
@@ -259,7 +259,9 @@ def _negated(condition: Condition) -> Condition:
     )
 
 
-def _possible(condition: Condition, joints: Mapping[str, Joint], ranges: Mapping[str, Interval]) -> bool:
+def _possible(
+    condition: AssetCondition, joints: Mapping[str, AssetJoint], ranges: Mapping[str, Interval]
+) -> bool:
     """Tell whether a region has an inside within the ranges of the joints, couplings obeyed."""
     for number, terms in enumerate(_alternatives(condition)):
         if number >= _MOST_TERMS or _fits(terms, joints, ranges):
@@ -267,7 +269,7 @@ def _possible(condition: Condition, joints: Mapping[str, Joint], ranges: Mapping
     return False
 
 
-def _alternatives(condition: Condition) -> Iterator[tuple[Condition, ...]]:
+def _alternatives(condition: AssetCondition) -> Iterator[tuple[AssetCondition, ...]]:
     """Yield the comparisons of each way to satisfy a condition."""
     if condition.kind in {"above", "below"}:
         yield (condition,)
@@ -279,7 +281,9 @@ def _alternatives(condition: Condition) -> Iterator[tuple[Condition, ...]]:
             yield tuple(itertools.chain.from_iterable(choice))
 
 
-def _fits(terms: tuple[Condition, ...], joints: Mapping[str, Joint], ranges: Mapping[str, Interval]) -> bool:
+def _fits(
+    terms: tuple[AssetCondition, ...], joints: Mapping[str, AssetJoint], ranges: Mapping[str, Interval]
+) -> bool:
     """Tell whether comparisons can hold at once: each narrows what is left to the joint that leads."""
     left: dict[str, Interval] = {}
     for term in terms:
@@ -298,7 +302,7 @@ def _fits(terms: tuple[Condition, ...], joints: Mapping[str, Joint], ranges: Map
     )
 
 
-def _led(name: str, joints: Mapping[str, Joint]) -> tuple[str, float, float]:
+def _led(name: str, joints: Mapping[str, AssetJoint]) -> tuple[str, float, float]:
     """Return the joint at the head of a chain of couplings, and ratio and offset of its follower."""
     ratio, offset = 1.0, 0.0
     for _ in joints:

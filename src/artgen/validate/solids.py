@@ -10,7 +10,7 @@ from scipy.spatial import cKDTree
 
 from artgen.asset import Asset, Link
 from artgen.asset.report import CheckResult, Finding
-from artgen.asset.shells import Shell, Skin, point_text, skins
+from artgen.asset.shells import LinkShells, Shell, point_text, skins
 from artgen.asset.stored_solids import link_parts
 from artgen.errors import ArtgenError
 
@@ -78,7 +78,7 @@ def check_solids(asset: Asset) -> CheckResult:
     )
 
 
-def link_findings(link: Link, found: Sequence[Skin]) -> Iterator[Finding]:
+def link_findings(link: Link, found: Sequence[LinkShells]) -> Iterator[Finding]:
     """Yield what is wrong with the surfaces of a link."""
     if not found:
         yield Finding(CHECK, "it has no surface", link.name, hint="give the link a solid")
@@ -92,7 +92,7 @@ def link_findings(link: Link, found: Sequence[Skin]) -> Iterator[Finding]:
     yield from _duplicate_findings(link, shells)
 
 
-def _surface_findings(link: Link, skin: Skin) -> Iterator[Finding]:
+def _surface_findings(link: Link, skin: LinkShells) -> Iterator[Finding]:
     name = f"solid {skin.label!r}" if skin.label else "its mesh"
     at = f"first at {point_text(skin.place)}"
     if not skin.finite:

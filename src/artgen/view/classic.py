@@ -18,7 +18,7 @@ from artgen.materials.textures import displayed, kinds, map_name, maps
 from artgen.view import gl
 from artgen.view.camera import Camera
 from artgen.view.environment import sphere_map, sphere_map_coordinates
-from artgen.view.scene import ASSET_GROUP, HIDDEN_GROUP, Drawn, Layer, Scene
+from artgen.view.scene import ASSET_GROUP, HIDDEN_GROUP, Drawn, Layer, RenderScene
 from artgen.view.studio import Backdrop
 
 KEY = np.array([-0.38, -0.85, 0.80]) / np.linalg.norm([-0.38, -0.85, 0.80])
@@ -196,7 +196,7 @@ def _add_material(spec: Any, name: str, rgba: Any, texture: str = "", emission: 
 class ClassicRenderer:
     """Draws one scene with OpenGL; `close` frees what it holds of the graphics card."""
 
-    def __init__(self, scene: Scene, size: tuple[int, int]) -> None:
+    def __init__(self, scene: RenderScene, size: tuple[int, int]) -> None:
         import mujoco
 
         self.scene = scene

@@ -25,7 +25,7 @@ from artgen.materials.textures import Kind, displayed, encoded, kinds, map_name
 from artgen.view.camera import Camera
 from artgen.view.classic import KEY, body_of_glass, key_light, spread
 from artgen.view.environment import image_light
-from artgen.view.scene import Layer, Scene
+from artgen.view.scene import Layer, RenderScene
 from artgen.view.studio import Backdrop
 
 Result = TypeVar("Result")
@@ -173,7 +173,7 @@ class FilamentDress:
 class FilamentRenderer:
     """Draws one scene with Filament; only for use in `THREAD`."""
 
-    def __init__(self, scene: Scene) -> None:
+    def __init__(self, scene: RenderScene) -> None:
         context = _context()
         from mujoco.rendering.filament.model_scene import ModelScene
         from mujoco.rendering.filament.renderer import Renderer

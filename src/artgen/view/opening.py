@@ -5,7 +5,7 @@ from collections.abc import Set as AbstractSet
 
 import numpy as np
 
-from artgen.asset import Asset, Condition, Joint
+from artgen.asset import Asset, AssetCondition, AssetJoint
 from artgen.errors import ParameterError
 from artgen.export.frames import leader_of, regions
 
@@ -55,7 +55,7 @@ def opened(asset: Asset, share: float = 1.0) -> dict[str, float]:
     return {name: position for name, position in q.items() if position != free[name].closed}
 
 
-def _end(joint: Joint) -> float:
+def _end(joint: AssetJoint) -> float:
     """Return where a joint stands when it is open by itself."""
     if joint.limits is None:
         return _TURN
@@ -69,7 +69,7 @@ def _end(joint: Joint) -> float:
     return joint.closed + way
 
 
-def _upright(joint: Joint) -> bool:
+def _upright(joint: AssetJoint) -> bool:
     return bool(abs(joint.axis[2]) > _UPRIGHT)
 
 
@@ -114,7 +114,7 @@ def _wide_enough(asset: Asset, ends: Mapping[str, float], doors: AbstractSet[str
 
 
 def _meeting(
-    asset: Asset, condition: Condition, ends: Mapping[str, float], doors: AbstractSet[str]
+    asset: Asset, condition: AssetCondition, ends: Mapping[str, float], doors: AbstractSet[str]
 ) -> dict[str, float]:
     """Return positions of doors that meet a condition; nothing if there are none."""
     for region in regions(asset, condition):
@@ -132,7 +132,7 @@ def _meeting(
     return {}
 
 
-def _stairs(asset: Asset, joints: Iterable[Joint]) -> dict[str, float]:
+def _stairs(asset: Asset, joints: Iterable[AssetJoint]) -> dict[str, float]:
     """Return by how much of their way drawers are pulled that have another one below them."""
     slides = [joint for joint in joints if joint.kind == "prismatic" and not _upright(joint)]
     slides.sort(key=lambda joint: float(asset.link(joint.child).bounds()[:, 2].mean()))
@@ -144,7 +144,7 @@ def _stairs(asset: Asset, joints: Iterable[Joint]) -> dict[str, float]:
     return {name: 1.0 - (1.0 - _TOP) * number / highest for name, number in level.items() if number}
 
 
-def _stands_on(asset: Asset, upper: Joint, lower: Joint) -> bool:
+def _stands_on(asset: Asset, upper: AssetJoint, lower: AssetJoint) -> bool:
     """Tell whether a drawer would be pulled over another one of the same piece of furniture."""
     if upper.parent != lower.parent or upper.axis @ lower.axis < _UPRIGHT:
         return False

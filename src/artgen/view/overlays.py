@@ -13,7 +13,7 @@ from typing import Literal
 import numpy as np
 
 from artgen._arrays import Array, Indices
-from artgen.asset import Asset, Joint, rotation
+from artgen.asset import Asset, AssetJoint, rotation
 from artgen.colliders import Convex
 
 Rgb = tuple[float, float, float]
@@ -188,7 +188,7 @@ def _collider_faces(label: str, convex: Convex) -> ColliderFaces:
     )
 
 
-def _of_joint(asset: Asset, joint: Joint) -> JointOverlay:
+def _of_joint(asset: Asset, joint: AssetJoint) -> JointOverlay:
     low, high = asset.link(joint.child).bounds()
     corners = np.array(np.meshgrid(*np.array([low, high]).T)).reshape(3, -1).T
     middle = (low + high) / 2.0
@@ -209,7 +209,7 @@ def _of_joint(asset: Asset, joint: Joint) -> JointOverlay:
     )
 
 
-def _turn(joint: Joint, foot: Array, corners: Iterable[Array]) -> tuple[Array, Array]:
+def _turn(joint: AssetJoint, foot: Array, corners: Iterable[Array]) -> tuple[Array, Array]:
     """Return the hand of a revolute joint, to the farthest of some corners, and the arc of its end."""
     offsets = [corner - foot for corner in corners]
     across = [offset - (offset @ joint.axis) * joint.axis for offset in offsets]
@@ -228,7 +228,7 @@ def _turn(joint: Joint, foot: Array, corners: Iterable[Array]) -> tuple[Array, A
     return np.array([foot, foot + arm]), way
 
 
-def _slide(joint: Joint, foot: Array, half: float) -> tuple[Array, Array]:
+def _slide(joint: AssetJoint, foot: Array, half: float) -> tuple[Array, Array]:
     """Return the hand of a prismatic joint, a point, and the line that it moves along."""
     first, last = joint.limits or (-half, half)
     way = np.array([foot + first * joint.axis, foot + last * joint.axis])

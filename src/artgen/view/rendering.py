@@ -19,7 +19,7 @@ from artgen.view import filament, gl
 from artgen.view.camera import Camera, View, camera_of
 from artgen.view.classic import ClassicDress, ClassicRenderer
 from artgen.view.picture import Passes, Picture
-from artgen.view.scene import Scene, Studio
+from artgen.view.scene import RenderScene, Studio
 
 
 @dataclass(frozen=True, eq=False)
@@ -163,11 +163,11 @@ def _renderer(asset: Asset, backend: str, studio: Studio, textures: int, size: t
         while len(kept) >= _KEPT:
             kept.popitem(last=False)[1].close()
         if backend == "classic":
-            found = ClassicRenderer(Scene(asset, studio, textures, ClassicDress()), size)
+            found = ClassicRenderer(RenderScene(asset, studio, textures, ClassicDress()), size)
         else:
             for other in [other for other in kept if other[1] == "filament"]:
                 kept.pop(other).close()  # Filament draws nothing any more while two models share its context
-            found = filament.FilamentRenderer(Scene(asset, studio, textures, filament.FilamentDress()))
+            found = filament.FilamentRenderer(RenderScene(asset, studio, textures, filament.FilamentDress()))
         # runs before MuJoCo's own, which were registered earlier, take the display away
         atexit.unregister(close)
         atexit.register(close)

@@ -50,7 +50,7 @@ class Drawn:
     mirrors: tuple[int, ...]  # number of each of its meshes in the model that mirror the studio
 
 
-class Scene:
+class RenderScene:
     """An asset in a studio, compiled for one of MuJoCo's renderers.
 
     Attributes:

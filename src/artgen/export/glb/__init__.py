@@ -12,10 +12,10 @@ from collections.abc import Collection, Sequence
 
 import numpy as np
 
-from artgen.asset import Asset, Joint, Link
+from artgen.asset import Asset, AssetJoint, Link
 from artgen.asset.record import rounded
 from artgen.export.frames import (
-    Frame,
+    LinkFrame,
     Segment,
     base_frame,
     chain,
@@ -116,7 +116,7 @@ def _joint(asset: Asset, segment: Segment) -> Json:
     }
 
 
-def _node(frame: Frame) -> Json:
+def _node(frame: LinkFrame) -> Json:
     """Return the node of a frame, not yet placed in its parent."""
     node: Json = {"name": frame.name}
     if frame.link is not None:
@@ -139,7 +139,7 @@ def _place(asset: Asset, segment: Segment, node: Json) -> None:
         node["rotation"] = rounded(turn.tolist())
 
 
-def _mesh(frame: Frame, link: Link, buffer: Buffer, looks: Looks, taken: Collection[str]) -> Json:
+def _mesh(frame: LinkFrame, link: Link, buffer: Buffer, looks: Looks, taken: Collection[str]) -> Json:
     """Return the mesh of a link; it must not be named like a node, which readers would name anew."""
     primitives = []
     for surface in link.surfaces:
@@ -163,5 +163,5 @@ def _losses(asset: Asset, textures: int, held: Sequence[str]) -> tuple[Loss, ...
     )
 
 
-def _is_driven(joint: Joint) -> bool:
+def _is_driven(joint: AssetJoint) -> bool:
     return any((joint.stiffness, joint.damping, joint.friction, joint.armature))

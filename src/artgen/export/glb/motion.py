@@ -4,7 +4,7 @@ import itertools
 import math
 from collections.abc import Iterable, Mapping
 
-from artgen.asset import Asset, Condition, Joint
+from artgen.asset import Asset, AssetCondition, AssetJoint
 from artgen.export.frames import BORDER, Region, coupling, leader_of, regions
 
 Stop = Mapping[str, float]
@@ -18,7 +18,7 @@ class _NoWayError(Exception):
     """A dependency cannot be met."""
 
 
-def opening(asset: Asset, joint: Joint) -> tuple[Stop, ...] | None:
+def opening(asset: Asset, joint: AssetJoint) -> tuple[Stop, ...] | None:
     """Return stops on the way of a free joint from rest to its limits and back to rest.
 
     From each stop to the next one joint moves, with those that follow it. First come the joints that others
@@ -40,13 +40,13 @@ def opening(asset: Asset, joint: Joint) -> tuple[Stop, ...] | None:
     return tuple(stops) if _allowed(asset, stops) else None
 
 
-def _ends(joint: Joint) -> list[float]:
+def _ends(joint: AssetJoint) -> list[float]:
     if joint.limits is None:
         return [joint.closed + _TRAVEL[joint.kind]]
     return [end for end in reversed(joint.limits) if abs(end - joint.closed) > BORDER]
 
 
-def _comes_round(asset: Asset, joint: Joint) -> bool:
+def _comes_round(asset: Asset, joint: AssetJoint) -> bool:
     """Tell whether everything that a joint moves stands after a full turn as before."""
     laws = [(each, coupling(asset, each)) for each in asset.joints]
     moved = [(each, law.ratio) for each, law in laws if law is not None and law.leader == joint.name]
@@ -92,7 +92,7 @@ class _Planner:
                 self._meet(joint.needs.condition)
         self._waiting.pop()
 
-    def _meet(self, condition: Condition) -> None:
+    def _meet(self, condition: AssetCondition) -> None:
         start = len(self.stops)
         waiting = list(self._waiting)
         for region in regions(self._asset, condition):
@@ -113,7 +113,7 @@ class _Planner:
                 self.move(name, position)
 
 
-def _within(joint: Joint, low: float, high: float) -> float:
+def _within(joint: AssetJoint, low: float, high: float) -> float:
     """Return where a joint is taken to stand in an open interval: at a limit, as a hand would, if it may."""
     ends = joint.limits or (-math.inf, math.inf)
     for end in reversed(ends):

@@ -14,7 +14,7 @@ import xml.etree.ElementTree as ET
 import numpy as np
 
 from artgen._arrays import Array
-from artgen.asset import Asset, Joint, Link
+from artgen.asset import Asset, AssetJoint, Link
 from artgen.asset.affordance import Grasp
 from artgen.colliders import Convex
 from artgen.export.frames import (
@@ -244,7 +244,7 @@ def _stem(file: str) -> str:
 def mjcf_losses(asset: Asset, textures: int) -> tuple[Loss, ...]:
     """List what MJCF cannot say of an asset with so many texels on a side of its maps."""
 
-    def moving(joint: Joint) -> bool:
+    def moving(joint: AssetJoint) -> bool:
         return not joint.locked
 
     return (

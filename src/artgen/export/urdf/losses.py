@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from artgen.asset import Asset, Joint
+from artgen.asset import Asset, AssetJoint
 from artgen.colliders import Convex
 from artgen.export.frames import FAR, INTERMEDIATE_MASS, translation
 from artgen.export.losses import Loss, contact_losses, dependency_losses, joints_where, loss
@@ -24,7 +24,7 @@ def primitives(convex: Convex) -> list[tuple[str, Convex]]:
     return [("", Convex("cylinder", convex.pose, convex.size)), *balls]
 
 
-def add_spring(robot: Any, name: str, joint: Joint, rest: float) -> None:
+def add_spring(robot: Any, name: str, joint: AssetJoint, rest: float) -> None:
     """Add Gazebo's word for a spring, which other clients pass over, where a joint has one.
 
     Args:

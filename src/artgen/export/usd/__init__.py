@@ -13,7 +13,7 @@ from artgen.asset.wikidata import category_code
 from artgen.export.frames import (
     INTERMEDIATE_INERTIA,
     INTERMEDIATE_MASS,
-    Frame,
+    LinkFrame,
     base_frame,
     chain,
     unused,
@@ -136,7 +136,7 @@ class _Writer:
             write_fixed_joint(scope, name, (None, base))
         write_joints(self.layers, scope, self.asset, self.segments)
 
-    def _body(self, frame: Frame) -> None:
+    def _body(self, frame: LinkFrame) -> None:
         link = frame.link
         prim = define(self._root, frame.name, "Xform", [] if link is None else [PART_LABEL])
         physics = self.layers.physical(prim)

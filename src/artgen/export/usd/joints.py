@@ -11,7 +11,7 @@ import numpy as np
 from pxr import Gf, Sdf
 
 from artgen._arrays import Array
-from artgen.asset import Asset, Joint
+from artgen.asset import Asset, AssetJoint
 from artgen.export.frames import INTERMEDIATE_MASS, Segment
 from artgen.export.losses import Loss, contact_losses, dependency_losses, loss
 from artgen.export.usd.layer import TYPES, Layers, define, quatf, relate, vec3, write
@@ -113,7 +113,7 @@ def joint_losses(asset: Asset, segments: Sequence[Segment], *, apart: bool = Fal
     )
 
 
-def _losses_of_words(movable: Sequence[Joint], own: str) -> tuple[Loss, ...]:
+def _losses_of_words(movable: Sequence[AssetJoint], own: str) -> tuple[Loss, ...]:
     return (
         *loss("joint friction", [joint.name for joint in movable if joint.friction > 0.0], own + _DRY),
         *loss("joint armature", [joint.name for joint in movable if joint.armature > 0.0], own + _DRY),
@@ -163,7 +163,7 @@ def _written_limits(asset: Asset) -> dict[str, tuple[float, float] | None]:
     }
 
 
-def _wide(asset: Asset, joint: Joint) -> tuple[float, float]:
+def _wide(asset: Asset, joint: AssetJoint) -> tuple[float, float]:
     if joint.follows is None:
         return -_FAR, _FAR
     ends = _wide(asset, asset.joint(joint.follows.leader))
@@ -198,7 +198,7 @@ def _turn_from_x(axis: Array) -> Array:
     return turn @ np.diag([sign, sign, 1.0])
 
 
-def _drive(prim: Sdf.PrimSpec, joint: Joint) -> None:
+def _drive(prim: Sdf.PrimSpec, joint: AssetJoint) -> None:
     """Write the joint's spring and damper, which are also the handle for an actuator."""
     prefix = f"drive:{instance_of(joint)}:physics:"
     units = units_of(joint)
@@ -213,7 +213,7 @@ def _drive(prim: Sdf.PrimSpec, joint: Joint) -> None:
     write(prim, TYPES.Float, {prefix + name: values[name] for name in sorted(values)})
 
 
-def _effort_holds(joint: Joint) -> bool:
+def _effort_holds(joint: AssetJoint) -> bool:
     """Tell whether the spring and the damper always stay below the effort.
 
     `maxForce` bounds the drive, which is a passive spring and damper here, while the effort bounds an

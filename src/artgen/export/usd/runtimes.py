@@ -8,7 +8,7 @@ import math
 
 from pxr import Sdf, Vt
 
-from artgen.asset import Asset, Coupling, Joint
+from artgen.asset import Asset, AssetCoupling, AssetJoint
 from artgen.export.usd.layer import TYPES, Layers, apply, relate, write
 
 # as in the MJCF, where the reasons stand
@@ -21,17 +21,17 @@ _ITERATIONS = 32
 """Of PhysX on the positions of an articulation: couplings and heavy doors need more than single bodies."""
 
 
-def driven(joint: Joint) -> bool:
+def driven(joint: AssetJoint) -> bool:
     """Tell whether a joint has a drive: a coupled one has none but for a spring or damper of its own."""
     return joint.follows is None or joint.stiffness > 0.0 or joint.damping > 0.0
 
 
-def instance_of(joint: Joint) -> str:
+def instance_of(joint: AssetJoint) -> str:
     """Return the name of the drive, axis and state of a joint's only degree of freedom."""
     return "angular" if joint.kind == "revolute" else "linear"
 
 
-def units_of(joint: Joint) -> float:
+def units_of(joint: AssetJoint) -> float:
     """Return USD units per SI unit of the joint's position: degrees, or metres."""
     return 180.0 / math.pi if joint.kind == "revolute" else 1.0
 
@@ -69,7 +69,7 @@ def write_runtime_collider(layers: Layers, prim: Sdf.PrimSpec, *, hull: bool) ->
 
 
 def write_runtime_joint(
-    layers: Layers, prim: Sdf.PrimSpec, asset: Asset, joint: Joint, position: float
+    layers: Layers, prim: Sdf.PrimSpec, asset: Asset, joint: AssetJoint, position: float
 ) -> None:
     """Write friction, armature, largest speed and coupling of a joint, and where it stands."""
     physx = layers.runtime("physx", prim)
@@ -82,7 +82,7 @@ def write_runtime_joint(
         _couple(layers, prim, (joint, asset.joint(joint.follows.leader)), joint.follows)
 
 
-def _physx_joint(prim: Sdf.PrimSpec, joint: Joint) -> None:
+def _physx_joint(prim: Sdf.PrimSpec, joint: AssetJoint) -> None:
     apply(prim, f"PhysxJointAxisAPI:{instance_of(joint)}")
     prefix = f"physxJointAxis:{instance_of(joint)}:"
     values = {
@@ -96,7 +96,7 @@ def _physx_joint(prim: Sdf.PrimSpec, joint: Joint) -> None:
     write(prim, TYPES.Float, {prefix + name: values[name] for name in sorted(values)})
 
 
-def _newton_joint(prim: Sdf.PrimSpec, joint: Joint) -> None:
+def _newton_joint(prim: Sdf.PrimSpec, joint: AssetJoint) -> None:
     apply(prim, "NewtonJointAPI")
     values = {"newton:armature": joint.armature, "newton:friction": joint.friction}
     if joint.follows is None:
@@ -104,7 +104,7 @@ def _newton_joint(prim: Sdf.PrimSpec, joint: Joint) -> None:
     write(prim, TYPES.Float, values)
 
 
-def _mujoco_joint(layers: Layers, prim: Sdf.PrimSpec, joint: Joint, position: float) -> None:
+def _mujoco_joint(layers: Layers, prim: Sdf.PrimSpec, joint: AssetJoint, position: float) -> None:
     """Write what MJCF says of a joint.
 
     MuJoCo reads no drives, so that its variant has the spring and the damper as its own words, and none in
@@ -136,13 +136,15 @@ def _mujoco_joint(layers: Layers, prim: Sdf.PrimSpec, joint: Joint, position: fl
     write(mujoco, TYPES.DoubleArray, solver, uniform=True)
 
 
-def _state(prim: Sdf.PrimSpec, joint: Joint, position: float) -> None:
+def _state(prim: Sdf.PrimSpec, joint: AssetJoint, position: float) -> None:
     """Write where the joint stands: PhysX takes 0 unless it is told otherwise, wherever the bodies are."""
     apply(prim, f"PhysicsJointStateAPI:{instance_of(joint)}")
     write(prim, TYPES.Float, {f"state:{instance_of(joint)}:physics:position": units_of(joint) * position})
 
 
-def _couple(layers: Layers, prim: Sdf.PrimSpec, pair: tuple[Joint, Joint], coupling: Coupling) -> None:
+def _couple(
+    layers: Layers, prim: Sdf.PrimSpec, pair: tuple[AssetJoint, AssetJoint], coupling: AssetCoupling
+) -> None:
     """Write the coupling for each simulator.
 
     PhysX holds `position + gearing * leader + offset = 0` in degrees and metres, and does the same for
@@ -169,7 +171,7 @@ def _couple(layers: Layers, prim: Sdf.PrimSpec, pair: tuple[Joint, Joint], coupl
     _physx_coupling(layers.runtime("physx", prim), pair, coupling)
 
 
-def _physx_coupling(prim: Sdf.PrimSpec, pair: tuple[Joint, Joint], coupling: Coupling) -> None:
+def _physx_coupling(prim: Sdf.PrimSpec, pair: tuple[AssetJoint, AssetJoint], coupling: AssetCoupling) -> None:
     joint, leader = pair
     # PhysX wants the name of a rotation axis for slides as well
     apply(prim, "PhysxMimicJointAPI:rotX")

@@ -5,14 +5,14 @@ from collections.abc import Collection, Iterable, Iterator, Mapping
 from itertools import product
 from typing import Literal
 
-from artgen.asset import Asset, Condition, Joint
+from artgen.asset import Asset, AssetCondition, AssetJoint
 from artgen.export.frames import BORDER, intersection, leader_of, regions
 
 _OPEN_TRAVEL = 0.5  # how far inside a region that has no end a position is chosen [rad or m]
 
 
 def state_for(
-    asset: Asset, conditions: Iterable[Condition], *, ignore: str = "", extreme: Collection[str] = ()
+    asset: Asset, conditions: Iterable[AssetCondition], *, ignore: str = "", extreme: Collection[str] = ()
 ) -> dict[str, float] | None:
     """Find positions of free joints in which conditions hold and no other joint is blocked."""
     wanted = list(conditions)
@@ -29,7 +29,7 @@ def state_for(
     return None
 
 
-def isolated(condition: Condition) -> Iterator[tuple[Condition, Condition]]:
+def isolated(condition: AssetCondition) -> Iterator[tuple[AssetCondition, AssetCondition]]:
     """Yield each comparison in a condition, with the region where that comparison alone makes it fail."""
     if condition.kind in ("above", "below"):
         yield condition, negation(condition)
@@ -39,10 +39,10 @@ def isolated(condition: Condition) -> Iterator[tuple[Condition, Condition]]:
         if condition.kind == "any":
             others = [negation(other) for other in others]
         for comparison, region in isolated(term):
-            yield comparison, Condition("all", terms=(region, *others))
+            yield comparison, AssetCondition("all", terms=(region, *others))
 
 
-def negation(condition: Condition) -> Condition:
+def negation(condition: AssetCondition) -> AssetCondition:
     """Return the region in which a condition does not hold, its borders included."""
     kinds: Mapping[str, Literal["above", "below", "all", "any"]] = {
         "above": "below",
@@ -52,11 +52,11 @@ def negation(condition: Condition) -> Condition:
     }
     terms = tuple(negation(term) for term in condition.terms)
     border = {"above": BORDER, "below": -BORDER}.get(condition.kind, 0.0)
-    return Condition(kinds[condition.kind], condition.joint, condition.value + border, terms)
+    return AssetCondition(kinds[condition.kind], condition.joint, condition.value + border, terms)
 
 
 def _states(
-    asset: Asset, conditions: list[Condition], ignore: str, extreme: Collection[str]
+    asset: Asset, conditions: list[AssetCondition], ignore: str, extreme: Collection[str]
 ) -> Iterator[dict[str, float]]:
     for boxes in product(*(regions(asset, condition) for condition in conditions)):
         region = intersection(boxes)
@@ -69,7 +69,7 @@ def _states(
             yield {name: position for name, position in chosen.items() if position is not None}
 
 
-def _choose(joint: Joint, interval: tuple[float, float], *, extreme: bool) -> float | None:
+def _choose(joint: AssetJoint, interval: tuple[float, float], *, extreme: bool) -> float | None:
     """Choose where a joint stands: closed if it may, else in the middle or at the far end."""
     if interval[0] < joint.closed < interval[1]:
         return joint.closed

@@ -4,12 +4,12 @@ import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
-from artgen.asset import Condition, Dependency, Joint
+from artgen.asset import AssetCondition, AssetDependency, AssetJoint
 from artgen.asset.report import Finding
 from artgen.validate.behavior.conditions import isolated, state_for
 from artgen.validate.behavior.drive import Held
 from artgen.validate.behavior.model import CHECK, Simulation, UnstableError
-from artgen.validate.behavior.motion import Motion, force, length, place, unit
+from artgen.validate.behavior.motion import JointMotion, force, length, place, unit
 
 _PUSHES = {"revolute": 20.0, "prismatic": 50.0}  # [N m or N]
 _PUSH_TIME, _RAMP_TIME = 1.0, 0.25  # of the whole push, and in which it grows [s]
@@ -18,7 +18,7 @@ _PLAYS = {"revolute": math.radians(1.0), "prismatic": 0.003}  # that every lock 
 _MOST_PLAY = 0.1  # share of the range that is no longer play
 
 
-def block(simulation: Simulation, motion: Motion) -> list[Finding]:
+def block(simulation: Simulation, motion: JointMotion) -> list[Finding]:
     """Push a joint, and what follows it, where each part of its condition fails."""
     findings = []
     for member in motion.members:
@@ -27,7 +27,9 @@ def block(simulation: Simulation, motion: Motion) -> list[Finding]:
     return findings
 
 
-def _block(simulation: Simulation, motion: Motion, joint: Joint, needs: Dependency) -> list[Finding]:
+def _block(
+    simulation: Simulation, motion: JointMotion, joint: AssetJoint, needs: AssetDependency
+) -> list[Finding]:
     tried = [
         _Push(simulation, motion, joint, needs, state, broken)
         for state, broken in _states(simulation, motion, needs.condition)
@@ -50,7 +52,7 @@ def _block(simulation: Simulation, motion: Motion, joint: Joint, needs: Dependen
     ]
 
 
-def _ways(motion: Motion) -> list[int]:
+def _ways(motion: JointMotion) -> list[int]:
     """Return the directions in which a joint can leave its closed position."""
     closed, limits = motion.joint.closed, motion.joint.limits
     if limits is None:
@@ -59,7 +61,7 @@ def _ways(motion: Motion) -> list[int]:
 
 
 def _states(
-    simulation: Simulation, motion: Motion, condition: Condition
+    simulation: Simulation, motion: JointMotion, condition: AssetCondition
 ) -> Iterator[tuple[dict[str, float], frozenset[str]]]:
     """Yield where a condition fails, and the joints to blame: all closed, then one part at a time."""
     seen = []
@@ -84,9 +86,9 @@ class _Push:
     """One push, where a condition fails."""
 
     simulation: Simulation  # the asset
-    motion: Motion  # the free joint that is pushed
-    joint: Joint  # the joint that depends: the same, or one that follows it
-    needs: Dependency  # on what it depends
+    motion: JointMotion  # the free joint that is pushed
+    joint: AssetJoint  # the joint that depends: the same, or one that follows it
+    needs: AssetDependency  # on what it depends
     state: Mapping[str, float]  # where the other joints stand
     # the joints for which the condition fails: nothing but the asset itself holds them
     broken: frozenset[str]
@@ -117,7 +119,7 @@ class _Push:
             if self._breaks(other) and not self._returns(other, positions[name])
         }
 
-    def _returns(self, motion: Motion, position: float) -> bool:
+    def _returns(self, motion: JointMotion, position: float) -> bool:
         """Tell whether a spring brings a joint back to a position from all of its range, as that of a latch.
 
         One that only balances the weight of a door does not.
@@ -136,7 +138,7 @@ class _Push:
                 return False
         return True
 
-    def _breaks(self, motion: Motion) -> bool:
+    def _breaks(self, motion: JointMotion) -> bool:
         return bool(self.broken & {member.name for member in motion.members})
 
     def _has_moved(self, name: str, start: float) -> bool:

@@ -4,11 +4,11 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from artgen.asset import Condition
+from artgen.asset import AssetCondition
 from artgen.asset.report import Finding
 from artgen.validate.behavior.conditions import state_for
 from artgen.validate.behavior.model import CHECK, Simulation, UnstableError
-from artgen.validate.behavior.motion import Motion, force, length, place, unit
+from artgen.validate.behavior.motion import JointMotion, force, length, place, unit
 from artgen.validate.behavior.settle import REST_SPEED, REST_TIME, SETTLE_TIME
 
 _TRAVEL_TIME = 1.5  # for the whole range [s]
@@ -33,7 +33,7 @@ class Servo:
         force: What acts now [N m or N].
     """
 
-    def __init__(self, simulation: Simulation, motion: Motion, bound: float) -> None:
+    def __init__(self, simulation: Simulation, motion: JointMotion, bound: float) -> None:
         self.motion, self.bound = motion, bound
         self._simulation = simulation
         self._load = simulation.load(motion)
@@ -98,17 +98,17 @@ class Held:
             servo.hold(position)
 
 
-def needed_state(simulation: Simulation, motion: Motion) -> dict[str, float] | None:
+def needed_state(simulation: Simulation, motion: JointMotion) -> dict[str, float] | None:
     """Find where other joints have to stand so that a joint may move; None if there is no such place."""
     return state_for(simulation.asset, conditions(motion), ignore=motion.name)
 
 
-def conditions(motion: Motion) -> list[Condition]:
+def conditions(motion: JointMotion) -> list[AssetCondition]:
     """Return what has to hold before a joint and its followers may move."""
     return [member.needs.condition for member in motion.members if member.needs is not None]
 
 
-def drive(simulation: Simulation, motion: Motion) -> list[Finding]:
+def drive(simulation: Simulation, motion: JointMotion) -> list[Finding]:
     """Take a joint from where it is closed to both its ends by its own effort."""
     state = needed_state(simulation, motion)
     if state is None:
@@ -141,7 +141,7 @@ class _Travel:
     """One way to one end."""
 
     simulation: Simulation
-    motion: Motion
+    motion: JointMotion
     held: Held
     end: float
 
@@ -207,7 +207,7 @@ class _Travel:
         return _finding(self.motion, message, hint, value=here, pose=self.simulation.pose())
 
 
-def release(simulation: Simulation, motion: Motion) -> list[Finding]:
+def release(simulation: Simulation, motion: JointMotion) -> list[Finding]:
     """Let a sprung joint go at both ends of its range, and watch it return."""
     state = needed_state(simulation, motion)
     if motion.stiffness <= 0.0 or state is None:
@@ -237,7 +237,7 @@ class _Return:
     """One way back to the rest of a spring."""
 
     simulation: Simulation
-    motion: Motion
+    motion: JointMotion
     held: Held
     end: float
     target: float
@@ -310,7 +310,7 @@ class _Return:
 
 
 def _finding(
-    motion: Motion,
+    motion: JointMotion,
     message: str,
     hint: str,
     *,

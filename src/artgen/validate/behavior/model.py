@@ -10,9 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from artgen._arrays import Array, cached_property
-from artgen.asset import Asset, Condition
+from artgen.asset import Asset, AssetCondition
 from artgen.asset.report import Finding
-from artgen.validate.behavior.motion import Motion, length, motions_of, unit
+from artgen.validate.behavior.motion import JointMotion, length, motions_of, unit
 
 
 @contextmanager
@@ -141,11 +141,11 @@ class Simulation:
                 followers.worst[worse] = off[worse]
                 self._notice_couplings(off, worse)
 
-    def position(self, motion: Motion) -> float:
+    def position(self, motion: JointMotion) -> float:
         """Return where a free joint stands [rad or m]."""
         return float(self._qpos[motion.at])
 
-    def speed(self, motion: Motion) -> float:
+    def speed(self, motion: JointMotion) -> float:
         """Return how fast a free joint moves [rad/s or m/s]."""
         return float(self._qvel[motion.dof])
 
@@ -162,21 +162,21 @@ class Simulation:
             for joint in self.asset.joints
         }
 
-    def holds(self, condition: Condition) -> bool:
+    def holds(self, condition: AssetCondition) -> bool:
         """Tell whether the joints stand in a region."""
         return condition.holds(self.all_positions())
 
-    def load(self, motion: Motion) -> float:
+    def load(self, motion: JointMotion) -> float:
         """Return the force of gravity, springs and damping at a free joint, without friction [N m or N]."""
         if len(motion.members) == 1:
             return float(self._passive[motion.dof] - self._bias[motion.dof])
         return float(motion.ratios @ (self._passive - self._bias)[motion.speeds])
 
-    def weight(self, motion: Motion) -> float:
+    def weight(self, motion: JointMotion) -> float:
         """Return the force of gravity alone at a free joint that is at rest [N m or N]."""
         return -float(motion.ratios @ self.data.qfrc_bias[motion.speeds])
 
-    def pull(self, motion: Motion) -> float:
+    def pull(self, motion: JointMotion) -> float:
         """Return `load` and what the accelerations of other joints add to it [N m or N]."""
         others = self.data.qacc.copy()
         others[motion.speeds] = 0.0
@@ -184,7 +184,7 @@ class Simulation:
         self._mujoco.mj_mulM(self.model, self.data, result, others)
         return self.load(motion) - float(motion.ratios @ result[motion.speeds])
 
-    def inertia(self, motion: Motion) -> float:
+    def inertia(self, motion: JointMotion) -> float:
         """Return the inertia that a force at a free joint moves while the others are free [kg m^2 or kg]."""
         full, columns = np.zeros((self.model.nv, self.model.nv)), self._columns
         self._mujoco.mj_fullM(self.model, self.data, full)
@@ -229,7 +229,7 @@ class Simulation:
         first, second = self.data.contact[number].geom
         return self.geom(int(first)), self.geom(int(second))
 
-    def touching(self, motion: Motion, others: frozenset[int] | None = None) -> list[str]:
+    def touching(self, motion: JointMotion, others: frozenset[int] | None = None) -> list[str]:
         """Name what presses on what a joint moves, the strongest contact first.
 
         Args:
@@ -309,7 +309,7 @@ class _Followers:
     lasting: Array = field(default_factory=lambda: np.zeros(0))
 
     @staticmethod
-    def of(motions: Mapping[str, Motion]) -> "_Followers":
+    def of(motions: Mapping[str, JointMotion]) -> "_Followers":
         rows = [(motion, number) for motion in motions.values() for number in range(1, len(motion.members))]
         if not rows:
             return _Followers()

@@ -8,18 +8,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from artgen._arrays import Array, cached_property
-from artgen.asset import Asset, Joint
+from artgen.asset import Asset, AssetJoint
 from artgen.export.frames import coupling
 
 _TRAVEL = 1.0  # what is looked at of a slide without limits [m]
 
 
 @dataclass(frozen=True, eq=False)
-class Motion:
+class JointMotion:
     """A free joint with all that moves with it."""
 
-    joint: Joint  # the free joint
-    members: tuple[Joint, ...]  # the joint itself and those that follow it
+    joint: AssetJoint  # the free joint
+    members: tuple[AssetJoint, ...]  # the joint itself and those that follow it
     ratios: Array  # how far each member moves with the joint, shape (n,)
     offsets: Array  # where each member stands when the joint is at 0, shape (n,)
     positions: NDArray[np.int64]  # indices of the members in MuJoCo's positions, shape (n,)
@@ -78,14 +78,14 @@ class Motion:
         return float(self.ratios @ (np.array(pulls) - stiffness * self.offsets)) / self.stiffness
 
 
-def motions_of(asset: Asset, model: Any) -> dict[str, Motion]:
+def motions_of(asset: Asset, model: Any) -> dict[str, JointMotion]:
     """Return the free joints of an asset by name, as they are in MuJoCo's model of it."""
     for link in asset.links:
         model.body(link.name)
     return {joint.name: _motion(asset, model, joint) for joint in asset.free_joints}
 
 
-def _motion(asset: Asset, model: Any, joint: Joint) -> Motion:
+def _motion(asset: Asset, model: Any, joint: AssetJoint) -> JointMotion:
     members, ratios, offsets = [joint], [1.0], [0.0]
     for other in asset.joints:
         law = coupling(asset, other)
@@ -94,7 +94,7 @@ def _motion(asset: Asset, model: Any, joint: Joint) -> Motion:
             ratios.append(law.ratio)
             offsets.append(law.offset)
     found = [model.joint(member.name) for member in members]
-    return Motion(
+    return JointMotion(
         joint,
         tuple(members),
         np.array(ratios),
@@ -113,23 +113,23 @@ def _subtree(model: Any, link: str) -> set[int]:
     return found
 
 
-def length(joint: Joint, distance: float) -> str:
+def length(joint: AssetJoint, distance: float) -> str:
     """Spell a distance along a joint in degrees or millimetres."""
     if joint.kind == "revolute":
         return f"{math.degrees(distance):.3g} degrees"
     return f"{1e3 * distance:.3g} mm"
 
 
-def place(joint: Joint, position: float) -> str:
+def place(joint: AssetJoint, position: float) -> str:
     """Spell a position of a joint in radians or metres."""
     return f"{position + 0.0:.4g} {'rad' if joint.kind == 'revolute' else 'm'}"
 
 
-def force(joint: Joint, amount: float) -> str:
+def force(joint: AssetJoint, amount: float) -> str:
     """Spell a torque or a force at a joint."""
     return f"{amount + 0.0:.3g} {'N m' if joint.kind == 'revolute' else 'N'}"
 
 
-def unit(joint: Joint) -> str:
+def unit(joint: AssetJoint) -> str:
     """Return the unit of a joint's positions."""
     return "rad" if joint.kind == "revolute" else "m"

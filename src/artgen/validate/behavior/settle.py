@@ -6,11 +6,11 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from artgen.asset import Asset, Condition
+from artgen.asset import Asset, AssetCondition
 from artgen.asset.report import Finding
 from artgen.validate.behavior.conditions import state_for
 from artgen.validate.behavior.model import CHECK, Pieces, Simulation, UnstableError, piece
-from artgen.validate.behavior.motion import Motion, force, length, unit
+from artgen.validate.behavior.motion import JointMotion, force, length, unit
 
 SETTLE_TIME = 5.0
 """How long an asset is watched after it was let go [s]."""
@@ -71,7 +71,7 @@ def settle(simulation: Simulation, *, stands: bool = False) -> Settled:
     return result
 
 
-def start_poses(asset: Asset, motions: Mapping[str, Motion]) -> Iterator[dict[str, float]]:
+def start_poses(asset: Asset, motions: Mapping[str, JointMotion]) -> Iterator[dict[str, float]]:
     """Yield where an asset is let go: closed, halfway and open.
 
     What is blocked halfway or open stays closed; then it is also let go where that may stand there, such as
@@ -86,10 +86,10 @@ def start_poses(asset: Asset, motions: Mapping[str, Motion]) -> Iterator[dict[st
             yield start_pose(asset, motions, share, freed)
 
 
-def _freed(asset: Asset, motions: Sequence[Motion]) -> dict[str, float]:
+def _freed(asset: Asset, motions: Sequence[JointMotion]) -> dict[str, float]:
     """Return where others have to stand so that as many as possible of some joints may leave 0."""
     found: dict[str, float] = {}
-    conditions: list[Condition] = []
+    conditions: list[AssetCondition] = []
     for member in (member for motion in motions for member in motion.members):
         if member.needs is not None:
             state = state_for(asset, [*conditions, member.needs.condition])
@@ -100,7 +100,7 @@ def _freed(asset: Asset, motions: Sequence[Motion]) -> dict[str, float]:
 
 
 def start_pose(
-    asset: Asset, motions: Mapping[str, Motion], share: float, given: Mapping[str, float] | None = None
+    asset: Asset, motions: Mapping[str, JointMotion], share: float, given: Mapping[str, float] | None = None
 ) -> dict[str, float]:
     """Put each free joint at a share of its way from closed to open, but those that are blocked there."""
     q = {}
@@ -122,7 +122,7 @@ def start_pose(
 class _Drift:
     """How one joint drifts."""
 
-    motion: Motion  # the joint
+    motion: JointMotion  # the joint
     start: float  # where it was let go [rad or m]
     causes: set[int]  # directions in which gravity or a spring moves it, of -1 and 1
     why: str  # what moves it, or holds it
@@ -174,14 +174,14 @@ class _Run:
             if drift.since is not None:
                 self._blame(drift)
 
-    def _drift(self, motion: Motion) -> _Drift:
+    def _drift(self, motion: JointMotion) -> _Drift:
         load = self.simulation.load(motion)
         why = f"gravity and springs pull with {force(motion.joint, load)}"
         if motion.friction:
             why += f" against {force(motion.joint, motion.friction)} of friction"
         return _Drift(motion, self.simulation.position(motion), self._directions(motion, load), why)
 
-    def _directions(self, motion: Motion, load: float) -> set[int]:
+    def _directions(self, motion: JointMotion, load: float) -> set[int]:
         """Return the direction in which a load could move a joint by more than may go unexplained."""
         excess = abs(load) - motion.friction
         if excess <= 0.0:

@@ -7,18 +7,18 @@ from typing import Any
 import numpy as np
 
 from artgen._arrays import Array
-from artgen.asset import Asset, Joint
+from artgen.asset import Asset, AssetJoint
 from artgen.asset.report import Finding
 from artgen.export.frames import coupling
 from artgen.validate.clients.client import Client
-from artgen.validate.clients.exported import Exported
+from artgen.validate.clients.exported import ClientExport
 from artgen.validate.readback.reading import expected_frames, expected_limits, spelled_limits
 
 _OF_LINKS = ("mass", "center", "inertia")
 _OF_JOINTS = ("kind", "limits")
 
 
-def silences(client: Client, exported: Exported, response: Mapping[str, Any]) -> Iterator[Finding]:
+def silences(client: Client, exported: ClientExport, response: Mapping[str, Any]) -> Iterator[Finding]:
     """Yield what is missing in a client's answer, as a whole, of a link or of a joint.
 
     A key of `Client.tells` such as `joints.damping` is a quantity of each joint. A client that tells of
@@ -47,7 +47,7 @@ def silences(client: Client, exported: Exported, response: Mapping[str, Any]) ->
         yield Finding(client.name, "it simulated no steps")
 
 
-def _unmoved(client: Client, exported: Exported, moved: Mapping[str, Any]) -> Iterator[Finding]:
+def _unmoved(client: Client, exported: ClientExport, moved: Mapping[str, Any]) -> Iterator[Finding]:
     """Yield the joints that were not driven, but for those that others keep where they are."""
     for joint in exported.asset.free_joints:
         if joint.name not in moved and not exported.is_blocked(joint):
@@ -61,7 +61,7 @@ _SOFT = 0.02  # [rad or m]
 _UNLIMITED = 1.0  # how far an unlimited joint is driven [rad or m]
 
 
-def differences(client: Client, exported: Exported, response: Mapping[str, Any]) -> Iterator[Finding]:
+def differences(client: Client, exported: ClientExport, response: Mapping[str, Any]) -> Iterator[Finding]:
     """Yield where a client's answer is not what the asset is."""
     asset = exported.asset
     yield from silences(client, exported, response)
@@ -131,7 +131,7 @@ def _joints(client: Client, asset: Asset, found: Mapping[str, Any]) -> Iterator[
         yield from _gains(client, joint, read)
 
 
-def _limits(client: Client, joint: Joint, found: Any) -> Iterator[Finding]:
+def _limits(client: Client, joint: AssetJoint, found: Any) -> Iterator[Finding]:
     wanted = expected_limits(client.format, joint)
     if found is None or wanted is None:
         same, error = found is None and wanted is None, None
@@ -144,7 +144,7 @@ def _limits(client: Client, joint: Joint, found: Any) -> Iterator[Finding]:
         yield _finding(client, message, joint=joint.name, value=error, unit=unit)
 
 
-def _gains(client: Client, joint: Joint, read: Mapping[str, Any]) -> Iterator[Finding]:
+def _gains(client: Client, joint: AssetJoint, read: Mapping[str, Any]) -> Iterator[Finding]:
     for gain in _GAINS:
         if gain not in read:
             continue
@@ -185,7 +185,7 @@ def _couplings(client: Client, asset: Asset, found: Mapping[str, Any]) -> Iterat
             yield _finding(client, message, joint=name, value=float(ratio))
 
 
-def _poses(client: Client, exported: Exported, found: Any) -> Iterator[Finding]:
+def _poses(client: Client, exported: ClientExport, found: Any) -> Iterator[Finding]:
     """Yield the links whose frames are elsewhere, each at the pose where it is worst."""
     asset, asked = exported.asset, exported.poses()
     if len(found) != len(asked):
@@ -219,7 +219,7 @@ def moved_by_several(asset: Asset) -> frozenset[str]:
     return frozenset(found)
 
 
-def _motion(client: Client, joint: Joint, span: Any) -> Iterator[Finding]:
+def _motion(client: Client, joint: AssetJoint, span: Any) -> Iterator[Finding]:
     least, most = (float(end) for end in span)
     low, high = joint.limits or (-_UNLIMITED, _UNLIMITED)
     if not most - least >= _LEAST_MOTION * (high - low):
@@ -231,7 +231,7 @@ def _motion(client: Client, joint: Joint, span: Any) -> Iterator[Finding]:
         yield _finding(client, message, joint=joint.name, value=max(low - least, most - high))
 
 
-def _force(joint: Joint) -> str:
+def _force(joint: AssetJoint) -> str:
     return "N m" if joint.kind == "revolute" else "N"
 
 

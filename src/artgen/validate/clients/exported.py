@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from artgen.asset import Asset, Joint
+from artgen.asset import Asset, AssetJoint
 from artgen.asset.affordance import head
 from artgen.asset.files import ASSET_FILE, main_files
 from artgen.errors import ExportError
@@ -18,7 +18,7 @@ _POSES = 4  # beside the one as the asset stands
 
 
 @dataclass(frozen=True)
-class Exported:
+class ClientExport:
     """An asset with the directory that it was exported to."""
 
     directory: Path  # the directory
@@ -30,7 +30,7 @@ class Exported:
         """Return whether there is something for a client: a file of its format, in a layout that it reads."""
         return client.format in self.mains and self.layout in client.layouts
 
-    def is_blocked(self, joint: Joint) -> bool:
+    def is_blocked(self, joint: AssetJoint) -> bool:
         """Return whether a dependency keeps a joint from moving alone while the asset is closed."""
         return joint.needs is not None and not joint.needs.condition.holds(self.asset.positions())
 
@@ -54,7 +54,7 @@ class Exported:
             "poses": self.poses(),
         }
 
-    def _joint(self, joint: Joint) -> dict[str, Any]:
+    def _joint(self, joint: AssetJoint) -> dict[str, Any]:
         return {
             "name": joint.name,
             "kind": joint.kind,
@@ -72,17 +72,17 @@ class Exported:
         }
 
 
-def read_exported(directory: str | Path) -> Exported:
+def read_exported(directory: str | Path) -> ClientExport:
     """Read an export."""
     folder = Path(directory)
     asset = Asset.load(folder)
     layout = json.loads((folder / ASSET_FILE).read_text(encoding="utf-8")).get("layout", "flat")
     if not isinstance(layout, str):
         raise ExportError(f"the layout of {folder} is {layout!r}, which is no name; export the asset again")
-    return Exported(folder, asset, layout, main_files(folder))
+    return ClientExport(folder, asset, layout, main_files(folder))
 
 
-def _moved_mass(asset: Asset, joint: Joint) -> float:
+def _moved_mass(asset: Asset, joint: AssetJoint) -> float:
     moved = {joint.child}
     for parent, child, _ in asset.pairs():  # parents come before their children
         if parent in moved:

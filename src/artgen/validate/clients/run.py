@@ -18,7 +18,7 @@ from artgen.asset.report import Finding
 from artgen.errors import ArtgenError
 from artgen.validate.clients.client import Client
 from artgen.validate.clients.compare import differences
-from artgen.validate.clients.exported import Exported, read_exported
+from artgen.validate.clients.exported import ClientExport, read_exported
 from artgen.validate.clients.install_location import how_to_get, interpreters
 from artgen.validate.clients.outcome import Outcome, State, Tolerated, joined_lines, sorted_messages
 
@@ -118,7 +118,7 @@ _GLANCE = 0.1  # between two looks at what was stopped [s]
 _AFTER = 30.0  # when the alarm rings after the time is over [s]
 
 
-def ask_all(clients: Sequence[Client], exported: Exported) -> list[Outcome]:
+def ask_all(clients: Sequence[Client], exported: ClientExport) -> list[Outcome]:
     """Return what clients make of an export, some of them at a time, in the order of the clients."""
     workers = max(1, (os.cpu_count() or 2) // 2)
     with ThreadPoolExecutor(workers) as pool:
@@ -133,7 +133,7 @@ def ask_all(clients: Sequence[Client], exported: Exported) -> list[Outcome]:
             raise
 
 
-def ask(client: Client, exports: Sequence[Exported]) -> list[Outcome]:
+def ask(client: Client, exports: Sequence[ClientExport]) -> list[Outcome]:
     """Return what a client makes of each of some exports.
 
     All are read by one process, which pays for a slow start once. Where that says something that may be of
@@ -156,7 +156,7 @@ def absent(client: Client, *, severity: str = "note") -> Outcome:
     return Outcome(client.name, client.format, "", "absent", (finding,))
 
 
-def _nothing_to_read(client: Client, exported: Exported) -> Outcome:
+def _nothing_to_read(client: Client, exported: ClientExport) -> Outcome:
     if client.format not in exported.mains:
         message = f"it reads {client.format}, which the export does not have"
     else:
@@ -165,7 +165,7 @@ def _nothing_to_read(client: Client, exported: Exported) -> Outcome:
     return Outcome(client.name, client.format, "", "nothing to read", (finding,))
 
 
-def _ask(client: Client, exports: Sequence[Exported]) -> list[Outcome]:
+def _ask(client: Client, exports: Sequence[ClientExport]) -> list[Outcome]:
     if not exports:
         return []
     for program in interpreters(client):
@@ -198,7 +198,7 @@ class _Session:
     tolerated: tuple[Tolerated, ...] = field(default=())  # what it printed that is none
 
 
-def _session(client: Client, program: Path, exports: Sequence[Exported]) -> _Session:
+def _session(client: Client, program: Path, exports: Sequence[ClientExport]) -> _Session:
     """Let a client's driver answer one request for each export."""
     with tempfile.TemporaryDirectory(prefix="artgen_client_") as folder:
         place = Path(folder)
@@ -252,7 +252,7 @@ def _answer(path: Path) -> Mapping[str, Any] | str | None:
     return data if isinstance(data, dict) else f"its answer is damaged: it is a {type(data).__name__}"
 
 
-def _outcome(client: Client, exported: Exported, session: _Session) -> Outcome:
+def _outcome(client: Client, exported: ClientExport, session: _Session) -> Outcome:
     """Judge the answer of a client to one request."""
     answer, finished = session.answers[0], session.finished
     messages, tolerated = session.messages, session.tolerated

@@ -5,7 +5,7 @@ from collections.abc import Collection, Iterator, Mapping
 import numpy as np
 
 from artgen._arrays import Array
-from artgen.asset import Asset, Condition
+from artgen.asset import Asset, AssetCondition
 from artgen.asset.affordance import Affordance
 from artgen.asset.gripper import GRIPPER
 from artgen.asset.report import CheckResult, Finding
@@ -110,7 +110,7 @@ def _force_findings(asset: Asset, forces: Mapping[str, float], faulty: Collectio
 
 def _come(space: HandSpace, affordance: Affordance) -> tuple[Opened, list[Finding]]:
     """Bring a hand where its joint may move, and open what it strikes there, if it can be opened."""
-    opened: dict[str, Condition] = {}
+    opened: dict[str, AssetCondition] = {}
     faults, struck = _faults(space, affordance, opened)
     first = faults
     while faults:

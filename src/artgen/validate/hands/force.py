@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from artgen._arrays import Array
-from artgen.asset import Asset, Joint
+from artgen.asset import Asset, AssetJoint
 from artgen.asset.affordance import Affordance
 from artgen.asset.gripper import GRIPPER
 from artgen.export.frames import coupling
@@ -67,7 +67,7 @@ class _Place:
     apart: float  # the way of the joint between these poses [rad or m]
 
 
-def _places(asset: Asset, joint: Joint) -> list[_Place]:
+def _places(asset: Asset, joint: AssetJoint) -> list[_Place]:
     """Return places along the range of a joint; the others stand where it may move."""
     held = standing(asset, joint.name, {}) or {}
     most = _LOOKED_AT[joint.kind]
@@ -86,7 +86,7 @@ def _places(asset: Asset, joint: Joint) -> list[_Place]:
     return places
 
 
-def _followers(asset: Asset, joint: Joint) -> Sequence[tuple[Joint, float, float]]:
+def _followers(asset: Asset, joint: AssetJoint) -> Sequence[tuple[AssetJoint, float, float]]:
     """Return a free joint and those that follow it, with the ratio and the offset of each."""
     found = [(joint, 1.0, 0.0)]
     for each in asset.joints:

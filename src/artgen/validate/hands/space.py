@@ -8,7 +8,7 @@ from manifold3d import Manifold
 
 from artgen._arrays import Array
 from artgen.asset import Asset
-from artgen.asset.collision import Part
+from artgen.asset.collision import SolidPart
 from artgen.asset.gripper import GRIPPER, block, clipped
 from artgen.asset.stored_solids import link_parts
 from artgen.proof.overlap import LEAST_VOLUME
@@ -98,7 +98,7 @@ class HandSpace:
                     return Touch(link, part.label)
         return None
 
-    def _near(self, link: str, corners: Array, frame: Array) -> list[Part]:
+    def _near(self, link: str, corners: Array, frame: Array) -> list[SolidPart]:
         """Return the parts of a link whose bounding boxes overlap a box, along its and along our axes."""
         turn, half = frame[:3, :3], (corners[1] - corners[0]) / 2.0
         middle = turn @ corners.mean(axis=0) + frame[:3, 3]

@@ -2,14 +2,14 @@
 
 from collections.abc import Iterator, Mapping
 
-from artgen.asset import Asset, Condition
+from artgen.asset import Asset, AssetCondition
 from artgen.asset.affordance import Affordance, moved_joints
 from artgen.export.frames import leader_of
 from artgen.validate.behavior.conditions import state_for
 
 _WIDE = 0.98  # share of its way from which a joint is open
 
-Opened = Mapping[str, Condition]
+Opened = Mapping[str, AssetCondition]
 """For each joint that was opened so that a hand can come, the region in which it is open."""
 
 
@@ -31,7 +31,7 @@ def standing(asset: Asset, joint: str, opened: Opened) -> dict[str, float] | Non
     return None if found is None else {name: at for name, at in found.items() if name != joint}
 
 
-def openable(asset: Asset, affordance: Affordance, struck: str) -> Iterator[tuple[str, Condition]]:
+def openable(asset: Asset, affordance: Affordance, struck: str) -> Iterator[tuple[str, AssetCondition]]:
     """Yield joints whose opening may clear the way of a hand, with the regions in which they are open.
 
     These are the joints that move what the hand struck, and those that move the thing itself after its own
@@ -52,7 +52,7 @@ def openable(asset: Asset, affordance: Affordance, struck: str) -> Iterator[tupl
         upward = high - joint.closed >= joint.closed - low
         far = high if upward else low
         place = joint.closed + _WIDE * (far - joint.closed)
-        yield name, Condition("above" if upward else "below", name, place)
+        yield name, AssetCondition("above" if upward else "below", name, place)
 
 
 def _awaited(asset: Asset, joint: str) -> set[str]:

@@ -5,13 +5,13 @@ from collections.abc import Iterator
 import numpy as np
 
 from artgen._arrays import Array, cached_property
-from artgen.asset import Asset, Joint, Link
+from artgen.asset import Asset, AssetJoint, Link
 from artgen.asset.joint import DYNAMICS
 from artgen.asset.report import CHANGED, Finding
 from artgen.errors import ArtgenError
 from artgen.export.frames import local
 from artgen.validate.readback.mjcf_structure import moments_fault
-from artgen.validate.readback.pieces import Piece, expected_pieces, piece_findings
+from artgen.validate.readback.pieces import ReadCollider, expected_pieces, piece_findings
 from artgen.validate.readback.reading import (
     Faces,
     Reading,
@@ -56,12 +56,12 @@ class Expected:
         self.asset = asset
 
     @cached_property
-    def pieces(self) -> dict[str, tuple[Piece, ...]]:
+    def pieces(self) -> dict[str, tuple[ReadCollider, ...]]:
         """The colliders of each link."""
         return expected_pieces(self.asset, capsules=True)
 
     @cached_property
-    def pieces_without_capsules(self) -> dict[str, tuple[Piece, ...]]:
+    def pieces_without_capsules(self) -> dict[str, tuple[ReadCollider, ...]]:
         """The same, each capsule as a cylinder between two balls."""
         if all(item.convex.kind != "capsule" for link in self.asset.links for item in link.colliders):
             return self.pieces
@@ -208,7 +208,7 @@ def _joint_findings(check: str, asset: Asset, reading: Reading) -> Iterator[Find
         yield from _dynamics_findings(check, joint, reading)
 
 
-def _end_findings(check: str, asset: Asset, joint: Joint, reading: Reading) -> Iterator[Finding]:
+def _end_findings(check: str, asset: Asset, joint: AssetJoint, reading: Reading) -> Iterator[Finding]:
     """Compare the links that a joint joins; between the joints of one pair of links are bodies of no name."""
     links = {link.name for link in asset.links}
     alone = sum((each.parent, each.child) == (joint.parent, joint.child) for each in asset.joints) == 1
@@ -223,7 +223,7 @@ def _end_findings(check: str, asset: Asset, joint: Joint, reading: Reading) -> I
         yield Finding(check, message, joint=joint.name, hint=CHANGED)
 
 
-def _limit_findings(check: str, joint: Joint, reading: Reading) -> Iterator[Finding]:
+def _limit_findings(check: str, joint: AssetJoint, reading: Reading) -> Iterator[Finding]:
     found, wanted = reading.limits[joint.name], expected_limits(check, joint)
     same = (found is None) == (wanted is None)
     error = None
@@ -237,7 +237,7 @@ def _limit_findings(check: str, joint: Joint, reading: Reading) -> Iterator[Find
         yield Finding(check, message, joint=joint.name, value=error, unit=unit, hint=CHANGED)
 
 
-def _dynamics_findings(check: str, joint: Joint, reading: Reading) -> Iterator[Finding]:
+def _dynamics_findings(check: str, joint: AssetJoint, reading: Reading) -> Iterator[Finding]:
     """Compare springs, dampers, friction, effort and speed."""
     said = reading.dynamics.get(joint.name)
     if said is None:

@@ -13,7 +13,7 @@ from artgen.asset import Asset
 from artgen.colliders import Convex
 from artgen.colliders.convex import Kind
 from artgen.validate.readback.mjcf_foreign_elements import model_findings
-from artgen.validate.readback.pieces import Piece
+from artgen.validate.readback.pieces import ReadCollider
 from artgen.validate.readback.reading import Faces, Inertial, Reading, Said, listening
 
 _KINDS = {2: "prismatic", 3: "revolute"}  # of mjtJoint; 0 and 1 have more than one degree of freedom
@@ -180,7 +180,7 @@ def _placed_mesh(model: Any, geom: int) -> tuple[Array, NDArray[np.int64]]:
     return points @ _turn(model.geom_quat[geom]).T + model.geom_pos[geom], triangles
 
 
-def _colliders(model: Any, body: int) -> Iterator[Piece]:
+def _colliders(model: Any, body: int) -> Iterator[ReadCollider]:
     for geom in _geoms(model, body, colliding=True):
         name, friction = model.geom(geom).name or f"number {geom}", float(model.geom_friction[geom, 0])
         kind = _SHAPES.get(int(model.geom_type[geom]))
@@ -188,13 +188,13 @@ def _colliders(model: Any, body: int) -> Iterator[Piece]:
             a, b, c = (float(size) for size in model.geom_size[geom])
             sizes = {"sphere": (a,), "box": (2 * a, 2 * b, 2 * c)}
             pose = _pose(model.geom_pos[geom], _turn(model.geom_quat[geom]))
-            yield Piece.primitive(name, Convex(kind, pose, sizes.get(kind, (a, 2 * b))), friction)
+            yield ReadCollider.primitive(name, Convex(kind, pose, sizes.get(kind, (a, 2 * b))), friction)
         elif model.geom_type[geom] == _MESH:
-            yield Piece.mesh(name, *_placed_mesh(model, geom), friction)
+            yield ReadCollider.mesh(name, *_placed_mesh(model, geom), friction)
         else:
             place = np.array(model.geom_pos[geom])
             flaw = f"is of a kind that no asset has (mjtGeom {model.geom_type[geom]})"
-            yield Piece(name, np.array([place, place]), place, 0.0, friction, flaw=flaw)
+            yield ReadCollider(name, np.array([place, place]), place, 0.0, friction, flaw=flaw)
 
 
 def _faces(model: Any, body: int) -> Iterator[Faces]:

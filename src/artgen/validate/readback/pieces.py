@@ -25,7 +25,7 @@ _SHOWN = 3  # colliders of a link
 
 
 @dataclass(frozen=True, eq=False)
-class Piece:
+class ReadCollider:
     """A collider, in the frame of its link."""
 
     name: str  # what the file calls it
@@ -38,14 +38,14 @@ class Piece:
     flaw: str = ""  # what a simulator would refuse or silently change, with the number
 
     @staticmethod
-    def primitive(name: str, convex: Convex, friction: float | None = None, flaw: str = "") -> "Piece":
+    def primitive(name: str, convex: Convex, friction: float | None = None, flaw: str = "") -> "ReadCollider":
         """Make the collider of a box or a round piece."""
-        return Piece(name, convex.bounds(), convex.pose[:3, 3], convex.volume, friction, flaw=flaw)
+        return ReadCollider(name, convex.bounds(), convex.pose[:3, 3], convex.volume, friction, flaw=flaw)
 
     @staticmethod
     def mesh(
         name: str, vertices: Array, triangles: Indices, friction: float | None = None, flaw: str = ""
-    ) -> "Piece":
+    ) -> "ReadCollider":
         """Make the collider of a mesh; vertices at one place are one."""
         open_edges = _open_edges(triangles)
         if open_edges or len(vertices) > MOST_VERTICES:
@@ -62,7 +62,7 @@ class Piece:
         elif len(vertices) > MOST_VERTICES:
             flaw = flaw or f"has {len(vertices)} vertices; GPU simulators take at most {MOST_VERTICES}"
         bounds = np.array([vertices.min(axis=0), vertices.max(axis=0)])
-        return Piece(name, bounds, vertices.mean(axis=0), volume, friction, vertices, flaw)
+        return ReadCollider(name, bounds, vertices.mean(axis=0), volume, friction, vertices, flaw)
 
     def concavity(self) -> float:
         """Return how far a vertex lies inside the hull of the others [m]."""
@@ -92,29 +92,29 @@ def _open_edges(triangles: Indices) -> int:
     return doubled + len(np.setdiff1d(forth, back)) if doubled else len(np.setdiff1d(forth, back))
 
 
-def expected_pieces(asset: Asset, *, capsules: bool) -> dict[str, tuple[Piece, ...]]:
+def expected_pieces(asset: Asset, *, capsules: bool) -> dict[str, tuple[ReadCollider, ...]]:
     """Return the colliders that a file should have; without capsules, a cylinder between two balls each."""
     made = hulls(asset)
     result = {}
     for link in asset.links:
         away = translation(-asset.origin(link.name))
-        pieces: list[Piece] = []
+        pieces: list[ReadCollider] = []
         for number, collider in enumerate(link.colliders):
             convex, friction = collider.convex, collider.material.friction
             name = f"{number} ({convex.kind} of {collider.label!r})"
             if convex.kind == "hull":
                 hull = made[link.name][number]
-                pieces.append(Piece.mesh(name, hull.placed, hull.triangles, friction))
+                pieces.append(ReadCollider.mesh(name, hull.placed, hull.triangles, friction))
                 continue
             placed = Convex(convex.kind, away @ convex.pose, convex.size)
             split = [placed] if capsules else [piece for _, piece in primitives(placed)]
-            pieces += [Piece.primitive(name, each, friction) for each in split]
+            pieces += [ReadCollider.primitive(name, each, friction) for each in split]
         result[link.name] = tuple(pieces)
     return result
 
 
 def piece_findings(
-    check: str, link: Link, file: str, wanted: Sequence[Piece], found: Sequence[Piece]
+    check: str, link: Link, file: str, wanted: Sequence[ReadCollider], found: Sequence[ReadCollider]
 ) -> Iterator[Finding]:
     """Yield how the colliders of a link in a file differ from those of the asset."""
     complaints: list[tuple[str, float | None]] = [
@@ -138,7 +138,7 @@ def piece_findings(
         yield Finding(check, message, link.name, value=float(len(complaints)), hint=CHANGED)
 
 
-def _paired(wanted: Sequence[Piece], found: Sequence[Piece]) -> list[tuple[int, int, float]]:
+def _paired(wanted: Sequence[ReadCollider], found: Sequence[ReadCollider]) -> list[tuple[int, int, float]]:
     """Pair the colliders so that they differ least: their numbers, and by how much [m]."""
     from scipy.optimize import linear_sum_assignment
 
@@ -158,8 +158,8 @@ def _count_finding(
     check: str,
     link: Link,
     file: str,
-    wanted: Sequence[Piece],
-    found: Sequence[Piece],
+    wanted: Sequence[ReadCollider],
+    found: Sequence[ReadCollider],
     pairs: Sequence[tuple[int, int, float]],
 ) -> Finding:
     message = f"it has {len(found)} colliders in {file}, not {len(wanted)}"
@@ -172,7 +172,9 @@ def _count_finding(
     return Finding(check, message, link.name, value=float(len(found)), hint=CHANGED)
 
 
-def _differences(wanted: Piece, found: Piece, away: float, file: str) -> Iterator[tuple[str, float | None]]:
+def _differences(
+    wanted: ReadCollider, found: ReadCollider, away: float, file: str
+) -> Iterator[tuple[str, float | None]]:
     name = f"its collider {found.name}"
     volumes = f"{1e6 * found.volume:.5g} cm^3 in {file}, not {1e6 * wanted.volume:.5g} cm^3"
     same_volume = abs(found.volume - wanted.volume) <= _VOLUME * wanted.volume

@@ -9,10 +9,10 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from artgen._arrays import Array
-from artgen.asset import Asset, Joint
+from artgen.asset import Asset, AssetJoint
 from artgen.asset.report import Finding
 from artgen.export.frames import FAR
-from artgen.validate.readback.pieces import Piece
+from artgen.validate.readback.pieces import ReadCollider
 
 Frames = Callable[[Mapping[str, float]], dict[str, Array]]
 
@@ -83,7 +83,7 @@ class Reading:
     dynamics: dict[str, tuple[Said, ...]] = field(default_factory=dict)
     couplings: dict[str, tuple[str, float, float]] = field(default_factory=dict)
     more_couplings: dict[str, dict[str, tuple[str, float, float]]] = field(default_factory=dict)
-    colliders: dict[str, tuple[Piece, ...]] = field(default_factory=dict)
+    colliders: dict[str, tuple[ReadCollider, ...]] = field(default_factory=dict)
     faces: dict[str, tuple[Faces, ...]] = field(default_factory=dict)
     holds: dict[str, tuple[str, Array]] | None = field(default_factory=dict)
     findings: tuple[Finding, ...] = ()
@@ -119,7 +119,7 @@ def expected_frames(asset: Asset, q: Mapping[str, float]) -> dict[str, Array]:
     return result
 
 
-def expected_limits(form: str, joint: Joint) -> tuple[float, float] | None:
+def expected_limits(form: str, joint: AssetJoint) -> tuple[float, float] | None:
     """Return the limits of a joint in a format: URDF wants some of a slide that has none [rad or m]."""
     if form == "urdf" and joint.kind == "prismatic" and joint.limits is None:
         return -FAR, FAR

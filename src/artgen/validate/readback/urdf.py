@@ -12,7 +12,7 @@ from artgen._arrays import Array
 from artgen.asset import Asset
 from artgen.colliders import Convex
 from artgen.export.layouts.partnet.names import NAMES_FILE
-from artgen.validate.readback.pieces import Piece
+from artgen.validate.readback.pieces import ReadCollider
 from artgen.validate.readback.reading import Faces, Inertial, Reading, Said, listening
 
 Law = tuple[str, float, float]
@@ -140,7 +140,7 @@ def _bounds(bounds: Array, turn: Array) -> Array:
     return np.sort(bounds @ turn.T, axis=0)
 
 
-def _piece(piece: Piece, turn: Array) -> Piece:
+def _piece(piece: ReadCollider, turn: Array) -> ReadCollider:
     return replace(
         piece,
         bounds=_bounds(piece.bounds, turn),
@@ -245,30 +245,30 @@ def _dynamics(joint: Any, spring: Mapping[str, float]) -> Iterator[Said]:
         yield Said(_SPRING[tag], value, tag)
 
 
-def _colliders(link: Any, directory: Path) -> Iterator[Piece]:
+def _colliders(link: Any, directory: Path) -> Iterator[ReadCollider]:
     for collision in link.collisions:
         geometry = collision.geometry
         pose = np.eye(4) if collision.origin is None else np.asarray(collision.origin, float)
         name = collision.name or "without a name"
         if geometry.box is not None:
-            yield Piece.primitive(name, Convex("box", pose, tuple(map(float, geometry.box.size))))
+            yield ReadCollider.primitive(name, Convex("box", pose, tuple(map(float, geometry.box.size))))
         elif geometry.sphere is not None:
-            yield Piece.primitive(name, Convex("sphere", pose, (float(geometry.sphere.radius),)))
+            yield ReadCollider.primitive(name, Convex("sphere", pose, (float(geometry.sphere.radius),)))
         elif geometry.cylinder is not None:
             size = (float(geometry.cylinder.radius), float(geometry.cylinder.length))
-            yield Piece.primitive(name, Convex("cylinder", pose, size))
+            yield ReadCollider.primitive(name, Convex("cylinder", pose, size))
         else:
             yield _mesh_piece(name, geometry.mesh, pose, directory)
 
 
-def _mesh_piece(name: str, mesh: Any, pose: Array, directory: Path) -> Piece:
+def _mesh_piece(name: str, mesh: Any, pose: Array, directory: Path) -> ReadCollider:
     import trimesh
 
     loaded = trimesh.load_mesh(directory / mesh.filename, process=False)
     scale = np.ones(3) if mesh.scale is None else np.asarray(mesh.scale, float) * np.ones(3)
     vertices = (np.asarray(loaded.vertices) * scale) @ pose[:3, :3].T + pose[:3, 3]
     flaw = "" if (scale > 0.0).all() else f"is mirrored by a scale of {scale.min():.4g}"
-    return Piece.mesh(name, vertices, np.asarray(loaded.faces, np.int64), flaw=flaw)
+    return ReadCollider.mesh(name, vertices, np.asarray(loaded.faces, np.int64), flaw=flaw)
 
 
 def _faces(robot: Any, links: Mapping[str, Any]) -> dict[str, tuple[Faces, ...]]:

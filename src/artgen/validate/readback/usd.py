@@ -14,7 +14,7 @@ from artgen._arrays import Array
 from artgen.asset import Asset
 from artgen.colliders import Convex
 from artgen.colliders.convex import Kind
-from artgen.validate.readback.pieces import Piece
+from artgen.validate.readback.pieces import ReadCollider
 from artgen.validate.readback.reading import Faces, Inertial, Reading, Said, listening
 from artgen.validate.readback.usd_structure import placed, stage_findings
 
@@ -188,7 +188,7 @@ _NEWTON, _PHYSX, _MUJOCO = "Newton", "PhysX", "MuJoCo"
 
 
 @dataclass(frozen=True, eq=False)
-class Profile:
+class RuntimeProfile:
     """What a stage says of the joints to a simulator."""
 
     dynamics: dict[str, tuple[Said, ...]]  # springs, friction and so on of each joint
@@ -213,19 +213,19 @@ def variants(stage: Any) -> Iterator[str]:
         layer.Clear()
 
 
-def profile(stage: Any, asset: Asset, variant: str) -> Profile:
+def profile(stage: Any, asset: Asset, variant: str) -> RuntimeProfile:
     """Read what a stage says with a variant enabled."""
     said = {arm.name: tuple(dynamics(arm)) for arm in arms(stage) if arm.kind and arm.parent}
     if variant == _PHYSX:
-        return Profile(said, {_PHYSX: physx_couplings(stage)})
+        return RuntimeProfile(said, {_PHYSX: physx_couplings(stage)})
     if variant == _MUJOCO:
-        return Profile(said, {_MUJOCO: _of_mujoco(couplings(stage, "mjc:target"), asset)})
+        return RuntimeProfile(said, {_MUJOCO: _of_mujoco(couplings(stage, "mjc:target"), asset)})
     # Newton takes MuJoCo's schema between a rotation and a slide, of which it then counts from 0
     of_newton = couplings(stage, "mjc:target") | couplings(stage, "newton:mimicJoint")
     result = {_NEWTON: of_newton}
     if not variant:
         result[_PHYSX] = physx_couplings(stage)
-    return Profile(said, result)
+    return RuntimeProfile(said, result)
 
 
 def _of_mujoco(laws: dict[str, Law], asset: Asset) -> dict[str, Law]:
@@ -344,32 +344,32 @@ def _below(body: Any) -> Iterator[tuple[Any, Array]]:
             yield prim, inverse @ placed(prim)
 
 
-def _colliders(body: Any) -> Iterator[Piece]:
+def _colliders(body: Any) -> Iterator[ReadCollider]:
     for prim, matrix in _below(body):
         if prim.HasAPI(UsdPhysics.CollisionAPI):
             yield _piece(prim, matrix)
 
 
-def _piece(prim: Any, matrix: Array) -> Piece:
+def _piece(prim: Any, matrix: Array) -> ReadCollider:
     name, friction = prim.GetName(), _friction(prim)
     if prim.IsA(UsdGeom.Mesh):
-        return Piece.mesh(name, *_mesh(prim, matrix), friction, _approximation_flaw(prim))
+        return ReadCollider.mesh(name, *_mesh(prim, matrix), friction, _approximation_flaw(prim))
     scales = np.linalg.norm(matrix[:3, :3], axis=0)
     rigid = matrix.copy()
     rigid[:3, :3] /= scales
     if prim.IsA(UsdGeom.Cube):
         size = scales * float(UsdGeom.Cube(prim).GetSizeAttr().Get())
-        return Piece.primitive(name, Convex("box", rigid, tuple(map(float, size))), friction)
+        return ReadCollider.primitive(name, Convex("box", rigid, tuple(map(float, size))), friction)
     flaw = "" if np.abs(scales - 1.0).max() <= 1e-6 else f"is round and scaled by {scales.max():.6g}"
     radius = float(prim.GetAttribute("radius").Get())
     if prim.IsA(UsdGeom.Sphere):
-        return Piece.primitive(name, Convex("sphere", rigid, (radius,)), friction, flaw)
+        return ReadCollider.primitive(name, Convex("sphere", rigid, (radius,)), friction, flaw)
     rigid[:3, :3] = rigid[:3, :3] @ _TURNS[prim.GetAttribute("axis").Get()]
     if not (prim.IsA(UsdGeom.Cylinder) or prim.IsA(UsdGeom.Capsule)):
         flaw = f"is of a kind that no asset has ({prim.GetTypeName()})"
     kind: Kind = "cylinder" if prim.IsA(UsdGeom.Cylinder) else "capsule"
     convex = Convex(kind, rigid, (radius, float(prim.GetAttribute("height").Get())))
-    return Piece.primitive(name, convex, friction, flaw)
+    return ReadCollider.primitive(name, convex, friction, flaw)
 
 
 def _approximation_flaw(prim: Any) -> str:

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from artgen._arrays import Array
-from artgen.asset import Asset, Joint
+from artgen.asset import Asset, AssetJoint
 from artgen.asset.certificate import Certificate, PairResult
 from artgen.export.frames import regions
 from artgen.export.glb.motion import opening
@@ -64,7 +64,7 @@ def _group(asset: Asset, link: str, gap: float) -> _Group:
     return whole
 
 
-def _side(parent: Array, child: Array, joints: Sequence[Joint]) -> Array:
+def _side(parent: Array, child: Array, joints: Sequence[AssetJoint]) -> Array:
     """Return the direction along an axis in which a child leaves its parent, boxes of shape (2, 3)."""
     for joint in reversed(joints):
         low, high = joint.limits or (0.0, 0.0)
@@ -157,7 +157,7 @@ def _links(asset: Asset, signs: Overlays) -> list[dict[str, Any]]:
     return result
 
 
-def _joint(asset: Asset, joint: Joint, signs: Overlays) -> dict[str, Any]:
+def _joint(asset: Asset, joint: AssetJoint, signs: Overlays) -> dict[str, Any]:
     """Return what `asset.positions`, `asset.blocked` and `asset.pose` use of a joint, and its sign."""
     sign = signs.joints.get(joint.name)
     needs = None if joint.needs is None else {**joint.needs.to_data(), "text": str(joint.needs)}

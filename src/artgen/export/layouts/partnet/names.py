@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from artgen._arrays import Array
-from artgen.asset import Asset, Joint, Link, Mesh
+from artgen.asset import Asset, AssetJoint, Link, Mesh
 from artgen.export.frames import Segment, chain, coupling
 
 ROOT = "base"
@@ -159,7 +159,7 @@ def naming(asset: Asset) -> Naming:
     return Naming(links, steps, _parts(asset, [*moving, base]), _couplings(asset, steps))
 
 
-def closed_end_first(joint: Joint) -> int:
+def closed_end_first(joint: AssetJoint) -> int:
     """Return -1 where a joint is to be turned round, so that it is closed at its lower limit, else 1."""
     if joint.limits is None or joint.locked:
         return 1
@@ -167,7 +167,7 @@ def closed_end_first(joint: Joint) -> int:
     return -1 if joint.closed == high and joint.closed != low else 1
 
 
-def kind_of(joints: Sequence[Joint], base: str = "fixed") -> str:
+def kind_of(joints: Sequence[AssetJoint], base: str = "fixed") -> str:
     """Return what `semantics.txt` calls the motion of a link."""
     if not joints:
         return "static" if base == "fixed" else "free"
@@ -177,7 +177,7 @@ def kind_of(joints: Sequence[Joint], base: str = "fixed") -> str:
     return kinds[-1] if kinds else "static"
 
 
-def semantic(asset: Asset, link: Link, joints: Sequence[Joint]) -> str:
+def semantic(asset: Asset, link: Link, joints: Sequence[AssetJoint]) -> str:
     """Return what `semantics.txt` calls a link, one word."""
     label = link.label
     if not joints:

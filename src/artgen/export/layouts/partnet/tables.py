@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from artgen._arrays import Array
-from artgen.asset import Asset, Joint, Link
+from artgen.asset import Asset, AssetJoint, Link
 from artgen.asset.record import json_text, rounded
 from artgen.export.layouts.partnet.names import NAMES_FILE, UPRIGHT, Naming, kind_of, semantic
 
@@ -50,7 +50,7 @@ def tables(asset: Asset, named: Naming, surfaces: Mapping[str, Sequence[str]]) -
     }
 
 
-def _joints(named: Naming, link: Link) -> list[Joint]:
+def _joints(named: Naming, link: Link) -> list[AssetJoint]:
     return [step.segment.joint for step in named.of_link(link.name)]
 
 
