@@ -8,6 +8,7 @@ import sys
 import numpy as np
 import pytest
 
+from artgen.dataset.disk import locked
 from artgen.dataset.workers import Ending
 from artgen.demos import make_demos, record
 from artgen.demos.run import Attempts, in_order
@@ -138,6 +139,12 @@ def test_bad_use_is_one_clear_error_and_leaves_nothing(wrong, error, message, tm
     with pytest.raises(error, match=message):
         make_demos(**{"task": "OpenDrawer", "count": 1, "out": tmp_path / "new", **wrong})
     assert not (tmp_path / "new").exists()
+
+
+def test_two_runs_do_not_write_to_one_folder(tmp_path):
+    with locked(tmp_path), pytest.raises(ExportError, match=r"another run .* writes to .*; wait until it is"):
+        make_demos("OpenDrawer", 1, tmp_path)
+    assert [path.name for path in tmp_path.iterdir()] == [".lock"]
 
 
 def test_what_is_not_artgens_stays(tmp_path):
