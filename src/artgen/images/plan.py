@@ -82,7 +82,13 @@ class ImagePlan(Draws):
             check_size(self.texture_size)
         if self.picture not in get_args(PictureFormat):
             raise ParameterError(f"pictures are written as png or jpg, not {self.picture!r}")
-        _check_split(self.split)
+        shares: Any = self.split
+        fine = isinstance(shares, tuple) and len(shares) == len(PARTS)
+        if not fine or any(share < 0.0 for share in shares) or abs(sum(shares) - 1.0) > 1e-9:
+            raise ParameterError(
+                f"the split {shares!r} must be the shares of {', '.join(PARTS)} with the sum 1, such as "
+                "0.8,0.1,0.1"
+            )
         super().__post_init__()
         self.vocabulary()
 
@@ -117,15 +123,6 @@ def _check_range(name: str, value: Any, least: float, most: float) -> None:
     if not fine or not least <= value[0] <= value[1] <= most:
         shown = value[1] if name == "azimuth" and fine else value
         raise ParameterError(f"{name} {shown!r} must lie in {least:g}..{most:g}, the lower number first")
-
-
-def _check_split(shares: Any) -> None:
-    fine = isinstance(shares, tuple) and len(shares) == len(PARTS)
-    if not fine or any(share < 0.0 for share in shares) or abs(sum(shares) - 1.0) > 1e-9:
-        raise ParameterError(
-            f"the split {shares!r} must be the shares of {', '.join(PARTS)} with the sum 1, such as "
-            "0.8,0.1,0.1"
-        )
 
 
 @dataclass(frozen=True)
