@@ -1,12 +1,12 @@
-"""Sample all categories at the ends of their ranges for some time, and list every anomaly: `make soak`.
+"""Sample all categories at the ends of their ranges for some time, and list all anomalies: `make soak`.
 
 python scripts/soak.py --minutes 60 --jobs 2
 python scripts/soak.py door window --minutes 5 --seed 3
 python scripts/soak.py --seed 0 --sample 41
 
-Each sample is made with overrides at the ends of its distributions and hard limits, proven, exported and
-checked; MuJoCo reads it and lets it go for a second. What was found stays in the file, so that a run that is
-interrupted goes on with the next sample; --fresh begins anew, as it has to be where a category has changed.
+Each sample is made with overrides at the ends of its distributions and hard limits, proven, exported, checked
+and simulated by MuJoCo for a second. Results stay in the file, so that an interrupted run continues with the
+next sample; after a change of a category, --fresh is necessary to start again.
 """
 
 import sys
@@ -33,19 +33,17 @@ _INTERRUPTED = 130  # exit code
 def main(
     categories: Annotated[list[str] | None, typer.Argument(help="Names; all by default.")] = None,
     *,
-    minutes: Annotated[float, typer.Option(min=0.0, help="How long samples are begun [min].")] = 30.0,
-    jobs: Annotated[int, typer.Option(min=1, help="How many processes measure.")] = 1,
+    minutes: Annotated[float, typer.Option(min=0.0, help="Time in which samples are begun [min].")] = 30.0,
+    jobs: Annotated[int, typer.Option(min=1, help="Number of processes.")] = 1,
     seed: Annotated[
-        int, typer.Option(min=0, help="Seed of the run: with a number, it decides a sample.")
+        int, typer.Option(min=0, help="Seed of the run; seed and number determine a sample.")
     ] = 0,
-    limit: Annotated[float, typer.Option(min=1.0, help="How long a sample may take [s].")] = 120.0,
-    fresh: Annotated[bool, typer.Option("--fresh", help="Throw away what was found before.")] = False,
-    sample: Annotated[
-        int | None, typer.Option(min=0, help="Measure the sample of this number again, and nothing else.")
-    ] = None,
+    limit: Annotated[float, typer.Option(min=1.0, help="Time limit for a sample [s].")] = 120.0,
+    fresh: Annotated[bool, typer.Option("--fresh", help="Delete earlier results first.")] = False,
+    sample: Annotated[int | None, typer.Option(min=0, help="Measure the sample of this number only.")] = None,
     out: Annotated[Path, typer.Option(help="The file of records.")] = Path("out/soak.jsonl"),
 ) -> None:
-    """Measure samples and list what is wrong with them; exit code 1 if anything is."""
+    """Measure samples and list their anomalies; exit code 1 if there are any."""
     console = Console(width=None if sys.stdout.isatty() else 160, highlight=False)
     if sample is not None:
         raise typer.Exit(_one(console, seed, sample))
@@ -85,7 +83,7 @@ def main(
 
 
 def _one(console: Console, run: int, number: int) -> int:
-    """Measure one sample, show what is wrong with it, and return the exit code."""
+    """Measure one sample, show its anomalies, and return the exit code."""
     record = measure_extreme(number, run=run)
     console.print(f"{record['category']} --seed {record['seed']}", markup=False)
     for each in spelled(record["overrides"]):
@@ -97,7 +95,7 @@ def _one(console: Console, run: int, number: int) -> int:
 
 
 def _show(console: Console, records: list[Record]) -> None:
-    """Show a row for each category, and below them each anomaly with the command that shows it again."""
+    """Show a row for each category, and each anomaly with the command that reproduces it."""
     table = Table(box=None, pad_edge=False, header_style="bold")
     for column in ("category", "samples", "ruled out", "with anomalies", "of which kinds"):
         table.add_column(column)

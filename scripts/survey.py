@@ -1,11 +1,11 @@
-"""Measure many samples of categories, and say what fails. `make survey` runs this for all of them.
+"""Measure many samples of categories, and report failures. `make survey` runs this for all categories.
 
 python scripts/survey.py toaster --seeds 60 --fast
 python scripts/survey.py refrigerator --seeds 500 --jobs 2 --out out/refrigerator.jsonl
 python scripts/survey.py lamp --alike 24
 
-What was measured stays in the file, so that an interrupted run goes on where it stopped; --fresh begins anew,
-as it has to be where the category has changed.
+Measurements stay in the file, so that an interrupted survey continues; after a change of the category,
+--fresh is necessary to start again.
 """
 
 import sys
@@ -15,7 +15,7 @@ from typing import Annotated
 import typer
 from rich.console import Console
 from rich.table import Table
-from surveys.alike import SAME, likenesses, same_neighbours
+from surveys.alike import SAME, likenesses, same_neighbors
 from surveys.pages import soak_page
 from surveys.run import survey
 from surveys.summary import Criterion, criteria, failures, figures, listed
@@ -24,28 +24,28 @@ from artgen.catalog import categories as all_categories
 from artgen.catalog import find
 from artgen.commands.progress import progress_bar
 
-_PAIRS = 8  # most alike ones that are shown
+_PAIRS = 8  # number of pairs that are shown
 _STATES = {True: "[green]yes[/]", False: "[bold red]no[/]", None: "[yellow]?[/]"}
 
 
 def main(
     categories: Annotated[list[str] | None, typer.Argument(help="Names; all by default.")] = None,
     *,
-    seeds: Annotated[int, typer.Option(min=1, help="How many seeds of each.")] = 500,
-    first_seed: Annotated[int, typer.Option(min=0, help="The first of them.")] = 0,
-    jobs: Annotated[int, typer.Option(min=1, help="How many processes measure.")] = 1,
-    fast: Annotated[bool, typer.Option("--fast", help="Leave out behaviour, hands and speed.")] = False,
-    limit: Annotated[float, typer.Option(min=1.0, help="How long a seed may take [s].")] = 120.0,
-    fresh: Annotated[bool, typer.Option("--fresh", help="Throw away what was measured before.")] = False,
+    seeds: Annotated[int, typer.Option(min=1, help="Number of seeds of each.")] = 500,
+    first_seed: Annotated[int, typer.Option(min=0, help="The first seed.")] = 0,
+    jobs: Annotated[int, typer.Option(min=1, help="Number of processes.")] = 1,
+    fast: Annotated[bool, typer.Option("--fast", help="Omit behavior, hands and speed.")] = False,
+    limit: Annotated[float, typer.Option(min=1.0, help="Time limit for a seed [s].")] = 120.0,
+    fresh: Annotated[bool, typer.Option("--fresh", help="Delete earlier measurements first.")] = False,
     alike: Annotated[
         int,
-        typer.Option(min=0, help="Show which of so many seeds look most alike, and measure nothing else."),
+        typer.Option(min=0, help="Show the most similar ones of so many seeds, and measure nothing else."),
     ] = 0,
     out: Annotated[
         Path | None, typer.Option(help="The file of records; by default out/survey/<category>.jsonl.")
     ] = None,
     page: Annotated[
-        Path | None, typer.Option(help="Also write what was found as a page in Markdown, docs/soak.md.")
+        Path | None, typer.Option(help="Also write the results as a page in Markdown, docs/soak.md.")
     ] = None,
 ) -> None:
     """Measure samples and judge them; exit code 1 if a criterion is not met."""
@@ -73,12 +73,12 @@ def main(
                 progress=lambda bar=bar, task=task: bar.advance(task),  # type: ignore[misc]
             )
         found[name] = records
-        if page is not None:  # after each category: an interrupted run leaves what it has
+        if page is not None:  # after each category, for an interrupted run
             page.write_text(soak_page(found), encoding="utf-8")
         asked = criteria(records)
         _show(console, name, asked)
-        for what, text in figures(records).items():
-            console.print(f"{what}: {text}", markup=False, soft_wrap=True)
+        for quantity, text in figures(records).items():
+            console.print(f"{quantity}: {text}", markup=False, soft_wrap=True)
         for failure in failures(records):
             console.print(str(failure), markup=False, soft_wrap=True)
         console.print()
@@ -97,7 +97,7 @@ def _show(console: Console, name: str, asked: list[Criterion]) -> None:
 
 
 def _alike(console: Console, name: str, seeds: range) -> bool:
-    """Show the pairs of seeds that look most alike; False if neighbours on a sheet look the same."""
+    """Show the most similar pairs of seeds; return False if neighbors on a sheet look the same."""
     pairs = likenesses(find(name), seeds)
     table = Table(title=f"{name}: most alike", title_justify="left", box=None, pad_edge=False)
     for column in ("seeds", "difference", "in a row"):
@@ -107,7 +107,7 @@ def _alike(console: Console, name: str, seeds: range) -> bool:
             f"{pair.seeds[0]}, {pair.seeds[1]}", f"{pair.difference:.3f}", "yes" if pair.near else ""
         )
     console.print(table)
-    same = same_neighbours(pairs)
+    same = same_neighbors(pairs)
     console.print(f"neighbours that look the same (difference below {SAME:g}): {len(same)}\n", markup=False)
     return not same
 

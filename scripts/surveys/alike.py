@@ -104,6 +104,6 @@ def _picture(asset: Asset, q: Mapping[str, float], view: View) -> Array:
     return np.asarray(mean)
 
 
-def same_neighbours(pairs: Sequence[Likeness]) -> list[Likeness]:
+def same_neighbors(pairs: Sequence[Likeness]) -> list[Likeness]:
     """Return the pairs of neighbors that look like one product."""
     return [pair for pair in pairs if pair.near and pair.difference < SAME]

@@ -2,8 +2,12 @@
 
 import os
 import time
+from collections.abc import Callable, Iterable, Iterator
+from typing import Any
 
-from artgen.dataset.workers import run_tasks
+import pytest
+
+from artgen.dataset.workers import Ending, run_job, run_tasks
 
 
 def double(number: int) -> int:
@@ -34,3 +38,56 @@ def test_every_item_has_an_ending() -> None:
 
 def test_nothing_to_do_starts_nothing() -> None:
     assert list(run_tasks(double, [], jobs=2, limit=1.0)) == []
+
+
+class Doubling:
+    """A job whose records are endings."""
+
+    task = staticmethod(double)
+
+    def __init__(self) -> None:
+        self.records: dict[int, Ending] = {}
+
+    def left(self) -> list[int]:
+        return [number for number in range(4) if number not in self.records]
+
+    def add(self, ending: Ending) -> Ending:
+        assert ending.item not in self.records
+        self.records[ending.item] = ending
+        return ending
+
+
+def failing(times: int) -> Callable[..., Iterator[Ending]]:
+    """Return an engine in which item 1 ends its process a number of times, and item 2 raises."""
+    given: list[int] = []
+
+    def run(task: Callable[[Any], Any], items: Iterable[Any], *, limit: float) -> Iterator[Ending]:
+        for item in items:
+            given.append(item)
+            if item == 1 and given.count(1) <= times:
+                yield Ending(item, "crashed", message="code -9")
+            elif item == 2:
+                yield Ending(item, "failed", message="Traceback\nValueError: two is refused")
+            else:
+                yield Ending(item, "done", 2 * item)
+
+    return run
+
+
+@pytest.mark.parametrize(("times", "state"), [(2, "done"), (3, "crashed")])
+def test_a_job_tries_again_where_a_process_ended(times: int, state: str) -> None:
+    job = Doubling()
+    found = {each.item: each for each in run_job(job, failing(times), limit=1.0, tries=3)}
+    assert found == job.records
+    assert {item: each.state for item, each in found.items()} == {0: "done", 1: state, 2: "failed", 3: "done"}
+    assert found[2].reason == "ValueError: two is refused"
+
+
+def test_an_interrupted_job_keeps_its_records_and_does_the_rest() -> None:
+    job = Doubling()
+    for ending in run_job(job, failing(0), limit=1.0):
+        if ending.item == 1:
+            break
+    assert job.left() == [2, 3]
+    assert [each.item for each in run_job(job, failing(0), limit=1.0)] == [2, 3]
+    assert list(run_job(job, failing(0), limit=1.0)) == []

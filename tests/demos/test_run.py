@@ -8,10 +8,11 @@ import sys
 import numpy as np
 import pytest
 
+from artgen.dataset.disk import locked
 from artgen.dataset.workers import Ending
 from artgen.demos import make_demos, record
 from artgen.demos.run import Attempts, in_order
-from artgen.errors import ExportError, ParameterError
+from artgen.errors import CheckError, ExportError, ParameterError
 
 h5py = pytest.importorskip("h5py", reason="pip install 'artgen[demos]'")
 gymnasium = pytest.importorskip("gymnasium", reason="pip install 'artgen[demos]'")
@@ -138,6 +139,23 @@ def test_bad_use_is_one_clear_error_and_leaves_nothing(wrong, error, message, tm
     with pytest.raises(error, match=message):
         make_demos(**{"task": "OpenDrawer", "count": 1, "out": tmp_path / "new", **wrong})
     assert not (tmp_path / "new").exists()
+
+
+def test_too_many_failures_leave_nothing(tmp_path, monkeypatch):
+    def fail(task, items, *, jobs, limit):
+        return (Ending(item, "failed", message="Traceback\nEnvError: no drawer") for item in items)
+
+    monkeypatch.setattr("artgen.demos.run.run_tasks", fail)
+    told = "succeeded in 0 of 12 attempts, too few for 1 demonstrations; nothing .*: EnvError: no drawer"
+    with pytest.raises(CheckError, match=told):
+        make_demos("OpenDrawer", 1, tmp_path)
+    assert [path.name for path in tmp_path.iterdir()] == [".lock"]
+
+
+def test_two_runs_do_not_write_to_one_folder(tmp_path):
+    with locked(tmp_path), pytest.raises(ExportError, match=r"another run .* writes to .*; wait until it is"):
+        make_demos("OpenDrawer", 1, tmp_path)
+    assert [path.name for path in tmp_path.iterdir()] == [".lock"]
 
 
 def test_what_is_not_artgens_stays(tmp_path):

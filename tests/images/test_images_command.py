@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-import artgen.images.run as running
+import artgen.images.plan as plans
 from artgen.images import ImagePlan
 
 
@@ -42,7 +42,7 @@ def test_without_opengl_nothing_is_written(artgen_command, monkeypatch: pytest.M
 
 
 def test_a_package_that_is_missing_is_named(artgen_command, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(running, "find_spec", lambda name: None if name == "pycocotools" else name)
+    monkeypatch.setattr(plans, "find_spec", lambda name: None if name == "pycocotools" else name)
     done = artgen_command("images", "plier", "--assets", "1", "--out", "set")
     expected = 'error: pycocotools, which encodes masks, is not installed: pip install "artgen[images]"\n'
     assert (done.code, done.err) == (2, expected)

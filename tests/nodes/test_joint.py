@@ -175,7 +175,7 @@ def test_a_joint_may_need_a_condition_only_beyond_a_position():
 def test_what_a_joint_depends_on_is_checked_while_building():
     with pytest.raises(BuildError, match=r"needs a Dependency or None, got a Bool handle"):
         Prismatic("rack", axis=X, needs=Float.parameter("door") > 1.2)
-    with pytest.raises(BuildError, match=r"by=...\) needs a Float, got a Joint handle"):
+    with pytest.raises(BuildError, match=r"by=...\) needs a Float, got a Revolute handle"):
         Revolute("a", axis=X) + Revolute("b", axis=X)
 
 

@@ -86,7 +86,7 @@ def test_python_source_keeps_the_key(name):
     exec(compile(source, "<source>", "exec"), namespace)  # noqa: S102 - the source is what is tested
     again = namespace["build"]()
     assert again.node.key == graph.key, source
-    assert type(again) is type(graph.result)
+    assert isinstance(again, type(graph.result))
 
 
 @pytest.mark.parametrize("name", TESTED)

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from surveys.alike import SAME, Likeness, difference, likenesses, look, same_neighbours
+from surveys.alike import SAME, Likeness, difference, likenesses, look, same_neighbors
 
 from artgen import Body, box, choice, generator, material, part
 from artgen.catalog import find
@@ -62,6 +62,6 @@ def test_the_most_alike_come_first_and_neighbours_are_marked() -> None:
     assert len(found) == 3
     assert [each.difference for each in found] == sorted(each.difference for each in found)
     assert {each.seeds for each in found if each.near} == {(0, 1), (1, 5)}
-    assert same_neighbours([Likeness((0, 1), 0.01, near=True), Likeness((0, 2), 0.0, near=False)]) == [
+    assert same_neighbors([Likeness((0, 1), 0.01, near=True), Likeness((0, 2), 0.0, near=False)]) == [
         Likeness((0, 1), 0.01, near=True)
     ]

@@ -55,7 +55,12 @@ class Folder:
         """Open a folder for one run; create it if necessary, and repair the remains of a killed run."""
         folder = Folder(target, plan.placed(target))
         with writing(target):
-            _check_content(target)
+            names = sorted(target.names())
+            if names and PLAN_FILE not in names:
+                raise ExportError(
+                    f"cannot write a dataset to {target}: it holds {names[0]!r} and no dataset; choose "
+                    "another folder"
+                )
             with target.opened():
                 folder._begin()
                 try:
@@ -228,15 +233,6 @@ def _read_records(target: Target, paths: Sequence[str]) -> Iterator[tuple[str, R
                     f"{target}/{name} is damaged: {error!r}; remove {target}/{path}, and the same command "
                     "makes the asset again"
                 ) from error
-
-
-def _check_content(target: Target) -> None:
-    """Refuse a folder that holds anything but a dataset."""
-    found = sorted(target.names())
-    if found and PLAN_FILE not in found:
-        raise ExportError(
-            f"cannot write a dataset to {target}: it holds {found[0]!r} and no dataset; choose another folder"
-        )
 
 
 def _check_same(target: Target, before: Draws, plan: Draws) -> None:

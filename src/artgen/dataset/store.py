@@ -58,7 +58,9 @@ class Store:
     @contextmanager
     def opened(self) -> Iterator[None]:
         """Hold the place for one run."""
-        owner = _owner()
+        since = datetime.now(UTC).isoformat(timespec="seconds")
+        run = f"process {os.getpid()} on {socket.gethostname()}, since {since}, run {uuid.uuid4().hex}"
+        owner = run.encode()
         with self._told():
             self._own(owner)
         try:
@@ -258,12 +260,6 @@ class StoreLines:
     def _write(self) -> None:
         self._store.write(self._path, "".join(self._parts).encode())
         self._at, self._new = time.monotonic(), False
-
-
-def _owner() -> bytes:
-    """Return the unique description of this run for the lock."""
-    since = datetime.now(UTC).isoformat(timespec="seconds")
-    return f"process {os.getpid()} on {socket.gethostname()}, since {since}, run {uuid.uuid4().hex}".encode()
 
 
 def is_url(place: str | Path) -> bool:

@@ -106,33 +106,36 @@ def make_demos(
     if not is_replaceable(file):
         raise ExportError(f"{file} exists and holds no demonstrations of artgen; choose another directory")
     start = time.monotonic()
+    succeeded: list[int] = []
     failed: dict[int, str] = {}
     seeds = range(seed, seed + 2 * count + _SPARE)
     plan = {"task": task, "image": image, "noise": noise, "version": __version__}
 
     def successes(endings: Iterable[Ending]) -> Iterator[Demo]:
-        done = 0
         for ending in endings:
             demo: Demo | None = ending.value
             if demo is None or not demo.success:
                 failed[ending.item] = ending.reason if demo is None else "time was over before success"
-            progress(ending.item not in failed)
-            if demo is not None and demo.success:
-                yield demo
-                done += 1
-                if done == count:
-                    return
-        attempts.remove()
-        raise CheckError(
-            f"the scripted policy of {task} succeeded in {done} of {len(seeds)} attempts, too few for "
-            f"{count} demonstrations; nothing was written. The last failure: {failed[max(failed)]}"
-        )
+                progress(False)
+                continue
+            succeeded.append(ending.item)
+            progress(True)
+            yield demo
+            if len(succeeded) == count:
+                return
 
     with locked(_folder(file.parent)), replaced(file) as partial_file:
         made_by = partial(record, task, image=image, noise=noise)
         attempts = Attempts(file.parent / _ATTEMPTS, plan, seeds, made_by)
         with closing(attempts.endings(jobs or cores())) as endings:
             steps = write_demos(partial_file, successes(endings), f"artgen/{task}-v0", {"obs": "state"})
+        if len(succeeded) < count:
+            attempts.remove()
+            raise CheckError(
+                f"the scripted policy of {task} succeeded in {len(succeeded)} of {len(seeds)} attempts, too "
+                f"few for {count} demonstrations; nothing was written. The last failure: "
+                f"{failed[max(failed)]}"
+            )
     attempts.remove()
     return DemoSummary(file, count, steps, failed, time.monotonic() - start)
 

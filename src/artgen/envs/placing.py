@@ -161,7 +161,9 @@ def place(
         return None
     path, base, arm = best
     hand = base @ frames(arm[None])[0, 7]
-    return Target(_with_moves(stages, path.moves), {}, base, arm, hand)
+    moves = iter(path.moves)
+    moved = tuple(replace(stage, moves=tuple(next(moves) for _ in stage.moves)) for stage in stages)
+    return Target(moved, {}, base, arm, hand)
 
 
 def _trials(
@@ -172,11 +174,6 @@ def _trials(
         some = [(path, _bases(obstacles, path, rng)) for path in paths[first : first + _BATCH]]
         for begin in range(0, _ROUNDS * _BASES, _BASES):
             yield from ((path, bases[begin : begin + _BASES]) for path, bases in some if len(bases) > begin)
-
-
-def _with_moves(stages: Sequence[Stage], moves: Sequence[Move]) -> tuple[Stage, ...]:
-    left = iter(moves)
-    return tuple(replace(stage, moves=tuple(next(left) for _ in stage.moves)) for stage in stages)
 
 
 def _combined(options: Sequence[Sequence[Move]]) -> list[tuple[Move, ...]]:

@@ -75,16 +75,13 @@ class ScriptedPolicy:
                     yield from self._take(contact)
                 assert contact is not None, "the first move has a contact"
                 yield from self._follow(move, contact)
-                if self._is_there(move):
+                stage = next(each for each in self._env.target.stages if each.joint == move.joint)
+                end = move.until if move is not stage.moves[-1] else stage.goal
+                if (self._env.q(move.joint) - end) * np.sign(stage.goal - stage.start) >= -1e-3:
                     break
             self._kept[move.joint] = move.until
         if contact is not None:
             yield from self._leave(contact)
-
-    def _is_there(self, move: Move) -> bool:
-        stage = next(each for each in self._env.target.stages if each.joint == move.joint)
-        end = move.until if move is not stage.moves[-1] else stage.goal
-        return bool((self._env.q(move.joint) - end) * np.sign(stage.goal - stage.start) >= -1e-3)
 
     def _take(self, contact: Contact) -> Iterator[Aim]:
         """Approach a contact, and close the fingers if it is a grasp."""

@@ -11,7 +11,6 @@ from typing import Any
 import numpy as np
 
 from artgen._arrays import Array
-from artgen.asset import rotation
 from artgen.asset.gripper import GRIPPER
 from artgen.errors import EnvError
 
@@ -174,13 +173,15 @@ def simulator() -> Any:
 
 def _link(axis: int, turn: float, shift: Array) -> Array:
     """Return the pose of a shift and a turn about one of its axes, shape (4, 4) [m, rad]."""
-    result = np.eye(4)
-    result[:3, :3] = rotation(np.eye(3)[axis], turn)
+    result, first = np.eye(4), (axis + 1) % 3
+    sine, cosine = np.sin(turn), np.cos(turn)
+    result[first : first + 2, first : first + 2] = [[cosine, -sine], [sine, cosine]]  # axis 0 or 2
     result[:3, 3] = shift
     return result
 
 
 _FIXED = np.array([_link(0, np.pi * turn, shift) for turn, shift in zip(_TURNS, _SHIFTS, strict=True)])
+_FIXED[:, :3, :3] = _FIXED[:, :3, :3].round()  # right angles
 _LAST = _link(2, _TIP_TURN, np.array([0.0, 0.0, _TIP]))
 
 

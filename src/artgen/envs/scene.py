@@ -2,7 +2,7 @@
 
 import warnings
 import xml.etree.ElementTree as ET
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from itertools import combinations
 from typing import Any
 
@@ -16,7 +16,7 @@ from artgen.envs.control import Control
 from artgen.envs.motion import Target
 from artgen.envs.robot import ASSET_BIT, HAND, LIMITS, OPENING, PREFIX, ROBOT_BIT, panda, simulator
 from artgen.export.frames import quaternion
-from artgen.export.meshes import MeshFiles, mesh_files
+from artgen.export.meshes import mesh_files
 from artgen.export.mjcf import mjcf_text, mjcf_tree
 from artgen.view import gl
 
@@ -26,15 +26,14 @@ TIME_STEP = 0.0025
 STEPS = 20
 """Steps of the physics in one action."""
 
-CAMERAS = ("front", "hand")
-"""A camera beside the robot, and one on its hand."""
+CAMERAS = {"front": "scene_front", "hand": f"{PREFIX}eye_in_hand"}
+"""Names in the model of a camera beside the robot, and of one on its hand."""
 
 STEPS_OF_TORQUES = 4  # steps of the physics with the same torques of the arm
 SHUT = 0.001  # smaller openings of each finger mean that the hand squeezes [m]
-_FLOOR, _TABLE, _FRONT, _LIGHT = "scene_floor", "scene_table", "scene_front", "scene_light"
+_FLOOR, _TABLE, _LIGHT = "scene_floor", "scene_table", "scene_light"
 _AMBIENT, _HEADLIGHT, _LAMP = 0.28, 0.3, 0.5  # ambient light, light from the camera and from above
 _LIGHT_GOES = (0.3, 0.5, -1.0)
-_HAND_CAMERA = f"{PREFIX}eye_in_hand"
 _DEEP = 0.02  # least height of the pedestal [m]
 _VISUAL_GROUP, _GROUPS = 2, 6  # the geom group of visual surfaces, and the number of groups
 
@@ -177,17 +176,13 @@ class TaskScene:
         distance = float(np.linalg.norm(back))
         middle = at + 0.25 * back
         eye = middle + max(distance, 0.6) * (1.1 * before + 0.9 * side + np.array([0.0, 0.0, 0.8]))
-        camera = self.model.camera(_FRONT)
+        camera = self.model.camera(CAMERAS["front"])
         forward = (middle - eye) / np.linalg.norm(middle - eye)
         right = np.cross(forward, [0.0, 0.0, 1.0])
         right /= np.linalg.norm(right)
         pose = np.eye(4)
         pose[:3, :3] = np.column_stack([right, np.cross(right, forward), -forward])
         camera.pos[:], camera.quat[:] = eye, quaternion(pose)
-
-    def camera(self, name: str) -> str:
-        """Return the name of a camera of `CAMERAS` in the model."""
-        return _FRONT if name == "front" else _HAND_CAMERA
 
 
 def compiled(asset: Asset, *, visual: bool = False, textures: int = 0) -> Any:
@@ -197,7 +192,9 @@ def compiled(asset: Asset, *, visual: bool = False, textures: int = 0) -> Any:
     root = mjcf_tree(asset, meshes)
     if not visual:
         _strip(root)
-    spec = mujoco.MjSpec.from_string(mjcf_text(root).decode(), assets=_used(root, meshes))
+    named = {element.get("file") for element in root.iter()}
+    files = {path: content for path, content in meshes.files.items() if path in named}
+    spec = mujoco.MjSpec.from_string(mjcf_text(root).decode(), assets=files)
     spec.option.timestep = TIME_STEP
     spec.option.integrator = mujoco.mjtIntegrator.mjINT_IMPLICITFAST
     world = spec.worldbody
@@ -228,7 +225,7 @@ def compiled(asset: Asset, *, visual: bool = False, textures: int = 0) -> Any:
     with warnings.catch_warnings():  # the files of the robot are on the disk, those of the asset in memory
         warnings.filterwarnings("ignore", message="Attaching a child without asset dict")
         spec.attach(panda(visual=visual), frame=world.add_frame(), prefix=PREFIX)
-    world.add_camera(name=_FRONT, fovy=45.0)
+    world.add_camera(name=CAMERAS["front"], fovy=45.0)
     world.add_light(
         name=_LIGHT,
         type=mujoco.mjtLightType.mjLIGHT_DIRECTIONAL,
@@ -281,12 +278,6 @@ def _strip(root: ET.Element) -> None:
                 parent.remove(element)
 
 
-def _used(root: ET.Element, meshes: MeshFiles) -> Mapping[str, bytes]:
-    """Return the files that the elements reference, by path."""
-    named = {element.get("file") for element in root.iter() if element.get("file")}
-    return {path: content for path, content in meshes.files.items() if path in named}
-
-
 class Pictures:
     """Draws scenes without a window; it keeps the graphics resources of the last one."""
 
@@ -306,7 +297,7 @@ class Pictures:
         mujoco.mj_camlight(model, data)
         eye = mujoco.MjvCamera()
         eye.type = mujoco.mjtCamera.mjCAMERA_FIXED
-        eye.fixedcamid = model.camera(scene.camera(camera)).id
+        eye.fixedcamid = model.camera(CAMERAS[camera]).id
         every = mujoco.mjtCatBit.mjCAT_ALL
         mujoco.mjv_updateScene(model, data, self._option, None, eye, every, self._view)
         self._view.flags[mujoco.mjtRndFlag.mjRND_SHADOW] = shadows

@@ -66,9 +66,10 @@ class Task:
             EnvError: The asset lacks the part, or there is no place from which the robot reaches it.
         """
         tried = 0
+        raised = self.raised or asset.parameters.get("kind") == "wall"  # a wall has room below the asset
         for stages in self.choose(asset, rng):
             tried += 1
-            found = place(asset, stages, rng, raised=self.raised or _hangs(asset))
+            found = place(asset, stages, rng, raised=raised)
             if found is not None:
                 return found
         if not tried:
@@ -80,11 +81,6 @@ class Task:
             f"{self.name}: there is no place from which a Panda reaches the parts of asset {asset.name!r} "
             f"({tried} choices tried); leave the asset out, or make it with another seed"
         )
-
-
-def _hangs(asset: Asset) -> bool:
-    """Tell whether an asset hangs on a wall, with more room below than on a floor."""
-    return asset.parameters.get("kind") == "wall"
 
 
 def one_joint(

@@ -40,7 +40,8 @@ def random_positions(asset: Asset, draw: np.random.Generator) -> dict[str, float
     it is moved (the door for a rack), or the joint is put back. A certified asset has no collision there.
     """
     free = {joint.name: joint for joint in asset.free_joints}
-    q = {name: _anywhere(joint, draw) for name, joint in free.items()}
+    limits = {name: joint.limits or (-math.pi, math.pi) for name, joint in free.items()}
+    q = {name: float(draw.uniform(low, high)) for name, (low, high) in limits.items()}
     q |= {name: free[name].closed for name in free if draw.random() > _MOVED}
     freed = {joint.name: draw.random() < _FREED for joint in asset.joints}
     for _ in range(_ROUNDS):
@@ -52,11 +53,6 @@ def random_positions(asset: Asset, draw: np.random.Generator) -> dict[str, float
         for name in blocked:
             q |= _back(asset, asset.joint(name), free)
     return q if not asset.blocked(q) else {name: joint.closed for name, joint in free.items()}
-
-
-def _anywhere(joint: AssetJoint, draw: np.random.Generator) -> float:
-    low, high = joint.limits or (-math.pi, math.pi)
-    return float(draw.uniform(low, high))
 
 
 def _back(asset: Asset, joint: AssetJoint, free: Mapping[str, AssetJoint]) -> dict[str, float]:

@@ -241,9 +241,9 @@ def pictures_of(item: Item, plan: "ImagePlan") -> dict[str, bytes]:
             color, surfaces, depth = renderer.take(
                 shot.camera, shot.poses, shot.points, shot.setting, plan.samples
             )
-            written, layers = _layers(asset, item, plan, shot, depth)
+            written, data = _annotated(asset, item, plan, shot, surfaces, depth)
             files |= {f"{shot.name}.{plan.picture}": encoded_color(color, plan.picture)} | written
-            found.append(_record(asset, item, plan, shot) | layers | _masks(asset, plan, shot, surfaces))
+            found.append(data)
     finally:
         renderer.close()
     files[ANNOTATION_FILE] = json_text({"images": found}).encode()
@@ -273,9 +273,13 @@ def _shot(asset: Asset, item: Item, plan: "ImagePlan", around: Surroundings, num
     return Shot(f"{number:02d}", q, poses, points, camera, random_setting(around, plan.random, draw))
 
 
-def _record(asset: Asset, item: Item, plan: "ImagePlan", shot: Shot) -> dict[str, Any]:
-    """Return the data of a picture, apart from its masks."""
-    return {
+def _annotated(
+    asset: Asset, item: Item, plan: "ImagePlan", shot: Shot, surfaces: NDArray[np.int32], depth: Array
+) -> tuple[dict[str, bytes], dict[str, Any]]:
+    """Return the files of depth and normals, as far as the plan has them, and the data of a picture."""
+    files: dict[str, bytes] = {}
+    matrix = extrinsics(shot.camera)
+    data: dict[str, Any] = {
         "width": plan.size,
         "height": plan.size,
         "file_name": f"{item.path}/{shot.name}.{plan.picture}",
@@ -283,43 +287,28 @@ def _record(asset: Asset, item: Item, plan: "ImagePlan", shot: Shot) -> dict[str
         "category": item.category,
         "seed": item.seed,
         "intrinsics": rounded(intrinsics(shot.camera, plan.size).tolist()),
-        "extrinsics": rounded(extrinsics(shot.camera).tolist()),
+        "extrinsics": rounded(matrix.tolist()),
         "joints": rounded(asset.positions(shot.q)),
         "light": rounded(shot.setting.light.to_data()),
     }
-
-
-def _layers(
-    asset: Asset, item: Item, plan: "ImagePlan", shot: Shot, depth: Array
-) -> tuple[dict[str, bytes], dict[str, Any]]:
-    """Return the files of depth and normals, and their data, as far as the plan has them."""
-    files: dict[str, bytes] = {}
-    data: dict[str, Any] = {}
+    shown = [(link.name, surface) for link in asset.links for surface in link.surfaces]
     if plan.depth:
         name = f"{shot.name}_depth.png"
         files[name], data["depth_scale"] = encoded_depth(depth)
         data["depth_file"] = f"{item.path}/{name}"
     if plan.normals:
         name = f"{shot.name}_normals.png"
-        meshes = [
-            surface.mesh.moved(shot.poses[link.name]) for link in asset.links for surface in link.surfaces
-        ]
+        meshes = [surface.mesh.moved(shot.poses[link]) for link, surface in shown]
         rays = shot.camera.rays((plan.size, plan.size))
-        found = cast(meshes, np.array(shot.camera.position), rays).normals
-        turned = found @ extrinsics(shot.camera)[:3, :3].T
-        files[name] = encoded_normals(turned.reshape(plan.size, plan.size, 3))
+        normals = cast(meshes, np.array(shot.camera.position), rays).normals @ matrix[:3, :3].T
+        files[name] = encoded_normals(normals.reshape(plan.size, plan.size, 3))
         data["normals_file"] = f"{item.path}/{name}"
-    return files, data
-
-
-def _masks(asset: Asset, plan: "ImagePlan", shot: Shot, surfaces: NDArray[np.int32]) -> dict[str, Any]:
-    """Return the masks of a picture."""
     vocabulary = plan.vocabulary()
     names = vocabulary.names[asset.category]
     ids = {name: vocabulary.ids()[asset.category, name] for name in names.values()}
-    parts = [(link.name, names.get(surface.label, "")) for link in asset.links for surface in link.surfaces]
-    moves = _joints_of_links(asset, shot.q, extrinsics(shot.camera))
-    return {"annotations": [each | {"joints": moves[each["link"]]} for each in _coded(surfaces, parts, ids)]}
+    moves = _joints_of_links(asset, shot.q, matrix)
+    masks = _coded(surfaces, [(link, names.get(surface.label, "")) for link, surface in shown], ids)
+    return files, data | {"annotations": [each | {"joints": moves[each["link"]]} for each in masks]}
 
 
 def _coded(

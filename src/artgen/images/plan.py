@@ -1,17 +1,22 @@
-"""The plan of a set of images: assets, the number of pictures of each, and the random variations."""
+"""A set of images: its plan, and the run that takes the pictures of each asset."""
 
 import math
-from collections.abc import Mapping, Sequence
+import os
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from importlib.util import find_spec
 from numbers import Real
+from pathlib import Path
 from typing import Any, ClassVar, Literal, get_args
 
 from artgen.catalog import find
 from artgen.dataset.plan import Draws, Item
+from artgen.dataset.run import Summary, generate_many
 from artgen.dataset.store import Target
-from artgen.errors import ParameterError, nearest
+from artgen.errors import ParameterError, RenderError, nearest
 from artgen.images.pictures import PARTS, pictures_of, write_coco
 from artgen.materials.textures import check_size
+from artgen.view import gl
 from artgen.view.rendering import checked_size
 
 PictureFormat = Literal["png", "jpg"]
@@ -82,7 +87,13 @@ class ImagePlan(Draws):
             check_size(self.texture_size)
         if self.picture not in get_args(PictureFormat):
             raise ParameterError(f"pictures are written as png or jpg, not {self.picture!r}")
-        _check_split(self.split)
+        shares: Any = self.split
+        fine = isinstance(shares, tuple) and len(shares) == len(PARTS)
+        if not fine or any(share < 0.0 for share in shares) or abs(sum(shares) - 1.0) > 1e-9:
+            raise ParameterError(
+                f"the split {shares!r} must be the shares of {', '.join(PARTS)} with the sum 1, such as "
+                "0.8,0.1,0.1"
+            )
         super().__post_init__()
         self.vocabulary()
 
@@ -119,13 +130,52 @@ def _check_range(name: str, value: Any, least: float, most: float) -> None:
         raise ParameterError(f"{name} {shown!r} must lie in {least:g}..{most:g}, the lower number first")
 
 
-def _check_split(shares: Any) -> None:
-    fine = isinstance(shares, tuple) and len(shares) == len(PARTS)
-    if not fine or any(share < 0.0 for share in shares) or abs(sum(shares) - 1.0) > 1e-9:
-        raise ParameterError(
-            f"the split {shares!r} must be the shares of {', '.join(PARTS)} with the sum 1, such as "
-            "0.8,0.1,0.1"
-        )
+def make_images(
+    plan: ImagePlan,
+    directory: str | Path,
+    *,
+    jobs: int | None = None,
+    limit: float | None = None,
+    progress: Callable[[dict[str, Any]], None] | None = None,
+    begin: Callable[[int], None] | None = None,
+) -> Summary:
+    """Take all pictures of a plan, and list them in the files of COCO: `train.json`, `val.json`, `test.json`.
+
+    The pictures depend on the plan alone, not on the number of processes or of interruptions: a run in a
+    folder of the same plan makes the missing ones.
+
+    Args:
+        plan: The plan.
+        directory: A folder, or a URL that fsspec can open; created if necessary. An existing one is empty or
+            holds images of the same plan.
+        jobs: Number of processes; by default the number of cores of this process.
+        limit: Time limit for one asset; by default ten minutes, and one more for each picture [s].
+        progress: Called with each line that is added to the manifest.
+        begin: Called at the beginning with the number of missing assets.
+
+    Raises:
+        ParameterError: `jobs` is less than one.
+        RenderError: MuJoCo, OpenGL or a package is missing; nothing was written.
+        ExportError: The folder holds something else, another run writes to it, or the disk refuses; finished
+            assets stay.
+    """
+    _check_tools(plan)
+    os.environ.setdefault("LP_NUM_THREADS", "0")  # else Mesa uses all cores in every process
+    limit = 600.0 + 60.0 * plan.images if limit is None else limit
+    return generate_many(plan, directory, jobs=jobs, limit=limit, progress=progress, begin=begin)
+
+
+def _check_tools(plan: ImagePlan) -> None:
+    """Check OpenGL and the packages."""
+    gl.available()
+    needed = {"mujoco": "draws pictures", "pycocotools": "encodes masks"}
+    if plan.normals:
+        needed["embreex"] = "finds normals"
+    for name, purpose in needed.items():
+        if find_spec(name) is None:
+            raise RenderError(f'{name}, which {purpose}, is not installed: pip install "artgen[images]"')
+    gl.claim_process()
+    gl.context(16, 16).free()
 
 
 @dataclass(frozen=True)
