@@ -16,7 +16,7 @@ from timing import baseline, timed
 
 import artgen
 from artgen.asset import Asset
-from artgen.export.formats import FORMATS, TEXTURES
+from artgen.export.layouts import FORMATS, TEXTURES
 from artgen.export.meshes import mesh_files
 from artgen.generator import Generator
 

@@ -2,7 +2,7 @@
 
 import re
 
-from artgen.asset.wikidata import CATEGORY_CODES, THING, category_code
+from artgen.export.usd.layer import CATEGORY_CODES, THING, category_code
 
 
 def test_categories_have_their_codes_and_others_that_of_a_thing():

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from artgen.asset.collision import closed_mesh
-from artgen.colliders import cache, coacd
+from artgen.colliders import coacd
 from artgen.colliders.coacd import canonical, coacd_pieces
 from colliders.covering import block, pose
 
@@ -128,7 +128,7 @@ def test_a_write_that_fails_leaves_nothing(place, runs, monkeypatch):
         raise OSError("no space left")
 
     with monkeypatch.context() as patch:
-        patch.setattr(cache.np, "savez", full)
+        patch.setattr(coacd.np, "savez", full)
         coacd_pieces(*angle())
     assert files_in(place) == []
     with monkeypatch.context() as patch:
@@ -141,13 +141,13 @@ def test_the_place_is_the_users(monkeypatch, tmp_path):
     monkeypatch.setenv("HOME", str(tmp_path))
     monkeypatch.delenv("ARTGEN_CACHE", raising=False)
     monkeypatch.delenv("XDG_CACHE_HOME", raising=False)
-    assert cache.cache_directory() == tmp_path / ".cache" / "artgen"
+    assert coacd.cache_directory() == tmp_path / ".cache" / "artgen"
     monkeypatch.setenv("XDG_CACHE_HOME", "relative")
-    assert cache.cache_directory() == tmp_path / ".cache" / "artgen"
+    assert coacd.cache_directory() == tmp_path / ".cache" / "artgen"
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "shared"))
-    assert cache.cache_directory() == tmp_path / "shared" / "artgen"
+    assert coacd.cache_directory() == tmp_path / "shared" / "artgen"
     monkeypatch.setenv("ARTGEN_CACHE", str(tmp_path / "mine"))
-    assert cache.cache_directory() == tmp_path / "mine"
+    assert coacd.cache_directory() == tmp_path / "mine"
 
     def homeless():
         raise RuntimeError
@@ -155,9 +155,9 @@ def test_the_place_is_the_users(monkeypatch, tmp_path):
     monkeypatch.delenv("ARTGEN_CACHE")
     monkeypatch.delenv("XDG_CACHE_HOME")
     monkeypatch.setattr(Path, "home", homeless)
-    assert cache.cache_directory() is None
-    assert cache.read_points("coacd", "key") is None
-    cache.write_points("coacd", "key", [np.zeros((4, 3))])
+    assert coacd.cache_directory() is None
+    assert coacd.read_points("coacd", "key") is None
+    coacd.write_points("coacd", "key", [np.zeros((4, 3))])
 
 
 def test_processes_and_threads_find_the_same_bytes(place):

@@ -16,7 +16,7 @@ from pxr import Sdf
 from artgen.asset import AllowedContact, Asset, Push
 from artgen.asset import AssetJoint as Joint
 from artgen.export.files import encode
-from artgen.export.formats import FORMATS
+from artgen.export.layouts import FORMATS
 
 PAGE = Path(__file__).parents[2] / "docs" / "concept_mapping.md"
 

@@ -6,7 +6,7 @@ import zlib
 import numpy as np
 import pytest
 
-from artgen.export import digests as module
+from artgen.export import files as module
 from artgen.export.files import digest, digests
 from artgen.materials.textures.maps import png
 

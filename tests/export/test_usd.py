@@ -17,13 +17,12 @@ from pxr import Gf, Usd, UsdGeom, UsdPhysics, UsdSemantics, UsdShade, UsdValidat
 from artgen.asset import Asset, Push
 from artgen.asset import AssetJoint as Joint
 from artgen.asset.surface import texture_coordinates
-from artgen.asset.wikidata import THING
 from artgen.colliders import Convex
 from artgen.export.frames import chain
 from artgen.export.meshes import display_color
 from artgen.export.usd import write_usd
 from artgen.export.usd.joints import _turn_from_x
-from artgen.export.usd.layer import quatf
+from artgen.export.usd.layer import THING, quatf
 from artgen.materials import Material
 from artgen.materials.substance import substance_of
 from support.textured import BOARD, LAMP, PANE, PLATE, TURNED, picture, recipes, textured

@@ -12,7 +12,7 @@ from scipy import ndimage
 import artgen
 from artgen.asset import Asset
 from artgen.errors import AssetError, ExportError, ParameterError
-from artgen.view import Camera, RenderError, View, filament, gl, opened, rays, rendering
+from artgen.view import Camera, RenderError, View, filament, gl, opened, rendering
 from artgen.view.picture import Picture
 
 pytestmark = pytest.mark.usefixtures("opengl")
@@ -111,7 +111,7 @@ def test_labels_depth_and_normals_agree_with_rays(red_cabinet, share, size, view
     meshes = [surface.mesh.moved(poses[link.name]) for link, surface in surfaces]
     stream = np.random.default_rng(0)
     row, column = stream.integers(0, size[1], 1000), stream.integers(0, size[0], 1000)
-    hits = rays.cast(meshes, np.array(shown.camera.position), shown.camera.rays(size)[row, column])
+    hits = rendering.cast(meshes, np.array(shown.camera.position), shown.camera.rays(size)[row, column])
     links = np.array(["", *(link.name for link, _ in surfaces)])[hits.surfaces]
     labels = np.array(["", *(surface.label for _, surface in surfaces)])[hits.surfaces]
     # at a silhouette the centre of a pixel may fall to either side

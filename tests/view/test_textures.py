@@ -10,7 +10,7 @@ from artgen.materials.textures import RECIPES, Pattern, Recipe
 from artgen.nodes.body import part
 from artgen.nodes.handles import Body
 from artgen.nodes.primitive import box
-from artgen.view import View, filament, rays
+from artgen.view import View, filament, rendering
 
 TILE = (0.3, 0.4)
 QUARTERS = np.array([[[0.6, 0.05, 0.05], [0.05, 0.6, 0.05]], [[0.05, 0.05, 0.6], [0.5, 0.5, 0.5]]])
@@ -48,7 +48,7 @@ def test_every_pixel_has_the_colour_of_its_texel(backend, turned) -> None:
     size = (120, 120)
     for view in (View(-0.5, 0.3), View(2.6, 0.9)):
         shown = asset.render(camera=view, size=size, backend=backend, textures=256, samples=4, studio="none")
-        found = rays.cast(
+        found = rendering.cast(
             [surface.mesh for surface in asset.links[0].surfaces],
             np.array(shown.camera.position),
             shown.camera.rays(size),

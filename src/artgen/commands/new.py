@@ -48,11 +48,7 @@ def new(
 
 
 def _check_name(name: str) -> None:
-    """Refuse a name that cannot be that of a category and of its module.
-
-    Raises:
-        ParameterError: It is no identifier, or taken.
-    """
+    """Refuse a name that cannot be that of a category and of its module."""
     import artgen
 
     if not is_identifier(name) or keyword.iskeyword(name) or name != name.lower():
@@ -67,11 +63,7 @@ def _check_name(name: str) -> None:
 
 
 def _write(texts: dict[str, str], target: Path) -> None:
-    """Write all files, or nothing.
-
-    Raises:
-        ExportError: The disk refuses.
-    """
+    """Write all files, or nothing."""
     partial = target.with_name(f".{target.name}.partial")
     try:
         write_files({path: text.encode() for path, text in texts.items()}, partial)

@@ -14,7 +14,7 @@ from artgen.catalog import find, is_file
 from artgen.dataset.store import Target
 from artgen.errors import ExportError, ParameterError
 from artgen.export.files import chosen_formats, encode, find_layout
-from artgen.export.formats import TEXTURES
+from artgen.export.layouts import TEXTURES
 from artgen.export.precision import check_precision
 from artgen.generator import OnCollision
 from artgen.generator.overrides import parse_overrides

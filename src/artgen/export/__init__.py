@@ -4,9 +4,8 @@ Every writer returns the bytes of its files and a list of what its format cannot
 """
 
 from artgen.export.files import export
-from artgen.export.formats import DEFAULT_FORMATS, FORMATS, TEXTURES, write_usd
 from artgen.export.glb import write_glb
-from artgen.export.layouts import LAYOUTS, Layout
+from artgen.export.layouts import DEFAULT_FORMATS, FORMATS, LAYOUTS, TEXTURES, Layout, write_usd
 from artgen.export.losses import Loss, Written
 from artgen.export.mjcf import write_mjcf
 from artgen.export.urdf import write_urdf

@@ -21,15 +21,7 @@ _SHARPEST = math.radians(150.0)
 
 
 class _Stations:
-    """Where a sweep puts its profile: one place per path vertex, with the frame of the profile's plane.
-
-    Attributes:
-        points: Path vertices, shape (n, 3) [m]; of a closed path the first is repeated.
-        frames: Columns x, y and tangent of each plane, shape (n, 3, 3).
-        stretch: Matrices that widen the profile where the path has a corner (a mitre), shape (n, 3, 3).
-        before, after: Turns from the plane to the directions of the adjacent segments, shape (n, 3, 3).
-        sharp: Whether the vertex is a corner, shape (n,).
-    """
+    """Where a sweep puts its profile: one place per path vertex, with the frame of the profile's plane."""
 
     def __init__(self, path: Curve) -> None:
         closed = path.closed
@@ -40,6 +32,7 @@ class _Stations:
         directions = segments / length[:, None]
         arriving = np.concatenate([directions[-1:] if closed else directions[:1], directions])
         leaving = np.concatenate([directions, directions[:1] if closed else directions[-1:]])
+        # path vertices, shape (n, 3) [m]; of a closed path the first is repeated
         self.points = np.concatenate([path.points, path.points[:1]]) if closed else path.points
         self.distance = np.concatenate([[0.0], np.cumsum(length)])
         cosine = np.clip(np.einsum("ij,ij->i", arriving, leaving), -1.0, 1.0)
@@ -55,10 +48,14 @@ class _Stations:
             known = path.tangents
             tangents = np.concatenate([known, known[:1]]) if closed else known
         tangents = tangents / np.linalg.norm(tangents, axis=1, keepdims=True)
+        # whether the vertex is a corner, shape (n,)
         self.sharp = turn > CREASE
+        # columns x, y and tangent of each plane, shape (n, 3, 3)
         self.frames = _transported(tangents, directions, self.distance, closed)
         self.before = _turns_between(tangents, arriving)
         self.after = _turns_between(tangents, leaving)
+        # matrices that widen the profile where the path has a corner (a mitre), shape (n, 3, 3). before,
+        # after: Turns from the plane to the directions of the adjacent segments, shape (n, 3, 3)
         self.stretch = _mitres(arriving, leaving, cosine, path.tangents is not None)
 
 

@@ -99,15 +99,12 @@ class _Pieces:
 
 
 class _Grown:
-    """Pieces that are grown when they are needed.
-
-    Attributes:
-        farthest: How far a vertex was moved at most so far [m].
-    """
+    """Pieces that are grown when they are needed."""
 
     def __init__(
         self, around: _Pieces, grow: Callable[[Polytope, float], tuple[Array, float]], length: float
     ) -> None:
+        # how far a vertex was moved at most so far [m]
         self.farthest = 0.0
         self._around, self._grow, self._length = around, grow, length
         self._solids: dict[int, Manifold] = {}

@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
-from artgen.export.formats import DEFAULT_FORMATS, FORMATS
+from artgen.export.layouts import DEFAULT_FORMATS, FORMATS
 from artgen.studio.controls import JointControl, ParameterControl
 from artgen.studio.session import Session
 from artgen.studio.signs import SIGNS, Sign

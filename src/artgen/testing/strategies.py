@@ -113,15 +113,6 @@ class _Drawing:
 
     The parameters of generators that are not chosen are drawn as well and left out. So each example takes
     as many draws as another, and hypothesis shrinks to the first generator, not to the one that takes fewest.
-
-    Args:
-        draw: What draws from a strategy.
-        overrides: What is given instead of drawn.
-        structural: Whether to draw structural parameters.
-        hard_limits: Whether numbers may lie beyond their distribution.
-
-    Attributes:
-        result: What was drawn, by full name.
     """
 
     def __init__(self, draw: st.DrawFn, overrides: Overrides, *, structural: bool, hard_limits: bool) -> None:
@@ -129,6 +120,7 @@ class _Drawing:
         self._overrides = overrides
         self._structural = structural
         self._hard_limits = hard_limits
+        # what was drawn, by full name
         self.result: dict[str, Any] = {}
 
     def add(self, variant: Variant, prefix: str = "", *, used: bool = True) -> None:

@@ -6,7 +6,7 @@ import pytest
 
 from artgen.asset.report import CheckResult, Finding
 from artgen.errors import ParameterError
-from artgen.validate.clients import ask as module
+from artgen.validate.clients import run as module
 from artgen.validate.clients.outcome import ClientReport, Outcome
 from artgen.validate.clients.registry import CLIENTS, chosen_clients
 from artgen.validate.clients.run import ask_clients

@@ -67,13 +67,10 @@ def _allowed(asset: Asset, stops: Iterable[Stop]) -> bool:
 
 
 class _Planner:
-    """Moves free joints one after another.
-
-    Attributes:
-        stops: Where they stood after each move, rest first.
-    """
+    """Moves free joints one after another."""
 
     def __init__(self, asset: Asset) -> None:
+        # where they stood after each move, rest first
         self.stops: list[Stop] = [{joint.name: joint.closed for joint in asset.free_joints}]
         self._asset = asset
         self._waiting: list[str] = []

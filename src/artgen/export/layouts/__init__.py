@@ -1,12 +1,61 @@
 """Layouts: how the files of an export lie, for simulators and for the readers of well-known datasets."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from dataclasses import replace
 
-from artgen.export.formats import FLAT
+from artgen._arrays import OPENUSD
+from artgen.asset import Asset
+from artgen.export.glb import write_glb
 from artgen.export.layouts.partnet import PARTNET_MOBILITY
 from artgen.export.layouts.robocasa import ROBOCASA
 from artgen.export.layouts.simready import SIMREADY
-from artgen.export.losses import Layout
+from artgen.export.losses import Layout, Written
+from artgen.export.mjcf import write_mjcf
+from artgen.export.urdf import write_urdf
+
+Writer = Callable[[Asset, int], Written]
+
+
+def write_usd(asset: Asset, textures: int) -> Written:
+    """Write an asset as USD; see `artgen.export.usd.write_usd`."""
+    with OPENUSD:
+        from artgen.export.usd import write_usd as write
+
+        return write(asset, textures)
+
+
+FORMATS: Mapping[str, Writer] = {
+    "urdf": write_urdf,
+    "mjcf": write_mjcf,
+    "usd": write_usd,
+    "glb": write_glb,
+}
+"""The writers by the names of their formats; each takes an asset and the texels on a side of its maps."""
+
+DEFAULT_FORMATS = ("urdf", "mjcf", "usd")
+"""What simulators read; GLB is for pictures."""
+
+TEXTURES = 512
+"""Texels on a side of the maps unless more or fewer are asked for."""
+
+
+SUFFIXES = {"urdf": ".urdf", "mjcf": ".xml", "usd": ".usda", "glb": ".glb"}
+"""Ending of the main file of each format; its stem is the name of the asset."""
+
+
+def write_flat(asset: Asset, name: str, textures: int) -> Written:
+    """Write one format of an asset; see `Layout.write`."""
+    return replace(FORMATS[name](asset, textures), main=asset.name + SUFFIXES[name])
+
+
+FLAT = Layout(
+    "flat",
+    "one file for each format beside one folder of meshes",
+    tuple(FORMATS),
+    len(DEFAULT_FORMATS),
+    write_flat,
+)
+
 
 LAYOUTS: Mapping[str, Layout] = {
     layout.name: layout for layout in (FLAT, SIMREADY, PARTNET_MOBILITY, ROBOCASA)

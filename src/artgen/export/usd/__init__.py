@@ -9,7 +9,6 @@ from pxr import Sdf, Vt
 
 from artgen._arrays import Array
 from artgen.asset import Asset, Link
-from artgen.asset.wikidata import category_code
 from artgen.export.frames import (
     INTERMEDIATE_INERTIA,
     INTERMEDIATE_MASS,
@@ -35,6 +34,7 @@ from artgen.export.usd.layer import (
     Layers,
     apply,
     binary,
+    category_code,
     define,
     new_layer,
     over,
@@ -93,19 +93,16 @@ def author(asset: Asset, layers: Layers, textures: int) -> Written:
 
 
 class _Writer:
-    """The layers of one asset while they are written.
-
-    Attributes:
-        asset: The asset.
-        layers: The layers.
-        maps: The maps of the materials.
-        segments: The joints with the frames that they join.
-    """
+    """The layers of one asset while they are written."""
 
     def __init__(self, asset: Asset, layers: Layers, maps: MapFiles) -> None:
+        # the asset
         self.asset = asset
+        # the layers
         self.layers = layers
+        # the maps of the materials
         self.maps = maps
+        # the joints with the frames that they join
         self.segments = chain(asset)
         self._affordances = asset.affordances
         taken = {segment.child.name for segment in self.segments} | {asset.links[0].name}

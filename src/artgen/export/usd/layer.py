@@ -19,6 +19,29 @@ from artgen.asset.record import DECIMALS
 from artgen.errors import ExportError
 from artgen.export.frames import quaternion
 
+THING = "Q223557"
+"""A physical object: what every asset is whose category has no code here."""
+
+CATEGORY_CODES = {
+    "box": "Q188075",
+    "dishwasher": "Q186263",
+    "door": "Q36794",
+    "lamp": "Q1138737",
+    "microwave": "Q127956",
+    "oven": "Q36539",
+    "refrigerator": "Q37828",
+    "toaster": "Q14890",
+    "trashcan": "Q216530",  # Wikidata says waste container
+    "window": "Q35473",
+}
+"""Codes by name of the category; a code stands here only if somebody has looked it up."""
+
+
+def category_code(category: str) -> str:
+    """Return the Q-code of a category; that of a physical object if it has none of its own."""
+    return CATEGORY_CODES.get(category, THING)
+
+
 TYPES = Sdf.ValueTypeNames
 
 _TURN_DECIMALS = 13  # of a quaternion: one more than of positions, for its errors add up in a rotation

@@ -60,26 +60,23 @@ def _weave(kind: Weave, stream: np.random.Generator, size: int) -> Pattern:
 
 
 class _Threads:
-    """One of the two sets of threads of a weave.
-
-    Attributes:
-        number: Of the thread that is nearest.
-        offset: Place across it, -1..1 over its pitch.
-        round: Height of its section, 0 beside it and 1 at its middle.
-        tone: Its lightness, about 1.
-        strand: The strands that it is twisted of, -1..1; or the lines of a split cane.
-    """
+    """One of the two sets of threads of a weave."""
 
     def __init__(self, tile: Tile, kind: Weave, across: Array, along: Array, wander: Array) -> None:
         pitch = tile.extent[0] / kind.threads
         place = across / pitch + 0.5 + 0.06 * kind.slubs / 0.14 * wander
+        # of the thread that is nearest
         self.number = np.floor(place).astype(np.int64) % kind.threads
+        # place across it, -1..1 over its pitch
         self.offset = 2.0 * (place - np.floor(place)) - 1.0
+        # its lightness, about 1
         tone = tile.stream.standard_normal(kind.threads)[self.number]
         self.tone = 1.0 + kind.unevenness * (tone + 0.5 * wander) / 1.1
         width = kind.width * np.clip(1.0 + kind.slubs * wander, 0.6, 1.0 / kind.width)
+        # height of its section, 0 beside it and 1 at its middle
         self.round = np.sqrt(np.clip(1.0 - (self.offset / width) ** 2, 0.0, 1.0))
         turns = along * (1.5 * kind.threads / tile.extent[0])
+        # the strands that it is twisted of, -1..1; or the lines of a split cane
         self.strand = np.sin(2.0 * np.pi * (turns + 0.6 * self.offset))
 
 

@@ -11,7 +11,7 @@ from artgen.asset.files import ASSET_FILE, CERTIFICATE_FILE, MESH_DIRECTORY
 from artgen.asset.report import AGAIN, CheckResult, Finding
 from artgen.errors import ExportError
 from artgen.export.files import REPORT_FILE
-from artgen.export.formats import DEFAULT_FORMATS
+from artgen.export.layouts import DEFAULT_FORMATS
 from artgen.validate.files.contents import Contents, read_contents
 from artgen.validate.files.record import record_findings
 from artgen.validate.files.references import reference_findings

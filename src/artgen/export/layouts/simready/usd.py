@@ -18,12 +18,11 @@ import numpy as np
 from pxr import Gf, Sdf
 
 from artgen.asset import Asset
-from artgen.asset.wikidata import category_code
 from artgen.export.frames import chain, seen_box
 from artgen.export.layouts.simready.thumbnail import thumbnail
 from artgen.export.losses import Written
 from artgen.export.usd import author
-from artgen.export.usd.layer import RUNTIMES, Layers, Runtime, binary, define, new_layer, text
+from artgen.export.usd.layer import RUNTIMES, Layers, Runtime, binary, category_code, define, new_layer, text
 from artgen.materials.textures.maps import png
 
 PROFILE = ("Robotics-Prop", "4.0.0")
