@@ -1,4 +1,4 @@
-"""Against scene-synthesizer: time, triangles, colours, links that are in each other, inertia."""
+"""Against scene-synthesizer: time, triangles, colors, links that are in each other, inertia."""
 
 import shutil
 import statistics
@@ -168,7 +168,7 @@ def _middle(of: Sequence[Measured], what: str) -> float:
 
 
 def _looks_table(found: Found) -> Table:
-    counted = ("bodies", "joints", "vertices", "faces", "colours", "maps", "colliders")
+    counted = ("bodies", "joints", "vertices", "faces", "colors", "maps", "colliders")
     return Table(
         "What is in the URDF, medians",
         ("category", "by", *counted),

@@ -1,4 +1,4 @@
-"""What a URDF holds, whoever wrote it: triangles, colours, inertia, and links that are in each other."""
+"""What a URDF holds, whoever wrote it: triangles, colors, inertia, and links that are in each other."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -32,7 +32,7 @@ class Contents:
         joints: How many joints that move.
         vertices: Of what is seen.
         faces: Triangles of what is seen.
-        colours: Different ones.
+        colors: Different ones.
         maps: Images beside it.
         colliders: How many pieces collide.
         mass: Of the whole [kg].
@@ -45,7 +45,7 @@ class Contents:
     joints: int
     vertices: int
     faces: int
-    colours: int
+    colors: int
     maps: int
     colliders: int
     mass: float
@@ -78,7 +78,7 @@ def contents(path: Path) -> Contents:
     seen = {
         link.name: [_mesh(each.geometry, each.origin, path) for each in link.visuals] for link in robot.links
     }
-    colours = {
+    colors = {
         tuple(np.round(each.color.rgba, 3))
         for each in [*robot.materials, *(visual.material for link in robot.links for visual in link.visuals)]
         if each is not None and each.color is not None
@@ -89,7 +89,7 @@ def contents(path: Path) -> Contents:
         joints=sum(joint.type != "fixed" for joint in robot.joints),
         vertices=sum(len(mesh.vertices) for meshes in seen.values() for mesh in meshes),
         faces=sum(len(mesh.faces) for meshes in seen.values() for mesh in meshes),
-        colours=len(colours),
+        colors=len(colors),
         maps=sum(file.suffix in _IMAGES for file in path.parent.rglob("*")),
         colliders=sum(len(link.collisions) for link in robot.links),
         mass=sum(link.inertial.mass or 0.0 for link in robot.links if link.inertial is not None),
@@ -190,8 +190,8 @@ def _inertia(inertial: Any, meshes: list[Any]) -> tuple[bool, bool, bool]:
     moments = np.linalg.eigvalsh(np.asarray(inertial.inertia, np.float64))
     if moments[0] <= 0.0 or moments[2] > (1.0 + 1e-6) * (moments[0] + moments[1]):
         return True, False, False
-    centre = np.zeros(3) if inertial.origin is None else np.asarray(inertial.origin)[:3, 3]
+    center = np.zeros(3) if inertial.origin is None else np.asarray(inertial.origin)[:3, 3]
     corners = np.concatenate([mesh.bounds for mesh in meshes])
-    far = np.maximum(corners.max(axis=0) - centre, centre - corners.min(axis=0))
+    far = np.maximum(corners.max(axis=0) - center, center - corners.min(axis=0))
     # no point of the body is further away than a corner of the box around it
     return True, True, bool(moments[2] <= inertial.mass * float(far @ far))

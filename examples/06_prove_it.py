@@ -29,5 +29,5 @@ for pair in certificate.pairs:
 
 door = artgen.generate("door", seed=7)  # certified when it was generated
 print(f"door: {str(door.certificate).splitlines()[0]}")
-report = door.validate(behaviour=False)  # everything on exported files; `artgen validate` prints a table
+report = door.validate(behavior=False)  # everything on exported files; `artgen validate` prints a table
 print("door:", ", ".join(f"{result.check} {len(result.faults)}" for result in report.results))

@@ -30,5 +30,5 @@ asset = till.generate(3)
 for each in asset.affordances:
     at = ", ".join(f"{1000 * number:.0f}" for number in each.frame[:3, 3])
     print(f"{each.kind} {each.name} at ({at}) mm, opened {1000 * each.width:.1f} mm, moves {each.joints[0]}")
-report = asset.validate(behaviour=False)
+report = asset.validate(behavior=False)
 print(next(result for result in str(report).splitlines() if result.startswith("grasps")))

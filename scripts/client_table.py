@@ -30,7 +30,7 @@ from artgen.validate.clients.run import ask
 ROOT = Path(__file__).parents[1]
 SOURCE = ROOT / "src" / "artgen"
 FREE = 5  # every so manyth seed stands on a free base
-PLAIN = 4  # every so manyth seed has colours alone, no maps
+PLAIN = 4  # every so manyth seed has colors alone, no maps
 
 SLOW = ("mjx", "mujoco_warp", "genesis_mjcf", "genesis_urdf")
 """Clients that compile for each asset, for a minute or more: they read fewer seeds."""
@@ -245,7 +245,7 @@ def _page(results: dict[Task, list[dict[str, Any]]], named: Sequence[str], seeds
     yield ""
     yield (
         "A client passes an export if it reads it without a message that could be avoided, ends of itself, "
-        "and what it says of masses, centres, inertias, joints, limits, gains, couplings and frames of links "
+        "and what it says of masses, centers, inertias, joints, limits, gains, couplings and frames of links "
         "at five poses agrees with `asset.json`; a simulator also has to move each free joint within its "
         "limits."
     )

@@ -108,7 +108,7 @@ def _alike(console: Console, name: str, seeds: range) -> bool:
         )
     console.print(table)
     same = same_neighbors(pairs)
-    console.print(f"neighbours that look the same (difference below {SAME:g}): {len(same)}\n", markup=False)
+    console.print(f"neighbors that look the same (difference below {SAME:g}): {len(same)}\n", markup=False)
     return not same
 
 

@@ -169,7 +169,7 @@ def test_a_tensor_has_to_be_one_of_the_body(module, tmp_path, wall, mass, triang
     path.write_text(URDF.format(wall=wall, mass=mass))
     found = module("urdf").contents(path)
     assert (found.bodies, found.massive, found.triangular, found.fitting) == (2, 2, triangular, fitting)
-    assert (found.joints, found.colours, found.maps, found.colliders) == (1, 2, 0, 2)
+    assert (found.joints, found.colors, found.maps, found.colliders) == (1, 2, 0, 2)
     assert (found.vertices, found.faces) == (16, 24)
     assert found.mass == pytest.approx(12 + mass)
 

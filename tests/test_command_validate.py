@@ -52,7 +52,7 @@ def judged(monkeypatch):
     results = {}
 
     def result(self, check):
-        skipped = "not asked for" if check == "behaviour" and not self._behaviour else ""
+        skipped = "not asked for" if check == "behavior" and not self._behavior else ""
         return results.get(check, CheckResult(check, detail=f"all of {check}", skipped=skipped))
 
     monkeypatch.setattr(Examination, "result", result)
@@ -130,18 +130,18 @@ def test_reports_as_json(run, assets, judged):
     assert found == [TOUCHES.to_data()]
 
 
-@pytest.mark.parametrize(("option", "state"), [("--behaviour", "passed"), ("--no-behaviour", "skipped")])
+@pytest.mark.parametrize(("option", "state"), [("--behavior", "passed"), ("--no-behavior", "skipped")])
 def test_the_simulation_can_be_left_out(run, assets, judged, option, state):
     (report,) = json.loads(run(assets / "a", "--json", option).output)
     assert report["results"][-1]["state"] == state
 
 
 def test_the_real_checks_run_and_a_report_replaces_the_last(run, assets):
-    done = run(assets / "a", "--no-behaviour")
+    done = run(assets / "a", "--no-behavior")
     assert done.exit_code == 1
     assert "fault certificate: there is no certificate" in done.output
     first = (assets / "a/report.json").read_bytes()
-    assert run(assets / "a", "--no-behaviour").exit_code == 1
+    assert run(assets / "a", "--no-behavior").exit_code == 1
     assert (assets / "a/report.json").read_bytes() == first
     assert [path.name for path in (assets / "a").glob("*report*")] == ["report.json"]
 

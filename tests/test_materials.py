@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from artgen.errors import ParameterError
-from artgen.materials import COLORS, MATERIALS, Material, coloured, material
+from artgen.materials import COLORS, MATERIALS, Material, colored, material
 
 SHARE = st.floats(0, 1)
 MADE = st.builds(
@@ -62,9 +62,9 @@ def test_with_changes_a_copy():
     assert (dark.name, dark.density) == ("dark_oak", oak.density)
     assert material("oak") is oak
     with pytest.raises(
-        ParameterError, match=r"material 'oak' has no field 'colour'\. Did you mean 'base_color'\?"
+        ParameterError, match=r"material 'oak' has no field 'color'\. Did you mean 'base_color'\?"
     ):
-        oak.with_(colour=(1, 1, 1))
+        oak.with_(color=(1, 1, 1))
 
 
 @pytest.mark.parametrize(
@@ -145,10 +145,10 @@ def test_a_pane_of_clear_glass_lets_nearly_all_light_through():
 
 
 @pytest.mark.parametrize("name", COLORS)
-def test_colours_are_those_of_paints_and_give_materials_their_names(name):
+def test_colors_are_those_of_paints_and_give_materials_their_names(name):
     assert min(COLORS[name]) >= 0.02
     assert max(COLORS[name]) <= 0.82
-    made = coloured("powder_coat", name)
+    made = colored("powder_coat", name)
     assert made.name == f"powder_coat_{name}"
     assert made.base_color == COLORS[name]
     assert made.texture == material("powder_coat").texture
@@ -156,10 +156,10 @@ def test_colours_are_those_of_paints_and_give_materials_their_names(name):
         assert made == MATERIALS[made.name]
 
 
-def test_an_unknown_colour_gives_the_nearest():
-    with pytest.raises(ParameterError, match=r"there is no colour 'sagge'\. Did you mean 'sage'\?"):
-        coloured("powder_coat", "sagge")
+def test_an_unknown_color_gives_the_nearest():
+    with pytest.raises(ParameterError, match=r"there is no color 'sagge'\. Did you mean 'sage'\?"):
+        colored("powder_coat", "sagge")
     with pytest.raises(
         ParameterError, match=r"there is no material 'powdercoat'\. Did you mean 'powder_coat'\?"
     ):
-        coloured("powdercoat", "sage")
+        colored("powdercoat", "sage")

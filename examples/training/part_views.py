@@ -100,7 +100,7 @@ def near(image: Image.Image, box: Box, size: int) -> tuple[Array, Box]:
         size: Pixels on a side.
 
     Returns:
-        Colours, and 255 inside of the box, shape (size, size, 4), uint8; the square, which may reach beyond
+        Colors, and 255 inside of the box, shape (size, size, 4), uint8; the square, which may reach beyond
         the image, where all is black.
     """
     width, height = box[2] - box[0], box[3] - box[1]
@@ -161,20 +161,20 @@ def sampled(mask: Array, box: Box, size: int) -> Array:
 
 
 def relit(pictures: Sequence[Array], rng: np.random.Generator) -> list[Array]:
-    """Return pictures of an asset in another light, and sometimes of other colours.
+    """Return pictures of an asset in another light, and sometimes of other colors.
 
-    Without it, a network learns the colours of the few assets that it sees by heart. What pictures have
-    beside their three colours stays.
+    Without it, a network learns the colors of the few assets that it sees by heart. What pictures have
+    beside their three colors stays.
     """
     gain = rng.uniform(0.6, 1.15) * rng.uniform(0.8, 1.2, 3)
     shift, gamma = rng.uniform(-25.0, 25.0), np.exp(rng.uniform(-0.35, 0.35))
-    colour = rng.uniform(0.0, 1.5) if rng.random() < 0.5 else 1.0
+    color = rng.uniform(0.0, 1.5) if rng.random() < 0.5 else 1.0
     order = rng.permutation(3) if rng.random() < 0.3 else np.arange(3)
 
     def changed(picture: Array) -> Array:
         seen = picture[..., order].astype(np.float32)
         grey = seen.mean(-1, keepdims=True)
-        seen = np.clip((grey + colour * (seen - grey)) * gain, 0.0, 255.0)
+        seen = np.clip((grey + color * (seen - grey)) * gain, 0.0, 255.0)
         seen = np.clip(255.0 * (seen / 255.0) ** gamma + shift, 0.0, 255.0)
         return np.concatenate((seen.astype(np.uint8), picture[..., 3:]), -1)
 

@@ -74,7 +74,7 @@ CONCEPTS: tuple[Concept, ...] = (
         glb=(_IN_JSON, "mass and inertia"),
     ),
     row(
-        "centre of mass",
+        "center of mass",
         "m, in the link's frame",
         "links[].center",
         urdf="`<origin` of the `<inertial>`",
@@ -333,10 +333,10 @@ CONCEPTS: tuple[Concept, ...] = (
         glb='`"labels"` in `"extras"` of its node',
     ),
     row(
-        "base colour",
+        "base color",
         "linear RGB",
         "materials[].base_color",
-        urdf=("`<color rgba=` in sRGB; `Kd` in the MTL file", "colour beside a colour map"),
+        urdf=("`<color rgba=` in sRGB; `Kd` in the MTL file", "color beside a color map"),
         mjcf="`rgba=` in sRGB",
         usd="`inputs:diffuseColor`, linear",
         glb='`"baseColorFactor"`, linear',

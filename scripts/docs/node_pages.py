@@ -70,7 +70,7 @@ PAGES = (
         "primitives",
         "Primitive solids",
         "Solids of one call. Each is its own collider, or a few convex pieces that contain it. Unless"
-        " it says otherwise, a solid is centred on the origin.",
+        " it says otherwise, a solid is centered on the origin.",
         ("primitive",),
     ),
     NodePage(

@@ -35,7 +35,7 @@ PAGES: Mapping[str, tuple[str, tuple[str, ...]]] = {
             "testing.check_category",
         ),
     ),
-    "materials": ("Materials", ("Material", "materials.table.material", "coloured", "MATERIALS", "COLORS")),
+    "materials": ("Materials", ("Material", "materials.table.material", "colored", "MATERIALS", "COLORS")),
     "graphs": ("Graphs", ("Graph", "Cache", "Evaluation")),
     "datasets": ("Datasets", ("Dataset", "stream", "dataset.generate_many", "dataset.Plan")),
     "images": ("Images for training", ("images.make_images", "images.ImagePlan")),

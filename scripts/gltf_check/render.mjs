@@ -1,7 +1,7 @@
 // Draws GLB files with three.js in headless Chromium: `node render.mjs VIEWS.json`.
 //
 // VIEWS.json is a list of views: {glb, out, width, height, eye, target, fov} with the camera in glTF's axes
-// (y up) [m, degrees], and what is wanted of: animation and time [s], positions of joints, unlit (base colours
+// (y up) [m, degrees], and what is wanted of: animation and time [s], positions of joints, unlit (base colors
 // alone), light (the direction that one light comes from, instead of a room), background (0xrrggbb).
 // ARTGEN_CHROMIUM names the browser if it is not on the path.
 

@@ -180,7 +180,7 @@ def _sensor(mitsuba: Any, camera: Camera, width: int, height: int) -> dict[str, 
             "width": width,
             "height": height,
             "pixel_format": "rgb",
-            # the denoiser wants the noise of neighbouring pixels to be independent
+            # the denoiser wants the noise of neighboring pixels to be independent
             "rfilter": {"type": "box"},
         },
         "sampler": {"type": "independent"},

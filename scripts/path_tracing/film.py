@@ -10,15 +10,15 @@ from artgen.materials import textures
 
 Array = NDArray[np.float32]
 
-_SHOULDER = 0.76  # radiance up to which colours are reproduced as they are
+_SHOULDER = 0.76  # radiance up to which colors are reproduced as they are
 _WASH = 0.15  # how soon what is brighter turns white
 _TOE = 0.02  # radiance below which blacks are deepened
 
 
 def tone_mapped(radiance: Array) -> Array:
-    """Return display-linear colours in 0..1, shape (h, w, 3).
+    """Return display-linear colors in 0..1, shape (h, w, 3).
 
-    Ordinary colours stay as they are, as a product's must; brighter ones roll off towards white: the curve
+    Ordinary colors stay as they are, as a product's must; brighter ones roll off towards white: the curve
     that Khronos published as PBR Neutral, on the brightest channel so that hues do not turn.
     """
     light = np.maximum(np.nan_to_num(radiance, posinf=0.0), 0.0).astype(np.float64)
@@ -32,7 +32,7 @@ def tone_mapped(radiance: Array) -> Array:
 
 
 def displayed(linear: Array) -> NDArray[np.uint8]:
-    """Return display-linear colours encoded as sRGB."""
+    """Return display-linear colors encoded as sRGB."""
     return textures.as_bytes(textures.displayed(linear))
 
 
@@ -40,7 +40,7 @@ def denoised(color: Array, albedo: Array, normals: Array) -> Array:
     """Return a picture without noise, by Intel's Open Image Denoise where the package `oidn` is there.
 
     Args:
-        color: Display-linear colours in 0..1, shape (h, w, 3).
+        color: Display-linear colors in 0..1, shape (h, w, 3).
         albedo: What the surfaces reflect, shape (h, w, 3).
         normals: Unit normals of the surfaces, shape (h, w, 3).
     """

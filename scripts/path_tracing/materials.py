@@ -67,7 +67,7 @@ def _opaque(mitsuba: Any, material: Material, size: int) -> Data:
 
 
 def _glass(material: Material) -> Data:
-    # light passes two faces of a pane, each of which takes its half of the colour
+    # light passes two faces of a pane, each of which takes its half of the color
     tint = {"type": "rgb", "value": [channel**0.5 for channel in material.base_color]}
     data: Data = {"type": "dielectric", "int_ior": 1.5, "ext_ior": 1.0, "specular_transmittance": tint}
     if material.specular_roughness >= _SMOOTH:
@@ -76,7 +76,7 @@ def _glass(material: Material) -> Data:
 
 
 def _bitmap(mitsuba: Any, pixels: NDArray[np.uint8], *, raw: bool) -> Data:
-    """Return a map as a texture; `raw` ones are numbers, others sRGB colours."""
+    """Return a map as a texture; `raw` ones are numbers, others sRGB colors."""
     if pixels.ndim == 2:
         pixels = pixels[..., None]
     return {

@@ -27,7 +27,7 @@ def room(rig: Rig) -> Surroundings:
     """Return a wall behind the asset and the floor that both stand on."""
     rig = _square(rig)
     back = float(rig.back[1])
-    near = float(rig.centre[1] + back * rig.depth)
+    near = float(rig.center[1] + back * rig.depth)
     profile = CrossSection([[[-_REACH, 0.0], [_REACH, 0.0], [_REACH, _HIGH], [-_REACH, _HIGH]]])
     ends = sorted((near + back * 0.03, near + back * 0.15))
     surfaces = _wall(rig, profile, (ends[0], ends[1]), ())
@@ -49,9 +49,9 @@ def doorway(rig: Rig, frame: Array) -> Surroundings:
     left, _, right, _ = hole.bounds()
     surfaces = _wall(rig, rectangle - hole, (front + inset, rear - inset), (left, right))
     away = float(rig.back[1]) * _FAR
-    far = sorted((rig.centre[1] + away, rig.centre[1] + away + math.copysign(0.1, away)))
+    far = sorted((rig.center[1] + away, rig.center[1] + away + math.copysign(0.1, away)))
     surfaces += _wall(rig, rectangle, (float(far[0]), float(far[1])), ())
-    lamp = rig.centre + [0.0, away / 2.0, 1.6 * rig.scale]
+    lamp = rig.center + [0.0, away / 2.0, 1.6 * rig.scale]
     lamps = _lamps(rig) | {"behind": rig.softbox(lamp, (0.7, 0.7), (9.0, 8.5, 7.8))}
     return Surroundings(lamps, surfaces + _floor(rig))
 

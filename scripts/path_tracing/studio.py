@@ -36,7 +36,7 @@ class Rig:
 
     Attributes:
         mitsuba: The package, with a variant chosen.
-        centre: The middle of the asset, shape (3,) [m].
+        center: The middle of the asset, shape (3,) [m].
         floor: Height of the floor [m].
         scale: Half the diagonal of the asset [m].
         depth: Half the extent of the asset along y [m].
@@ -45,7 +45,7 @@ class Rig:
     """
 
     mitsuba: Any
-    centre: Array
+    center: Array
     floor: float
     scale: float
     depth: float
@@ -62,16 +62,16 @@ class Rig:
         turn, rise = self.side * math.radians(azimuth), math.radians(elevation)
         ahead = math.sin(turn) * self.right - math.cos(turn) * self.back
         way = math.cos(rise) * ahead + math.sin(rise) * np.array([0.0, 0.0, 1.0])
-        return np.asarray(self.centre + distance * self.scale * way)
+        return np.asarray(self.center + distance * self.scale * way)
 
     def softbox(
         self, place: Array, half: tuple[float, float], color: tuple[float, float, float], *, edge: float = 0.5
     ) -> Data:
         """Return a lamp that faces the asset, half as wide and high as that [scales], fading at its edge."""
         transform = self.mitsuba.ScalarTransform4f
-        away = self.centre - place
+        away = self.center - place
         up = [0.0, 0.0, 1.0] if abs(away[2]) < 0.95 * np.linalg.norm(away) else self.back.tolist()
-        to_world = transform().look_at(place.tolist(), self.centre.tolist(), up)
+        to_world = transform().look_at(place.tolist(), self.center.tolist(), up)
         to_world = to_world @ transform().scale([half[0] * self.scale, half[1] * self.scale, 1.0])
         glow = {"type": "bitmap", "bitmap": self.mitsuba.Bitmap(_faded(color, edge)), "raw": True}
         return {
@@ -148,7 +148,7 @@ def _cyclorama(rig: Rig) -> Mesh:
     lean = np.concatenate([[0.0, 0.0], turns, [math.pi / 2.0]])
     across = np.array([-14.0, 14.0]) * scale
     up = np.array([0.0, 0.0, 1.0])
-    foot = np.array([rig.centre[0], rig.centre[1], rig.floor - 0.0005])
+    foot = np.array([rig.center[0], rig.center[1], rig.floor - 0.0005])
     points = foot + deep[:, None, None] * rig.back + rise[:, None, None] * up + across[:, None] * rig.right
     normals = np.cos(lean)[:, None, None] * up - np.sin(lean)[:, None, None] * rig.back
     normals = np.broadcast_to(normals, points.shape).reshape(-1, 3)

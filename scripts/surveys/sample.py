@@ -64,7 +64,7 @@ def measure(seed: int, *, category: str, fast: bool = False) -> dict[str, Any]:
 
 def _in_use(asset: Asset, checks: dict[str, Any]) -> dict[str, Any]:
     """Return the measurements with hands and MuJoCo, and all checks."""
-    from artgen.validate.behavior import check_behaviour
+    from artgen.validate.behavior import check_behavior
     from artgen.view.opening import opened
 
     with memory_folder() as folder:
@@ -72,7 +72,7 @@ def _in_use(asset: Asset, checks: dict[str, Any]) -> dict[str, Any]:
         done = _checks(
             [
                 ("grasps", lambda: check_grasps(asset)),
-                ("behaviour", lambda: check_behaviour(asset, directory)),
+                ("behavior", lambda: check_behavior(asset, directory)),
             ]
         )
         path = next(directory.glob("*.xml"))

@@ -72,9 +72,9 @@ def criteria(records: Sequence[Record]) -> list[Criterion]:
         _each("colliders", done, lambda record: sum(record["colliders"].values()), MOST_OF_ASSET),
         _none("like a product", done, lambda record: bool(record["misfits"])),
         _none("on the ground", done, lambda record: bool(abs(record["ground"]) > ON_GROUND)),
-        _none("centred", done, _aside),
+        _none("centered", done, _aside),
         *(_none(f"{check}: no faults", done, _faulty(check)) for check in ("solids", "tree", "colliders")),
-        *(_none(f"{check}: no faults", used, _faulty(check)) for check in ("grasps", "behaviour")),
+        *(_none(f"{check}: no faults", used, _faulty(check)) for check in ("grasps", "behavior")),
         _each("force of a hand [N]", [each for each in used if each["forces"]], _hardest, HAND),
         _each("MuJoCo, times real time", used, lambda each: min(each["speed"].values()), SLOWEST, least=True),
     ]

@@ -28,7 +28,7 @@ from artgen.errors import (
 )
 from artgen.generator import Generator, category, generator, one_of, shades
 from artgen.graph import Cache, Evaluation, Graph
-from artgen.materials import COLORS, MATERIALS, Material, coloured, material
+from artgen.materials import COLORS, MATERIALS, Material, colored, material
 from artgen.nodes import details
 from artgen.nodes.body import detail, part, weld
 from artgen.nodes.choose import require, switch
@@ -163,7 +163,7 @@ __all__ = [
     "circle",
     "clamp",
     "coarse",
-    "coloured",
+    "colored",
     "cos",
     "count",
     "cross",

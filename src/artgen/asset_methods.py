@@ -55,15 +55,15 @@ def clearance(self: Asset, q: Mapping[str, float] | None = None) -> dict[tuple[s
     return limits.clearance(self, q)
 
 
-def validate(self: Asset, *, behaviour: bool = True) -> "Report":
+def validate(self: Asset, *, behavior: bool = True) -> "Report":
     """Export the asset to a temporary directory and run every check on the files.
 
     Args:
-        behaviour: Whether to try the asset out in MuJoCo, if that is installed.
+        behavior: Whether to try the asset out in MuJoCo, if that is installed.
     """
     from artgen.validate import validate
 
-    return validate(self, behaviour=behaviour)
+    return validate(self, behavior=behavior)
 
 
 def export(

@@ -27,7 +27,7 @@ _TRIANGLES = np.array(
 
 @pytest.fixture(scope="session")
 def box_shape() -> BoxShape:
-    """Return a function that makes a box of a size, centred on a point."""
+    """Return a function that makes a box of a size, centered on a point."""
 
     def make(size: tuple[float, ...] = (1.0, 1.0, 1.0), center: tuple[float, ...] = (0.0, 0.0, 0.0)) -> Shape:
         vertices = _CORNERS * np.array(size) + np.array(center)

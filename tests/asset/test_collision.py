@@ -52,13 +52,13 @@ def test_hulls_of_round_solids_have_few_vertices_and_contain_them():
     assert collider.convex.volume < 1.15 * ball.solid.volume()
 
 
-def test_too_many_parts_are_joined_with_their_neighbours():
+def test_too_many_parts_are_joined_with_their_neighbors():
     link = comb.generate(certify=False).links[0]
     parts = [SolidPart(piece.label, piece.material, piece.shape.manifold) for piece in link.pieces]
     colliders = made_colliders(parts, "hull")
     assert len(colliders) == 64
     lengths = sorted(np.ptp(collider.convex.bounds(), axis=0)[0] for collider in colliders)
-    assert lengths == pytest.approx([0.002] * 58 + [0.006] * 6)  # six pairs of neighbours
+    assert lengths == pytest.approx([0.002] * 58 + [0.006] * 6)  # six pairs of neighbors
 
 
 def test_a_joined_hull_is_named_like_the_largest_of_its_parts(monkeypatch):

@@ -62,7 +62,7 @@ def test_every_reader_finds_the_same_asset_in_every_format(category: str, seed: 
 
 
 @cases
-def test_an_asset_stands_on_the_ground_about_its_centre(category: str, seed: int) -> None:
+def test_an_asset_stands_on_the_ground_about_its_center(category: str, seed: int) -> None:
     low, high = asset_of(category, seed).bounds()
     assert low[2] == pytest.approx(0.0, abs=1e-6)
     base = asset_of(category, seed).links[0].bounds()

@@ -32,12 +32,12 @@ def moved(solid: Manifold, matrix: Array) -> Manifold:
 
 
 def block(size: tuple[float, float, float], matrix: Array) -> Manifold:
-    """Return a centred box as a manifold."""
+    """Return a centered box as a manifold."""
     return moved(Manifold.cube(size, center=True), matrix)
 
 
 def drum(radius: float, length: float, sides: int, matrix: Array) -> Manifold:
-    """Return a centred cylinder along z with its vertices on the radius."""
+    """Return a centered cylinder along z with its vertices on the radius."""
     return moved(Manifold.cylinder(length, radius, radius, sides, center=True), matrix)
 
 

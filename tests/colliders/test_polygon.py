@@ -14,9 +14,9 @@ Array = NDArray[np.float64]
 TOLERANCE = 0.00025
 
 
-def circle(radius: float, sides: int = 64, centre: tuple[float, float] = (0.0, 0.0)) -> Array:
+def circle(radius: float, sides: int = 64, center: tuple[float, float] = (0.0, 0.0)) -> Array:
     angle = np.arange(sides) * 2.0 * np.pi / sides
-    return radius * np.column_stack((np.cos(angle), np.sin(angle))) + centre
+    return radius * np.column_stack((np.cos(angle), np.sin(angle))) + center
 
 
 def square(side: float) -> Array:

@@ -79,7 +79,7 @@ def test_prism_is_the_hull_of_its_points() -> None:
 
 @given(st.integers(0, 10**6))
 @settings(max_examples=20, deadline=None)
-def test_inflated_holds_the_neighbourhood_and_no_spikes(seed: int) -> None:
+def test_inflated_holds_the_neighborhood_and_no_spikes(seed: int) -> None:
     shape = Polytope.hull(_cloud(seed, 8) * (1.0, 1.0, 0.1))
     grown = shape.inflated(0.01)
     points = shape.points[:, None] + 0.0099 * np.concatenate((np.eye(3), -np.eye(3)))

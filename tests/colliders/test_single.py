@@ -1,4 +1,4 @@
-"""One piece around each solid: few vertices, nothing left out, neighbours joined first."""
+"""One piece around each solid: few vertices, nothing left out, neighbors joined first."""
 
 import numpy as np
 import pytest
@@ -46,7 +46,7 @@ def boxes(*places):
     return [Convex.box((1, 1, 1), pose(*place)) for place in places]
 
 
-def test_neighbours_are_joined_first():
+def test_neighbors_are_joined_first():
     joined = fewest(boxes((0, 0, 0), (9, 0, 0), (1.1, 0, 0), (10.5, 0, 0)), 2)
     assert [group for _, group in joined] == [(0, 2), (1, 3)]
     assert [piece.volume for piece, _ in joined] == pytest.approx([2.1, 2.5])

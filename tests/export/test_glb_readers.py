@@ -249,7 +249,7 @@ def test_three_draws_every_color_where_the_texture_coordinates_say(
     asset = plate("colors", PICTURE, _FRAMES[name])
     points = np.random.default_rng(0).uniform((-0.29, 0, 0.21), (0.29, 0, 0.79), (400, 3))
     u, v = (front_coordinates(asset, points) % 1.0).T
-    # near the borders of the picture's quarters a pixel has two colours
+    # near the borders of the picture's quarters a pixel has two colors
     plain = (np.abs(u * 2 - np.rint(u * 2)) > 0.1) & (np.abs(v * 2 - np.rint(v * 2)) > 0.1)
     assert plain.sum() > 100
     albedo = maps(PICTURE, SIZE).albedo

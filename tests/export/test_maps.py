@@ -1,4 +1,4 @@
-"""Maps as files: the same for every format, of the right colour, and no obstacle to reading an asset back."""
+"""Maps as files: the same for every format, of the right color, and no obstacle to reading an asset back."""
 
 import io
 import json
@@ -29,7 +29,7 @@ def registered_recipes() -> Iterator[None]:
 
 
 def linear(content: bytes) -> np.ndarray:
-    """Return the linear colours of an sRGB image, shape (n, n, 3)."""
+    """Return the linear colors of an sRGB image, shape (n, n, 3)."""
     code = np.asarray(Image.open(io.BytesIO(content))) / 255.0
     return np.where(code <= 0.04045, code / 12.92, ((code + 0.055) / 1.055) ** 2.4)
 

@@ -291,7 +291,7 @@ def test_lacquer_shines_over_a_dull_material() -> None:
     assert highlight(lacquered, 128.0)[1] == 128.0
 
 
-def test_colours_are_encoded_for_display() -> None:
+def test_colors_are_encoded_for_display() -> None:
     assert display_color((0.0, 0.2140411, 1.0)) == pytest.approx((0.0, 0.5, 1.0), abs=1e-6)
 
 

@@ -359,7 +359,7 @@ def test_maps_are_absolute_so_that_numbers_beside_them_are_one(tmp_path: Path) -
         assert 0.0 < found.shininess[0] <= 1.0
 
 
-def test_light_of_a_lamp_has_its_colour(tmp_path: Path) -> None:
+def test_light_of_a_lamp_has_its_color(tmp_path: Path) -> None:
     model = mujoco.MjModel.from_xml_path(
         str(export(textured(), tmp_path / "it", formats=("mjcf",), textures=0) / "textured.xml")
     )

@@ -126,7 +126,7 @@ def check_levels(what: str, want: np.ndarray, got: np.ndarray, *, lossy: bool) -
     difference = np.abs(want - got)
     worst = int(difference.max(axis=1).argmax())
     assert difference.max() <= (48.0 if lossy else 1.0), f"{what} is {got[worst]} instead of {want[worst]}"
-    # trimesh rounds plain colours to whole grey levels
+    # trimesh rounds plain colors to whole grey levels
     assert difference.mean() <= (3.0 if lossy else 0.5), (
         f"{what} is off by {difference.mean():.2f} on average"
     )

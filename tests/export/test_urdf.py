@@ -232,7 +232,7 @@ def materials_of_visuals(root: ET.Element) -> dict[str, str | None]:
     return found
 
 
-def test_no_colour_stands_beside_a_colour_map() -> None:
+def test_no_color_stands_beside_a_color_map() -> None:
     """PyBullet multiplies the map with it, SAPIEN shows it alone."""
     asset = textured()
     plain = ET.fromstring(write_urdf(asset).files["textured.urdf"])
@@ -244,7 +244,7 @@ def test_no_colour_stands_beside_a_colour_map() -> None:
     }  # fmt: skip
     assert {element.get("name") for element in root.iterfind("material")} == {"plate", "pane", "lamp"}
     losses = {loss.feature: loss.where for loss in written.losses}
-    assert set(losses["colour beside a colour map"].split(", ")) == {"board", "turned"}
+    assert set(losses["color beside a color map"].split(", ")) == {"board", "turned"}
     assert losses["transmission"] == "pane"
     assert "texture" not in losses
 
@@ -253,11 +253,11 @@ def test_without_maps_the_texture_is_lost() -> None:
     losses = {loss.feature: loss for loss in write_urdf(textured()).losses}
     assert set(losses["texture"].where.split(", ")) == {"board", "plate", "turned", "pane"}
     assert "maps were not asked for" in losses["texture"].instead
-    assert "colour beside a colour map" not in losses
+    assert "color beside a color map" not in losses
 
 
 @pytest.mark.parametrize("size", [0, 256])
-def test_yourdfpy_shows_each_link_in_its_colour_or_map(size: int, tmp_path: Path) -> None:
+def test_yourdfpy_shows_each_link_in_its_color_or_map(size: int, tmp_path: Path) -> None:
     directory = export(textured(), tmp_path / "it", formats=("urdf",), textures=size)
     with silence():
         robot = yourdfpy.URDF.load(str(directory / "textured.urdf"))

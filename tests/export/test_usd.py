@@ -403,7 +403,7 @@ def _read(shader: UsdShade.Shader) -> dict[str, object]:
     return {item.GetBaseName(): item.Get() for item in shader.GetInputs()}
 
 
-def test_maps_are_read_at_the_texture_coordinates_in_their_colour_space(stages):
+def test_maps_are_read_at_the_texture_coordinates_in_their_color_space(stages):
     _, stage = stages["textured"]
     expected = {
         BOARD: {"diffuseColor", "normal", "roughness"},
@@ -651,7 +651,7 @@ def test_sensors_know_the_materials_that_are_seen(stages):
 
 
 @pytest.mark.parametrize("name", ASSETS)
-def test_viewers_without_materials_show_the_colours(stages, name):
+def test_viewers_without_materials_show_the_colors(stages, name):
     asset, stage = stages[name]
     for link in asset.links:
         for surface in link.surfaces:

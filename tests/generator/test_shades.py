@@ -31,7 +31,7 @@ def test_shades_differ_and_equal_names_mean_equal_materials():
     assert all(by_name.setdefault(each.name, each) == each for each in made)
 
 
-def test_no_spread_keeps_the_colour():
+def test_no_spread_keeps_the_color():
     base = material("brass")
     assert {each.base_color for each in _drawn(shades(base, color=0.0))} == {base.base_color}
 

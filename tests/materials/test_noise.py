@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from artgen.materials.textures.fields import Tile, blend, centred, in_strips, smoothstep, with_mean
+from artgen.materials.textures.fields import Tile, blend, centered, in_strips, smoothstep, with_mean
 
 MAKERS = {
     "streaks": lambda tile: tile.streaks(0.01, 0.1),
@@ -62,7 +62,7 @@ def test_cells_are_the_nearest_points(seed):
         assert inside.any()
         assert made.nearest[inside].min() < 0.0006
     steps = np.abs(np.roll(made.nearest, -1, 1) - made.nearest).max()
-    assert steps < 1.01 * 0.1 / 256  # nothing is farther than a texel from its neighbour, over the border too
+    assert steps < 1.01 * 0.1 / 256  # nothing is farther than a texel from its neighbor, over the border too
 
 
 def test_a_moved_field_is_what_lies_there():
@@ -81,7 +81,7 @@ def test_helpers():
     assert rise[-1] == 1.0
     assert (np.diff(rise) >= 0).all()
     np.testing.assert_allclose(smoothstep(1.0, 0.0, values), 1.0 - rise)
-    assert centred(values).mean() == pytest.approx(0.0)
+    assert centered(values).mean() == pytest.approx(0.0)
     colors = blend(np.array([[-1.0, 0.5], [1.0, 7.0]]), ((0.0, (0.0, 0.2, 0.4)), (1.0, (1.0, 0.4, 0.0))))
     np.testing.assert_allclose(colors, [[[0, 0.2, 0.4], [0.5, 0.3, 0.2]], [[1, 0.4, 0], [1, 0.4, 0]]])
     scaled = with_mean(np.random.default_rng(0).random((8, 8, 3)), (0.1, 0.2, 0.3))

@@ -60,7 +60,7 @@ def test_maps_are_made_once_and_files_read_whole(place, bakes, monkeypatch):
     assert len(files_in(place)) == 2  # the maps, and the file
 
 
-def test_a_colour_drawn_for_one_asset_does_not_fill_the_disk(place):
+def test_a_color_drawn_for_one_asset_does_not_fill_the_disk(place):
     oak = material("oak")
     encoded(oak, "albedo", SIZE, "png")
     before = files_in(place)

@@ -1,4 +1,4 @@
-"""Textures: no seam, the colour and roughness asked for, the same bytes everywhere."""
+"""Textures: no seam, the color and roughness asked for, the same bytes everywhere."""
 
 import hashlib
 import io
@@ -59,7 +59,7 @@ def halved(values):
 
 
 def steps_between(pixels, axis):
-    """Return by how many grey levels neighbours differ, a line of texels each; the last is the seam."""
+    """Return by how many grey levels neighbors differ, a line of texels each; the last is the seam."""
     values = pixels.reshape(len(pixels), len(pixels), -1).astype(float)
     across = tuple(each for each in range(3) if each != axis)
     return np.abs(np.roll(values, -1, axis=axis) - values).mean(axis=across)
@@ -76,7 +76,7 @@ def test_a_tile_has_no_seam(name):
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_maps_keep_to_the_colour_the_roughness_and_the_plane(name):
+def test_maps_keep_to_the_color_the_roughness_and_the_plane(name):
     recipe = RECIPES[name]
     made = maps(plain(name), 512)
     if made.albedo is not None:
@@ -170,7 +170,7 @@ def test_every_material_of_the_table_has_its_maps(name):
     assert min(tile_of(made)) > 0.0
     assert kinds(made) == tuple(kind for kind in KINDS if kind in kinds(made))
     recipe = RECIPES[made.texture]
-    if "albedo" in kinds(made):  # a tint far from the recipe's own colour loses levels
+    if "albedo" in kinds(made):  # a tint far from the recipe's own color loses levels
         factors = np.array(made.base_color) / recipe.base_color
         assert factors.min() > 0.5
         assert factors.max() < 2.0

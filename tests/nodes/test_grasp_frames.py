@@ -31,7 +31,7 @@ def test_a_bar_is_held_in_its_middle():
     np.testing.assert_allclose(pose[:3, 0], [0, 0, 1], atol=1e-12)
 
 
-def test_it_is_held_at_a_given_point_and_centred_there():
+def test_it_is_held_at_a_given_point_and_centered_there():
     bar = cylinder(0.01, 0.3, axis=X).rotate(Y, 0.1)
     pose = frame_of(grasp_on(bar, at=(0.1, 0, 0)))
     assert pose[0, 3] == pytest.approx(0.1, abs=1e-6)

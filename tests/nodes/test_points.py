@@ -33,7 +33,7 @@ def test_row_steps_from_its_start(start, step, count):
 
 
 @given(center=VECTORS, columns=st.integers(1, 6), rows=st.integers(1, 6))
-def test_grid_lies_about_its_centre_row_by_row(center, columns, rows):
+def test_grid_lies_about_its_center_row_by_row(center, columns, rows):
     made = value(grid(center, (2, 0, 0), (0, 0, 3), columns=columns, rows=rows))
     assert made.shape == (columns * rows, 3)
     assert made.mean(axis=0) == pytest.approx(center)

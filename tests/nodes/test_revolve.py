@@ -22,8 +22,8 @@ HOLED = profile._profile_translate(
 def test_volume_follows_pappus(outline, angle, axis):
     shape = extrude._revolve(outline, angle, axis)
     check_shape(shape)
-    centre = np.mean([outline.contours[0].points.min(axis=0)[0], outline.contours[0].points.max(axis=0)[0]])
-    exact = outline_area(outline.contours) * centre * angle
+    center = np.mean([outline.contours[0].points.min(axis=0)[0], outline.contours[0].points.max(axis=0)[0]])
+    exact = outline_area(outline.contours) * center * angle
     assert 0.97 < relative_volume(shape, exact) < 1.0
     height = shape.mesh.vertices @ axis
     assert np.ptp(height) == pytest.approx(0.05)

@@ -22,8 +22,8 @@ def test_capitals_have_the_height():
 def test_alignment_moves_the_line(align, middle):
     low, high = bounds(text._text("HOH", 0.01, align))
     assert (low[0] + high[0]) / 2 == pytest.approx(middle * text.text_width("HOH") * 0.01, abs=2e-4)
-    centre = (low[1] + high[1]) / 2
-    assert centre == pytest.approx(0.0 if align == "center" else 0.005, abs=3e-4)
+    center = (low[1] + high[1]) / 2
+    assert center == pytest.approx(0.0 if align == "center" else 0.005, abs=3e-4)
 
 
 def test_letters_with_holes_have_them():

@@ -1,4 +1,4 @@
-"""Masses and centres of mass as numbers of the graph."""
+"""Masses and centers of mass as numbers of the graph."""
 
 import pytest
 

@@ -39,8 +39,8 @@ def random_motion(draw: np.random.Generator, count: int, kind: str | None = None
     axis[draw.random(count) < 0.5] = np.eye(3)[draw.integers(3)] * draw.choice([-1, 1])
     size = draw.choice(HALVES) if draw.random() < 0.7 else draw.uniform(0.0, np.pi)
     half = np.where(draw.random(count) < 0.7, size, draw.uniform(0.0, size, count))
-    centre = draw.uniform(-np.pi, np.pi, count) * draw.integers(0, 2)
-    return Motion(chosen, draw.normal(size=(count, 3)), axis, centre, half)
+    center = draw.uniform(-np.pi, np.pi, count) * draw.integers(0, 2)
+    return Motion(chosen, draw.normal(size=(count, 3)), axis, center, half)
 
 
 def displacement(motion: Motion, q: Array) -> Array:
@@ -74,7 +74,7 @@ def positions(draw: np.random.Generator, motion: Motion, samples: int) -> Array:
     """Positions in the interval of each item, shape (N, S): any, the ends and the middle."""
     share = draw.uniform(-1.0, 1.0, (len(motion.half), samples))
     share = np.where(draw.random(share.shape) < 0.4, np.rint(share), share)
-    return motion.centre[:, None] + share * motion.half[:, None]
+    return motion.center[:, None] + share * motion.half[:, None]
 
 
 def carried(transforms: list[Array], points: Array) -> Array:
@@ -137,7 +137,7 @@ def smallest_gap(path: list[Motion], frame: int, first: Array, second: Array, no
     """The smallest gap of one item where one joint moves each piece: sampled densely where it is small."""
 
     def lowest(motion: Motion, points: Array, sign: float) -> float:
-        low, high = (float(motion.centre[0] + side * motion.half[0]) for side in (-1, 1))
+        low, high = (float(motion.center[0] + side * motion.half[0]) for side in (-1, 1))
         for _ in range(4):
             q = np.linspace(low, high, 201)
             step = displacement(motion, q[None])
@@ -173,7 +173,7 @@ def test_the_bound_is_loose_to_second_order_only(seed: int, joints: int, half: f
     path, first, second, normals = random_case(draw, joints)
     path = [replace(motion, half=np.full_like(motion.half, half)) for motion in path]
     grid = np.array(list(product(np.linspace(-1.0, 1.0, 5), repeat=joints))).T
-    q = [motion.centre[:, None] + half * share for motion, share in zip(path, grid, strict=True)]
+    q = [motion.center[:, None] + half * share for motion, share in zip(path, grid, strict=True)]
     reach = sum(np.linalg.norm(motion.origin, axis=1).max() + 3.5 for motion in path)
     reach += max(np.linalg.norm(points, axis=2).max() for points in (first, second))
     for frame in range(joints + 1):
@@ -203,7 +203,7 @@ def halved(motion: Motion) -> Motion:
 
 def ends_only(motion: Motion, points: Array, normals: Array) -> Array:
     """The support without the amplitude of the circle: at both ends of the interval."""
-    low, high = (replace(motion, centre=motion.centre + side * motion.half).still() for side in (-1, 1))
+    low, high = (replace(motion, center=motion.center + side * motion.half).still() for side in (-1, 1))
     return np.maximum(exact_support(low, points, normals), exact_support(high, points, normals))
 
 

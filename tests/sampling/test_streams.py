@@ -38,7 +38,7 @@ def test_known_draws_stay_what_they_are():
     )
 
 
-def test_neighbouring_names_are_not_correlated():
+def test_neighboring_names_are_not_correlated():
     draws = [(stream(seed, "a/x").random(), stream(seed, "a/y").random()) for seed in range(400)]
     mean = [sum(column) / 400 for column in zip(*draws, strict=True)]
     covariance = sum((x - mean[0]) * (y - mean[1]) for x, y in draws) / 400

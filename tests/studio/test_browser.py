@@ -119,12 +119,12 @@ def test_a_slider_moves_a_joint_and_boxes_draw_over_it(browser: Browser, studio:
 
         show(tab, "View")
         before = open_
-        for label in ("joint axes and limits", "centres of mass", "colliders"):
+        for label in ("joint axes and limits", "centers of mass", "colliders"):
             control(tab, label, BOX).check()
             until(lambda before=before: changed(before, scene(tab)) > 1e-4, f"{label} are seen")
             before = scene(tab)
-        control(tab, "semantic colours", BOX).check()
-        until(lambda: studio.stage.by_label and studio.stage.sent > sent, "links get the colours of labels")
+        control(tab, "semantic colors", BOX).check()
+        until(lambda: studio.stage.by_label and studio.stage.sent > sent, "links get the colors of labels")
         assert not [problem for problem in tab.problems if problem.startswith("error")], tab.problems
         assert not [url for url in elsewhere if not url.startswith((home, "data:", "blob:"))]
     assert not studio.session.fault

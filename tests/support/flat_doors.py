@@ -1,4 +1,4 @@
-"""Flat doors in pictures, as `artgen images` writes them: boxes of plain colours."""
+"""Flat doors in pictures, as `artgen images` writes them: boxes of plain colors."""
 
 import json
 

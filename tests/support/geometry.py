@@ -33,7 +33,7 @@ def check_solids(link: Link) -> None:
         forward, counts = np.unique(edges, axis=0, return_counts=True)
         backward, back_counts = np.unique(edges[:, ::-1], axis=0, return_counts=True)
         assert (forward == backward).all(), f"{place}: open edges"
-        assert (counts == back_counts).all(), f"{place}: edges with unequal neighbours"
+        assert (counts == back_counts).all(), f"{place}: edges with unequal neighbors"
         volume = trimesh.Trimesh(points, faces, process=False).volume
         assert volume > 0.0, f"{place}: volume {volume}"
         length = np.linalg.norm(mesh.normals, axis=1)

@@ -208,7 +208,7 @@ def glb_of_broken_json(export: Export) -> None:
 
 
 @fault("files", r"\.glb was changed after the export")
-def glb_of_other_colours(export: Export) -> None:
+def glb_of_other_colors(export: Export) -> None:
     path = glb(export)
     content = path.read_bytes()
     (size,) = struct.unpack_from("<I", content, 12)

@@ -42,8 +42,8 @@ def mjcf_other_mass(export: Export) -> None:
         body(export, root).find("inertial").set("mass", "123.5")
 
 
-@fault("mjcf", r"its centre of mass is 10 mm away", "link")
-def mjcf_other_centre(export: Export) -> None:
+@fault("mjcf", r"its center of mass is 10 mm away", "link")
+def mjcf_other_center(export: Export) -> None:
     with export.xml("mjcf") as root:
         shifted(body(export, root).find("inertial"), "pos", 0.01)
 

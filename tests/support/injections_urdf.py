@@ -31,8 +31,8 @@ def urdf_other_mass(export: Export) -> None:
         named(root, "link", export.link).find("inertial/mass").set("value", "123.5")
 
 
-@fault("urdf", r"its centre of mass is 10 mm away", "link")
-def urdf_other_centre(export: Export) -> None:
+@fault("urdf", r"its center of mass is 10 mm away", "link")
+def urdf_other_center(export: Export) -> None:
     with export.xml("urdf") as root:
         shifted(named(root, "link", export.link).find("inertial/origin"), "xyz", 0.01)
 

@@ -68,8 +68,8 @@ def usd_other_mass(export: Export) -> None:
         export.prim(layer, export.link).attributes["physics:mass"].default = 123.5
 
 
-@fault("usd", r"its centre of mass is 10 mm away", "link")
-def usd_other_centre(export: Export) -> None:
+@fault("usd", r"its center of mass is 10 mm away", "link")
+def usd_other_center(export: Export) -> None:
     with export.layer() as layer:
         export.prim(layer, export.link).attributes["physics:centerOfMass"].default += Gf.Vec3f(0.01, 0, 0)
 

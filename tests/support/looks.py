@@ -1,7 +1,7 @@
 """How exported assets look, as readers that are not artgen's find them: triangles, texture and shading.
 
 A `View` of an asset is a soup of triangles in asset coordinates at rest, each with what shades it. Views of
-different formats are compared where the same rays first hit them. Colours are displayed (sRGB) ones in grey
+different formats are compared where the same rays first hit them. Colors are displayed (sRGB) ones in grey
 levels, 0..255; v grows upwards, and a map's first row is its top.
 """
 
@@ -75,7 +75,7 @@ class Look:
     """What shades a surface.
 
     Attributes:
-        color: Base colour, sRGB.
+        color: Base color, sRGB.
         roughness: GGX roughness.
         metalness: Share of bare metal.
         opacity: 1 is opaque.

@@ -33,8 +33,8 @@ class Reading:
         name: The reader.
         frames: Gives the frame of each link, shape (4, 4), at positions of all joints.
         masses: Mass of each link that the reader keeps apart [kg].
-        centers: Centre of mass of each link in its frame, shape (3,) [m].
-        inertias: Inertia about the centre, along the link's axes, shape (3, 3) [kg m^2].
+        centers: Center of mass of each link in its frame, shape (3,) [m].
+        inertias: Inertia about the center, along the link's axes, shape (3, 3) [kg m^2].
         limits: Lowest and highest position of each joint; None is unlimited [rad or m].
         axes: Axis of each joint in the child's frame, shape (3,).
         couplings: Leader, ratio and offset of each joint that follows.

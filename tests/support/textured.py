@@ -48,7 +48,7 @@ LAMP = Material("lamp", (0.1, 0.2, 0.1), emission=(0.2, 0.8, 0.1))
 
 
 def picture(u: float, v: float, stuff: Material) -> tuple[float, float, float]:
-    """Return the linear colour of a place in the picture, u to the right and v upwards, tinted."""
+    """Return the linear color of a place in the picture, u to the right and v upwards, tinted."""
     quarter = QUADRANTS[int(v % 1.0 < 0.5), int(u % 1.0 >= 0.5)]
     red, green, blue = quarter * np.array(stuff.base_color) / 0.3
     return red, green, blue

@@ -39,7 +39,7 @@ def test_a_little_wider_is_no_other_product() -> None:
     assert 0.0 < difference(one, other) < SAME / 4.0
 
 
-def test_colour_alone_makes_a_difference() -> None:
+def test_color_alone_makes_a_difference() -> None:
     category = find("handle")
     one, other = (look(category.generate(5, certify=False, leaf=wood)) for wood in ("oak", "walnut"))
     assert difference(one, other) > SAME
@@ -57,7 +57,7 @@ def test_a_sample_that_cannot_be_made_is_left_out() -> None:
     assert all(pair.difference == 0.0 for pair in pairs)
 
 
-def test_the_most_alike_come_first_and_neighbours_are_marked() -> None:
+def test_the_most_alike_come_first_and_neighbors_are_marked() -> None:
     found = likenesses(find("handle"), [0, 0, 1, 5])  # the same seed twice is one sample
     assert len(found) == 3
     assert [each.difference for each in found] == sorted(each.difference for each in found)

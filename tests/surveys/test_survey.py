@@ -54,7 +54,7 @@ def test_a_record_tells_what_the_asset_is(record, handle) -> None:
     assert record["parameters"]["kind"] == handle.parameters["kind"]
     assert 0.0 < record["seconds"] < 5.0
     assert record["redrawn"] == {"required": 0, "collided": 0}
-    assert set(record["checks"]) == {"solids", "tree", "colliders", "grasps", "behaviour"}
+    assert set(record["checks"]) == {"solids", "tree", "colliders", "grasps", "behavior"}
     assert all(not each["faults"] for each in record["checks"].values())
     assert all(speed > 1.0 for speed in record["speed"].values())
 
@@ -163,7 +163,7 @@ class TestCriteria:
             ({"colliders": {"base": 50, "a": 50, "b": 50, "c": 50}}, "colliders: at most 199"),
             ({"misfits": ["mass 900 kg"]}, "like a product"),
             ({"ground": -0.001}, "on the ground"),
-            ({"aside": 0.01}, "centred"),
+            ({"aside": 0.01}, "centered"),
             ({"speed": {"closed": 30.0, "half open": 19.0}}, "MuJoCo, times real time: at least 20"),
             ({"forces": {"turn": 61.0}}, "force of a hand [N]: at most 60"),
             ({"redrawn": {"required": 1, "collided": 0}}, "redrawn: under 2 %"),
@@ -200,7 +200,7 @@ class TestCriteria:
     def test_what_was_not_measured_is_neither_met_nor_missed(self) -> None:
         fast = measure(5, category="handle", fast=True)
         states = {each.name: each.passed for each in criteria([fast])}
-        assert states["behaviour: no faults"] is None
+        assert states["behavior: no faults"] is None
         assert states["MuJoCo, times real time: at least 20"] is None
         assert states["solids: no faults"] is True
 

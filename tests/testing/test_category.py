@@ -125,8 +125,8 @@ def test_the_checks_that_are_asked_for_run(monkeypatch):
     real = testing.category.validate
     monkeypatch.setattr(testing.category, "validate", validate)
     check_category(stand, seeds=[0], checks=TREE)
-    check_category(stand, seeds=[0], behaviour=True)
-    assert asked == [{"behaviour": False, "checks": TREE}, {"behaviour": True, "checks": None}]
+    check_category(stand, seeds=[0], behavior=True)
+    assert asked == [{"behavior": False, "checks": TREE}, {"behavior": True, "checks": None}]
 
 
 def test_an_authors_mistake_keeps_its_traceback_and_names_the_seed():

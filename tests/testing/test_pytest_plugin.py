@@ -49,7 +49,7 @@ def judged(monkeypatch):
 
 def test_each_asset_and_check_is_a_test(suite, judged):
     done = suite("--artgen", "assets", "-v")
-    checks = ["files", "solids", "tree", "colliders", "urdf", "mjcf", "certificate", "grasps", "behaviour"]
+    checks = ["files", "solids", "tree", "colliders", "urdf", "mjcf", "certificate", "grasps", "behavior"]
     done.assert_outcomes(passed=2 * len(checks))
     done.stdout.fnmatch_lines([f"assets/other::{check} PASSED*" for check in checks])
     done.stdout.fnmatch_lines([f"assets/stand_0::{check} PASSED*" for check in checks])
@@ -83,7 +83,7 @@ def test_faults_fail_with_every_finding_and_notes_are_shown(suite, judged):
         ),
     )
     judged["urdf"] = CheckResult("urdf", (Finding("urdf", "has one thing to tell", severity="note"),))
-    judged["behaviour"] = CheckResult("behaviour", skipped="needs artgen[sim]")
+    judged["behavior"] = CheckResult("behavior", skipped="needs artgen[sim]")
     done = suite("--artgen", "assets/stand_0", "-rs")
     done.assert_outcomes(failed=1, passed=7, skipped=1)
     done.stdout.fnmatch_lines(

@@ -87,7 +87,7 @@ def test_what_lies_beyond_the_image_is_black_and_of_no_part(images):
     assert mask.sum() == 16 * 16
 
 
-def test_light_changes_colours_alone_and_the_same_in_all_looks():
+def test_light_changes_colors_alone_and_the_same_in_all_looks():
     rng = np.random.default_rng(0)
     picture = rng.integers(0, 255, (8, 8, 4)).astype(np.uint8)
     for seed in range(8):

@@ -67,7 +67,7 @@ def test_mask_rcnn_learns_from_the_same_images(splits):
     torch.manual_seed(0)
     network = segmentation.MaskRCNN(seen, 96)
     for proposals in (network.model.rpn._pre_nms_top_n, network.model.rpn._post_nms_top_n):
-        proposals.update(training=32, testing=32)  # enough for boxes of plain colours
+        proposals.update(training=32, testing=32)  # enough for boxes of plain colors
     batch = network.together([network.item(seen, index, np.random.default_rng(index)) for index in range(2)])
     optimizer = torch.optim.SGD(network.model.parameters(), 1e-3)
     losses = []

@@ -1,4 +1,4 @@
-"""Appliances whose inner parts need their door open: certificate, hands, forces and behaviour of mocks."""
+"""Appliances whose inner parts need their door open: certificate, hands, forces and behavior of mocks."""
 
 import math
 from collections.abc import Mapping
@@ -16,7 +16,7 @@ from artgen.asset.files import main_files
 from artgen.asset.report import Finding
 from artgen.proof.certify import certify
 from artgen.proof.recheck import recheck
-from artgen.validate.behavior import check_behaviour
+from artgen.validate.behavior import check_behavior
 from artgen.validate.behavior.drive import Servo
 from artgen.validate.behavior.model import Simulation, fixed_model
 from artgen.validate.behavior.motion import JointMotion
@@ -130,17 +130,17 @@ def test_parts_that_free_each_other_within_their_slack_are_not_stuck(cold: Asset
         assert any("none can ever leave 0" in fault.message for fault in check_tree(asset).faults) == stuck
 
 
-# behaviour
+# behavior
 
 
 def test_a_refrigerator_behaves(cold: Asset) -> None:
-    result = check_behaviour(cold)
+    result = check_behavior(cold)
     assert not result.findings
     assert result.detail == "let go in 4 poses; 3 joints driven; 2 pushed while blocked"
 
 
 def test_a_drawer_that_nothing_stops_beyond_its_slack_is_a_fault() -> None:
-    faults = check_behaviour(evaluated(fridge(ghost=True), "fridge")).faults
+    faults = check_behavior(evaluated(fridge(ghost=True), "fridge")).faults
     (message,) = found(faults, "drawer_slide_0")
     assert message.startswith("moves from 0.03 m on by 320 mm under 50 N with all closed, though it needs ")
     assert "(door_hinge > 1.7).beyond(0.03); nothing touches it" in message
@@ -148,19 +148,19 @@ def test_a_drawer_that_nothing_stops_beyond_its_slack_is_a_fault() -> None:
 
 
 def test_a_slack_far_short_of_the_door_is_a_fault() -> None:
-    faults = check_behaviour(evaluated(fridge(slack=0.02), "fridge")).faults
+    faults = check_behavior(evaluated(fridge(slack=0.02), "fridge")).faults
     (message,) = found(faults, "drawer_slide_1")
     assert "moves from 0.02 m on by 15" in message  # it stands 15 mm before the door there
 
 
 def test_a_door_that_is_pushed_open_from_inside_is_a_note() -> None:
-    (note, other) = check_behaviour(evaluated(fridge(friction=2.0), "fridge")).findings
+    (note, other) = check_behavior(evaluated(fridge(friction=2.0), "fridge")).findings
     assert note.severity == other.severity == "note"
     assert "is blocked only if somebody holds door_hinge: moves from 0.03 m on by" in note.message
 
 
 def test_a_dishwasher_behaves_and_a_balanced_door_does_not_hold_its_racks(wet: Asset) -> None:
-    result = check_behaviour(wet)
+    result = check_behavior(wet)
     assert not result.faults
     notes = {finding.joint: finding.message for finding in result.findings}
     # the spring balances the door, and neither shuts it nor keeps it shut as that of a latch would
@@ -194,7 +194,7 @@ def rocker(**options: float) -> Body:
 @pytest.mark.parametrize("effort", [100.0, 1.0, 0.2])
 @pytest.mark.parametrize("stiffness", [0.0, 0.5])
 def test_a_light_switch_is_driven_gently_whatever_its_effort(effort: float, stiffness: float) -> None:
-    assert not check_behaviour(evaluated(rocker(effort=effort, stiffness=stiffness), "switch")).findings
+    assert not check_behavior(evaluated(rocker(effort=effort, stiffness=stiffness), "switch")).findings
 
 
 def test_a_part_that_flies_through_its_limit_is_told_to_have_less_effort(
@@ -205,7 +205,7 @@ def test_a_part_that_flies_through_its_limit_is_told_to_have_less_effort(
         servo._simulation.data.qfrc_applied[servo.motion.speeds[0]] = servo.force
 
     monkeypatch.setattr(Servo, "move", shove)
-    fault = check_behaviour(evaluated(rocker(effort=100.0), "switch")).faults[0]
+    fault = check_behavior(evaluated(rocker(effort=100.0), "switch")).faults[0]
     assert "driven with 100 N m from 0 rad to -0.05 rad, it flies through that limit to -" in fault.message
     assert fault.joint == "rock"
     assert fault.hint.startswith("give it a smaller effort=, about 60 N times the lever arm of a hand")

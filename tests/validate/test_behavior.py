@@ -1,4 +1,4 @@
-"""Behaviour in MuJoCo: toys that behave give no finding, and each fault gives its own."""
+"""Behavior in MuJoCo: toys that behave give no finding, and each fault gives its own."""
 
 import math
 import re
@@ -18,7 +18,7 @@ from artgen.asset import AllowedContact, Asset
 from artgen.asset import AssetCondition as Condition
 from artgen.asset.report import CheckResult, Finding
 from artgen.graph import evaluate
-from artgen.validate.behavior import check_behaviour
+from artgen.validate.behavior import check_behavior
 from artgen.validate.behavior.conditions import isolated, negation, state_for
 
 OAK, STEEL = material("oak"), material("steel")
@@ -29,7 +29,7 @@ def made(body: Body, **fields: Any) -> Asset:
 
 
 def checked(body: Body, **fields: Any) -> CheckResult:
-    return check_behaviour(made(body, **fields))
+    return check_behavior(made(body, **fields))
 
 
 def the_fault(result: CheckResult) -> Finding:
@@ -98,7 +98,7 @@ def bolted(*, blocks: bool = True, needs: Callable[..., Any] | None = None, **op
 
 def test_a_drawer_that_runs_gives_no_finding():
     result = checked(shell().attach(part(drawer(), "drawer", OAK), slide()))
-    assert result == CheckResult("behaviour", (), "let go in 3 poses; 1 joints driven")
+    assert result == CheckResult("behavior", (), "let go in 3 poses; 1 joints driven")
 
 
 def test_a_lid_with_a_spring_gives_no_finding():
@@ -187,7 +187,7 @@ def test_parts_that_overlap_press_each_other_out():
 def test_contacts_by_design_may_be_deep(depth: float, when: Condition | None, *, found: bool):
     asset = made(pressed())
     allowed = AllowedContact(("drawer", "carcass"), ("drawer", "carcass"), depth, "it is a toy", when)
-    result = check_behaviour(replace(asset, contacts=(allowed,)))
+    result = check_behavior(replace(asset, contacts=(allowed,)))
     assert any("into each other" in finding.message for finding in result.findings) == found
 
 
@@ -209,7 +209,7 @@ def test_friction_that_creeps_is_a_fault(tmp_path: Path):
     rod = part(box(0.02, 0.02, 0.3).at(0.0, -0.2, 0.2), "rod", STEEL)
     asset = made(shell().attach(rod, Prismatic("slide", axis=Z, limits=(-0.02, 0.1), friction=20.0)))
     soft = {"solimpfriction": "0.5 0.5 0.001", "solreffriction": "0.02 1"}
-    result = check_behaviour(
+    result = check_behavior(
         asset, edited(asset, tmp_path, lambda root: of_joint(root, "slide").attrib.update(soft))
     )
     fault = the_fault(result)
@@ -219,7 +219,7 @@ def test_friction_that_creeps_is_a_fault(tmp_path: Path):
     assert fault.hint == "the file's friction creeps: write a harder solimpfriction and solreffriction"
     hard = {"solimpfriction": "0.9999 0.9999 0.001", "solreffriction": "0.005 1"}
     other = edited(asset, tmp_path, lambda root: of_joint(root, "slide").attrib.update(hard))
-    assert not check_behaviour(asset, other).findings
+    assert not check_behavior(asset, other).findings
 
 
 def test_a_joint_that_moves_against_gravity_is_a_fault(tmp_path: Path):
@@ -239,7 +239,7 @@ def test_warnings_of_mujoco_are_faults(tmp_path: Path, capfd: pytest.CaptureFixt
     asset = made(shell().attach(part(drawer(), "drawer", OAK), slide(friction=0.0)))
     hard = {"stiffness": "1e14", "springref": "0.01", "damping": "0"}
     directory = edited(asset, tmp_path, lambda root: of_joint(root, "slide").attrib.update(hard))
-    result = check_behaviour(asset, directory)
+    result = check_behavior(asset, directory)
     found = [finding for finding in result.faults if "MuJoCo warns while it settles: Nan" in finding.message]
     assert len(found) == 1
     assert found[0].pose == {"slide": 0.0}
@@ -357,7 +357,7 @@ def test_a_coupling_that_is_off_is_a_fault(ratio: str, percent: int, tmp_path: P
     def edit(root: ET.Element) -> None:
         root.find("equality/joint").set("polycoef", f"0 {ratio} 0 0 0")
 
-    result = check_behaviour(asset, edited(asset, tmp_path, edit))
+    result = check_behavior(asset, edited(asset, tmp_path, edit))
     if not percent:
         assert not result.findings
         return
@@ -546,20 +546,20 @@ def test_it_reads_the_files_of_a_directory(tmp_path: Path):
     asset = made(shell().attach(part(drawer(), "drawer", OAK), slide()))
     directory = asset.export(tmp_path / "toy", formats=("mjcf",))
     loaded = Asset.load(directory)
-    assert check_behaviour(loaded, directory) == check_behaviour(asset)
+    assert check_behavior(loaded, directory) == check_behavior(asset)
 
 
 def test_without_its_mjcf_the_check_is_skipped(tmp_path: Path):
     asset = made(shell().attach(part(drawer(), "drawer", OAK), slide()))
     directory = asset.export(tmp_path / "toy", formats=("urdf",))
-    result = check_behaviour(asset, directory)
+    result = check_behavior(asset, directory)
     assert result.skipped == "there is no MJCF; export with 'mjcf' among the formats"
     assert not result.findings
 
 
 def test_without_mujoco_the_check_is_skipped(monkeypatch):
     monkeypatch.setitem(sys.modules, "mujoco", None)
-    assert check_behaviour(made(shell())).skipped == "needs artgen[sim]"
+    assert check_behavior(made(shell())).skipped == "needs artgen[sim]"
 
 
 @pytest.mark.parametrize(
@@ -576,17 +576,17 @@ def test_without_mujoco_the_check_is_skipped(monkeypatch):
 )
 def test_a_file_that_does_not_fit_is_a_fault(edit: Callable[[ET.Element], None], text: str, tmp_path: Path):
     asset = made(shell().attach(part(drawer(), "drawer", OAK), slide()))
-    fault = the_fault(check_behaviour(asset, edited(asset, tmp_path, edit)))
+    fault = the_fault(check_behavior(asset, edited(asset, tmp_path, edit)))
     assert fault.hint == "export it again"
     assert text in fault.message
 
 
 def test_the_same_asset_gives_the_same_result():
-    assert check_behaviour(made(pressed())) == check_behaviour(made(pressed()))
+    assert check_behavior(made(pressed())) == check_behavior(made(pressed()))
 
 
 def test_an_asset_without_joints_is_only_loaded():
-    assert checked(shell()) == CheckResult("behaviour", (), "let go in 1 poses; 0 joints driven")
+    assert checked(shell()) == CheckResult("behavior", (), "let go in 1 poses; 0 joints driven")
 
 
 @pytest.mark.parametrize("friction", [3.0, 8.0])

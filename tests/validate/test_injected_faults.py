@@ -73,7 +73,7 @@ def test_fault_is_found(
         tmp_path /= "handle"
     (directory,) = (path for path in tmp_path.iterdir() if (path / "asset.json").exists())
     capfd.readouterr()
-    report = validate(directory, behaviour=False, checks=[fault.check])
+    report = validate(directory, behavior=False, checks=[fault.check])
     assert not any(capfd.readouterr()), "a reader printed what a finding should say"
     assert not report.passed
     told = [

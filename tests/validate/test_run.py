@@ -47,7 +47,7 @@ def faults(report: Report) -> dict[str, list[str]]:
 
 
 def judge(directory, **options) -> dict[str, list[str]]:
-    return faults(validate(directory, behaviour=False, **options))
+    return faults(validate(directory, behavior=False, **options))
 
 
 def test_a_sound_export_passes_every_check(exported):
@@ -68,7 +68,7 @@ def test_the_name_may_be_a_string_or_a_path(exported):
 
 
 def test_an_asset_in_memory_is_judged_by_its_files(made, monkeypatch):
-    report = validate(made, behaviour=False)
+    report = validate(made, behavior=False)
     assert not faults(report)
     assert report.asset == "stand_0"
     wanted = replace(made, joints=(replace(made.joints[0], limits=(0.0, 0.1)),))
@@ -84,7 +84,7 @@ def test_an_asset_in_memory_is_judged_by_its_files(made, monkeypatch):
 def test_the_categories_of_artgen_pass(name):
     from artgen import catalog
 
-    report = validate(catalog.generate(name, seed=3), behaviour=False)
+    report = validate(catalog.generate(name, seed=3), behavior=False)
     assert not faults(report)
 
 
@@ -258,7 +258,7 @@ def test_what_was_not_exported_is_not_checked(made, tmp_path):
         "solids": "the export has no meshes to read back: those of urdf and mjcf in the layout flat have",
         "colliders": "the export has no meshes to read back: those of urdf and mjcf in the layout flat have",
         "grasps": "the export has no meshes to read back: those of urdf and mjcf in the layout flat have",
-        "behaviour": "the export has no mjcf",
+        "behavior": "the export has no mjcf",
     }
     assert [result.check for result in report.results if result.check in ("urdf", "mjcf", "usd")] == ["usd"]
     (note,) = next(result for result in report.results if result.check == "certificate").findings
@@ -269,9 +269,9 @@ def test_what_was_not_exported_is_not_checked(made, tmp_path):
 
 def test_the_simulation_can_be_left_out(exported, monkeypatch):
     monkeypatch.setitem(sys.modules, "artgen.validate.behavior", None)  # importing it would raise
-    (result,) = validate(exported, behaviour=False, checks=["behaviour"]).results
+    (result,) = validate(exported, behavior=False, checks=["behavior"]).results
     assert result.skipped == "not asked for"
-    (result,) = validate(exported, checks=["behaviour"]).results
+    (result,) = validate(exported, checks=["behavior"]).results
     assert result.faults
 
 

@@ -71,7 +71,7 @@ def test_a_solid_that_is_there_twice_is_found(door):
     assert "is there twice" in finding.message
 
 
-def test_solids_with_one_centre_and_volume_are_not_one():
+def test_solids_with_one_center_and_volume_are_not_one():
     asset = with_shapes(crate.generate(hollow=False, certify=False), block((0.2, 0.1, 0.05)))
     assert messages(asset) == []
 

@@ -37,7 +37,7 @@ def export(source: Path, tmp_path: Path) -> Export:
 def told(export: Export, check: str) -> str:
     """Return the faults that a check finds, one in each line."""
     return "\n".join(
-        str(fault) for fault in validate(export.directory, behaviour=False, checks=[check]).faults
+        str(fault) for fault in validate(export.directory, behavior=False, checks=[check]).faults
     )
 
 

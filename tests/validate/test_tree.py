@@ -288,11 +288,11 @@ def heavy(asset, **fields):
 @pytest.mark.parametrize(
     ("fields", "message"),
     [
-        ({"mass": -1.0}, "its mass is -1 kg, or its centre or inertia is not finite"),
+        ({"mass": -1.0}, "its mass is -1 kg, or its center or inertia is not finite"),
         ({"mass": 6000.0}, "its mass of 6000 kg makes a density of 1e+05 kg/m^3 of its solids"),
         (
             {"center": np.array([0.0, 0.0, 0.9])},
-            "its centre of mass (0, 0, 0.9) m lies outside its bounding box",
+            "its center of mass (0, 0, 0.9) m lies outside its bounding box",
         ),
         (
             {"inertia": np.diag([1.0, 1.0, 3.0])},

@@ -54,7 +54,7 @@ def test_an_axis_moves_with_what_it_is_on(asset: Asset) -> None:
         assert np.abs(last - poses[child]).max() < 1e-12
 
 
-def test_centres_masses_and_holds_are_those_of_the_asset(asset: Asset) -> None:
+def test_centers_masses_and_holds_are_those_of_the_asset(asset: Asset) -> None:
     signs = overlays(asset)
     holds = [hold.name for link in signs.links.values() for hold in link.holds]
     assert holds == [each.name for each in asset.affordances]
@@ -62,14 +62,14 @@ def test_centres_masses_and_holds_are_those_of_the_asset(asset: Asset) -> None:
     assert np.abs(total - asset.mass_properties().center).max() < 1e-9
 
 
-def test_a_label_has_the_same_colour_in_every_asset_of_a_category() -> None:
+def test_a_label_has_the_same_color_in_every_asset_of_a_category() -> None:
     first, second = (label_colors(artgen.generate("plier", seed=seed, certify=False)) for seed in (0, 5))
     assert all(first[label] == second[label] for label in first.keys() & second.keys())
     assert len(set(first.values())) == len(first)
     assert len(set(PALETTE)) == len(PALETTE)
 
 
-def test_the_refrigerator_with_most_labels_has_a_colour_for_each() -> None:
+def test_the_refrigerator_with_most_labels_has_a_color_for_each() -> None:
     colors = label_colors(artgen.generate("refrigerator", seed=0, certify=False))
     assert len(colors) > 25
     assert len(set(colors.values())) == len(colors)

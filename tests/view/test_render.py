@@ -41,7 +41,7 @@ def test_the_asset_fills_the_picture_and_the_background_is_neutral(red_cabinet) 
     assert around.mean() > 180
 
 
-def test_colours_are_those_of_the_materials(red_cabinet) -> None:
+def test_colors_are_those_of_the_materials(red_cabinet) -> None:
     shown = picture(red_cabinet, camera="front")
     red, green, blue = mean(shown, shown.labels.mask("door"))
     assert red > 2.0 * green
@@ -114,7 +114,7 @@ def test_labels_depth_and_normals_agree_with_rays(red_cabinet, share, size, view
     hits = rendering.cast(meshes, np.array(shown.camera.position), shown.camera.rays(size)[row, column])
     links = np.array(["", *(link.name for link, _ in surfaces)])[hits.surfaces]
     labels = np.array(["", *(surface.label for _, surface in surfaces)])[hits.surfaces]
-    # at a silhouette the centre of a pixel may fall to either side
+    # at a silhouette the center of a pixel may fall to either side
     edge = np.zeros(shown.depth.shape, bool)
     for ids in (shown.links.ids, shown.labels.ids):
         edge |= ndimage.maximum_filter(ids, 3) != ndimage.minimum_filter(ids, 3)
@@ -301,7 +301,7 @@ class TestFilament:
         behind = ndimage.binary_erosion(shown.labels.mask("door"), iterations=20)
         red, _, blue = clear.color[behind].mean(axis=0)
         assert blue > red + 15
-        # masks fit colours: what differs from an empty studio is the asset
+        # masks fit colors: what differs from an empty studio is the asset
         red_seen = (shown.color[..., 0] > 2.0 * shown.color[..., 1]) & (shown.color[..., 0] > 80)
         mask = shown.labels.mask("door")
         assert (red_seen & mask).sum() > 0.8 * mask.sum()

@@ -40,7 +40,7 @@ def board(*, turned: bool = False) -> Body:
 @pytest.mark.usefixtures("opengl")
 @pytest.mark.parametrize("turned", [False, True])
 @pytest.mark.parametrize("backend", ["classic", "filament"])
-def test_every_pixel_has_the_colour_of_its_texel(backend, turned) -> None:
+def test_every_pixel_has_the_color_of_its_texel(backend, turned) -> None:
     pytest.importorskip("embreex", reason="needs Embree: artgen[sim]")
     if backend == "filament" and not filament.works():
         pytest.skip("needs Filament: Python 3.12, mujoco-studio and Vulkan")

@@ -276,7 +276,7 @@ class Asset:
         return float(sum(link.mass_properties.mass for link in self.links))
 
     def mass_properties(self) -> MassProperties:
-        """Return mass, centre and inertia of the whole asset at rest."""
+        """Return mass, center and inertia of the whole asset at rest."""
         return total(link.mass_properties.moments() for link in self.links)
 
     def bounds(self) -> Array:

@@ -69,7 +69,7 @@ class DerivedLink(Link):
 
     @cached_property
     def mass_properties(self) -> MassProperties:
-        """Mass, centre and inertia of the source: of its solids."""
+        """Mass, center and inertia of the source: of its solids."""
         return self.source.mass_properties
 
     @cached_property
@@ -126,7 +126,7 @@ def with_colliders(asset: Asset, kind: Collision | str) -> Asset:
     """Return an asset whose links carry colliders of another kind; all else, masses too, stays.
 
     `hull` is one convex hull around each connected part of each solid, of at most 64 vertices; where these
-    are more than 64 on a link, neighbours are joined. It contains the solids and closes every hollow.
+    are more than 64 on a link, neighbors are joined. It contains the solids and closes every hollow.
     `coacd` is CoACD's decomposition of the union of a link's solids, as few and as small; solids that only
     touch are decomposed apart. It neither contains the solids nor keeps all hollows open.
     `exact` is the asset itself.

@@ -136,7 +136,7 @@ class Link(FrozenArrays):
 
     @cached_property
     def mass_properties(self) -> MassProperties:
-        """Mass, centre and inertia of the solids; where welded solids overlap, the first one counts."""
+        """Mass, center and inertia of the solids; where welded solids overlap, the first one counts."""
         moments: list[Moments] = []
         done: list[tuple[Shape, Array]] = []
         for piece in self._solid_pieces():
@@ -315,7 +315,7 @@ class MovedLink(Link):
 
     @cached_property
     def mass_properties(self) -> MassProperties:
-        """Mass, centre and inertia of the source, moved."""
+        """Mass, center and inertia of the source, moved."""
         return self.source.mass_properties.moved(self.matrix)
 
     @cached_property

@@ -1,4 +1,4 @@
-"""Mass, centre of mass and inertia of polyhedra, exactly.
+"""Mass, center of mass and inertia of polyhedra, exactly.
 
 The integrals over a polyhedron are sums over the tetrahedra that its triangles span with a reference
 point; see B. Mirtich, Fast and accurate computation of polyhedral mass properties, 1996.
@@ -43,8 +43,8 @@ class MassProperties(FrozenArrays):
 
     Attributes:
         mass: [kg].
-        center: Centre of mass in asset coordinates at rest, shape (3,) [m].
-        inertia: About the centre of mass, along the asset's axes, shape (3, 3) [kg m^2].
+        center: Center of mass in asset coordinates at rest, shape (3,) [m].
+        inertia: About the center of mass, along the asset's axes, shape (3, 3) [kg m^2].
     """
 
     mass: float

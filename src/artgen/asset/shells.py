@@ -54,7 +54,7 @@ class Shell(FrozenArrays):
 
     @property
     def center(self) -> Array:
-        """Centre of the enclosed volume, shape (3,) [m]."""
+        """Center of the enclosed volume, shape (3,) [m]."""
         return self._moments[1]
 
     @property
@@ -258,7 +258,7 @@ class _Edges(FrozenArrays):
 
     open: Indices  # ends of the edges with one face, shape (k, 2)
     turned: Indices  # ends of the edges whose faces are wound against each other, shape (k, 2)
-    neighbours: Indices  # pairs of faces that share an edge, shape (k, 2)
+    neighbors: Indices  # pairs of faces that share an edge, shape (k, 2)
 
     @staticmethod
     def of(faces: Indices) -> "_Edges":
@@ -272,8 +272,8 @@ class _Edges(FrozenArrays):
         same = np.flatnonzero(edge[order][1:] == edge[order][:-1])
         unbalanced = balance != 0.0
         single = unbalanced & (count % 2 == 1)
-        neighbours = np.column_stack([face[same], face[same + 1]])
-        return _Edges(ends[single], ends[unbalanced & ~single], neighbours)
+        neighbors = np.column_stack([face[same], face[same + 1]])
+        return _Edges(ends[single], ends[unbalanced & ~single], neighbors)
 
 
 def _shells(
@@ -281,7 +281,7 @@ def _shells(
 ) -> Iterator[Shell]:
     if not len(faces):
         return
-    near = edges.neighbours
+    near = edges.neighbors
     graph = coo_array((np.ones(len(near)), near.T), shape=(len(faces), len(faces)))
     count, group = connected_components(graph, directed=False)
     order = np.argsort(group, kind="stable")

@@ -258,9 +258,9 @@ def _fanned(corners: Corners, count: int) -> tuple[Corners, list[int]]:
     following = corners[[1, 2, 0]]
     keys = np.sort((np.minimum(corners, following) * count + np.maximum(corners, following)).ravel())
     sides = keys[np.append(True, keys[1:] != keys[:-1])]
-    neighbours = np.bincount(sides // count, minlength=count) + np.bincount(sides % count, minlength=count)
-    # an open fan has one neighbour more than triangles, a closed one as many
-    fans = neighbours - np.bincount(corners.ravel(), minlength=count)
+    neighbors = np.bincount(sides // count, minlength=count) + np.bincount(sides % count, minlength=count)
+    # an open fan has one neighbor more than triangles, a closed one as many
+    fans = neighbors - np.bincount(corners.ravel(), minlength=count)
     copied: list[int] = []
     for vertex in np.flatnonzero(fans > 1).tolist():
         numbers, places = np.nonzero(np.equal(corners.T, vertex))

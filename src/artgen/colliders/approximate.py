@@ -95,8 +95,8 @@ def inscribed_points(points: Array, tolerance: float) -> Array:
 
 def _off_plane(points: Array, chosen: list[int]) -> list[int]:
     """Add the point farthest from the plane in which the chosen ones lie."""
-    centred = points[chosen] - points[chosen].mean(axis=0)
-    normal = np.linalg.svd(centred)[2][-1]
+    centered = points[chosen] - points[chosen].mean(axis=0)
+    normal = np.linalg.svd(centered)[2][-1]
     distance = np.abs((points - points[chosen].mean(axis=0)) @ normal)
     distance[chosen] = -1.0
     return [*chosen, int(np.argmax(distance))]

@@ -37,7 +37,7 @@ class Convex(FrozenArrays):
         kind: `box`, `cylinder`, `sphere`, `capsule` (round ones along local z) or `hull`.
         pose: Rigid transform from the piece's frame to the asset's, shape (4, 4) [m]; identity for hulls.
         size: box: full lengths (x, y, z); cylinder: (radius, length); sphere: (radius,);
-            capsule: (radius, length between the centres of its ends); hull: () [m].
+            capsule: (radius, length between the centers of its ends); hull: () [m].
         points: Hull vertices in asset coordinates, shape (n, 3) [m]; empty for the other kinds.
         polytope: The faces of a hull where they are known already.
         origin: The piece from which a hull of many vertices was moved, and the rigid motion.
@@ -52,22 +52,22 @@ class Convex(FrozenArrays):
 
     @classmethod
     def box(cls, size: tuple[float, float, float] | Array, pose: Array = _IDENTITY) -> "Convex":
-        """Make a box of full lengths (x, y, z) [m] centred on its frame."""
+        """Make a box of full lengths (x, y, z) [m] centered on its frame."""
         return cls("box", *_checked("box", pose, size, 3))
 
     @classmethod
     def cylinder(cls, radius: float, length: float, pose: Array = _IDENTITY) -> "Convex":
-        """Make a cylinder along z of its frame, centred [m]."""
+        """Make a cylinder along z of its frame, centered [m]."""
         return cls("cylinder", *_checked("cylinder", pose, (radius, length), 2))
 
     @classmethod
     def sphere(cls, radius: float, pose: Array = _IDENTITY) -> "Convex":
-        """Make a sphere centred on its frame [m]."""
+        """Make a sphere centered on its frame [m]."""
         return cls("sphere", *_checked("sphere", pose, (radius,), 1))
 
     @classmethod
     def capsule(cls, radius: float, length: float, pose: Array = _IDENTITY) -> "Convex":
-        """Make a capsule along z of its frame; the length [m] is between the centres of its round ends."""
+        """Make a capsule along z of its frame; the length [m] is between the centers of its round ends."""
         return cls("capsule", *_checked("capsule", pose, (radius, length), 2))
 
     @classmethod
@@ -79,9 +79,9 @@ class Convex(FrozenArrays):
         """
         points = np.asarray(points, np.float64)
         if len(points) > _MANY:
-            vertices, _, centre = hull_triangles(points)
+            vertices, _, center = hull_triangles(points)
             if len(vertices) > _MANY:
-                return cls("hull", _IDENTITY, (), vertices + centre)
+                return cls("hull", _IDENTITY, (), vertices + center)
         return cls.of(Polytope.hull(points))
 
     @classmethod
@@ -148,7 +148,7 @@ class Convex(FrozenArrays):
     def _bounds(self) -> Array:
         if self.kind == "hull":
             return np.array((self.points.min(axis=0), self.points.max(axis=0)))
-        turn, centre = self.pose[:3, :3], self.pose[:3, 3]
+        turn, center = self.pose[:3, :3], self.pose[:3, 3]
         axis = np.abs(turn[:, 2])
         if self.kind == "box":
             half = np.abs(turn) @ (np.array(self.size) / 2.0)
@@ -159,7 +159,7 @@ class Convex(FrozenArrays):
         else:
             rim = np.sqrt(np.maximum(1.0 - axis * axis, 0.0))
             half = axis * (self.size[1] / 2.0) + rim * self.size[0]
-        return np.array((centre - half, centre + half))
+        return np.array((center - half, center + half))
 
     @cached_property
     def volume(self) -> float:

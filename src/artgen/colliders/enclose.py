@@ -51,7 +51,7 @@ class Facets:
         return planes_of(corners, normals, area)
 
     @cached_property
-    def centre(self) -> Array:
+    def center(self) -> Array:
         """The centroid of the surface, shape (3,) [m]: well inside even if most vertices are at one end."""
         _, area, corners = self._across
         return np.asarray(area @ corners.mean(axis=1) / area.sum(), np.float64)
@@ -100,7 +100,7 @@ def enclosing(solid: Facets, most_vertices: int, tolerance: float) -> tuple[Arra
     the vertices are as many as allowed.
     """
     chosen = _bounding_planes(solid.points)
-    corners = _corners(chosen, solid.centre)
+    corners = _corners(chosen, solid.center)
     waiting = solid.planes
     room = np.empty(len(waiting) * max(most_vertices, len(corners)))  # for heights of planes at corners
     most_added = most_vertices
@@ -120,7 +120,7 @@ def enclosing(solid: Facets, most_vertices: int, tolerance: float) -> tuple[Arra
         _, first = np.unique(corner[worst], return_index=True)
         more = np.concatenate((chosen, waiting[worst[np.sort(first)[:spare]]]))
         waiting = waiting[cutting]
-        fresh = _corners(more, solid.centre)
+        fresh = _corners(more, solid.center)
         if len(fresh) > most_vertices:  # a corner of many edges was cut off
             most_added = spare // 2
             continue
@@ -135,12 +135,12 @@ def _bounding_planes(points: Array) -> Array:
     return planes
 
 
-def _corners(planes: Array, centre: Array) -> Array:
+def _corners(planes: Array, center: Array) -> Array:
     """Return the corners of the polytope behind planes around an inner point, shape (n, 3) [m].
 
     A face n.x <= d about the inner point becomes the point n / d; each face of the hull of these is a corner.
     """
-    depth = planes[:, 3] - planes[:, :3] @ centre
+    depth = planes[:, 3] - planes[:, :3] @ center
     dual = hull_of(planes[:, :3] / depth[:, None]).to_mesh64()
     ends = np.array(dual.vert_properties)[:, :3][triangles_of(dual)]
     first, second = ends[:, 1] - ends[:, 0], ends[:, 2] - ends[:, 0]
@@ -152,7 +152,7 @@ def _corners(planes: Array, centre: Array) -> Array:
     order = np.lexsort(near.T)
     fresh = np.ones(len(order), dtype=bool)
     fresh[1:] = (near[order[1:]] != near[order[:-1]]).any(axis=1)
-    around: Array = corners[order[fresh]] + centre
+    around: Array = corners[order[fresh]] + center
     return around
 
 

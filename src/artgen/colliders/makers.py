@@ -44,7 +44,7 @@ def _thinned_hull(solid: Convex, tolerance: float) -> Cover:
 
 
 def cylinder_pieces(radius: float, length: float, pose: Array = _IDENTITY, mesh_sides: int = 32) -> Pieces:
-    """Return the cover of a cylinder along z of its pose, centred [m].
+    """Return the cover of a cylinder along z of its pose, centered [m].
 
     Args:
         radius: Radius on which the vertices of the mesh lie [m].
@@ -129,7 +129,7 @@ def _fewer_sides(prism: Polytope, tolerance: float) -> Polytope:
 
 
 def chain_pieces(rings: Sequence[Array], *, closed: bool = False) -> Pieces:
-    """Return the cover of a sweep or loft: hulls of neighbouring rings, few where the chain is straight.
+    """Return the cover of a sweep or loft: hulls of neighboring rings, few where the chain is straight.
 
     Args:
         rings: Cross-sections along the chain, all with the same number of points in corresponding order, each

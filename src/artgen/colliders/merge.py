@@ -152,15 +152,15 @@ class _Condenser:
         return result
 
     def _add(self, group: int, piece: Convex) -> None:
-        """Add a piece, and its pairs with its neighbours to the queue."""
+        """Add a piece, and its pairs with its neighbors to the queue."""
         number, self._next = self._next, self._next + 1
         box = piece.bounds()
-        for other, (its_group, neighbour) in self._alive.items():
-            if its_group != group or not _overlap(neighbour.bounds(), box, self._margin):
+        for other, (its_group, neighbor) in self._alive.items():
+            if its_group != group or not _overlap(neighbor.bounds(), box, self._margin):
                 continue
-            hull = _hull(piece.faces, neighbour.faces, self._most_vertices)
+            hull = _hull(piece.faces, neighbor.faces, self._most_vertices)
             if hull is not None:
-                added = hull.volume - piece.volume - neighbour.volume
+                added = hull.volume - piece.volume - neighbor.volume
                 heapq.heappush(self._queue, (added, other, number, hull))
         self._alive[number] = (group, piece)
 

@@ -170,11 +170,11 @@ def _inside(border: Array, hole: Array) -> bool:
 
 def _ring_sectors(border: Array, hole: Array) -> list[Array]:
     """Cut the region between a convex border and a convex hole to one sector for each side of the hole."""
-    centre = hole.mean(axis=0)
+    center = hole.mean(axis=0)
     sectors: list[Array] = []
     for start, end in zip(hole, successors(hole), strict=True):
         sector = _clipped(border, start, end - start, right=True)
-        for point, direction, right in ((start, start - centre, False), (end, end - centre, True)):
+        for point, direction, right in ((start, start - center, False), (end, end - center, True)):
             sector = _clipped(sector, point, direction, right=right)
         sectors.append(_cleaned(sector))
     return sectors

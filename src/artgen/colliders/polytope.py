@@ -50,12 +50,12 @@ class Polytope(FrozenArrays):
     @classmethod
     def box(cls, lower: Array, upper: Array) -> Self:
         """Make an axis-aligned box from its corners, each shape (3,) [m]."""
-        centre, size = (lower + upper) / 2.0, upper - lower
+        center, size = (lower + upper) / 2.0, upper - lower
         planes = np.empty((6, 4))
         planes[:, :3] = _BOX_NORMALS
         planes[0::2, 3] = upper
         planes[1::2, 3] = -lower
-        return cls(centre + _BOX_SIGNS * size, planes, _BOX_CONTACT)
+        return cls(center + _BOX_SIGNS * size, planes, _BOX_CONTACT)
 
     @classmethod
     def prism(cls, polygon: Array, bottom: float, top: float) -> Self:
@@ -87,7 +87,7 @@ class Polytope(FrozenArrays):
         Raises:
             ValueError: The points are fewer than four, not finite, or lie in one plane.
         """
-        vertices, triangles, centre = hull_triangles(points)
+        vertices, triangles, center = hull_triangles(points)
         planes, contact = _faces(vertices, triangles)
         while True:
             corner = np.add.reduce(contact, axis=1, dtype=np.int64) >= 3
@@ -98,8 +98,8 @@ class Polytope(FrozenArrays):
             vertices, planes = vertices[corner], planes[face]
         if len(vertices) < 4 or len(planes) < 4:
             raise ValueError(f"the {len(points)} points lie in one plane to 1e-8 m; a hull needs a volume")
-        planes[:, 3] += planes[:, :3] @ centre
-        return cls(vertices + centre, planes, contact)
+        planes[:, 3] += planes[:, :3] @ center
+        return cls(vertices + center, planes, contact)
 
     @cached_property
     def volume(self) -> float:
@@ -245,12 +245,12 @@ def hull_triangles(points: Array) -> tuple[Array, Indices, Array]:
         raise ValueError(f"a hull needs at least 4 points of shape (n, 3), got shape {points.shape}")
     if not np.isfinite(points).all():
         raise ValueError("a hull needs finite points, got NaN or infinity")
-    centre = (points.min(axis=0) + points.max(axis=0)) / 2.0
-    solid = hull_of(points - centre)
+    center = (points.min(axis=0) + points.max(axis=0)) / 2.0
+    solid = hull_of(points - center)
     if solid.is_empty():
         raise ValueError(f"the {len(points)} points lie in one plane; a hull needs a volume")
     mesh = solid.to_mesh64()
-    return np.array(mesh.vert_properties)[:, :3], triangles_of(mesh), centre
+    return np.array(mesh.vert_properties)[:, :3], triangles_of(mesh), center
 
 
 def is_rigid(linear: Array) -> bool:

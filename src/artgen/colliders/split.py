@@ -117,7 +117,7 @@ def _without(piece: Facetted, cutter: Polytope) -> list[Facetted] | None:
     """Return the parts of a piece outside a cutter, or None if the two share no volume.
 
     The plane beyond which most of the rest lies cuts first: large parts come off whole, and only the
-    neighbourhood of the cutter is cut into small ones.
+    neighborhood of the cutter is cut into small ones.
     """
     if (cutter.heights(piece.shape.planes).min(axis=1) >= -SLIVER).any():
         return None

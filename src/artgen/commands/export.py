@@ -34,7 +34,7 @@ def export(
         ),
     ] = None,
     texture_size: Annotated[
-        int, typer.Option(metavar="TEXELS", help="Texels on a side of the maps; 0 for colours alone.")
+        int, typer.Option(metavar="TEXELS", help="Texels on a side of the maps; 0 for colors alone.")
     ] = TEXTURES,
     out: Annotated[
         Path | None,

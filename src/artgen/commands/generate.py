@@ -96,7 +96,7 @@ def generate(
         TextureMode | None,
         typer.Option(
             help="Where maps are kept: once for all assets of a dataset, with each asset, or nowhere, so "
-            "that colours alone are left. By default shared in a dataset; at a URL, embedded."
+            "that colors alone are left. By default shared in a dataset; at a URL, embedded."
         ),
     ] = None,
     texture_size: Annotated[

@@ -65,7 +65,7 @@ def images(
     ] = "0.03,0.45",
     samples: Annotated[int, typer.Option(min=1, help="How finely shadows and edges are drawn.")] = 4,
     texture_size: Annotated[
-        int, typer.Option(metavar="TEXELS", help="Texels on a side of the maps; 0 for plain colours.")
+        int, typer.Option(metavar="TEXELS", help="Texels on a side of the maps; 0 for plain colors.")
     ] = 512,
     picture: Annotated[PictureFormat, typer.Option(help="What pictures are written as.")] = "png",
     split: Annotated[

@@ -39,7 +39,7 @@ def render(
         Literal["color", "links", "labels", "depth", "normals"], typer.Option(help="What the pixels tell.")
     ] = "color",
     texture_size: Annotated[
-        int, typer.Option(metavar="TEXELS", help="Texels on a side of the maps; 0 for plain colours.")
+        int, typer.Option(metavar="TEXELS", help="Texels on a side of the maps; 0 for plain colors.")
     ] = 512,
     samples: Annotated[int, typer.Option(help="How finely shadows and edges are drawn.")] = 32,
     out: Annotated[
@@ -84,7 +84,7 @@ def _size(text: str) -> tuple[int, int]:
 
 
 def _shown(picture: "Picture", what: str) -> Any:
-    """Return as colours what the pixels of a picture tell."""
+    """Return as colors what the pixels of a picture tell."""
     import numpy as np
 
     if what == "color":

@@ -44,7 +44,7 @@ def validate(
         ),
     ],
     *,
-    behaviour: Annotated[
+    behavior: Annotated[
         bool, typer.Option(help="Simulate each asset in MuJoCo; takes seconds, needs artgen[sim].")
     ] = True,
     clients: Annotated[
@@ -64,7 +64,7 @@ def validate(
     console = Console(width=None if sys.stdout.isatty() else _PLAIN_WIDTH, highlight=False, markup=False)
     reports: list[tuple[Path, Report]] = []
     for directory in exports_in(directories):
-        report = run_checks(directory, behaviour=behaviour)
+        report = run_checks(directory, behavior=behavior)
         if chosen:
             outcomes = ask_clients(directory, chosen, by_name=by_name)
             report = ClientReport(report.asset, report.results, tuple(outcomes))

@@ -70,7 +70,7 @@ def view(
         bool, typer.Option(help="Of a category: prove it, and draw again what collides.")
     ] = True,
     texture_size: Annotated[
-        int, typer.Option(metavar="TEXELS", help="Texels on a side of the maps; 0 for plain colours.")
+        int, typer.Option(metavar="TEXELS", help="Texels on a side of the maps; 0 for plain colors.")
     ] = TEXELS,
     out: Annotated[
         Path | None, typer.Option(metavar="FILE", help="HTML; ./<name of the asset>.html by default.")
@@ -110,7 +110,7 @@ def gallery(
     ],
     *,
     texture_size: Annotated[
-        int, typer.Option(metavar="TEXELS", help="Texels on a side of the maps; 0 for plain colours.")
+        int, typer.Option(metavar="TEXELS", help="Texels on a side of the maps; 0 for plain colors.")
     ] = TEXELS // 2,
     out: Annotated[
         Path | None, typer.Option(metavar="FOLDER", help="Where to; <DIRECTORY>_gallery by default.")

@@ -97,7 +97,7 @@ def export(
         collision: Which colliders it carries: `exact` are those that it has; `coacd` and `hull` are made of
             its solids, see `artgen.asset.collision.with_colliders`, and the certificate is not of them, so
             none is written. `asset.json` records it.
-        textures: Texels on a side of the materials' maps: 256, 512, 1024 or 2048; 0 for colours alone.
+        textures: Texels on a side of the materials' maps: 256, 512, 1024 or 2048; 0 for colors alone.
         layout: How the files lie, see `artgen.export.layouts`: `flat`, `simready`, `partnet-mobility` or
             `robocasa`.
         mesh_precision: How far what is seen may lie from what was made [m], to write fewer triangles, and

@@ -206,12 +206,12 @@ def coupling(asset: Asset, joint: AssetJoint) -> AssetCoupling | None:
 
 
 def mass_in_frame(asset: Asset, link: Link) -> tuple[float, Array, Array]:
-    """Return a link's mass [kg], centre of mass and inertia about it, both in the link's frame.
+    """Return a link's mass [kg], center of mass and inertia about it, both in the link's frame.
 
     What is only rounding is set to 0, so that the written text does not depend on the machine.
 
     Returns:
-        Mass, centre of shape (3,) [m] and inertia of shape (3, 3) [kg m^2].
+        Mass, center of shape (3,) [m] and inertia of shape (3, 3) [kg m^2].
     """
     properties = link.mass_properties
     center = np.round(properties.center - asset.origin(link.name), 12) + 0.0

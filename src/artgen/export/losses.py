@@ -94,7 +94,7 @@ def look_losses(asset: Asset, textures: int, *, coat: str = "") -> tuple[Loss, .
         *loss(
             "texture",
             [material.name for material in seen if material.texture and not textures],
-            "the mean colour and roughness: maps were not asked for",
+            "the mean color and roughness: maps were not asked for",
         ),
         *loss(
             "transmission",

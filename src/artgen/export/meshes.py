@@ -271,6 +271,6 @@ def _color(linear: tuple[float, float, float]) -> str:
 
 
 def display_color(linear: tuple[float, float, float]) -> tuple[float, float, float]:
-    """Encode linear RGB as sRGB, which is what URDF, MJCF and MTL readers take colours for."""
+    """Encode linear RGB as sRGB, which is what URDF, MJCF and MTL readers take colors for."""
     red, green, blue = displayed(np.array(linear)).tolist()
     return round(red, 6), round(green, 6), round(blue, 6)

@@ -28,7 +28,7 @@ _DECIMALS = 4  # of normals and texture coordinates
 def with_precision(asset: Asset, precision: float) -> Asset:
     """Return an asset whose surfaces have fewer triangles; colliders, masses and all else stay.
 
-    Surfaces of one colour, which need none, lose their texture coordinates. What was proven stays true, and
+    Surfaces of one color, which need none, lose their texture coordinates. What was proven stays true, and
     is kept without its proof, which nobody could verify: that needs the solids.
     """
     check_precision(precision)
@@ -68,7 +68,7 @@ class CoarseLink(DerivedLink):
 
     @cached_property
     def surfaces(self) -> tuple[Surface, ...]:
-        """The visible faces of the source, of fewer triangles; those of one colour lie on one texel."""
+        """The visible faces of the source, of fewer triangles; those of one color lie on one texel."""
         step, origin = self.precision * _ROUNDING, np.array(self.origin)
         return tuple(_rounded(surface, step, origin) for surface in self.source.surfaces_of(self._mesh))
 

@@ -14,7 +14,7 @@ from artgen.sampling import choice
 from artgen.sampling.choices import Choice
 from artgen.sampling.distributions import as_number, shown
 
-_DIGITS = 4  # of a colour or roughness
+_DIGITS = 4  # of a color or roughness
 _WARMTH = 0.25  # how much of the spread of the lightness the hue has
 _BRIGHTEST = 0.9  # no paint reflects more
 
@@ -68,7 +68,7 @@ def shades(
     Args:
         *materials: Materials, or names of the table's.
         weights: Their chances; equal ones by default.
-        color: Largest relative change of the base colour.
+        color: Largest relative change of the base color.
         roughness: Largest change of the roughness.
         doc: What the parameter is.
 

@@ -168,7 +168,7 @@ class Drawing {
   }
 
   /** Brings a box into the middle, large enough to be read. */
-  centre(id) {
+  center(id) {
     const box = this.boxes.get(id);
     if (!box) return;
     const scale = Math.max(this.view.scale, 0.8);

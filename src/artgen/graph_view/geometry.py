@@ -8,7 +8,7 @@ from artgen.asset.joint import AssetJoint
 from artgen.asset.shape import Curve, MovedShape, Outline, Shape
 from artgen.asset.tree import Tree
 
-_BLANK = (0.72, 0.74, 0.76)  # linear colour of a solid without a material
+_BLANK = (0.72, 0.74, 0.76)  # linear color of a solid without a material
 _MOST_POINTS = 400  # of a cloud
 _STEPS = 65535  # places along one side of a mesh: a hundredth of a millimetre on a door
 _DIGITS = 6  # of positions [m]

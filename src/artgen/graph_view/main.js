@@ -42,7 +42,7 @@ class GraphPage {
     }
     this.say("");
     this.mark();
-    if (to) this.drawing.centre(to);
+    if (to) this.drawing.center(to);
     else if (fit) this.drawing.fit();
     document.body.dataset.drawn = seen.boxes.length;
   }
@@ -86,14 +86,14 @@ class GraphPage {
     this.update({ to: `n${index}` });
   }
 
-  chooseGroup(name, centred = true) {
+  chooseGroup(name, centered = true) {
     this.visible.chosen = null;
     this.group = name;
     this.details.group(name);
     if (this.visible.scope === "all") this.mark();
     else this.setScope("all");
     this.pressed();
-    if (centred) this.drawing.centre(`g${name}`);
+    if (centered) this.drawing.center(`g${name}`);
   }
 
   toggle(name) {

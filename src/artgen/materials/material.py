@@ -112,7 +112,7 @@ class Material:
         return zlib.crc32(self.name.encode()) | 1
 
     def with_(self, **changes: Any) -> "Material":
-        """Return a copy with some fields changed, e.g. a colour drawn for one asset; name it anew.
+        """Return a copy with some fields changed, e.g. a color drawn for one asset; name it anew.
 
         Raises:
             ParameterError: There is no such field, or its value is not allowed.

@@ -41,7 +41,7 @@ COLORS: dict[str, Color] = {
     "mustard": (0.55, 0.32, 0.045),
     "yellow": (0.80, 0.52, 0.045),
 }
-"""Colours of products, linear RGB, by name."""
+"""Colors of products, linear RGB, by name."""
 
 _LACQUER: dict[str, Any] = {"coat_weight": 0.3, "coat_roughness": 0.28}  # satin
 _HARD: dict[str, Any] = {"specular_roughness": 0.42, "density": 700.0, "friction": 0.5, **_LACQUER}
@@ -289,17 +289,17 @@ def material(name: str) -> Material:
     return MATERIALS[name]
 
 
-def coloured(name: str, color: str) -> Material:
-    """Return a material of the table in a colour of products, named after both: `powder_coat_sage`.
+def colored(name: str, color: str) -> Material:
+    """Return a material of the table in a color of products, named after both: `powder_coat_sage`.
 
     Args:
         name: A material that is painted or dyed, such as `powder_coat`, `enamel`, `abs` or `painted_wood`.
         color: A name of `COLORS`.
 
     Raises:
-        ParameterError: There is no such material or colour; the message has the nearest name.
+        ParameterError: There is no such material or color; the message has the nearest name.
     """
     made = material(name)
     if color not in COLORS:
-        raise ParameterError(f"there is no colour {color!r}.{nearest(color, COLORS)}")
+        raise ParameterError(f"there is no color {color!r}.{nearest(color, COLORS)}")
     return made.with_(name=f"{name}_{color}", base_color=COLORS[color])

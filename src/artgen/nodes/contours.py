@@ -60,7 +60,7 @@ def reversed_contour(contour: Contour) -> Contour:
 
 
 def arc_points(center: Array, radius: float, start: float, sweep: float, steps: int) -> tuple[Array, Array]:
-    """Return points of an arc and their directions from the centre, both shape (steps + 1, 2)."""
+    """Return points of an arc and their directions from the center, both shape (steps + 1, 2)."""
     angle = start + sweep * np.arange(steps + 1) / steps
     outward = np.column_stack([np.cos(angle), np.sin(angle)])
     outward[np.abs(outward) < 1e-15] = 0.0
@@ -126,7 +126,7 @@ def rounded_polygon(corners: Array, radii: Sequence[float] | Array) -> Contour:
 
 
 def without_repeats(contour: Contour) -> Contour:
-    """Return the contour with neighbouring points at one place joined."""
+    """Return the contour with neighboring points at one place joined."""
     gap = np.linalg.norm(contour.points - predecessors(contour.points), axis=1)
     if gap.min() > _SAME:
         return contour

@@ -304,10 +304,10 @@ def _inset(solid: Manifold, distance: float) -> Array:
     # triangles of one face have one plane: nearly equal ones would make slivers
     planes = np.unique(np.round(np.column_stack([normals, reach]), _PLANE_DECIMALS), axis=0)
     normals, reach = planes[:, :3], planes[:, 3]
-    centre = corners.reshape(-1, 3).mean(axis=0)
-    if (reach - normals @ centre).min() <= 1e-6:
-        centre = _deepest(normals, reach)
-    depth = reach - normals @ centre
+    center = corners.reshape(-1, 3).mean(axis=0)
+    if (reach - normals @ center).min() <= 1e-6:
+        center = _deepest(normals, reach)
+    depth = reach - normals @ center
     if depth.min() <= 1e-6:
         raise ValueError(
             f"thickness {distance:g} m leaves no cavity: the solid is only about "
@@ -319,7 +319,7 @@ def _inset(solid: Manifold, distance: float) -> Array:
     height = np.einsum("ij,ij->i", poles, faces[:, 0])
     area = np.linalg.norm(poles, axis=1)
     proper = area > 1e-12 * area.max()
-    inside = centre + poles[proper] / height[proper, None]
+    inside = center + poles[proper] / height[proper, None]
     _, first = np.unique(np.rint(inside * 1e6).astype(np.int64), axis=0, return_index=True)
     return np.ascontiguousarray(inside[np.sort(first)])
 

@@ -95,7 +95,7 @@ def extrude(
     taper: Scalar = 0.0,
     twist: Scalar = 0.0,
 ) -> Solid:
-    """Draw a profile out along an axis, centred on the origin.
+    """Draw a profile out along an axis, centered on the origin.
 
     The profile's x and y run along the two other asset axes, in the order X, Y, Z: along Z it lies in
     (X, Y), along Y (or -Y, the front) in (X, Z), and along X in (Y, Z). Reversing the axis does not mirror

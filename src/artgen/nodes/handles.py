@@ -218,7 +218,7 @@ class Solid(Handle):
         return Points.record("bounds", solid=self)
 
     def centroid(self) -> Vector:
-        """Return the centre of volume [m].
+        """Return the center of volume [m].
 
         Examples:
             >>> ramp = wedge(0.2, 0.3, 0.1)

@@ -34,7 +34,7 @@ def _center_of_mass(body: Tree) -> Array3:
 
 
 def center_of_mass(body: Body) -> Vector:
-    """Return the centre of mass of a body with all that is joined to it, at rest [m].
+    """Return the center of mass of a body with all that is joined to it, at rest [m].
 
     Examples:
         >>> grip = part(cylinder(0.015, 0.3, axis=X), "handle", material("oak"))
@@ -86,7 +86,7 @@ def _centroid(solid: Shape) -> Array3:
 
 
 def centroid(solid: Solid) -> Vector:
-    """Return the centre of volume [m]; also written `solid.centroid()`."""
+    """Return the center of volume [m]; also written `solid.centroid()`."""
     return Vector.record(_centroid, solid=solid)
 
 

@@ -141,7 +141,7 @@ def arc(
     Angles are right-handed about `axis`, and 0 is along X (along Y for an axis along X).
 
     Args:
-        center: Centre of the circle [m].
+        center: Center of the circle [m].
         radius: Its radius [m].
         start: Angle of the first point [rad].
         sweep: Angle from the first to the last point, negative for the other way [rad].
@@ -228,7 +228,7 @@ def _spline(points: tuple[Array3, ...], closed: bool) -> Curve:
 
 
 def _centripetal_slopes(through: Array, closed: bool) -> Array:
-    """Return a unit tangent at each point: that of the parabola through it and its neighbours."""
+    """Return a unit tangent at each point: that of the parabola through it and its neighbors."""
     before = through - predecessors(through)
     after = successors(before)
     near = np.linalg.norm(before, axis=1, keepdims=True)
@@ -273,7 +273,7 @@ def _helix(radius: float, pitch: float, turns: float, axis: Array3) -> Curve:
 
 
 def helix(radius: Scalar, pitch: Scalar, turns: Scalar, *, axis: VectorLike = (0.0, 0.0, 1.0)) -> Path:
-    """Make a right-handed helix centred on the origin.
+    """Make a right-handed helix centered on the origin.
 
     Args:
         radius: Radius of the cylinder it winds around [m].

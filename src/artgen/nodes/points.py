@@ -52,7 +52,7 @@ def _grid(center: Array3, u: Array3, v: Array3, columns: int, rows: int) -> Arra
 
 
 def grid(center: VectorLike, u: VectorLike, v: VectorLike, *, columns: int, rows: int) -> Points:
-    """Make a grid about its centre: neighbours differ by `u` along a row and by `v` between rows [m].
+    """Make a grid about its center: neighbors differ by `u` along a row and by `v` between rows [m].
 
     Examples:
         >>> holes = grid((0, 0, 0), 0.03 * X, 0.03 * Z, columns=6, rows=3)

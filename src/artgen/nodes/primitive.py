@@ -1,4 +1,4 @@
-"""Primitive solids: boxes and round things, centred on the origin unless they say otherwise."""
+"""Primitive solids: boxes and round things, centered on the origin unless they say otherwise."""
 
 import math
 
@@ -75,7 +75,7 @@ def _box(x: float, y: float, z: float, bevel: float) -> Shape:
 
 
 def box(x: Scalar, y: Scalar, z: Scalar, *, bevel: Scalar = 0.0) -> Solid:
-    """Make a box centred on the origin.
+    """Make a box centered on the origin.
 
     Args:
         x: Length along X [m].
@@ -142,7 +142,7 @@ def _cylinder(radius: float, length: float, axis: Array3, bevel: float) -> Shape
 
 
 def cylinder(radius: Scalar, length: Scalar, *, axis: VectorLike = UP, bevel: Scalar = 0.0) -> Solid:
-    """Make a cylinder centred on the origin.
+    """Make a cylinder centered on the origin.
 
     Args:
         radius: Its radius [m]; the facets stay inside of it.
@@ -193,7 +193,7 @@ def _bore(radius: float, length: float, axis: Array3) -> Shape:
 
 
 def bore(radius: Scalar, length: Scalar, *, axis: VectorLike = UP) -> Solid:
-    """Make a tool that drills a hole, centred on the origin: a shaft of `radius` fits what it leaves.
+    """Make a tool that drills a hole, centered on the origin: a shaft of `radius` fits what it leaves.
 
     It is a cylinder with its facets outside of the radius, where those of `cylinder` are inside.
 
@@ -228,7 +228,7 @@ def frustum(
     axis: VectorLike = UP,
     bevel: Scalar = 0.0,
 ) -> Solid:
-    """Make a truncated cone centred on the origin; a radius of 0 makes it pointed.
+    """Make a truncated cone centered on the origin; a radius of 0 makes it pointed.
 
     Args:
         bottom_radius: Radius where the axis starts [m].
@@ -309,7 +309,7 @@ def _dome(radius: float, height: float | None, axis: Array3) -> Shape:
 
 
 def dome(radius: Scalar, *, height: Scalar | None = None, axis: VectorLike = UP) -> Solid:
-    """Make half of a sphere or ellipsoid, the centre of its flat base at the origin.
+    """Make half of a sphere or ellipsoid, the center of its flat base at the origin.
 
     Args:
         radius: Radius of the base [m].
@@ -339,7 +339,7 @@ def _capsule(radius: float, length: float, axis: Array3) -> Shape:
 
 
 def capsule(radius: Scalar, length: Scalar, *, axis: VectorLike = UP) -> Solid:
-    """Make a cylinder with half spheres at both ends, centred on the origin.
+    """Make a cylinder with half spheres at both ends, centered on the origin.
 
     Args:
         radius: Its radius [m].
@@ -366,7 +366,7 @@ def torus(major: Scalar, minor: Scalar, *, axis: VectorLike = UP) -> Solid:
     """Make a torus about the origin.
 
     Args:
-        major: Radius of the circle on which the tube's centre runs [m].
+        major: Radius of the circle on which the tube's center runs [m].
         minor: Radius of the tube [m], less than the major radius.
         axis: Direction of the axis.
 
@@ -393,7 +393,7 @@ def _tube(outer: float, inner: float, length: float, axis: Array3, bevel: float)
 def tube(
     outer: Scalar, inner: Scalar, length: Scalar, *, axis: VectorLike = UP, bevel: Scalar = 0.0
 ) -> Solid:
-    """Make a round tube centred on the origin.
+    """Make a round tube centered on the origin.
 
     Args:
         outer: Outer radius [m].
@@ -417,7 +417,7 @@ def _wedge(x: float, y: float, z: float) -> Shape:
 
 
 def wedge(x: Scalar, y: Scalar, z: Scalar) -> Solid:
-    """Make a ramp that rises from the front (-Y) to the back; its bounding box is centred on the origin.
+    """Make a ramp that rises from the front (-Y) to the back; its bounding box is centered on the origin.
 
     Args:
         x: Width along X [m].

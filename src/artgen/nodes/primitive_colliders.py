@@ -127,7 +127,7 @@ def around_lathe(contours: Sequence[Contour], angle: float = math.tau, sides: in
 def around_extrusion(
     profile: Outline, length: float, *, bevel: float, taper: float, twist: float, stations: int
 ) -> Pieces:
-    """Return the pieces of an extrusion along z, centred on z = 0."""
+    """Return the pieces of an extrusion along z, centered on z = 0."""
     half = length / 2.0
     borders = [contour.points for contour in profile.contours]
     if taper == 0.0 and twist == 0.0:

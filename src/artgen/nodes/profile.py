@@ -1,6 +1,6 @@
 """Profiles: regions of the plane, x to the right and y up, for extrusions, lathes and sweeps.
 
-Unless it says otherwise, a profile is centred on the origin. `a | b`, `a - b` and `a & b` combine profiles.
+Unless it says otherwise, a profile is centered on the origin. `a | b`, `a - b` and `a & b` combine profiles.
 """
 
 import math
@@ -47,7 +47,7 @@ def _rectangle(width: float, height: float, radius: float) -> Outline:
 
 
 def rectangle(width: Scalar, height: Scalar, *, radius: Scalar = 0.0) -> Profile:
-    """Make a rectangle centred on the origin.
+    """Make a rectangle centered on the origin.
 
     Args:
         width: Length along x [m].
@@ -165,7 +165,7 @@ def _slot(length: float, width: float) -> Outline:
 
 
 def slot(length: Scalar, width: Scalar) -> Profile:
-    """Make a slot with round ends, centred on the origin.
+    """Make a slot with round ends, centered on the origin.
 
     Args:
         length: Overall length along x [m], at least the width.
@@ -224,7 +224,7 @@ def bow(radius: Scalar, width: Scalar, *, start: Scalar = 0.0, sweep: Scalar = m
     """Make a band bent along a circle about the origin, with flat ends.
 
     Args:
-        radius: Radius of its centre line [m].
+        radius: Radius of its center line [m].
         width: Width of the band across the line [m].
         start: Angle of its first end, from x towards y [rad].
         sweep: Angle to its other end, counter-clockwise [rad].

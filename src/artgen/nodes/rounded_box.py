@@ -38,7 +38,7 @@ def _unit_box(steps: int) -> tuple[Array, Array, Array, Indices, Indices]:
     ).reshape(-1, 3)
     triangles = np.concatenate([quads + face * count * count for face in range(6)])
     flat_directions, flat_signs, flat_arcs = (each.reshape(-1, 3) for each in (directions, signs, arcs))
-    # A vertex on the border of a face is also on its neighbour: same direction and, unless the box is
+    # A vertex on the border of a face is also on its neighbor: same direction and, unless the box is
     # sharp (where the direction is that of the face), same corner.
     where = flat_signs if steps == 0 else np.concatenate([flat_directions, flat_signs], axis=1)
     _, first, group = np.unique(np.rint(where * 1e6), axis=0, return_index=True, return_inverse=True)

@@ -170,7 +170,7 @@ def extrusion(
     warp: Callable[[Array, Array], tuple[Array, Array]] | None = None,
     scales: tuple[float, float] = (1.0, 1.0),
 ) -> Skin:
-    """Extrude contours along z, centred on z = 0, with rounded edges at both ends."""
+    """Extrude contours along z, centered on z = 0, with rounded edges at both ends."""
     inset, level, lean, rise = _end_rows(length, bevel, stations)
     rows = len(level)
     sheets = Sheets()

@@ -154,7 +154,7 @@ def text(string: str, height: Scalar, *, align: Literal["left", "center", "right
     Args:
         string: What it says; known while building.
         height: Height of the capital letters [m].
-        align: `center` centres the line on the origin, in both directions; `left` and `right` put the
+        align: `center` centers the line on the origin, in both directions; `left` and `right` put the
             origin on the base line at that end.
 
     Examples:

@@ -1,7 +1,7 @@
 """Closed-form bounds on where convex pieces are while joints move through intervals.
 
 Everything is batched: N items, each with V vertices, joints of one kind per step and an interval
-`centre - half .. centre + half` for each. The path from link A to link B is a product of joint motions in
+`center - half .. center + half` for each. The path from link A to link B is a product of joint motions in
 asset coordinates at rest, `E_1(q_1) ... E_m(q_m)`, that takes B's points into A's frame; a joint that is
 crossed against its direction has its axis turned round. Frame k lies behind the first k joints.
 
@@ -33,34 +33,34 @@ class Motion:
         kind: `revolute` or `prismatic`.
         origin: A point on the axis, shape (N, 3) [m].
         axis: Unit axis, shape (N, 3).
-        centre: Middle of the interval, shape (N,) [rad or m].
+        center: Middle of the interval, shape (N,) [rad or m].
         half: Half its length, not negative, shape (N,) [rad or m].
     """
 
     kind: JointKind
     origin: Array
     axis: Array
-    centre: Array
+    center: Array
     half: Array
 
     def reversed(self) -> "Motion":
         """Return the motion as it is seen from the other side."""
-        return Motion(self.kind, self.origin, -self.axis, self.centre, self.half)
+        return Motion(self.kind, self.origin, -self.axis, self.center, self.half)
 
     def still(self) -> "Motion":
         """Return the motion held at the middle of its interval."""
-        return Motion(self.kind, self.origin, self.axis, self.centre, np.zeros_like(self.half))
+        return Motion(self.kind, self.origin, self.axis, self.center, np.zeros_like(self.half))
 
 
 def _about(motion: Motion, points: Array) -> tuple[Array, Array, Array]:
-    """Split points into feet on the axis, arms to them and across, at the centre of the interval."""
+    """Split points into feet on the axis, arms to them and across, at the center of the interval."""
     axis, origin = motion.axis[:, None, :], motion.origin[:, None, :]
     relative = points - origin
     along = np.matmul(relative, motion.axis[:, :, None])
     feet = origin + along * axis
     arm = points - feet
     across = cross(axis, arm)
-    cosine, sine = (f(motion.centre)[:, None, None] for f in (np.cos, np.sin))
+    cosine, sine = (f(motion.center)[:, None, None] for f in (np.cos, np.sin))
     return feet, cosine * arm + sine * across, cosine * across - sine * arm
 
 
@@ -77,7 +77,7 @@ def enclosing_points(motion: Motion, points: Array) -> Array:
     """
     half = motion.half[:, None, None]
     if motion.kind == "prismatic":
-        middle = points + (motion.centre[:, None] * motion.axis)[:, None, :]
+        middle = points + (motion.center[:, None] * motion.axis)[:, None, :]
         step = half * motion.axis[:, None, :]
         return np.concatenate((middle - step, middle + step), axis=1)
     feet, arm, across = _about(motion, points)
@@ -114,7 +114,7 @@ def support(motion: Motion, points: Array, normals: Array) -> Array:
     columns = normals.transpose(0, 2, 1)
     if motion.kind == "prismatic":
         along = np.matmul(normals, motion.axis[:, :, None])[:, :, 0]
-        moved = along * motion.centre[:, None] + np.abs(along) * motion.half[:, None]
+        moved = along * motion.center[:, None] + np.abs(along) * motion.half[:, None]
         top: Array = np.matmul(points, columns).max(axis=1) + moved
         return top
     feet, arm, across = _about(motion, points)

@@ -195,7 +195,7 @@ class Ahead:
 def taken(motion: Motion, rows: Indices) -> Motion:
     """Return the motion of some of its items."""
     return Motion(
-        motion.kind, *(each[rows] for each in (motion.origin, motion.axis, motion.centre, motion.half))
+        motion.kind, *(each[rows] for each in (motion.origin, motion.axis, motion.center, motion.half))
     )
 
 
@@ -224,7 +224,7 @@ class Coaxial:
         for motion in path:
             if motion.kind == "prismatic":
                 along = np.sum(motion.axis[chosen] * self._axes[items.way[chosen]], axis=1)
-                shift += along * motion.centre[chosen]
+                shift += along * motion.center[chosen]
                 half += np.abs(along) * motion.half[chosen]
         first, second = (
             self._profile(items.way[chosen], nodes[chosen]) for nodes in (items.first, items.second)

@@ -40,7 +40,7 @@ class Hierarchy:
         last: The one behind its last piece, shape (nodes,).
         piece: Number of a leaf's piece in its link, -1 for boxes, shape (nodes,).
         leaf: Whether the node is a piece, shape (nodes,).
-        centre: Middle of the node's box, shape (nodes, 3) [m].
+        center: Middle of the node's box, shape (nodes, 3) [m].
         radius: Distance of the farthest vertex from the middle, shape (nodes,) [m].
         half: Half the lengths of the node's box, shape (nodes, 3) [m].
         count: Number of vertices, shape (nodes,).
@@ -71,8 +71,8 @@ class Hierarchy:
         self._start = np.cumsum(self.count) - self.count
         low = np.minimum.reduceat(self._points, self._start)
         high = np.maximum.reduceat(self._points, self._start)
-        self.centre: Array = (low + high) / 2.0
-        away = self._points - np.repeat(self.centre, self.count, axis=0)
+        self.center: Array = (low + high) / 2.0
+        away = self._points - np.repeat(self.center, self.count, axis=0)
         self.radius: Array = np.sqrt(np.maximum.reduceat(np.sum(away * away, axis=1), self._start))
         self.half: Array = (high - low) / 2.0
         self._child = np.full((len(nodes), _FAN), -1)
@@ -144,7 +144,7 @@ class Hierarchy:
         if node not in self._placed:
             import fcl
 
-            at = np.zeros(3) if self.leaf[node] else self.centre[node]
+            at = np.zeros(3) if self.leaf[node] else self.center[node]
             self._placed[node] = fcl.CollisionObject(self._shape(node), fcl.Transform(at))
         return self._placed[node]
 
@@ -155,7 +155,7 @@ class Hierarchy:
         if node not in self._moving:
             self._moving[node] = fcl.CollisionObject(self._shape(node))
         if not self.leaf[node]:
-            offset = offset + rotation @ self.centre[node]
+            offset = offset + rotation @ self.center[node]
         self._moving[node].setTransform(fcl.Transform(rotation, offset))
         return self._moving[node]
 

@@ -66,9 +66,9 @@ class JointTable:
         result = []
         for step, kind in enumerate(self.kinds):
             variable, ratio = self.variable[ways, step], self.ratio[ways, step]
-            centre = ratio * middle[rows, variable] + self.offset[ways, step]
+            center = ratio * middle[rows, variable] + self.offset[ways, step]
             width = np.abs(ratio) * half[rows, variable]
-            result.append(Motion(kind, self.origin[ways, step], self.axis[ways, step], centre, width))
+            result.append(Motion(kind, self.origin[ways, step], self.axis[ways, step], center, width))
         return result
 
     def motion(
@@ -83,10 +83,10 @@ class JointTable:
             width = np.abs(self.ratio[ways, step]) * half[rows, variable]
             if kind == "revolute":
                 away = self.away[ways, step]
-                centre = np.where(away[:, None], second[0], first[0])
+                center = np.where(away[:, None], second[0], first[0])
                 radius = np.where(away, second[1], first[1])
                 axis = self.axis[ways, step]
-                arm = cross(axis, centre - self.origin[ways, step])
+                arm = cross(axis, center - self.origin[ways, step])
                 reach = np.sqrt(np.sum(arm * arm, axis=1)) + radius
                 width = 2.0 * np.sin(np.minimum(width, np.pi) / 2.0) * reach
             result[rows, variable] += width
@@ -121,14 +121,14 @@ class Frames:
 
 def frames(path: Sequence[Motion]) -> Frames:
     """Compose the motions of a path in the middle of the cells."""
-    count = len(path[0].centre)
+    count = len(path[0].center)
     rotation = np.broadcast_to(np.eye(3), (count, 3, 3))
     rotations, offset = [rotation], np.zeros((count, 3))
     for motion in path:
         if motion.kind == "prismatic":
-            shift, turned = motion.axis * motion.centre[:, None], rotation
+            shift, turned = motion.axis * motion.center[:, None], rotation
         else:
-            turn = _rotations(motion.axis, motion.centre)
+            turn = _rotations(motion.axis, motion.center)
             shift = motion.origin - np.matmul(turn, motion.origin[:, :, None])[:, :, 0]
             turned = np.matmul(rotation, turn)
         offset = offset + np.matmul(rotation, shift[:, :, None])[:, :, 0]

@@ -149,8 +149,8 @@ def first_contact(touch: Callable[[Array], bool], start: Array, end: Array) -> f
 
 
 def _moved_box(box: Array, matrix: Array) -> tuple[Array, Array]:
-    centre, half = box.mean(axis=0), (box[1] - box[0]) / 2.0
-    middle = matrix[:3, :3] @ centre + matrix[:3, 3]
+    center, half = box.mean(axis=0), (box[1] - box[0]) / 2.0
+    middle = matrix[:3, :3] @ center + matrix[:3, 3]
     reach = np.abs(matrix[:3, :3]) @ half
     return middle - reach, middle + reach
 

@@ -153,10 +153,10 @@ def _gap(way: Way, covers: list[tuple[Cover, list[int]]], row: Array) -> float:
     path = []
     for joint, sign, follower in zip(way.steps, way.signs, way.followers, strict=True):
         number = way.variables.index(follower.variable) if follower.variable else 0
-        centre = follower.ratio * (low[number] + high[number]) / 2.0 + follower.offset
+        center = follower.ratio * (low[number] + high[number]) / 2.0 + follower.offset
         half = abs(follower.ratio) * (high[number] - low[number]) / 2.0
         axis = (sign * joint.axis)[None]
-        path.append(Motion(joint.kind, joint.pivot[None], axis, np.array([centre]), np.array([half])))
+        path.append(Motion(joint.kind, joint.pivot[None], axis, np.array([center]), np.array([half])))
     if frame == AXIS_FRAME:
         return _axis_gap(way, first, second, path)
     length = float(np.sqrt(normal @ normal))
@@ -173,7 +173,7 @@ def _axis_gap(way: Way, first: list[Array], second: list[Array], path: list[Moti
         if max(np.abs(np.cross(joint.axis, axis)).max(), np.abs(np.cross(away, axis)).max()) > _ROUNDING:
             return -np.inf
     slides = [motion for motion in path if motion.kind == "prismatic"]
-    shift = sum((float(motion.axis[0] @ axis) * motion.centre for motion in slides), np.zeros(1))
+    shift = sum((float(motion.axis[0] @ axis) * motion.center for motion in slides), np.zeros(1))
     half = sum((motion.half for motion in slides), np.zeros(1))
     about = [[around_axis(points[None], origin, axis) for points in side] for side in (first, second)]
     return min(float(axis_gap(a, b, shift, half)[0]) for a in about[0] for b in about[1])

@@ -143,7 +143,7 @@ class Search:
         first, second = (np.flatnonzero(nodes.leaf & (nodes.tree == tree)) for tree in self.trees[number])
         rotation, offset = place.rotations[-1][0], place.offset[0]
         half_a, half_b = nodes.half[first], nodes.half[second] @ np.abs(rotation).T
-        between = np.abs(nodes.centre[first][:, None] - (nodes.centre[second] @ rotation.T + offset)[None])
+        between = np.abs(nodes.center[first][:, None] - (nodes.center[second] @ rotation.T + offset)[None])
         apart = np.maximum(between - half_a[:, None] - half_b[None], 0.0)
         order = np.sqrt(np.sum(apart * apart, axis=2))
         for flat in np.argsort(order, axis=None, kind="stable")[:_MOST_AT_REST]:
@@ -207,7 +207,7 @@ class Search:
         for frame in range(1, last):
             rows = np.flatnonzero(items.frame == frame)
             planes.attempt(rows, items.normal[rows][:, None, :], frame)
-        middle = place.moved(nodes.centre[items.second]) - nodes.centre[items.first]
+        middle = place.moved(nodes.center[items.second]) - nodes.center[items.first]
         length = np.sqrt(np.sum(middle * middle, axis=1, keepdims=True))
         middle /= np.where(length > 0.0, length, 1.0)
         rows = np.arange(len(items))
@@ -338,8 +338,8 @@ class Search:
         motion = layout.motion(
             self._row[items.way],
             items,
-            (nodes.centre[items.first], nodes.radius[items.first]),
-            (nodes.centre[items.second], nodes.radius[items.second]),
+            (nodes.center[items.first], nodes.radius[items.first]),
+            (nodes.center[items.second], nodes.radius[items.second]),
         )
         total = motion.sum(axis=1)
         sizes = np.stack(

@@ -21,7 +21,7 @@ _SIGN_NAMES = {
     "colliders": "colliders",
     "joints": "joint axes and limits",
     "grasps": "grasp frames",
-    "masses": "centres of mass",
+    "masses": "centers of mass",
 }
 _WITNESSES = 6  # of which there are buttons
 _BOX = (
@@ -91,10 +91,10 @@ class Panel:
         for kind in SIGNS:
             box = self._gui.add_checkbox(_SIGN_NAMES[kind], initial_value=False)
             box.on_update(self._sign(kind))
-        labels = self._gui.add_checkbox("semantic colours", initial_value=False)
+        labels = self._gui.add_checkbox("semantic colors", initial_value=False)
         labels.on_update(self._by_person(self._actions["labels"], "labels"))
         maps = self._gui.add_dropdown(
-            "textures", _MAPS, initial_value="512", hint="texels on a side of the maps; 0 for colours alone"
+            "textures", _MAPS, initial_value="512", hint="texels on a side of the maps; 0 for colors alone"
         )
         maps.on_update(self._by_person(lambda value: self._actions["textures"](int(value)), "textures"))
         light = self._gui.add_checkbox(

@@ -1,4 +1,4 @@
-"""What the studio draws over an asset: colliders, joints, grasp frames, centres of mass."""
+"""What the studio draws over an asset: colliders, joints, grasp frames, centers of mass."""
 
 from collections.abc import Callable, Mapping
 from typing import Any, Literal, get_args

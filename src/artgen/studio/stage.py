@@ -128,8 +128,8 @@ class Viewport:
 
     Attributes:
         sent: How many links were sent since the server began, for who wants to know what a change costs.
-        by_label: Whether links have the colours of their semantic labels.
-        textures: Texels on a side of the materials' maps; 0 for colours alone.
+        by_label: Whether links have the colors of their semantic labels.
+        textures: Texels on a side of the materials' maps; 0 for colors alone.
     """
 
     def __init__(self, server: Any) -> None:

@@ -16,7 +16,7 @@ def check_category(
     seeds: Iterable[int] = range(8),
     *,
     checks: Collection[str] | None = None,
-    behaviour: bool = False,
+    behavior: bool = False,
     on_collision: Literal["keep", "redraw"] = "keep",
     overrides: Mapping[str, Any] | None = None,
 ) -> None:
@@ -30,7 +30,7 @@ def check_category(
         generator: A category or generator, the name of a category, or a file that defines one: `stool.py`.
         seeds: The seeds.
         checks: Names of the checks to run; all of them by default.
-        behaviour: Whether to simulate each asset in MuJoCo as well, which takes seconds.
+        behavior: Whether to simulate each asset in MuJoCo as well, which takes seconds.
         on_collision: `keep` fails for a sample whose parts collide. `redraw` judges what is drawn in its
             place, as users of the category get it.
         overrides: Values or distributions by parameter name.
@@ -50,7 +50,7 @@ def check_category(
     failures = []
     for seed in numbers:
         try:
-            parameters, faults = _faults(chosen, seed, options, checks, behaviour, on_collision)
+            parameters, faults = _faults(chosen, seed, options, checks, behavior, on_collision)
         except Exception as error:
             error.add_note(f"while checking {chosen.name}, seed {seed}")
             raise
@@ -66,7 +66,7 @@ def _faults(
     seed: int,
     overrides: Mapping[str, Any],
     checks: Collection[str] | None,
-    behaviour: bool,  # noqa: FBT001 - passed on
+    behavior: bool,  # noqa: FBT001 - passed on
     on_collision: Literal["keep", "redraw"],
 ) -> tuple[Mapping[str, Any], list[str]]:
     """Return the parameters of the asset of a seed, and what is wrong with it."""
@@ -92,7 +92,7 @@ def _faults(
         )
     faults += _round_trip(generator, asset, overrides)
     try:
-        report = validate(asset, behaviour=behaviour, checks=checks)
+        report = validate(asset, behavior=behavior, checks=checks)
     except ParameterError:
         raise
     except ArtgenError as error:

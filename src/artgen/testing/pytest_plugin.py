@@ -2,7 +2,7 @@
 
 A directory is one that an asset was exported to, or one that holds some; the option may be given several
 times. Alone it runs these tests only, as a path would; with paths it runs both. The tests are named
-`door_7::certificate`, so `-k certificate` or `-k "not behaviour"` choose among them.
+`door_7::certificate`, so `-k certificate` or `-k "not behavior"` choose among them.
 
 Every run of pytest loads `pytest_artgen`, which has the option and loads this module where it is given.
 """

@@ -205,7 +205,7 @@ def _options(distribution: Distribution) -> list[Any]:
 
 
 def _middle(distribution: Distribution, low: float, high: float) -> float:
-    """Return the number between two ends that a distribution is centred on."""
+    """Return the number between two ends that a distribution is centered on."""
     if isinstance(distribution, Normal):
         middle = distribution.mean
     elif isinstance(distribution, Fixed):

@@ -15,32 +15,32 @@ if TYPE_CHECKING:
     from artgen.validate.readback import FormatChecks
 
 
-CHECKS = ("files", "solids", "tree", "colliders", *FORMAT_CHECKS, "certificate", "grasps", "behaviour")
+CHECKS = ("files", "solids", "tree", "colliders", *FORMAT_CHECKS, "certificate", "grasps", "behavior")
 """The checks, in the order in which they run."""
 
 _MESH_CHECKS = ("solids", "colliders", "grasps")
 
 
 def validate(
-    target: Asset | str | Path, *, behaviour: bool = True, checks: Collection[str] | None = None
+    target: Asset | str | Path, *, behavior: bool = True, checks: Collection[str] | None = None
 ) -> Report:
     """Run the checks of an asset on its exported files, read back."""
     for name in checks or ():
         if name not in CHECKS:
             raise ParameterError(f"there is no check {name!r}.{nearest(name, CHECKS)}")
     if not isinstance(target, Asset):
-        return Examination(target, behaviour=behaviour).report(checks)
+        return Examination(target, behavior=behavior).report(checks)
     with tempfile.TemporaryDirectory(prefix="artgen_") as folder:
         directory = target.export(Path(folder) / target.name)
-        return Examination(directory, behaviour=behaviour).report(checks)
+        return Examination(directory, behavior=behavior).report(checks)
 
 
 class Examination:
     """The checks of one exported asset; each runs when its result is first asked for."""
 
-    def __init__(self, directory: str | Path, *, behaviour: bool = True) -> None:
+    def __init__(self, directory: str | Path, *, behavior: bool = True) -> None:
         self.directory = Path(directory)
-        self._behaviour = behaviour
+        self._behavior = behavior
         self._exported: Exported = read_export(self.directory)
         self._results: dict[str, CheckResult] = {"files": self._exported.result}
 
@@ -79,9 +79,9 @@ class Examination:
             return "the export has no meshes to read back: those of urdf and mjcf in the layout flat have"
         if check in _MESH_CHECKS and (precision := self._mesh_precision):
             return f"its meshes, precise to {1e3 * precision:g} mm, are not those of the solids"
-        if check == "behaviour" and not self._behaviour:
+        if check == "behavior" and not self._behavior:
             return "not asked for"
-        return "the export has no mjcf" if check == "behaviour" and "mjcf" not in formats else ""
+        return "the export has no mjcf" if check == "behavior" and "mjcf" not in formats else ""
 
     def _run(self, check: str) -> CheckResult:
         return guarded(check, lambda: self._runner(check))
@@ -111,9 +111,9 @@ class Examination:
             from artgen.validate.hands import check_grasps
 
             return check_grasps(asset)
-        from artgen.validate.behavior import check_behaviour
+        from artgen.validate.behavior import check_behavior
 
-        return check_behaviour(asset, self.directory)
+        return check_behavior(asset, self.directory)
 
     @cached_property
     def _mesh_precision(self) -> float:

@@ -47,7 +47,7 @@ SMALLEST = 1e-11
 """Volume below which a solid is a sliver [m^3]."""
 
 _MANY_FLAT = 0.25  # share of triangles without area that a clean boolean never leaves
-_SAME_PLACE = 1e-6  # [m] between the centres of two solids that may be one
+_SAME_PLACE = 1e-6  # [m] between the centers of two solids that may be one
 _SAME_VOLUME = 1e-3  # of the volume: what two solids that are one may differ by
 _INSIDE = 0.5  # turns around a point: 1 inside, 0 outside
 

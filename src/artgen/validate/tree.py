@@ -204,12 +204,12 @@ def _grasp_findings(link: Link) -> Iterator[Finding]:
 
 
 def _mass_findings(link: Link) -> Iterator[Finding]:
-    """Yield mass, centre or inertia that no solid within the link's bounds can have."""
+    """Yield mass, center or inertia that no solid within the link's bounds can have."""
     properties = link.mass_properties
     mass, inertia = properties.mass, properties.inertia
     finite = np.isfinite(mass) and np.isfinite(properties.center).all() and np.isfinite(inertia).all()
     if not (finite and mass > 0.0):
-        message = f"its mass is {mass:.4g} kg, or its centre or inertia is not finite"
+        message = f"its mass is {mass:.4g} kg, or its center or inertia is not finite"
         yield Finding(CHECK, message, link.name, value=mass, unit="kg", hint="give it a solid with a density")
         return
     low, high = link.bounds()
@@ -217,7 +217,7 @@ def _mass_findings(link: Link) -> Iterator[Finding]:
     slack = 1e-6 * float(np.linalg.norm(high - low))
     if (properties.center < low - slack).any() or (properties.center > high + slack).any():
         center = ", ".join(f"{value:.4g}" for value in properties.center)
-        message = f"its centre of mass ({center}) m lies outside its bounding box"
+        message = f"its center of mass ({center}) m lies outside its bounding box"
         yield Finding(CHECK, message, link.name, hint="derive it from the solids")
     moments = np.linalg.eigvalsh(inertia)
     shown = ", ".join(f"{moment:.4g}" for moment in moments)

@@ -1,4 +1,4 @@
-"""Pictures of assets: colours, segmentation, depth and normals, sheets of many samples, and pages."""
+"""Pictures of assets: colors, segmentation, depth and normals, sheets of many samples, and pages."""
 
 from artgen.errors import RenderError
 from artgen.view.camera import VIEWS, Camera, View

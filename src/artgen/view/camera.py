@@ -64,7 +64,7 @@ class Camera:
         return np.array([right, np.cross(right, forward), forward])
 
     def rays(self, size: tuple[int, int]) -> Array:
-        """Return the directions through the centres of the pixels, of depth 1, shape (height, width, 3).
+        """Return the directions through the centers of the pixels, of depth 1, shape (height, width, 3).
 
         Args:
             size: Width and height of the picture [pixels].

@@ -80,7 +80,7 @@ def body_of_glass(material: Material) -> float:
 
 @dataclass
 class ClassicDress:
-    """Makes materials for the classic renderer: colours and pictures of what they mirror."""
+    """Makes materials for the classic renderer: colors and pictures of what they mirror."""
 
     known: dict[str, tuple[Layer, ...]] = field(default_factory=dict)
     textures: set[str] = field(default_factory=set)
@@ -224,7 +224,7 @@ class ClassicRenderer:
     def color(
         self, camera: Camera, poses: list[Array], size: tuple[int, int], samples: int
     ) -> NDArray[np.uint8]:
-        """Return the colours, shape (height, width, 3)."""
+        """Return the colors, shape (height, width, 3)."""
         import mujoco
 
         self._gl.make_current()
@@ -254,7 +254,7 @@ class ClassicRenderer:
     def surfaces(
         self, camera: Camera, poses: list[Array], size: tuple[int, int]
     ) -> tuple[NDArray[np.int32], Array]:
-        """Return number and depth of the surface at each pixel's centre, both of shape (height, width)."""
+        """Return number and depth of the surface at each pixel's center, both of shape (height, width)."""
         import mujoco
 
         self._gl.make_current()
@@ -365,7 +365,7 @@ def _mirrored(drawn: Drawn, camera: Camera, pose: Array, place: Backdrop) -> Arr
     rays = points - camera.position
     rays /= np.linalg.norm(rays, axis=1, keepdims=True)
     bounced = rays - 2.0 * (rays * normals).sum(axis=1, keepdims=True) * normals
-    # the walls of the studio are not infinitely far away: so a flat plate mirrors a gradient, not one colour
+    # the walls of the studio are not infinitely far away: so a flat plate mirrors a gradient, not one color
     bounced += _NEARNESS / place.radius * (points - place.center)
     return sphere_map_coordinates(bounced / np.linalg.norm(bounced, axis=1, keepdims=True))
 

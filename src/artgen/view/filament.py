@@ -82,7 +82,7 @@ _IMAGE_LIGHT = "studio_light.ktx"
 _ROLES: dict[Kind, str] = {"albedo": "mjTEXROLE_RGB", "orm": "mjTEXROLE_ORM", "normal": "mjTEXROLE_NORMAL"}
 _AMBIENT, _SUN = 17500.0, 45000.0  # candela: the sum shows white paper as white
 _WHITE = 6.0  # what is shown as white behind an asset
-_TONES = "pbr_neutral"  # keeps the colours of materials; only highlights are compressed
+_TONES = "pbr_neutral"  # keeps the colors of materials; only highlights are compressed
 
 
 @dataclass
@@ -196,7 +196,7 @@ class FilamentRenderer:
     def color(
         self, camera: Camera, poses: list[Array], size: tuple[int, int], samples: int
     ) -> NDArray[np.uint8]:
-        """Return the colours, shape (height, width, 3)."""
+        """Return the colors, shape (height, width, 3)."""
         import mujoco
         from mujoco.rendering.filament.renderer import View
 

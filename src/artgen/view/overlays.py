@@ -1,4 +1,4 @@
-"""What viewers draw over an asset: colliders, joints, grasp frames, centres of mass, colours of labels.
+"""What viewers draw over an asset: colliders, joints, grasp frames, centers of mass, colors of labels.
 
 All of it is plain data in asset coordinates at rest [m]. A viewer carries what belongs to a link by
 `asset.pose(q)[link]`, and what belongs to a joint by `axis_poses(asset, q)[joint]`.
@@ -17,7 +17,7 @@ from artgen.asset import Asset, AssetJoint, rotation
 from artgen.colliders import Convex
 
 Rgb = tuple[float, float, float]
-"""A colour in sRGB, each component from 0 to 1."""
+"""A color in sRGB, each component from 0 to 1."""
 
 _FACETS = 0.001  # how far the facets of round colliders may stand off them [m]
 _MARGIN = 0.06  # share of a link's size by which the axis of its joint stands out at both ends
@@ -25,7 +25,7 @@ _SHORTEST = 0.02  # length of an axis or arm, and of a slide that has no limits,
 _STEP = math.radians(5.0)  # between the points of an arc
 _ON_AXIS = 1e-6  # what is nearer to an axis has no direction from it [m]
 
-# The colours of Okabe and Ito, which people with any colour vision tell apart, grey instead of black; then
+# The colors of Okabe and Ito, which people with any color vision tell apart, grey instead of black; then
 # the same darker, lighter and in between, for categories with many labels.
 _HUES: tuple[Rgb, ...] = (
     (0.902, 0.624, 0.000),
@@ -47,7 +47,7 @@ PALETTE: tuple[Rgb, ...] = tuple(
     for grey, keep in _SHADES
     for red, green, blue in _HUES
 )
-"""The colours of labels, the easiest to tell apart first."""
+"""The colors of labels, the easiest to tell apart first."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -77,7 +77,7 @@ class LinkOverlay:
     link: str  # its name
     label: str  # its semantic label
     mass: float  # [kg]
-    center: Array  # centre of mass, shape (3,) [m]
+    center: Array  # center of mass, shape (3,) [m]
     colliders: tuple[ColliderFaces, ...]  # its convex pieces
     holds: tuple[HoldFrame, ...]  # its grasps and pushes
 
@@ -108,7 +108,7 @@ class Overlays:
 
     links: Mapping[str, LinkOverlay]  # by the name of the link
     joints: Mapping[str, JointOverlay]  # by the name of the joint; locked joints are left out
-    colors: Mapping[str, Rgb]  # the colour of each semantic label
+    colors: Mapping[str, Rgb]  # the color of each semantic label
     size: float  # diagonal of the asset's bounding box, to choose the size of signs by [m]
 
 
@@ -138,9 +138,9 @@ def axis_poses(asset: Asset, q: Mapping[str, float] | None = None) -> dict[str, 
 
 
 def label_colors(asset: Asset) -> dict[str, Rgb]:
-    """Return a colour for each label, the same in all assets of a category, and mostly in others.
+    """Return a color for each label, the same in all assets of a category, and mostly in others.
 
-    The labels that a category names first have the colours that are told apart most easily.
+    The labels that a category names first have the colors that are told apart most easily.
     """
     labels = [*asset.labels, *sorted(_used(asset).difference(asset.labels))]
     result: dict[str, Rgb] = {}

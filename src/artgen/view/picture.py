@@ -1,4 +1,4 @@
-"""Pictures: colours, and for each pixel what is seen there, how far away it is, and how it is turned."""
+"""Pictures: colors, and for each pixel what is seen there, how far away it is, and how it is turned."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -43,7 +43,7 @@ class Segmentation:
 class Passes:
     """What a picture is made by, each drawn when it is first asked for."""
 
-    # number of the surface at each pixel's centre from 1, 0 for none, with the depth of it along the
+    # number of the surface at each pixel's center from 1, 0 for none, with the depth of it along the
     # camera's axis [m], infinite for none; both of shape (height, width)
     surfaces: Callable[[], tuple[NDArray[np.int32], Array]]
     # unit normals in asset coordinates, zero where nothing is seen, shape (height, width, 3)
@@ -57,7 +57,7 @@ class Picture:
     Attributes:
         color: sRGB, shape (height, width, 3).
         camera: Where it was taken from, in asset coordinates.
-        backend: The renderer that drew the colours: `classic` or `filament`.
+        backend: The renderer that drew the colors: `classic` or `filament`.
         link_names: Link of each surface.
         label_names: Semantic label of each surface.
         passes: What draws the rest.
@@ -81,12 +81,12 @@ class Picture:
 
     @cached_property
     def links(self) -> Segmentation:
-        """Which link each pixel's centre shows; glass hides what is behind it."""
+        """Which link each pixel's center shows; glass hides what is behind it."""
         return self._by(self.link_names)
 
     @cached_property
     def labels(self) -> Segmentation:
-        """Which semantic label each pixel's centre shows; glass hides what is behind it."""
+        """Which semantic label each pixel's center shows; glass hides what is behind it."""
         return self._by(self.label_names)
 
     @cached_property
@@ -100,7 +100,7 @@ class Picture:
         return Segmentation(table[self._surfaces[0]], names)
 
     def save(self, path: str | Path) -> Path:
-        """Write the colours to a PNG or JPEG file.
+        """Write the colors to a PNG or JPEG file.
 
         Raises:
             ExportError: The name ends otherwise, or the file cannot be written.

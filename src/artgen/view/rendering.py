@@ -92,7 +92,7 @@ def render(
         studio: What stands around: a seamless backdrop, a wall and a wooden floor, or nothing.
         backend: Filament is physically based and needs Python 3.12 and Vulkan; `classic` needs OpenGL only;
             `auto` takes Filament where it works.
-        textures: Texels on a side of the materials' maps; 0 for plain colours.
+        textures: Texels on a side of the materials' maps; 0 for plain colors.
         samples: How finely lamps and edges are sampled; pictures with few have steps in their shadows.
 
     Raises:
@@ -179,7 +179,7 @@ def _renderer(asset: Asset, backend: str, studio: Studio, textures: int, size: t
 def _surfaces(
     asset: Asset, camera: Camera, poses: Mapping[str, Array], size: tuple[int, int]
 ) -> tuple[NDArray[np.int32], Array]:
-    """Return number and depth of the surface at each pixel's centre: by OpenGL, or else by rays."""
+    """Return number and depth of the surface at each pixel's center: by OpenGL, or else by rays."""
     try:
         renderer = _renderer(asset, "classic", "none", 0, size)
     except RenderError:

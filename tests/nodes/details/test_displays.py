@@ -164,7 +164,7 @@ def test_a_rating_plate_has_some_letters_but_not_too_many(lines):
         rating_plate(0.07, 0.04, lines)
 
 
-def test_a_display_shines_in_known_colours_only():
+def test_a_display_shines_in_known_colors_only():
     with pytest.raises(
         BuildError, match=r"cannot shine in 'ambre'\. Did you mean 'amber'\?\n  at .*test_displays"
     ):

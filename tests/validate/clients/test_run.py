@@ -97,7 +97,7 @@ def changed(data, path, value):
     [
         (("links", "drawer", "mass"), 5.0, "link drawer: its mass is 5 kg, not "),
         (("links", "drawer", "mass"), float("nan"), "link drawer: its mass is nan kg"),
-        (("links", "drawer", "center", 0), 0.3, "link drawer: its centre of mass is 300 mm away"),
+        (("links", "drawer", "center", 0), 0.3, "link drawer: its center of mass is 300 mm away"),
         (("links", "drawer", "inertia", 0, 0), 0.0, "link drawer: its inertia differs by "),
         (("links",), {}, "link drawer: it knows no mass of it"),
         (("joints", "slide", "kind"), "revolute", "joint slide: it is revolute, not prismatic"),
@@ -260,7 +260,7 @@ def test_an_indented_line_belongs_to_the_one_before():
     assert lines == ["a.py:3: UserWarning: old\ncall()", "next"]
 
 
-def test_colours_are_no_part_of_messages():
+def test_colors_are_no_part_of_messages():
     assert joined_lines("\x1b[1;33m[warn]\x1b[0m old\n\x1b]0;title\x07") == ["[warn] old"]
 
 

@@ -16,7 +16,7 @@ from artgen import (
     X,
     Y,
     Z,
-    coloured,
+    colored,
     cylinder_between,
     detail,
     extrude,
@@ -52,9 +52,9 @@ _GLASS = {
     "rose": _glass("pink", (0.52, 0.18, 0.13)),
 }
 _FOIL = {
-    "red": coloured("abs", "burgundy"),
-    "white": coloured("abs", "mustard"),
-    "rose": coloured("abs", "silver"),
+    "red": colored("abs", "burgundy"),
+    "white": colored("abs", "mustard"),
+    "rose": colored("abs", "silver"),
 }
 
 
@@ -127,7 +127,7 @@ class Bottles:
         stem = extrude(regular_polygon(12, _NECK - 0.0001), _TALL - _BODY + 0.01)
         stem = stem.at(0.0, 0.0, (_TALL + _BODY - 0.01) / 2.0)
         hold = grasp_on(stem, approach=-Z, closing=across, depth=0.010)
-        paper = coloured("abs", "cream").with_(name="wine_label", texture="", specular_roughness=0.7)
+        paper = colored("abs", "cream").with_(name="wine_label", texture="", specular_roughness=0.7)
         sleeve = tube(_NECK + 0.0003, _NECK - 0.001, 0.052).at(0.0, 0.0, _TALL - 0.0257)
         around = tube(_RADIUS + 0.0002, _RADIUS - 0.001, 0.085).at(0.0, 0.0, 0.082)
         return weld(

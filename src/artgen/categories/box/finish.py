@@ -1,6 +1,6 @@
-"""What boxes are made of: kraft and white liners, prints in colour, wrapping papers, ribbons and inks."""
+"""What boxes are made of: kraft and white liners, prints in color, wrapping papers, ribbons and inks."""
 
-from artgen import COLORS, Material, coloured, material
+from artgen import COLORS, Material, colored, material
 
 _KRAFT = material("cardboard")
 _GREYBOARD = 620.0  # solid board of set-up boxes, with its wrap [kg/m3]
@@ -116,8 +116,8 @@ GOLD = material("satin_brass").with_(name="gold_foil", specular_roughness=0.25)
 
 
 def ink(name: str) -> Material:
-    """Return a printing ink of a colour of the table."""
-    return coloured("abs", name).with_(name=f"ink_{name}", texture="", specular_roughness=0.6)
+    """Return a printing ink of a color of the table."""
+    return colored("abs", name).with_(name=f"ink_{name}", texture="", specular_roughness=0.6)
 
 
 def contrast(finish: Material) -> Material:
@@ -127,5 +127,5 @@ def contrast(finish: Material) -> Material:
 
 
 def foam(lining: Material) -> Material:
-    """Return the foam of inserts under a lining's colour."""
+    """Return the foam of inserts under a lining's color."""
     return material("foam").with_(name="insert_foam", base_color=lining.base_color)

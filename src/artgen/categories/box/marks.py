@@ -11,7 +11,7 @@ from artgen import (
     VectorLike,
     box_between,
     circle,
-    coloured,
+    colored,
     detail,
     details,
     material,
@@ -27,7 +27,7 @@ TAPE = material("polypropylene").with_(
 )
 """Brown packing tape."""
 
-PAPER = coloured("abs", "white").with_(name="label_paper", texture="", specular_roughness=0.6, density=800.0)
+PAPER = colored("abs", "white").with_(name="label_paper", texture="", specular_roughness=0.6, density=800.0)
 """Stickers."""
 
 
@@ -86,7 +86,7 @@ def barcode(width: Scalar, height: Scalar, seed: int) -> Profile:
 
 @dataclass(frozen=True)
 class Ink:
-    """A printer of one colour on one face."""
+    """A printer of one color on one face."""
 
     material: Material  # the ink
     facing: VectorLike = (0.0, -1.0, 0.0)  # out of the face
@@ -113,7 +113,7 @@ def handling(signs: tuple[str, ...], size: Scalar) -> Profile:
 
 def address_label(at: VectorLike, *, facing: VectorLike, size: Scalar, number: int) -> list[Body]:
     """Stick the label of a parcel service on a face: lines of an address and a code below them."""
-    black = coloured("abs", "graphite").with_(name="label_ink", texture="")
+    black = colored("abs", "graphite").with_(name="label_ink", texture="")
     paper = details.printed(
         rectangle(size, 0.66 * size, radius=0.002),
         at,

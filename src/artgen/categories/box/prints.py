@@ -41,7 +41,7 @@ class Look:
     model: int  # a number
     # sign beside the brand
     emblem: Literal["leaf", "hexagon", "waves", "peak", "sun", "diamond", "quarters", "ring"]
-    tint: str  # colour of the ink on light board
+    tint: str  # color of the ink on light board
     signs: Signs  # handling signs
     label: bool  # whether there is a sticker with an address, or with what is inside
 
@@ -85,14 +85,14 @@ def shipping_print(
     sides: bool = True,
 ) -> list[Body]:
     """Print a shipping box on its walls."""
-    tall, colour, made = high - low, look.ink(finish), []
+    tall, color, made = high - low, look.ink(finish), []
     row = _ROWS.get(look.signs, ())
     for facing in (_FRONT, _BACK):
-        face, printer = _Face(facing, width, depth / 2.0, low, tall), Ink(colour, facing)
+        face, printer = _Face(facing, width, depth / 2.0, low, tall), Ink(color, facing)
         made.append(printer.put(look.mark(0.74 * width, 0.12 * tall), face.at(0.70 if row else 0.60)))
-        made += [Ink(colour, facing).put(each, face.at(0.30)) for each in _lower(look, face, row)]
+        made += [Ink(color, facing).put(each, face.at(0.30)) for each in _lower(look, face, row)]
     for facing in (_LEFT, _RIGHT) if sides else ():
-        face, printer = _Face(facing, depth, width / 2.0, low, tall), Ink(colour, facing)
+        face, printer = _Face(facing, depth, width / 2.0, low, tall), Ink(color, facing)
         if look.signs == "full":
             size = min_(min_(0.085, 0.24 * tall), 0.80 * depth / 2.84)
             made.append(printer.put(handling(row[:2], size), face.at(0.34)))
@@ -226,8 +226,8 @@ def wine_print(
     look: Look, width: Scalar, depth: Scalar, height: Scalar, *, bottles: int, finish: Material
 ) -> list[Body]:
     """Print a wine box at the front and at the back."""
-    colour = look.ink(finish)
-    foil = GOLD if sum(finish.base_color) / 3.0 < 0.1 else colour
+    color = look.ink(finish)
+    foil = GOLD if sum(finish.base_color) / 3.0 < 0.1 else color
     made = []
     for facing, side in ((_FRONT, -1.0), (_BACK, 1.0)):
         y = side * depth / 2.0
@@ -245,7 +245,7 @@ def wine_print(
         made.append(printer.put(lines, (0.0, y, 0.435 * height)))
         if look.signs == "full":
             signs = handling(("fragile", "up"), min_(0.045, 0.22 * width))
-            made.append(Ink(colour, facing).put(signs, (0.0, y, 0.20 * height)))
+            made.append(Ink(color, facing).put(signs, (0.0, y, 0.20 * height)))
     return made
 
 

@@ -23,7 +23,7 @@ from artgen import (
     by,
     category,
     choice,
-    coloured,
+    colored,
     details,
     material,
     min_,
@@ -70,7 +70,7 @@ _GLASS = (
     material("black_glass").with_(name="grey_glass", base_color=(0.10, 0.105, 0.11)),
     material("black_glass").with_(name="white_glass", base_color=(0.72, 0.72, 0.70)),
 )
-_SILVER, _WHITE = coloured("abs", "silver"), coloured("abs", "white")
+_SILVER, _WHITE = colored("abs", "silver"), colored("abs", "white")
 _BETWEEN = 0.002  # two dials [m]
 _EXTRAS = ("timer", "fan")  # beside the burners' dials, with these icons
 
@@ -295,5 +295,5 @@ def _coil_radius(plan: Plan, size: BurnerSize) -> float:
 
 
 def _zone(place: Place) -> Float:
-    """Return the radius of a zone, clear of its neighbours [m]."""
+    """Return the radius of a zone, clear of its neighbors [m]."""
     return min_(ZONE_RADIUS[place.size], 0.95 * place.reach)

@@ -63,7 +63,7 @@ class DialLooks:
 
     style: DialStyle  # their form
     finish: Material  # what they are made of
-    mark: Material  # the colour of their marks
+    mark: Material  # the color of their marks
     cap: Material  # the metal of caps and bezels
     ink: Material  # what is printed on the plate
     scale: Scale  # what is printed around them

@@ -23,7 +23,7 @@ from artgen import (
     by,
     category,
     choice,
-    coloured,
+    colored,
     count,
     details,
     material,
@@ -51,25 +51,25 @@ from artgen.nodes.details.displays import Color
 _TUB_STEEL = material("stainless").with_(
     name="tub_steel", base_color=(0.78, 0.775, 0.77), specular_roughness=0.27
 )
-_TUB_PLASTIC = coloured("polypropylene", "light_grey").with_(name="tub_plastic")
+_TUB_PLASTIC = colored("polypropylene", "light_grey").with_(name="tub_plastic")
 _WIRES = (
-    coloured("powder_coat", "light_grey"),
-    coloured("powder_coat", "slate"),
-    coloured("powder_coat", "white"),
-    coloured("powder_coat", "sky"),
+    colored("powder_coat", "light_grey"),
+    colored("powder_coat", "slate"),
+    colored("powder_coat", "white"),
+    colored("powder_coat", "sky"),
 )
 _WORKTOPS = {"stainless": "light_grey", "dark_steel": "graphite", "white": "white", "black": "anthracite"}
 _CONSOLES = {  # of plastic in the tone of the front; those of other looks are of its finish
-    "stainless": coloured("abs", "silver"),
-    "dark_steel": coloured("abs", "anthracite"),
+    "stainless": colored("abs", "silver"),
+    "dark_steel": colored("abs", "anthracite"),
     "panel": material("black_abs"),
 }
 _FINISH, _METAL = fronts(), grip_metals()
 _PLASTICS = (
-    coloured("abs", "light_grey"),
-    coloured("abs", "slate"),
-    coloured("abs", "grey"),
-    coloured("abs", "navy"),
+    colored("abs", "light_grey"),
+    colored("abs", "slate"),
+    colored("abs", "grey"),
+    colored("abs", "navy"),
 )
 
 
@@ -238,7 +238,7 @@ def dishwasher(
         sides,
         look_of_tub,
         kick_finish(sides, build),
-        sides if look in ("pastel", "glass", "panel") else coloured("lacquered_mdf", _WORKTOPS[look]),
+        sides if look in ("pastel", "glass", "panel") else colored("lacquered_mdf", _WORKTOPS[look]),
         {"steel": 520.0, "concrete": 640.0}[ballast],
         levels,
         maker,

@@ -58,7 +58,7 @@ class Console:
 
     @cached_property
     def pitch(self) -> float:
-        """Distance between buttons: a finger of 18 mm has to leave the neighbours alone [m]."""
+        """Distance between buttons: a finger of 18 mm has to leave the neighbors alone [m]."""
         return 0.0205
 
     @cached_property

@@ -13,7 +13,7 @@ from artgen import (
     Y,
     Z,
     board,
-    coloured,
+    colored,
     cylinder,
     detail,
     details,
@@ -47,13 +47,13 @@ class Dispenser:
         space = self.space
         face, floor = space.inner - _FACE, space.inner - DISH
         x, low, high = self.beside, self.rim - 0.042, self.rim + 0.075
-        grey = coloured("abs", "light_grey").with_(name="dispenser_grey")
+        grey = colored("abs", "light_grey").with_(name="dispenser_grey")
         housing = board((x - 0.058, x + 0.058), (floor - 0.001, face), (low, high), bevel=0.004)
         cup = rectangle(0.046, 0.036, radius=0.005)
         chamber = details.relief(
             cup, (x - 0.014, face, self.rim + _ABOVE + 0.022), facing=(0.0, 1.0, 0.0), proud=0.0003
         )
-        dark = coloured("abs", "slate").with_(name="chamber_shade")
+        dark = colored("abs", "slate").with_(name="chamber_shade")
         cap = cylinder(0.017, 0.0014, axis=Y, bevel=0.0006).at(x + 0.036, face + 0.0004, self.rim + 0.040)
         arrow = details.icon("drop", 0.014)
         print_ = details.printed(
@@ -75,7 +75,7 @@ class Dispenser:
         return [
             part(housing, "dispenser", grey),
             detail(chamber, "dispenser", dark),
-            detail(cap, "rinse_cap", coloured("abs", "sky")),
+            detail(cap, "rinse_cap", colored("abs", "sky")),
             print_,
             *guides,
         ]
@@ -92,7 +92,7 @@ class Dispenser:
         hold: Frame = frame(
             (x, space.inner + _TAB + 0.002, low + 0.005), approach=(0.0, -1.0, 0.0), closing=Z
         )
-        blue = coloured("abs", "light_grey").with_(name="flap_grey")
+        blue = colored("abs", "light_grey").with_(name="flap_grey")
         return weld(
             part(plate, "detergent_flap", blue, grasp=hold, grasp_width=0.020),
             part(tab, "detergent_flap", blue),

@@ -17,7 +17,7 @@ from artgen import (
     Y,
     board,
     box,
-    coloured,
+    colored,
     cylinder,
     detail,
     details,
@@ -142,7 +142,7 @@ class Front:
 
     @cached_property
     def _lining(self) -> Material:
-        return coloured("abs", "graphite").with_(name="grip_lining")
+        return colored("abs", "graphite").with_(name="grip_lining")
 
     @cached_property
     def _boards(self) -> list[tuple[Solid, Material]]:
@@ -266,7 +266,7 @@ class Front:
             proud=0.0003,
         )
         bodies = [
-            detail(vent, "vent", coloured("polypropylene", "grey")),
+            detail(vent, "vent", colored("polypropylene", "grey")),
             detail(grille, "vent", DARK),
         ]
         steel = material("zinc")

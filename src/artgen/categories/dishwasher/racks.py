@@ -16,7 +16,7 @@ from artgen import (
     array,
     board,
     box,
-    coloured,
+    colored,
     cylinder,
     cylinder_between,
     detail,
@@ -263,7 +263,7 @@ class Racks:
 
     def _arm(self, name: str, reach: Scalar) -> Body:
         """Make a spray arm about the origin, its upper side on z = 0."""
-        grey = coloured("polypropylene", "grey").with_(name="spray_arm_grey")
+        grey = colored("polypropylene", "grey").with_(name="spray_arm_grey")
         half: Scalar = 1.0 * reach
         outline = polygon(
             [
@@ -303,7 +303,7 @@ class Racks:
         low = self.space.floor - 0.001
         y = self.space.rack_middle
         post = cylinder_between((0.0, y, low), (0.0, y, top), 0.019, bevel=0.002)
-        return part(post, "tub", coloured("polypropylene", "grey"))
+        return part(post, "tub", colored("polypropylene", "grey"))
 
     def upper_arm(self, name: str) -> Body:
         """Make the spray arm under the upper rack."""

@@ -14,7 +14,7 @@ from artgen import (
     board,
     box,
     circle,
-    coloured,
+    colored,
     cylinder,
     detail,
     details,
@@ -44,7 +44,7 @@ def drain_hose(
     label: str = "hose",
 ) -> Body:
     """Make a corrugated hose from the origin through points."""
-    grey = finish or coloured("polypropylene", "grey")
+    grey = finish or colored("polypropylene", "grey")
     hose = sweep(circle(radius), polyline([(0.0, -0.004, 0.0), *path], fillet=1.8 * radius))
     rib = cylinder(radius + 0.0012, 0.0035, axis=Y, bevel=0.001)
     ribs = array(rib, at=[(0.0, 0.004 + _PITCH * index, 0.0) for index in range(_RIBS)])
@@ -60,10 +60,10 @@ def inlet_hose(
     label: str = "hose",
 ) -> Body:
     """Make a smooth pressure hose with the hexagon nut of its valve, from the origin through points."""
-    grey = finish or coloured("abs", "light_grey")
+    grey = finish or colored("abs", "light_grey")
     hose = sweep(circle(radius), polyline([(0.0, 0.006, 0.0), *path], fillet=2.0 * radius))
     nut: Solid = extrude(regular_polygon(6, 2.0 * radius), 0.014, axis=Y, bevel=0.001).at(0.0, 0.007, 0.0)
-    blue = coloured("abs", "sky")
+    blue = colored("abs", "sky")
     return weld(
         detail(hose, label, grey),
         detail(nut, label, blue),
@@ -200,7 +200,7 @@ class Cabinet:
         tall, long = top - low - 0.03, self._rear - space.mouth - 0.11
         sheet = rectangle(long, tall, radius=0.012)
         at = (side * self._half, space.mouth + 0.045 + long / 2.0, low + tall / 2.0)
-        felt = coloured("fabric", "graphite").with_(name="bitumen_felt")
+        felt = colored("fabric", "graphite").with_(name="bitumen_felt")
         pad = details.relief(sheet, at, facing=(side, 0.0, 0.0), proud=0.0006, sunk=0.0006)
         return [detail(pad, "insulation", felt)]
 
@@ -232,7 +232,7 @@ class Cabinet:
         space = self.space
         bodies: list[Body] = []
         front, back = space.mouth + 0.004, space.back - 0.006
-        grey = coloured("polypropylene", "light_grey").with_(name="rail_plastic")
+        grey = colored("polypropylene", "light_grey").with_(name="rail_plastic")
         steel = material("stainless")
         for side in (-1, 1):
             x = (space.inside - 0.017, space.inside + 0.001)
@@ -257,12 +257,12 @@ class Cabinet:
         mesh = cylinder(0.078, 0.0012, axis=Z).at(0.0, middle - 0.075, low + 0.0022)
         cup = cylinder(0.034, 0.014, axis=Z, bevel=0.003).at(0.0, middle - 0.105, low + 0.006)
         bar = box(0.012, 0.056, 0.006, bevel=0.002).at(0.0, middle - 0.105, low + 0.0145)
-        grey = coloured("polypropylene", "grey")
+        grey = colored("polypropylene", "grey")
         bodies = [
             detail(sump, "filter", steel),
             detail(mesh, "filter", material("perforated_steel")),
             detail(cup, "filter", grey),
-            detail(bar, "filter", coloured("polypropylene", "blue")),
+            detail(bar, "filter", colored("polypropylene", "blue")),
         ]
         pipe = board((-0.016, 0.016), (space.back - 0.009, space.back + 0.001), (low, space.ceiling - 0.06))
         bodies.append(detail(pipe, "tub", grey))

@@ -1,6 +1,6 @@
 """Door frames: jambs and head with stops, casing and threshold, or a solid timber frame with an arched head.
 
-A frame stands about the closed leaf, whose middle plane is y = 0: the clear opening is centred in x and
+A frame stands about the closed leaf, whose middle plane is y = 0: the clear opening is centered in x and
 starts at z = 0. The front of the frame is level with the front of the leaf, which opens towards -y.
 """
 

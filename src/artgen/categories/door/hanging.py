@@ -13,7 +13,7 @@ _BOTTOM = 0.28  # from the bottom of the leaf to the middle of the lower hinge [
 
 @dataclass(frozen=True)
 class Hanging:
-    """Butt hinges at the left of a leaf, which is centred in x."""
+    """Butt hinges at the left of a leaf, which is centered in x."""
 
     blank: Blank  # the leaf
     count: int  # 2 or 3 hinges

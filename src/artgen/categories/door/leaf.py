@@ -1,6 +1,6 @@
 """Door leaves: flush, boarded, panelled, glazed, louvred and half glazed.
 
-A leaf stands in the X-Z plane, in place above the floor: it is centred in x, its faces are at
+A leaf stands in the X-Z plane, in place above the floor: it is centered in x, its faces are at
 y = -thickness / 2 and y = thickness / 2, its lock edge is at x = width / 2.
 """
 

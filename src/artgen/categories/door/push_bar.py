@@ -33,7 +33,7 @@ _BOTTOM = 0.002  # what the innermost position leaves to the rail [m]
 
 def _bar_span(length: Scalar) -> tuple[Scalar, Scalar]:
     """Return the middle and the length of the touch bar along X."""
-    near = _CASE_LENGTH / 2 + _END_GAP  # the case over the lock is centred on its axis
+    near = _CASE_LENGTH / 2 + _END_GAP  # the case over the lock is centered on its axis
     far = length - _CASE_LENGTH - _END_GAP
     return -(near + far) / 2, far - near
 

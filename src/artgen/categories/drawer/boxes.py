@@ -16,7 +16,7 @@ from artgen import (
     X,
     Y,
     box,
-    coloured,
+    colored,
     detail,
     details,
     extrude,
@@ -46,7 +46,7 @@ def label_holder(*, z: Scalar, finish: Material, index: str) -> list[Body]:
     """Make a label holder and its card."""
     opening = rectangle(_WIDE - 0.010, _HIGH - 0.011).at(0.0, 0.0015)
     rim = rectangle(_WIDE, _HIGH, radius=0.003) - opening
-    paper = coloured("abs", "white").with_(name="card", specular_roughness=0.85)
+    paper = colored("abs", "white").with_(name="card", specular_roughness=0.85)
     return [
         detail(extrude(rim, 0.0026, axis=Y, bevel=0.0007).at(0.0, -0.0008, z), "label_holder", finish),
         detail(box(_WIDE - 0.009, 0.0008, _HIGH - 0.010).at(0.0, -0.0003, z + 0.0015), "label_holder", paper),

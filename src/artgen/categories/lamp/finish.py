@@ -1,6 +1,6 @@
-"""What lamps are made of, and in which colours."""
+"""What lamps are made of, and in which colors."""
 
-from artgen import Material, coloured, material
+from artgen import Material, colored, material
 from artgen.categories.shared.finish import known, weighing
 
 _COATS = {
@@ -20,7 +20,7 @@ _COATS = {
 }
 _METALS = {"chrome": 1.2, "satin_nickel": 1.2, "satin_brass": 1.2, "copper": 0.5}
 
-COATS = (*(coloured("powder_coat", color) for color in _COATS), *known(*_METALS))
+COATS = (*(colored("powder_coat", color) for color in _COATS), *known(*_METALS))
 """Finishes of lamps with arms: powder coats and metals."""
 
 COAT_WEIGHTS = (*_COATS.values(), *_METALS.values())
@@ -57,7 +57,7 @@ _CLOTHS = {
     "teal": 0.5,
 }
 
-CLOTHS = (*(coloured("fabric", color) for color in _CLOTHS), material("linen"), material("wicker"))
+CLOTHS = (*(colored("fabric", color) for color in _CLOTHS), material("linen"), material("wicker"))
 """What cloth shades are made of."""
 
 CLOTH_WEIGHTS = (*_CLOTHS.values(), 2.5, 0.8)
@@ -79,7 +79,7 @@ _GLAZES = (
 )
 
 BODIES = (
-    *weighing([coloured("ceramic", color) for color in _GLAZES], 430.0, "thrown"),  # walls of 7 mm
+    *weighing([colored("ceramic", color) for color in _GLAZES], 430.0, "thrown"),  # walls of 7 mm
     *weighing(known("oak", "walnut", "beech", "mahogany"), 420.0, "turned"),
     *weighing(known("glass", "amber_glass", "tinted_glass"), 450.0, "blown"),
     *weighing(known("marble", "green_marble"), 800.0, "bored"),
@@ -115,4 +115,4 @@ def plastic(color: str) -> tuple[Material, Material]:
     """Return the plastic of switches and cords, and the print on it: white on black, or grey on white."""
     if color == "black":
         return material("black_abs"), material("powder_coat_white")
-    return material("glossy_plastic_white"), coloured("abs", "graphite")
+    return material("glossy_plastic_white"), colored("abs", "graphite")

@@ -23,7 +23,7 @@ from artgen import (
     by,
     category,
     choice,
-    coloured,
+    colored,
     details,
     material,
     require,
@@ -48,8 +48,8 @@ Look = Literal["stainless", "dark_steel", "white", "black", "pastel"]
 _LOOKS: tuple[Look, ...] = get_args(Look)
 _FINISH, _METAL = fronts(*_LOOKS), grip_metals(*_LOOKS)
 _CAVITIES = {
-    "grey": coloured("enamel", "light_grey").with_(name="cavity_grey", specular_roughness=0.35),
-    "ivory": coloured("enamel", "ivory").with_(name="cavity_ivory", specular_roughness=0.35),
+    "grey": colored("enamel", "light_grey").with_(name="cavity_grey", specular_roughness=0.35),
+    "ivory": colored("enamel", "ivory").with_(name="cavity_ivory", specular_roughness=0.35),
     "steel": material("stainless").with_(
         name="cavity_steel", base_color=(0.74, 0.735, 0.73), specular_roughness=0.32
     ),
@@ -57,14 +57,14 @@ _CAVITIES = {
 _BLACK = material("black_glass")
 _WHITE = material("black_glass").with_(name="white_glass", base_color=(0.80, 0.80, 0.79))
 _CAPS = {
-    "stainless": coloured("abs", "silver"),
-    "dark_steel": coloured("abs", "graphite"),
-    "white": coloured("abs", "light_grey"),
-    "black": coloured("abs", "anthracite"),
-    "pastel": coloured("abs", "ivory"),
+    "stainless": colored("abs", "silver"),
+    "dark_steel": colored("abs", "graphite"),
+    "white": colored("abs", "light_grey"),
+    "black": colored("abs", "anthracite"),
+    "pastel": colored("abs", "ivory"),
 }
 _LININGS = {  # those of other looks are of the finish
-    look: coloured("abs", color).with_(name=f"door_lining_{color}")
+    look: colored("abs", color).with_(name=f"door_lining_{color}")
     for look, color in (
         ("stainless", "graphite"),
         ("dark_steel", "anthracite"),

@@ -12,7 +12,7 @@ from artgen import (
     board,
     box,
     circle,
-    coloured,
+    colored,
     cylinder,
     detail,
     details,
@@ -33,7 +33,7 @@ _WALL = 0.0035  # thickness of the cavity's right wall [m]
 _BEFORE = 0.045  # between the room of the latches and the works [m]
 _WORKS = 0.18  # how deep they are in all but the smallest [m]
 _OPEN = (0.0050, 0.0042)  # from the middle of a latch to the sides of its slot, to the left and right [m]
-_MICA = coloured("fabric", "sand").with_(name="mica", texture="", tile=None, specular_roughness=0.35)
+_MICA = colored("fabric", "sand").with_(name="mica", texture="", tile=None, specular_roughness=0.35)
 
 
 @dataclass(frozen=True)

@@ -17,7 +17,7 @@ from artgen import (
     Z,
     array,
     board,
-    coloured,
+    colored,
     cylinder,
     detail,
     details,
@@ -110,7 +110,7 @@ class Latches:
         y = (space.mouth + _BEHIND, space.mouth + _BEHIND + _PAWL[0])
         x = space.hook
         lows = [level + _HOOK[1] / 2.0 + _PLAY for level in self._levels]
-        black = coloured("polypropylene", "ivory").with_(name="latch_plastic")
+        black = colored("polypropylene", "ivory").with_(name="latch_plastic")
         spine = board((x + 0.0058, x + 0.0096), y, (lows[0], lows[1] + _PAWL[1]))
         fingers = [
             board((x - 0.0042, x + 0.0060), (y[0] + 0.0002, y[1] - 0.0002), (low, low + _PAWL[1] - 0.0004))
@@ -169,7 +169,7 @@ class Door:
     def _grip(self) -> Grip | None:
         if self.handle != "pocket":
             return None
-        lining = coloured("abs", "graphite").with_(name="grip_lining")
+        lining = colored("abs", "graphite").with_(name="grip_lining")
         grip = recessed_grip(
             _POCKET_HEIGHT, finish=self.metal, lining=lining, width=POCKET_WIDTH, deep=POCKET, thin=True
         )
@@ -178,7 +178,7 @@ class Door:
     def body(self, latches: Latches) -> Body:
         """Make the door: the link `door`."""
         bodies = [*self._frame(), *self._panes(), *self._seen()]
-        black = coloured("polypropylene", "graphite").with_(name="hook_plastic")
+        black = colored("polypropylene", "graphite").with_(name="hook_plastic")
         bodies += [part(each, "latch", black) for each in latches.hooks()]
         if self.handle == "bar":
             low, high = self.space.tall
@@ -285,7 +285,7 @@ class Door:
             proud=0.0008,
             sunk=0.0006,
         )
-        bodies.append(detail(cover, "door", coloured("polypropylene", "slate").with_(name="choke_cover")))
+        bodies.append(detail(cover, "door", colored("polypropylene", "slate").with_(name="choke_cover")))
         pin_x, pin_y, _ = space.hinge
         pin = cylinder(0.0030, 0.0016).at(pin_x, pin_y, 0.0)
         bodies.append(detail(array(pin, at=[(0.0, 0.0, z) for z in (low, high)]), "hinge", material("zinc")))

@@ -11,7 +11,7 @@ from artgen import (
     X,
     Z,
     box,
-    coloured,
+    colored,
     cylinder,
     detail,
     material,
@@ -65,7 +65,7 @@ class Turntable:
             ]
         )
         rings = [torus(share * radius, 0.0011).at(0.0, 0.0, low + _GLASS - 0.0003) for share in (0.40, 0.78)]
-        black = coloured("polypropylene", "light_grey").with_(name="coupler_plastic")
+        black = colored("polypropylene", "light_grey").with_(name="coupler_plastic")
         hub = cylinder(_HUB, low - 2.0 * _PLAY - 0.0016, bevel=0.0015)
         lobe = box(0.030, 0.0075, 0.0062, bevel=0.0015)
         lobes = [
@@ -84,7 +84,7 @@ class Turntable:
     def ring(self) -> Body:
         """Make the ring of rollers: the link `roller_ring`."""
         track, level = _TRACK * self.radius, _PLAY + _ROLLER
-        white = coloured("polypropylene", "ivory").with_(name="roller_plastic")
+        white = colored("polypropylene", "ivory").with_(name="roller_plastic")
         wheel = cylinder(_ROLLER, _WHEEL, axis=X, bevel=0.001)
         wheels = [
             wheel.at(track, 0.0, level).rotate(Z, turn * math.tau / 3.0 + math.pi / 2.0) for turn in range(3)
@@ -133,6 +133,6 @@ class Turntable:
         groove = tube(_TRACK * self.radius + 0.012, _TRACK * self.radius - 0.012, 0.0004)
         pin = cylinder(_SHAFT, 0.0010).at(0.0, 0.0, 0.0003)
         return weld(
-            detail(groove.at(0.0, 0.0, 0.0001), "cavity", coloured("enamel", "light_grey")),
+            detail(groove.at(0.0, 0.0, 0.0001), "cavity", colored("enamel", "light_grey")),
             detail(pin, "cavity", steel),
         ).at(self.x, self.y, self.floor)

@@ -22,7 +22,7 @@ from artgen import (
     by,
     category,
     choice,
-    coloured,
+    colored,
     count,
     details,
     material,
@@ -49,9 +49,9 @@ Look = Literal["stainless", "dark_steel", "white", "black", "pastel"]
 _LOOKS: tuple[Look, ...] = get_args(Look)
 _FINISH, _METAL = fronts(*_LOOKS), grip_metals(*_LOOKS)
 _ENAMELS = (
-    coloured("enamel", "anthracite").with_(name="cavity_anthracite", specular_roughness=0.22),
-    coloured("enamel", "slate").with_(name="cavity_slate", specular_roughness=0.22),
-    coloured("enamel", "navy").with_(name="cavity_blue", specular_roughness=0.22),
+    colored("enamel", "anthracite").with_(name="cavity_anthracite", specular_roughness=0.22),
+    colored("enamel", "slate").with_(name="cavity_slate", specular_roughness=0.22),
+    colored("enamel", "navy").with_(name="cavity_blue", specular_roughness=0.22),
 )
 _KNOBS = (  # caps of plastic under a skin of metal
     *(
@@ -59,10 +59,10 @@ _KNOBS = (  # caps of plastic under a skin of metal
         for name in ("stainless", "aluminium", "chrome", "satin_brass")
     ),
     material("black_abs"),
-    coloured("abs", "light_grey"),
+    colored("abs", "light_grey"),
 )
 _CHROME = material("chrome").with_(name="rack_chrome", density=15000.0)  # with the wires that are only seen
-_PAN = coloured("enamel", "anthracite").with_(name="pan_enamel", density=2200.0)  # of 0.6 mm, drawn 2.2 thick
+_PAN = colored("enamel", "anthracite").with_(name="pan_enamel", density=2200.0)  # of 0.6 mm, drawn 2.2 thick
 _RACKS_MEET = (
     "racks would meet each other, or the heating element over them: the cavity is too low for so many, raise "
     "height, lower hinge_height or panel, or take fewer racks or pan=False"
@@ -238,7 +238,7 @@ def oven(
         slide=travel,
     )
     glass = material("black_glass")
-    sides = coloured("powder_coat", "anthracite") if build == "range" else material("zinc")
+    sides = colored("powder_coat", "anthracite") if build == "range" else material("zinc")
     cabinet = Cabinet(
         space,
         cabinet_finish(look, finish) if look in ("white", "pastel") and build == "range" else sides,

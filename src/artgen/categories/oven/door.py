@@ -16,7 +16,7 @@ from artgen import (
     Y,
     board,
     box,
-    coloured,
+    colored,
     detail,
     details,
     extrude,
@@ -96,7 +96,7 @@ class Door:
         space, (low, high) = self.space, self.space.door
         front, inner = space.front, space.inner
         tall, level = high - low, (low + high) / 2.0
-        lining = coloured("enamel", "anthracite").with_(name="door_lining", specular_roughness=0.4)
+        lining = colored("enamel", "anthracite").with_(name="door_lining", specular_roughness=0.4)
         layers = (
             ((front, front + SKIN), self._face, _FRONT, 0.0, 0.0022, 0.0),
             ((front + SKIN - LAP, inner), lining, _CORE, 0.004, 0.0018, 0.006),

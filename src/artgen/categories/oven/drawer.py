@@ -12,7 +12,7 @@ from artgen import (
     Span,
     Y,
     board,
-    coloured,
+    colored,
     detail,
     details,
     material,
@@ -79,7 +79,7 @@ class Drawer:
         space, half = self.space, self.space.half - 0.0015
         low, high = self._tall
         middle = (low + high) / 2.0 + 0.010
-        lining = coloured("abs", "graphite").with_(name="grip_lining")
+        lining = colored("abs", "graphite").with_(name="grip_lining")
         grip: Grip = recessed_grip(
             self.grip,
             finish=self.metal,
@@ -107,7 +107,7 @@ class Drawer:
                 (hole[1][0] - LAP, hole[1][1] + LAP),
             )
         )
-        steel = coloured("powder_coat", "graphite").with_(name="drawer_sheet", density=1900.0)
+        steel = colored("powder_coat", "graphite").with_(name="drawer_sheet", density=1900.0)
         filling = filled(self.finish, 300.0, "front")
         *boards, before = self._boards()
         return weld(

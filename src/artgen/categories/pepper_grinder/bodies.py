@@ -25,7 +25,7 @@ from artgen.categories.pepper_grinder.works import STORE, store, works
 from artgen.categories.shared.vessels.turned import Run, skin, turned
 
 Content = Literal["pepper", "salt", "mixed"]
-"""What is ground: black peppercorns, salt, or peppercorns of four colours."""
+"""What is ground: black peppercorns, salt, or peppercorns of four colors."""
 
 INSET = 0.0016
 """How far a clear tube stands back behind its foot and collar [m]."""
@@ -37,7 +37,7 @@ _GRAINS = {
     "pepper": ((0.060, 0.036, 0.022), 0.0024),
     "salt": ((0.82, 0.80, 0.78), 0.0021),
     "mixed": ((0.070, 0.042, 0.026), 0.0024),
-}  # colour, and radius of a grain [m]
+}  # color, and radius of a grain [m]
 _OTHERS = {"pepper": (0.105, 0.066, 0.042), "salt": (0.88, 0.86, 0.84), "mixed": (0.28, 0.05, 0.03)}
 _ROOM = 0.0036  # half the width of holes in which the shaft turns [m]
 

@@ -2,7 +2,7 @@
 
 from typing import Literal
 
-from artgen import Body, Material, Scalar, Z, coloured, details, material, text
+from artgen import Body, Material, Scalar, Z, colored, details, material, text
 from artgen.categories.pepper_grinder.forms import BodyForm, body_runs
 from artgen.categories.shared.finish import known, weighing
 from artgen.categories.shared.vessels.turned import path_of
@@ -10,7 +10,7 @@ from artgen.categories.shared.vessels.turned import path_of
 Mark = Literal["none", "letter", "word"]
 """How a mill says what is in it: not at all, by a letter on its head, or by a word around its body."""
 
-_LIGHT = 0.22  # mean of the colour from which dark print shows better
+_LIGHT = 0.22  # mean of the color from which dark print shows better
 _FOOT = {  # the run of the body that has the maker's name, and at which height: over the radius
     "classic": (0, 0.15),
     "baluster": (0, 0.15),
@@ -38,7 +38,7 @@ _WORD = {  # the run with the word, and at which share of the height
 def ink_on(finish: Material) -> Material:
     """Return what print on a finish is made of: burnt into light wood, light on what is dark."""
     mean = sum(finish.base_color) / 3.0
-    return coloured("abs", "anthracite" if mean > _LIGHT else "silver")
+    return colored("abs", "anthracite" if mean > _LIGHT else "silver")
 
 
 def maker_mark(maker: str, form: BodyForm, radius: Scalar, height: Scalar, finish: Material) -> Body:
@@ -89,7 +89,7 @@ _COLORS = {
     "orange": 0.5,
 }
 
-LACQUERS = weighing([coloured("lacquered_mdf", color) for color in _COLORS], 690.0, "beech")
+LACQUERS = weighing([colored("lacquered_mdf", color) for color in _COLORS], 690.0, "beech")
 """Lacquers on beech."""
 
 LACQUER_WEIGHTS = tuple(_COLORS.values())

@@ -23,7 +23,7 @@ from artgen import (
     by,
     category,
     choice,
-    coloured,
+    colored,
     count,
     details,
     material,
@@ -45,7 +45,7 @@ _STEELS = (
     _STEEL.with_(name="forged_steel", base_color=(0.30, 0.295, 0.29), specular_roughness=0.48),
 )
 _SLEEVES = tuple(
-    coloured(name, color)
+    colored(name, color)
     for name, color in (
         ("rubber", "red"),
         ("rubber", "blue"),
@@ -59,8 +59,8 @@ _SLEEVES = tuple(
         ("abs", "teal"),
     )
 )
-_ACCENTS = tuple(coloured("rubber", color) for color in ("red", "yellow", "orange", "light_grey", "blue"))
-_BRIGHT = 0.10  # mean of the colour of a sleeve whose soft part is dark
+_ACCENTS = tuple(colored("rubber", color) for color in ("red", "yellow", "orange", "light_grey", "blue"))
+_BRIGHT = 0.10  # mean of the color of a sleeve whose soft part is dark
 
 
 @category(labels=("body", "jaw", "teeth", "edge", "pivot", "grip", "spring", "print"), joints=(1, 2))
@@ -111,7 +111,7 @@ def plier(
     )
     # fingers come between the handles of the smallest, too
     forging = Forging(style, length, key.way if slip else 0.0, max_(spread * length, 0.0178))
-    inlay = coloured("rubber", "graphite") if sum(sleeve.base_color) / 3.0 > _BRIGHT else accent
+    inlay = colored("rubber", "graphite") if sum(sleeve.base_color) / 3.0 > _BRIGHT else accent
     teeth = teeth_count if jagged else 0
     thick = handle_share * forging.thick
     make = Make(

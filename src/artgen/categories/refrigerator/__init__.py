@@ -32,7 +32,7 @@ from artgen import (
     by,
     category,
     choice,
-    coloured,
+    colored,
     details,
     material,
     max_,
@@ -73,7 +73,7 @@ _LABELS = (
     "condenser", "cord", "rating_plate", "logo", "print",
 )  # fmt: skip
 _FINISH, _METAL = fronts(), grip_metals()
-_SEALS = {"white": coloured("silicone", "light_grey"), "grey": coloured("silicone", "grey")}
+_SEALS = {"white": colored("silicone", "light_grey"), "grey": colored("silicone", "grey")}
 _TRIMS = (
     material("glossy_plastic_white").with_(name="trim_white"),
     material("aluminium"),

@@ -1,6 +1,6 @@
 """The cabinet of a refrigerator: foam-filled walls around cold cells, the machine room behind, feet and kick.
 
-A refrigerator is centred in x and y; its doors are in front, at y from `Case.front` to `Case.face`.
+A refrigerator is centered in x and y; its doors are in front, at y from `Case.front` to `Case.face`.
 """
 
 import math

@@ -60,7 +60,7 @@ def across(finish: Material) -> Material:
     return finish.with_(name=f"{finish.name}_across", turned=not finish.turned)
 
 
-# Linear colours of paints, and how often rooms and entrances have them.
+# Linear colors of paints, and how often rooms and entrances have them.
 _PAINTS: dict[str, tuple[tuple[float, float, float], float, float]] = {
     "white": ((0.80, 0.79, 0.76), 5.0, 1.5),
     "ivory": ((0.74, 0.69, 0.58), 1.5, 0.5),

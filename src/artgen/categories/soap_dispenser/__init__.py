@@ -17,7 +17,7 @@ from artgen import (
     by,
     category,
     choice,
-    coloured,
+    colored,
     details,
     material,
     max_,
@@ -267,5 +267,5 @@ def soap_dispenser(
     out = max_(width / 2.0 + 0.016, reach + 0.010)
     # below what is printed, and below the level of the soap
     ring_at = TRAY + (0.13 if shape == "apothecary" else 0.22) * height
-    hung = holder(width / 2.0, out, ring_at, coloured("powder_coat", "black") if not is_metal else pump)
+    hung = holder(width / 2.0, out, ring_at, colored("powder_coat", "black") if not is_metal else pump)
     return weld(body.at(0.0, 0.0, TRAY - 0.0002), weld(hung, tile(0.11, wall)).at(0.0, out, 0.0))

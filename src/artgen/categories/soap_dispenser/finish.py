@@ -4,7 +4,7 @@ Bottles that hide their content have the density of the whole: soap in four fift
 5 mm of ceramic, 1.5 mm of plastic or 0.6 mm of steel.
 """
 
-from artgen import COLORS, Material, coloured, material
+from artgen import COLORS, Material, colored, material
 from artgen.categories.shared.finish import known, weighing
 
 GLASSES = known("glass", "amber_glass", "frosted_glass", "tinted_glass")
@@ -30,7 +30,7 @@ _GLAZES = {
 }
 
 CERAMICS = (
-    *weighing([coloured("ceramic", color) for color in _GLAZES], 1150.0, "thrown"),
+    *weighing([colored("ceramic", color) for color in _GLAZES], 1150.0, "thrown"),
     *weighing(known("marble", "green_marble", "black_granite", "granite"), 1250.0, "bored"),
 )
 """Glazes, and stone."""
@@ -52,7 +52,7 @@ _DYES = (
     "lavender",
 )
 
-PLASTICS = weighing([coloured("glossy_plastic", color) for color in _DYES], 940.0, "filled")
+PLASTICS = weighing([colored("glossy_plastic", color) for color in _DYES], 940.0, "filled")
 """Plastics."""
 
 PLASTIC_WEIGHTS = (3.0, 1.6, 1.0, 0.8, 0.8, 0.8, 0.8, 0.8, 0.6, 0.6, 0.5)
@@ -61,7 +61,7 @@ PLASTIC_WEIGHTS = (3.0, 1.6, 1.0, 0.8, 0.8, 0.8, 0.8, 0.8, 0.6, 0.6, 0.5)
 STEELS = (
     *weighing(known("stainless", "brushed_aluminium", "copper", "satin_brass"), 1000.0, "filled"),
     *weighing(
-        [coloured("powder_coat", color) for color in ("black", "white", "graphite", "sage")], 1000.0, "filled"
+        [colored("powder_coat", color) for color in ("black", "white", "graphite", "sage")], 1000.0, "filled"
     ),
 )
 """Drawn shells of metal."""
@@ -79,7 +79,7 @@ METALS = weighing(
 METAL_WEIGHTS = (2.4, 1.8, 1.6, 0.5, 1.8, 0.5)
 """How often."""
 
-PUMPS = tuple(coloured("abs", color) for color in ("white", "black", "light_grey", "graphite"))
+PUMPS = tuple(colored("abs", color) for color in ("white", "black", "light_grey", "graphite"))
 """Of plastic pumps."""
 
 PUMP_WEIGHTS = (2.4, 2.0, 0.6, 0.6)
@@ -112,7 +112,7 @@ SOAPS = tuple(
 
 TILES = (
     *weighing(
-        [coloured("ceramic", color) for color in ("white", "cool_white", "sage", "navy", "light_grey")],
+        [colored("ceramic", color) for color in ("white", "cool_white", "sage", "navy", "light_grey")],
         2300.0,
         "fired",
     ),
@@ -127,5 +127,5 @@ def ink_on(finish: Material) -> Material:
     """Return what print on a finish is made of."""
     mean = sum(finish.base_color) / 3.0
     if finish.transmission_weight > 0.5:
-        return coloured("abs", "white" if mean < 0.6 else "anthracite")
-    return coloured("abs", "anthracite" if mean > _LIGHT else "white")
+        return colored("abs", "white" if mean < 0.6 else "anthracite")
+    return colored("abs", "anthracite" if mean > _LIGHT else "white")

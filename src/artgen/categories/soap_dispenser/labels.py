@@ -10,7 +10,7 @@ from artgen import (
     Scalar,
     Z,
     box_between,
-    coloured,
+    colored,
     detail,
     details,
     line,
@@ -88,7 +88,7 @@ def marks(
                 _printed(small, shape, sizes, ink, clear=clear, rise=-0.0165),
             ]
         case "label":
-            dark = coloured("abs", "anthracite")
+            dark = colored("abs", "anthracite")
             wide, high = 0.036, 0.044
             texts = (
                 (details.logo(maker, 0.0026, tracking=0.2), 0.0155),

@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from artgen import Material, by, coloured, material, shades
+from artgen import Material, by, colored, material, shades
 from artgen.materials import COLORS
 
 _HEAVY = 2000.0  # [kg/m3]: what is heavier is metal
@@ -17,22 +17,22 @@ _STEELS = (
     material("copper").with_(name="brushed_copper", specular_roughness=0.34, texture="brushed"),
 )
 _MATTE = tuple(
-    coloured("abs", color) for color in ("white", "black", "graphite", "sage", "sand", "light_grey", "navy")
+    colored("abs", color) for color in ("white", "black", "graphite", "sage", "sand", "light_grey", "navy")
 )
 _GLOSSY = tuple(
-    coloured("glossy_plastic", color)
+    colored("glossy_plastic", color)
     for color in ("white", "black", "cream", "red", "silver", "burgundy", "teal")
 )
 _ENAMELS = tuple(
-    coloured("enamel", color)
+    colored("enamel", color)
     for color in ("cream", "mint", "sky", "blush", "red", "black", "white", "sage", "mustard", "navy")
 )
 _SLEEVES = tuple(
-    coloured("enamel", color)
+    colored("enamel", color)
     for color in ("white", "black", "cream", "red", "slate", "forest", "blue", "orange")
 )
-_DARK_ENDS = (material("black_abs"), coloured("abs", "graphite"), coloured("glossy_plastic", "black"))
-_LIGHT_ENDS = (coloured("abs", "white"), coloured("abs", "light_grey"), coloured("glossy_plastic", "cream"))
+_DARK_ENDS = (material("black_abs"), colored("abs", "graphite"), colored("glossy_plastic", "black"))
+_LIGHT_ENDS = (colored("abs", "white"), colored("abs", "light_grey"), colored("glossy_plastic", "cream"))
 
 
 SLEEVES: Any = by(
@@ -71,15 +71,15 @@ METALS: Any = by(
 GRIPS: Any = by(
     "style",
     retro=shades(
-        "chrome", "glossy_plastic_black", coloured("glossy_plastic", "cream"), weights=(0.6, 0.25, 0.15)
+        "chrome", "glossy_plastic_black", colored("glossy_plastic", "cream"), weights=(0.6, 0.25, 0.15)
     ),
     classic=shades("black_abs", "glossy_plastic_black", weights=(0.7, 0.3)),
     otherwise=shades(
         "black_abs",
         "glossy_plastic_black",
-        coloured("abs", "grey"),
+        colored("abs", "grey"),
         "stainless",
-        coloured("abs", "white"),
+        colored("abs", "white"),
         weights=(3.0, 1.5, 0.8, 1.2, 0.7),
     ),
     doc="of levers and dials",
@@ -90,7 +90,7 @@ GRIPS: Any = by(
 KEYS: Any = shades(
     "black_abs",
     "stainless",
-    coloured("abs", "light_grey"),
+    colored("abs", "light_grey"),
     "glossy_plastic_white",
     doc="of the buttons",
 )

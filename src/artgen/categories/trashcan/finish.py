@@ -1,8 +1,8 @@
-"""What bins are made of: sheet steel in its finishes, plastics in their colours, and weaves of open ones."""
+"""What bins are made of: sheet steel in its finishes, plastics in their colors, and weaves of open ones."""
 
 from collections.abc import Sequence
 
-from artgen import Material, coloured, material
+from artgen import Material, colored, material
 
 WALL = 0.003
 """Thickness of walls as they are built; sheet is thinner, and weighs as little [m]."""
@@ -17,11 +17,11 @@ def _sheet(made: Material) -> Material:
 
 
 def _sheets(name: str, colors: Sequence[str]) -> tuple[Material, ...]:
-    return tuple(_sheet(coloured(name, color)) for color in colors)
+    return tuple(_sheet(colored(name, color)) for color in colors)
 
 
 def _plastics(name: str, colors: Sequence[str]) -> tuple[Material, ...]:
-    return tuple(coloured(name, color) for color in colors)
+    return tuple(colored(name, color) for color in colors)
 
 
 # fingerprint-free steel: a clear lacquer makes it brighter and smoother than bare brushed sheet
@@ -74,10 +74,10 @@ WEAVES = (
 """Of open bins: wickers first, then perforated sheet."""
 
 BUCKETS = (
-    coloured("polypropylene", "black"),
-    coloured("polypropylene", "graphite"),
-    coloured("polypropylene", "light_grey"),
-    coloured("polypropylene", "white"),
+    colored("polypropylene", "black"),
+    colored("polypropylene", "graphite"),
+    colored("polypropylene", "light_grey"),
+    colored("polypropylene", "white"),
     _sheet(material("zinc").with_(name="galvanised")),
 )
 """Of inner buckets."""
@@ -85,7 +85,7 @@ BUCKETS = (
 BUCKET_WEIGHTS = (3.0, 1.5, 1.5, 0.8, 1.2)
 
 _CHROMED = material("chrome").with_(name="chromed_plastic", density=1150.0)
-TRIMS = (material("black_abs"), coloured("abs", "graphite"), _CHROMED, coloured("abs", "white"))
+TRIMS = (material("black_abs"), colored("abs", "graphite"), _CHROMED, colored("abs", "white"))
 """Of rims and bases."""
 
 

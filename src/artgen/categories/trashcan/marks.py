@@ -8,7 +8,7 @@ from artgen import (
     Scalar,
     VectorLike,
     Z,
-    coloured,
+    colored,
     detail,
     details,
     material,
@@ -20,15 +20,15 @@ Sort = Literal["none", "recycling", "paper", "plastic", "glass", "food"]
 """What a bin is for, if it says so."""
 
 _INK = {"recycling": "", "paper": "PAPER", "plastic": "PLASTIC", "glass": "GLASS", "food": "FOOD WASTE"}
-_LIGHT = 0.25  # mean of the colour from which dark print shows better
+_LIGHT = 0.25  # mean of the color from which dark print shows better
 
 
 def ink_on(finish: Material, *, metal: bool = True) -> Material:
     """Return what print on a finish is made of: dark on light, light on dark, grey on metal."""
     mean = sum(finish.base_color) / 3.0
     if metal and finish.base_metalness > 0.5:
-        return coloured("abs", "slate") if mean > _LIGHT else coloured("abs", "silver")
-    return coloured("abs", "graphite") if mean > _LIGHT else coloured("abs", "white")
+        return colored("abs", "slate") if mean > _LIGHT else colored("abs", "silver")
+    return colored("abs", "graphite") if mean > _LIGHT else colored("abs", "white")
 
 
 def maker_mark(can: Can, maker: str, *, z: Scalar, finish: Material) -> Body:

@@ -19,7 +19,7 @@ from artgen import (
     X,
     Z,
     box_between,
-    coloured,
+    colored,
     detail,
     material,
     part,
@@ -91,16 +91,15 @@ WOODS = (*_TIMBER, *paints(500.0, "window_paint"))
 WOOD_WEIGHTS = (*(1.6,) * len(_TIMBER), *(0.7 * each for each in OUTDOORS))
 
 PLASTICS = tuple(
-    _hollow(coloured("abs", color), 560.0)
-    for color in ("white", "cream", "anthracite", "light_grey", "brown")
+    _hollow(colored("abs", color), 560.0) for color in ("white", "cream", "anthracite", "light_grey", "brown")
 )
-"""White PVC, and PVC under a coloured foil."""
+"""White PVC, and PVC under a colored foil."""
 
 PLASTIC_WEIGHTS = (4.0, 1.0, 1.6, 0.8, 1.0)
 
 METALS = (
     *(
-        _hollow(coloured("powder_coat", c), 640.0)
+        _hollow(colored("powder_coat", c), 640.0)
         for c in ("anthracite", "black", "white", "slate", "forest", "burgundy")
     ),
     _hollow(material("brushed_aluminium"), 640.0),
@@ -110,7 +109,7 @@ METALS = (
 
 METAL_WEIGHTS = (4.0, 2.0, 1.5, 1.0, 0.5, 0.3, 1.5, 0.7)
 
-_SHEETS = tuple(_hollow(coloured("powder_coat", color), 640.0) for color in ("silver", "white", "anthracite"))
+_SHEETS = tuple(_hollow(colored("powder_coat", color), 640.0) for color in ("silver", "white", "anthracite"))
 
 SILLS = (*weighing(known("granite", "marble"), 2700.0, "sill"), *_SHEETS)
 """Stone, and folded sheet."""

@@ -39,7 +39,7 @@ def write_glb(asset: Asset, textures: int = 0) -> Written:
 
     Args:
         asset: The asset.
-        textures: Texels on a side of the materials' maps; 0 for colours alone.
+        textures: Texels on a side of the materials' maps; 0 for colors alone.
 
     Returns:
         The file, and what GLB cannot say.

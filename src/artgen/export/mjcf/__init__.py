@@ -55,7 +55,7 @@ def write_mjcf(asset: Asset, textures: int = 0) -> Written:
 
     Args:
         asset: The asset.
-        textures: Texels on a side of the materials' maps; 0 for colours alone.
+        textures: Texels on a side of the materials' maps; 0 for colors alone.
 
     Returns:
         The MJCF, mesh and map files, and what MJCF cannot say.

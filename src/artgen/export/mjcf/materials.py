@@ -21,7 +21,7 @@ def add_materials(parent: ET.Element, asset: Asset, maps: MapFiles) -> None:
     Their names and those of the maps begin with the asset's, since assets that are included in one scene may
     be of the same materials.
 
-    The classic renderer shows the colour map as it is only if its colour space is left to MuJoCo: it decodes
+    The classic renderer shows the color map as it is only if its color space is left to MuJoCo: it decodes
     sRGB, but does not encode again.
     """
     added: set[str] = set()
@@ -65,12 +65,12 @@ def _attributes(asset: Asset, material: Material, layers: Iterable[str]) -> dict
 
 
 def _emission(material: Material) -> float:
-    """Return the emission as the factor of the colour that MuJoCo's classic renderer takes."""
+    """Return the emission as the factor of the color that MuJoCo's classic renderer takes."""
     return max(material.emission) / max(*material.base_color, 1e-3)
 
 
 def _add_emission(parent: ET.Element, asset: Asset, material: Material) -> str:
-    """Add the colour of the light as a map of one texel; without it the other renderer's light is white."""
+    """Add the color of the light as a map of one texel; without it the other renderer's light is white."""
     name = f"{material_name(asset, material)}_emission"
     color = [channel / _emission(material) for channel in material.emission]
     ET.SubElement(

@@ -43,7 +43,7 @@ def write_urdf(asset: Asset, textures: int = 0) -> Written:
 
     Args:
         asset: The asset.
-        textures: Texels on a side of the materials' maps; 0 for colours alone.
+        textures: Texels on a side of the materials' maps; 0 for colors alone.
 
     Returns:
         The URDF, mesh and map files, and what URDF cannot say.
@@ -93,9 +93,9 @@ def _material(material: Material) -> Any:
 
 
 def _is_plain(material: Material, meshes: MeshFiles) -> bool:
-    """Return whether a material's colour may stand in the URDF.
+    """Return whether a material's color may stand in the URDF.
 
-    Beside a colour map it may not: PyBullet multiplies the map with it, SAPIEN shows it in place of the map.
+    Beside a color map it may not: PyBullet multiplies the map with it, SAPIEN shows it in place of the map.
     """
     return "albedo" not in meshes.maps.of(material)
 
@@ -203,9 +203,9 @@ def _losses(asset: Asset, segments: Sequence[Segment], meshes: MeshFiles, textur
         *_affordance_losses(asset),
         *material_losses(asset),
         *loss(
-            "colour beside a colour map",
+            "color beside a color map",
             [material.name for material in asset.materials if not _is_plain(material, meshes)],
-            "the map in the MTL file; many clients darken or hide it where the URDF has a colour",
+            "the map in the MTL file; many clients darken or hide it where the URDF has a color",
         ),
         *look_losses(asset, textures),
         *label_losses(asset),

@@ -57,7 +57,7 @@ def write_usd(asset: Asset, textures: int = 0) -> Written:
 
     Args:
         asset: The asset.
-        textures: Texels on a side of the materials' maps; 0 for colours alone.
+        textures: Texels on a side of the materials' maps; 0 for colors alone.
 
     Returns:
         Both layers and the map files, and what USD cannot say.
@@ -76,7 +76,7 @@ def author(asset: Asset, layers: Layers, textures: int) -> Written:
     Args:
         asset: The asset.
         layers: The layers, in each of which the default prim is named as the asset.
-        textures: Texels on a side of the materials' maps; 0 for colours alone.
+        textures: Texels on a side of the materials' maps; 0 for colors alone.
 
     Returns:
         The map files, and what USD cannot say.

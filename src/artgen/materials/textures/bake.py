@@ -1,4 +1,4 @@
-"""Baking: a recipe's pattern as pixels, in the recipe's own colour, roughness as deviation about 128."""
+"""Baking: a recipe's pattern as pixels, in the recipe's own color, roughness as deviation about 128."""
 
 import io
 import zlib

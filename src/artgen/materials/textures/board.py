@@ -3,7 +3,7 @@
 import numpy as np
 
 from artgen._arrays import Array
-from artgen.materials.textures.fields import Pattern, Recipe, Tile, Varying, centred, smoothstep, with_mean
+from artgen.materials.textures.fields import Pattern, Recipe, Tile, Varying, centered, smoothstep, with_mean
 
 _PLYWOOD = (0.62, 0.45, 0.28)
 _PLYWOOD_TILE = (0.60, 1.20)
@@ -30,7 +30,7 @@ def _plywood(stream: np.random.Generator, size: int) -> Pattern:
     fleck = smoothstep(1.9, 3.0, tile.streaks(0.0022, 0.020))
     light = 1.0 - 0.060 * rings + 0.020 * fine + 0.022 * short + 0.02 * tile.streaks(0.09, 0.8)
     albedo = (light * (1.0 - 0.16 * fleck))[..., None] ** np.array([0.8, 1.0, 1.3]) * _PLYWOOD
-    roughness = centred(0.03 * fleck + 0.012 * short + 0.015 * tile.smudges(0.3))
+    roughness = centered(0.03 * fleck + 0.012 * short + 0.015 * tile.smudges(0.3))
     return Pattern(
         with_mean(albedo, _PLYWOOD), roughness, height=20e-6 * short + 10e-6 * fine - 30e-6 * fleck
     )
@@ -54,7 +54,7 @@ def _plywood_edge(stream: np.random.Generator, size: int) -> Pattern:
     light = np.clip(light * (1.0 - 0.38 * glue), 0.1, 1.35)
     albedo = light[..., None] ** np.array([0.85, 1.0, 1.3]) * _PLYWOOD
     height = np.where(end_grain == 1, 6e-6 * dots - 12e-6, 2e-6 * lines) - 15e-6 * glue
-    roughness = centred(0.08 * end_grain + 0.02 * dots)
+    roughness = centered(0.08 * end_grain + 0.02 * dots)
     return Pattern(with_mean(albedo, _PLYWOOD), roughness, height=height)
 
 
@@ -68,7 +68,7 @@ def _mdf(stream: np.random.Generator, size: int) -> Pattern:
     )
     light = 1.0 + 0.035 * felt + 0.03 * fine + 0.025 * tile.cloud(0.12, 1.6) - 0.20 * dark
     albedo = np.maximum(light, 0.3)[..., None] ** np.array([0.9, 1.0, 1.15]) * _MDF
-    roughness = centred(0.03 * felt + 0.02 * tile.cloud(0.1, 2.0))
+    roughness = centered(0.03 * felt + 0.02 * tile.cloud(0.1, 2.0))
     return Pattern(with_mean(albedo, _MDF), roughness, height=8e-6 * fine + 6e-6 * felt)
 
 
@@ -101,7 +101,7 @@ def _cardboard(stream: np.random.Generator, size: int) -> Pattern:
     light = light - 0.11 * fibre + 0.08 * pale
     albedo = light[..., None] ** np.array([0.9, 1.0, 1.2]) * _CARDBOARD
     height = 22e-6 * flute + 9e-6 * wash + 9e-6 * fibre
-    return Pattern(with_mean(albedo, _CARDBOARD), centred(0.02 * wash - 0.03 * pale), height=height)
+    return Pattern(with_mean(albedo, _CARDBOARD), centered(0.02 * wash - 0.03 * pale), height=height)
 
 
 def _cardboard_edge(stream: np.random.Generator, size: int) -> Pattern:
@@ -120,7 +120,7 @@ def _cardboard_edge(stream: np.random.Generator, size: int) -> Pattern:
     depth = 0.30 + 0.70 * solid * (1.0 + 0.09 * rag)
     albedo = np.clip(depth, 0.05, 1.3)[..., None] ** np.array([0.9, 1.0, 1.1]) * _CARDBOARD_EDGE
     height = 60e-6 * solid + 5e-6 * rag * solid
-    return Pattern(with_mean(albedo, _CARDBOARD_EDGE), centred(0.03 * rag), height=height)
+    return Pattern(with_mean(albedo, _CARDBOARD_EDGE), centered(0.03 * rag), height=height)
 
 
 def _sheet(distance: Array, half: float, texel: Array | float) -> Array:

@@ -41,7 +41,7 @@ class Recipe:
 
     Attributes:
         name: Identifier.
-        base_color: Linear RGB mean of the albedo as baked; materials of other colours are tinted.
+        base_color: Linear RGB mean of the albedo as baked; materials of other colors are tinted.
         make: Makes a pattern: `make(stream, size)` with a random stream of the recipe and variant, and how
             many texels the tile has on a side.
         tile: The size of one repeat, across and along the grain (u and v) [m].
@@ -87,8 +87,8 @@ class Tile:
     Attributes:
         size: How many texels it has on a side.
         extent: Its size across and along the grain, shape (2,) [m].
-        u: Place of the texels' centres across the grain, 0 at the left, shape (1, n) [m].
-        v: Place of the texels' centres along the grain, 0 at the bottom, shape (n, 1) [m].
+        u: Place of the texels' centers across the grain, 0 at the left, shape (1, n) [m].
+        v: Place of the texels' centers along the grain, 0 at the bottom, shape (n, 1) [m].
         stream: Random numbers that do not depend on the size.
     """
 
@@ -96,9 +96,9 @@ class Tile:
         self.size = size
         self.extent = extent
         self.stream = stream
-        centres = (np.arange(size) + 0.5) / size
-        self.u: Array = centres[None, :] * extent[0]
-        self.v: Array = centres[::-1, None] * extent[1]
+        centers = (np.arange(size) + 0.5) / size
+        self.u: Array = centers[None, :] * extent[0]
+        self.v: Array = centers[::-1, None] * extent[1]
 
     def noise(self, spectrum: Callable[[Array, Array], Array]) -> Array:
         """Return noise of some spectrum, mean 0 and deviation 1, shape (n, n)."""
@@ -110,7 +110,7 @@ class Tile:
         amplitude[0, 0] = 0.0
         coefficients = _coefficients(self.stream, self.size, amplitude)
         coefficients /= _deviation(coefficients, amplitude)
-        # The waves' phases are those at the centres of the texels
+        # The waves' phases are those at the centers of the texels
         phase = np.exp(1j * np.pi * np.fft.fftfreq(self.size))
         columns = coefficients.shape[1]
         coefficients *= phase[:, None] * phase[None, :columns]
@@ -144,7 +144,7 @@ class Tile:
         """Return where a surface was touched and wiped: soft patches, mean 0, about -1..3, shape (n, n)."""
         patches = self.cloud(longest, 2.4)
         wiped = self.cloud(longest / 3.0, 1.6)
-        return centred(np.maximum(patches, -0.6) + 0.35 * wiped * smoothstep(-0.5, 1.5, patches))
+        return centered(np.maximum(patches, -0.6) + 0.35 * wiped * smoothstep(-0.5, 1.5, patches))
 
     def cells(self, spacing: float, jitter: float = 1.0) -> Cells:
         """Strew points over the tile, about that far apart [m], and return the distances from them."""
@@ -224,7 +224,7 @@ def _deviation(coefficients: NDArray[np.complex128], amplitude: Array) -> float:
     return float(np.sqrt(counted + fine))
 
 
-def centred(values: Array) -> Array:
+def centered(values: Array) -> Array:
     """Return values less their mean."""
     return np.asarray(values - values.mean())
 
@@ -261,7 +261,7 @@ def smoothstep(low: float, high: float, values: Array) -> Array:
 
 
 def blend(values: Array, stops: Sequence[tuple[float, tuple[float, float, float]]]) -> Array:
-    """Return colours for values in 0..1, between stops of value and linear RGB, shape (n, n, 3)."""
+    """Return colors for values in 0..1, between stops of value and linear RGB, shape (n, n, 3)."""
     places = [place for place, _ in stops]
     steps = np.linspace(0.0, 1.0, 2049)
     table = np.stack([np.interp(steps, places, [color[c] for _, color in stops]) for c in range(3)], axis=-1)
@@ -271,5 +271,5 @@ def blend(values: Array, stops: Sequence[tuple[float, tuple[float, float, float]
 
 
 def with_mean(albedo: Array, mean: tuple[float, float, float]) -> Array:
-    """Return linear albedo whose mean is a colour, shape (n, n, 3)."""
+    """Return linear albedo whose mean is a color, shape (n, n, 3)."""
     return np.asarray(albedo * (np.array(mean) / albedo.mean(axis=(0, 1))))

@@ -1,4 +1,4 @@
-"""Maps: a recipe's pattern in the colour and roughness of one material, as pixels and as image files."""
+"""Maps: a recipe's pattern in the color and roughness of one material, as pixels and as image files."""
 
 import io
 import struct
@@ -192,7 +192,7 @@ def _kept_file(material: Material, kind: Kind, size: int, form: Form, name: str)
 
 
 def _is_kept(material: Material, kind: Kind) -> bool:
-    """Say whether a file is kept on disk: not in a colour drawn for one asset, or the disk would fill."""
+    """Say whether a file is kept on disk: not in a color drawn for one asset, or the disk would fill."""
     recipe = recipe_of(material)
     if kind != "albedo" or not recipe.kept:
         return recipe.kept
@@ -222,7 +222,7 @@ def _file(pixels: Pixels, kind: Kind, form: Form) -> bytes:
     from PIL import Image
 
     file = io.BytesIO()
-    # Only colours may lose some of their resolution: other channels are numbers of their own
+    # Only colors may lose some of their resolution: other channels are numbers of their own
     subsampling = "4:2:0" if kind == "albedo" else "4:4:4"
     Image.fromarray(pixels).save(file, "JPEG", quality=_QUALITY.get(kind, 90), subsampling=subsampling)
     return file.getvalue()

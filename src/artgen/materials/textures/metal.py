@@ -1,4 +1,4 @@
-"""Metals: their colour is even, what varies is how they were finished. Brushing runs along v."""
+"""Metals: their color is even, what varies is how they were finished. Brushing runs along v."""
 
 import numpy as np
 
@@ -9,7 +9,7 @@ from artgen.materials.textures.fields import (
     Tile,
     Varying,
     blend,
-    centred,
+    centered,
     hairlines,
     smoothstep,
     with_mean,
@@ -45,7 +45,7 @@ def _brushed(stream: np.random.Generator, size: int) -> Pattern:
     strokes = _strokes(tile, 0.0005, 0.10)
     bundles = tile.streaks(0.0030, 0.25)  # what the eye makes out from farther than it does strokes
     roughness = 0.030 * strokes + 0.014 * bundles + 0.030 * tile.smudges(0.15)
-    return Pattern(None, centred(roughness), height=5e-6 * strokes)
+    return Pattern(None, centered(roughness), height=5e-6 * strokes)
 
 
 def _satin(stream: np.random.Generator, size: int) -> Pattern:
@@ -54,14 +54,14 @@ def _satin(stream: np.random.Generator, size: int) -> Pattern:
     strokes = _strokes(tile, 0.0003, 0.03)
     bundles = tile.streaks(0.0018, 0.06)
     roughness = 0.022 * strokes + 0.010 * bundles + 0.026 * tile.smudges(0.08)
-    return Pattern(None, centred(roughness), height=2e-6 * strokes)
+    return Pattern(None, centered(roughness), height=2e-6 * strokes)
 
 
 def _polished(stream: np.random.Generator, size: int) -> Pattern:
     """Make polished metal: finger marks and hairlines alone tell it from a mirror."""
     tile = Tile(stream, size, _POLISHED_TILE)
     hairs = hairlines(tile, 0.0008, 0.02, 2.3)
-    return Pattern(None, centred(0.020 * tile.smudges(0.08) + 0.030 * hairs))
+    return Pattern(None, centered(0.020 * tile.smudges(0.08) + 0.030 * hairs))
 
 
 def _anodised(stream: np.random.Generator, size: int) -> Pattern:
@@ -69,7 +69,7 @@ def _anodised(stream: np.random.Generator, size: int) -> Pattern:
     tile = Tile(stream, size, _ANODISED_TILE)
     grain = tile.band(0.0006, 0.6)
     roughness = 0.018 * grain + 0.020 * tile.smudges(0.08)
-    return Pattern(None, centred(roughness), height=3e-6 * grain)
+    return Pattern(None, centered(roughness), height=3e-6 * grain)
 
 
 def _cast(stream: np.random.Generator, size: int) -> Pattern:
@@ -80,14 +80,14 @@ def _cast(stream: np.random.Generator, size: int) -> Pattern:
     pits = smoothstep(1.7, 3.0, tile.band(0.0022, 0.5))
     height = 28e-6 * lumps + 9e-6 * sand - 45e-6 * pits
     roughness = 0.035 * sand + 0.03 * tile.cloud(0.05, 2.0) + 0.08 * pits
-    return Pattern(None, centred(roughness), height=height)
+    return Pattern(None, centered(roughness), height=height)
 
 
 def _blasted(stream: np.random.Generator, size: int) -> Pattern:
     """Make metal blasted with beads, or a die-cast one: a fine grain."""
     tile = Tile(stream, size, _BLASTED_TILE)
     grain = tile.band(0.0007, 0.6)
-    return Pattern(None, centred(0.025 * grain + 0.02 * tile.smudges(0.05)), height=4.5e-6 * grain)
+    return Pattern(None, centered(0.025 * grain + 0.02 * tile.smudges(0.05)), height=4.5e-6 * grain)
 
 
 def _rolled(stream: np.random.Generator, size: int) -> Pattern:
@@ -97,7 +97,7 @@ def _rolled(stream: np.random.Generator, size: int) -> Pattern:
     lines = tile.fibres(0.15, 0.4)
     grain = tile.band(0.0016, 0.6)
     roughness = 0.040 * blotches + 0.015 * lines + 0.012 * grain
-    return Pattern(None, centred(roughness), height=7e-6 * grain + 5e-6 * lines)
+    return Pattern(None, centered(roughness), height=7e-6 * grain + 5e-6 * lines)
 
 
 def _aged_bronze(stream: np.random.Generator, size: int) -> Pattern:
@@ -110,7 +110,7 @@ def _aged_bronze(stream: np.random.Generator, size: int) -> Pattern:
     albedo = blend(0.22 + 0.028 * mottle + 0.60 * worn, stops)
     metalness = np.clip(0.74 + 0.26 * worn - 0.02 * mottle, 0.0, 1.0)
     roughness = 0.015 * grain - 0.13 * worn + 0.022 * mottle + 0.02 * tile.smudges(0.06)
-    return Pattern(with_mean(albedo, _BRONZE), centred(roughness), metalness, 3e-6 * grain)
+    return Pattern(with_mean(albedo, _BRONZE), centered(roughness), metalness, 3e-6 * grain)
 
 
 def _hammered(stream: np.random.Generator, size: int) -> Pattern:
@@ -126,7 +126,7 @@ def _hammered(stream: np.random.Generator, size: int) -> Pattern:
     height = 200e-6 * dent + 1.5e-6 * tile.band(0.001, 0.6)
     metalness = np.clip(0.88 + 0.05 * mottle, 0.0, 1.0)
     roughness = 0.035 * mottle + 0.01 * tile.smudges(0.06)
-    return Pattern(with_mean(blend(share, stops), _HAMMERED), centred(roughness), metalness, height)
+    return Pattern(with_mean(blend(share, stops), _HAMMERED), centered(roughness), metalness, height)
 
 
 def _knurl(stream: np.random.Generator, size: int) -> Pattern:
@@ -141,7 +141,7 @@ def _knurl(stream: np.random.Generator, size: int) -> Pattern:
     height = 220e-6 * np.minimum(crests, 0.78)
     wear = smoothstep(0.70, 0.80, crests)
     return Pattern(
-        None, centred(0.06 * (1.0 - crests) - 0.05 * wear + 0.02 * tile.cloud(0.004, 1.5)), height=height
+        None, centered(0.06 * (1.0 - crests) - 0.05 * wear + 0.02 * tile.cloud(0.004, 1.5)), height=height
     )
 
 

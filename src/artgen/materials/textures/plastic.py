@@ -1,4 +1,4 @@
-"""Plastics, rubber and what is baked on metal: even colours, told apart by grain and gloss."""
+"""Plastics, rubber and what is baked on metal: even colors, told apart by grain and gloss."""
 
 import numpy as np
 
@@ -7,7 +7,7 @@ from artgen.materials.textures.fields import (
     Recipe,
     Tile,
     Varying,
-    centred,
+    centered,
     hairlines,
     smoothstep,
     with_mean,
@@ -28,7 +28,7 @@ def _fine(stream: np.random.Generator, size: int) -> Pattern:
     """Make moulded plastic with the fine grain of a spark-eroded mould."""
     tile = Tile(stream, size, _FINE_TILE)
     grain = tile.band(0.0008, 0.6)
-    return Pattern(None, centred(0.020 * grain + 0.022 * tile.smudges(0.06)), height=4.0e-6 * grain)
+    return Pattern(None, centered(0.020 * grain + 0.022 * tile.smudges(0.06)), height=4.0e-6 * grain)
 
 
 def _coarse(stream: np.random.Generator, size: int) -> Pattern:
@@ -38,14 +38,14 @@ def _coarse(stream: np.random.Generator, size: int) -> Pattern:
     island = smoothstep(0.0, 0.0006, cells.second - cells.nearest)
     fine = tile.band(0.0007, 0.6)
     roughness = -0.05 * island + 0.015 * fine + 0.02 * tile.smudges(0.08)
-    return Pattern(None, centred(roughness), height=22e-6 * island + 2.5e-6 * fine)
+    return Pattern(None, centered(roughness), height=22e-6 * island + 2.5e-6 * fine)
 
 
 def _glossy(stream: np.random.Generator, size: int) -> Pattern:
     """Make polished plastic: finger marks and hairlines of wiping."""
     tile = Tile(stream, size, _GLOSSY_TILE)
     hairs = hairlines(tile, 0.0010, 0.03, 2.2)
-    return Pattern(None, centred(0.022 * tile.smudges(0.12) + 0.025 * hairs))
+    return Pattern(None, centered(0.022 * tile.smudges(0.12) + 0.025 * hairs))
 
 
 def _rubber(stream: np.random.Generator, size: int) -> Pattern:
@@ -53,7 +53,7 @@ def _rubber(stream: np.random.Generator, size: int) -> Pattern:
     tile = Tile(stream, size, _RUBBER_TILE)
     grain = tile.cloud(0.003, 1.1)
     bloom = tile.cloud(0.05, 1.8)
-    return Pattern(None, centred(0.03 * grain + 0.035 * bloom), height=5e-6 * grain)
+    return Pattern(None, centered(0.03 * grain + 0.035 * bloom), height=5e-6 * grain)
 
 
 def _powder(stream: np.random.Generator, size: int) -> Pattern:
@@ -62,14 +62,14 @@ def _powder(stream: np.random.Generator, size: int) -> Pattern:
     peel = tile.band(0.0024, 0.45)
     grain = tile.band(0.0008, 0.5)
     roughness = 0.012 * peel + 0.016 * grain + 0.02 * tile.smudges(0.10)
-    return Pattern(None, centred(roughness), height=6.0e-6 * peel + 1.2e-6 * grain)
+    return Pattern(None, centered(roughness), height=6.0e-6 * peel + 1.2e-6 * grain)
 
 
 def _enamel(stream: np.random.Generator, size: int) -> Pattern:
     """Make vitreous or stoved enamel: glossy; its waves are flatter than the levels of a normal map."""
     tile = Tile(stream, size, _ENAMEL_TILE)
     hairs = smoothstep(2.5, 3.6, tile.streaks(0.0012, 0.04))
-    return Pattern(None, centred(0.020 * tile.smudges(0.15) + 0.006 * tile.band(0.009, 0.5) + 0.02 * hairs))
+    return Pattern(None, centered(0.020 * tile.smudges(0.15) + 0.006 * tile.band(0.009, 0.5) + 0.02 * hairs))
 
 
 def _foam(stream: np.random.Generator, size: int) -> Pattern:
@@ -80,7 +80,7 @@ def _foam(stream: np.random.Generator, size: int) -> Pattern:
     shade = tile.cloud(0.02, 1.5)
     light = 1.0 - 0.22 * hollow + 0.02 * shade
     albedo = np.maximum(light, 0.2)[..., None] * np.array(_FOAM)
-    return Pattern(with_mean(albedo, _FOAM), centred(0.02 * shade), height=-90e-6 * hollow)
+    return Pattern(with_mean(albedo, _FOAM), centered(0.02 * shade), height=-90e-6 * hollow)
 
 
 def recipes() -> list[Recipe]:

@@ -13,7 +13,7 @@ from artgen.materials.textures.fields import (
     Tile,
     Varying,
     blend,
-    centred,
+    centered,
     in_strips,
     smoothstep,
     with_mean,
@@ -97,13 +97,13 @@ def _granite(kind: Granite, stream: np.random.Generator, size: int) -> Pattern:
         )
 
     albedo = in_strips(shaded, albedo, cells.number, veil, mica, broad)
-    roughness = centred(0.05 * mica + 0.012 * veil + 0.018 * tile.smudges(0.15))
+    roughness = centered(0.05 * mica + 0.012 * veil + 0.018 * tile.smudges(0.15))
     return Pattern(with_mean(albedo, kind.mean), roughness)
 
 
 @dataclass(frozen=True)
 class Marble:
-    """The colours of a marble: of its body, of its clouds and of its veins, linear RGB."""
+    """The colors of a marble: of its body, of its clouds and of its veins, linear RGB."""
 
     mean: Color
     body: Color
@@ -137,7 +137,7 @@ def _marble(kind: Marble, stream: np.random.Generator, size: int) -> Pattern:
     albedo = blend(cloud, ((0.0, kind.body), (1.0, kind.cloud)))
     albedo += vein[..., None] * (np.array(kind.vein) - albedo)
     albedo *= (1.0 + 0.008 * grain)[..., None]
-    roughness = centred(0.04 * vein + 0.02 * tile.smudges(0.3) + 0.004 * grain)
+    roughness = centered(0.04 * vein + 0.02 * tile.smudges(0.3) + 0.004 * grain)
     return Pattern(with_mean(albedo, kind.mean), roughness)
 
 
@@ -151,21 +151,21 @@ def _glaze(stream: np.random.Generator, size: int) -> Pattern:
     """Make glazed ceramic: a few pin holes, wiped; its waves are flatter than a normal map's levels."""
     tile = Tile(stream, size, _GLAZE_TILE)
     holes = smoothstep(3.3, 3.9, tile.band(0.0028, 0.5))
-    return Pattern(None, centred(0.018 * tile.smudges(0.15) + 0.10 * holes))
+    return Pattern(None, centered(0.018 * tile.smudges(0.15) + 0.10 * holes))
 
 
 def _clear(stream: np.random.Generator, size: int) -> Pattern:
     """Make clear glass: what was wiped off it, and what was not."""
     tile = Tile(stream, size, _GLASS_TILE)
     wiped = tile.smudges(0.20) + 0.25 * tile.streaks(0.004, 0.06)
-    return Pattern(None, centred(0.014 * np.clip(wiped, -1.2, 4.0)))
+    return Pattern(None, centered(0.014 * np.clip(wiped, -1.2, 4.0)))
 
 
 def _frosted(stream: np.random.Generator, size: int) -> Pattern:
     """Make frosted glass: etched to a fine grain."""
     tile = Tile(stream, size, _FROSTED_TILE)
     grain = tile.band(0.0007, 0.7)
-    return Pattern(None, centred(0.025 * grain + 0.02 * tile.smudges(0.06)), height=5e-6 * grain)
+    return Pattern(None, centered(0.025 * grain + 0.02 * tile.smudges(0.06)), height=5e-6 * grain)
 
 
 def recipes() -> list[Recipe]:

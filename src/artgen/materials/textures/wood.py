@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from artgen._arrays import Array
-from artgen.materials.textures.fields import Pattern, Recipe, Tile, blend, centred, smoothstep, with_mean
+from artgen.materials.textures.fields import Pattern, Recipe, Tile, blend, centered, smoothstep, with_mean
 
 _SPREAD = 0.45  # of the logarithm of lengths
 _AT_ONCE = 1 << 14  # pores drawn at once: more are many pages of memory
@@ -75,8 +75,8 @@ class Species:
     """What tells one wood from another."""
 
     mean: Color  # linear RGB mean of its albedo
-    early: Color  # colour where a ring begins, relative to the mean
-    late: Color  # colour where it ends, relative to the mean
+    early: Color  # color where a ring begins, relative to the mean
+    late: Color  # color where it ends, relative to the mean
     rings: int  # how many rings the width of a tile has in straight grain
     contrast: float  # how much of the way from early to late a ring goes
     sharpness: float = 2.2  # exponent of the rise within a ring: 1 even, 4 dark at its end only
@@ -87,7 +87,7 @@ class Species:
     length: float = 0.004  # median length of a pore [m]
     width: float = 0.00015  # mean width of a pore [m]
     flecks: float = 0.0  # how much darker rays make short flecks
-    stripes: float = 0.3  # how much broad ribbons and coloured streaks vary
+    stripes: float = 0.3  # how much broad ribbons and colored streaks vary
     fibre: float = 0.26  # how much fine fibres vary
     curl: float = 0.0  # how much figure shimmers across the grain
 
@@ -184,7 +184,7 @@ def _wood(species: Species, cut: _Cut, stream: np.random.Generator, size: int) -
     fine = tile.fibres(0.20, 0.25)
     short = tile.fibres(0.03, 0.3)
     broad = tile.streaks(0.035, 0.9)
-    value = 0.30 + species.contrast * centred(late) + species.stripes * 0.12 * broad
+    value = 0.30 + species.contrast * centered(late) + species.stripes * 0.12 * broad
     value += species.fibre * (0.6 * fine + 0.4 * short)
     if species.curl:
         value += species.curl * 0.05 * tile.streaks(0.10, 0.010)
@@ -198,9 +198,9 @@ def _wood(species: Species, cut: _Cut, stream: np.random.Generator, size: int) -
     hue = tile.cloud(0.4, 2.2, 4.0)
     for channel, share in enumerate((0.6, 1.0, 1.5)):
         albedo[..., channel] *= shade * (1.0 + 0.025 * share * hue)
-    roughness = 0.10 * groove - 0.06 * centred(late) + 0.008 * fine + 0.018 * tile.smudges(0.2)
+    roughness = 0.10 * groove - 0.06 * centered(late) + 0.008 * fine + 0.018 * tile.smudges(0.2)
     height = -_PORE_DEPTH * groove + 12e-6 * fine + 4e-6 * short - 15e-6 * late
-    return Pattern(with_mean(albedo, species.mean), centred(roughness), height=height)
+    return Pattern(with_mean(albedo, species.mean), centered(roughness), height=height)
 
 
 def _grooves(tile: Tile, species: Species, rings: Array, short: Array, broad: Array) -> Array:

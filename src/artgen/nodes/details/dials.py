@@ -47,7 +47,7 @@ def _tick(angle: float, radius: float, length: float, width: float) -> Contour:
 
 @cached(256)
 def _number(string: str, height: float) -> tuple[Outline, Array]:
-    """Return a number centred on the origin, and half of its size, shape (2,) [m]."""
+    """Return a number centered on the origin, and half of its size, shape (2,) [m]."""
     outline = text._text(string, height, "left")
     points = np.concatenate([contour.points for contour in outline.contours])
     low, high = points.min(axis=0), points.max(axis=0)

@@ -14,7 +14,7 @@ from artgen.nodes.profile import rectangle
 from artgen.nodes.scalar import min_
 
 Color = Literal["red", "amber", "green", "blue", "white", "cyan", "lcd"]
-"""What the figures of a display look like: shining in a colour, or black on a grey-green liquid crystal."""
+"""What the figures of a display look like: shining in a color, or black on a grey-green liquid crystal."""
 
 _PANE = 0.0008  # how far the pane stands out [m]
 _FILM = 0.0001  # and the figures out of the pane
@@ -30,7 +30,7 @@ _GLOW: dict[str, tuple[float, float, float]] = {
 
 
 def glow(color: str) -> Material:
-    """Return the material of figures that shine in a colour."""
+    """Return the material of figures that shine in a color."""
     tone = _GLOW[color]
     name = "display" if color == "cyan" else f"led_{color}"
     if name in MATERIALS:
@@ -101,7 +101,7 @@ def display(
         facing: Out of the face.
         up: Upward for the reader; by default Z, or Y on a face that looks up or down.
         style: Seven-segment figures or a dot matrix.
-        color: The colour in which the figures shine on black glass, or a liquid crystal.
+        color: The color in which the figures shine on black glass, or a liquid crystal.
         share: Height of the figures as a share of that of the pane; less where they would be too wide.
         ghosts: Whether segments that are dark show faintly.
         label: Semantic label of pane and figures.

@@ -87,7 +87,7 @@ def _dot_matrix(string: str, height: float, dot: Literal["square", "round"], sho
 def dot_matrix(
     string: str, height: Scalar, *, dot: Literal["square", "round"] = "square", show: Lit = "lit"
 ) -> Profile:
-    """Make the dots of a line of 5 x 7 characters, centred on the origin.
+    """Make the dots of a line of 5 x 7 characters, centered on the origin.
 
     Args:
         string: Capitals, digits and common signs; known while building.

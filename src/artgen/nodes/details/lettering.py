@@ -174,7 +174,7 @@ def logo(
     tracking: float = 0.3,
     capitals: bool = True,
 ) -> Profile:
-    """Make a word mark in spaced letters, centred on the origin; `BRANDS` lists names that belong to nobody.
+    """Make a word mark in spaced letters, centered on the origin; `BRANDS` lists names that belong to nobody.
 
     Args:
         name: The brand; known while building.

@@ -18,7 +18,7 @@ from artgen.nodes.surfaces import Skin, extrusion, mitres, triangulated
 
 
 def prisms(contours: Sequence[Contour], length: float) -> Skin:
-    """Extrude contours along z, centred on z = 0, with sharp edges.
+    """Extrude contours along z, centered on z = 0, with sharp edges.
 
     Every vertex has three copies at either end: for the side that arrives, for the side that leaves and for
     the flat end. A loop over the contours would take ten times as long for hundreds of them.
@@ -266,7 +266,7 @@ def engraved(
     up: VectorLike | None = None,
     label: str = "print",
 ) -> Body:
-    """Make a profile look engraved in a face: in the colour of the face, darker and rough as a groove is.
+    """Make a profile look engraved in a face: in the color of the face, darker and rough as a groove is.
 
     The face itself is not cut; where the groove has to be real, subtract a `relief`.
 

@@ -123,7 +123,7 @@ def _seven_segment(string: str, height: float, slant: float, show: Lit) -> Outli
 
 
 def seven_segment(string: str, height: Scalar, *, slant: Scalar = 0.1, show: Lit = "lit") -> Profile:
-    """Make the segments of figures such as `"12:30"` or `"-18°C"`, centred on the origin.
+    """Make the segments of figures such as `"12:30"` or `"-18°C"`, centered on the origin.
 
     Lit and dark segments are profiles of their own, to be given materials of their own.
 

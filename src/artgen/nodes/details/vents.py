@@ -101,9 +101,9 @@ def perforation(
 
     Args:
         outline: The sheet.
-        pitch: Distance between neighbouring holes [m].
+        pitch: Distance between neighboring holes [m].
         radius: Their radius [m].
-        pattern: Holes in rows and columns, or each with six neighbours.
+        pattern: Holes in rows and columns, or each with six neighbors.
         margin: Least width that is left between a hole and the border [m].
 
     Examples:
@@ -240,7 +240,7 @@ def louvres(
     thickness: Scalar = 0.0015,
     tilt: Scalar = 0.6,
 ) -> Solid:
-    """Make tilted slats along X between two sides, which are not part of it; centred on the origin.
+    """Make tilted slats along X between two sides, which are not part of it; centered on the origin.
 
     Args:
         width: Length of the slats [m].

@@ -7,7 +7,7 @@ from my_category import my_category
 
 def test_the_first_seeds_are_sound() -> None:
     """Run every check of `artgen validate`, MuJoCo included; a failure has its seed and parameters."""
-    check_category(my_category, seeds=range(4), behaviour=True)
+    check_category(my_category, seeds=range(4), behavior=True)
 
 
 def test_a_hand_can_open_the_lid() -> None:

@@ -15,7 +15,7 @@ from artgen.validate.behavior.model import CHECK, Simulation, collected_warnings
 from artgen.validate.behavior.settle import Settled, settle
 
 
-def check_behaviour(asset: Asset, directory: str | Path | None = None) -> CheckResult:
+def check_behavior(asset: Asset, directory: str | Path | None = None) -> CheckResult:
     """Simulate an asset's MJCF in MuJoCo, and compare what happens with what the asset says.
 
     It is let go when it is closed, halfway and open; each free joint is driven from end to end by its own

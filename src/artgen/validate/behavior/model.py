@@ -52,7 +52,7 @@ def standing_model(path: Path) -> Any:
     return spec.compile()
 
 
-CHECK = "behaviour"
+CHECK = "behavior"
 
 Pieces = tuple[tuple[str, str], tuple[str, str]]
 """Link and label of the two pieces of a contact."""

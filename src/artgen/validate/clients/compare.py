@@ -22,7 +22,7 @@ def silences(client: Client, exported: ClientExport, response: Mapping[str, Any]
     """Yield what is missing in a client's answer, as a whole, of a link or of a joint.
 
     A key of `Client.tells` such as `joints.damping` is a quantity of each joint. A client that tells of
-    links has to tell masses, centres and inertias, one that tells of joints their kinds and limits.
+    links has to tell masses, centers and inertias, one that tells of joints their kinds and limits.
     """
     whole = [key for key in client.tells if "." not in key]
     missing = [key for key in whole if key not in response]
@@ -96,7 +96,7 @@ def _links(client: Client, asset: Asset, found: Mapping[str, Any]) -> Iterator[F
             center = wanted.center - asset.origin(name)
             away = float(np.abs(_array(read["center"], 3) - center).max())
             if not away <= client.length_tolerance:
-                message = f"its centre of mass is {1e3 * away:.4g} mm away"
+                message = f"its center of mass is {1e3 * away:.4g} mm away"
                 yield _finding(client, message, link=name, value=away, unit="m")
         if "inertia" in read:
             scale = float(np.abs(wanted.inertia).max())

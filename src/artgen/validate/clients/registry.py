@@ -198,7 +198,7 @@ _CONVERTERS = (
             Unavoidable(
                 r"\[Warning\] \[mujoco_usd_converter\._impl\.material\.convert_material\] "
                 r"Unsupported texture layers for material '.*'",
-                "the material has maps, but none of colour, which is all that the converter knows",
+                "the material has maps, but none of color, which is all that the converter knows",
             ),
         ),
         tells=(*READ, "couplings"),

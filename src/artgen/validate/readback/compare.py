@@ -143,7 +143,7 @@ def _mass_findings(check: str, asset: Asset, link: Link, reading: Reading) -> It
         yield Finding(check, message, link.name, value=found.mass, unit="kg", hint=CHANGED)
     away = float(np.abs(found.center - (wanted.center - asset.origin(link.name))).max())
     if not away <= EXACT:
-        message = f"its centre of mass is {1e3 * away:.4g} mm away in {file}"
+        message = f"its center of mass is {1e3 * away:.4g} mm away in {file}"
         yield Finding(check, message, link.name, value=away, unit="m", hint=CHANGED)
     scale = max(float(np.abs(wanted.inertia).max()), 1e-9)
     error = float(np.abs(found.inertia - wanted.inertia).max()) / scale

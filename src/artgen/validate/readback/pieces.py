@@ -30,7 +30,7 @@ class ReadCollider:
 
     name: str  # what the file calls it
     bounds: Array  # corners of the bounding box, shape (2, 3) [m]
-    middle: Array  # mean of its vertices; of a primitive its centre, shape (3,) [m]
+    middle: Array  # mean of its vertices; of a primitive its center, shape (3,) [m]
     volume: float  # [m^3]
     friction: float | None = None  # coefficient of sliding friction; None where the file does not say
     # those of a mesh, each once, shape (n, 3) [m]

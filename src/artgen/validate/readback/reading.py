@@ -22,8 +22,8 @@ class Inertial:
     """Mass properties of a link as a file has them."""
 
     mass: float  # [kg]
-    center: Array  # centre of mass in the link's frame, shape (3,) [m]
-    inertia: Array  # about the centre, along the axes of the link's frame, shape (3, 3) [kg m^2]
+    center: Array  # center of mass in the link's frame, shape (3,) [m]
+    inertia: Array  # about the center, along the axes of the link's frame, shape (3, 3) [kg m^2]
 
 
 @dataclass(frozen=True)

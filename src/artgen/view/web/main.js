@@ -97,7 +97,7 @@ class Viewer {
     this.update();
   }
 
-  /** Switches a kind of sign, or the colours of labels. */
+  /** Switches a kind of sign, or the colors of labels. */
   show(kind, shown) {
     if (kind === "labels") this.colored = shown;
     else this.signs.show(kind, shown);

@@ -45,8 +45,8 @@ class Model {
   }
 
   /**
-   * Gives every surface its own material, or a plain one in the colour of its label. The links in `lit` glow, each
-   * in a colour of its own.
+   * Gives every surface its own material, or a plain one in the color of its label. The links in `lit` glow, each
+   * in a color of its own.
    * What is veiled can be looked through: all but those.
    */
   dress({ colors, veiled, lit }) {

@@ -79,7 +79,7 @@ def page_of(asset: Asset, *, textures: int = TEXTURES, height: int = 600) -> Pag
 
     Args:
         asset: The asset.
-        textures: Texels on a side of the materials' maps; 0 for colours alone.
+        textures: Texels on a side of the materials' maps; 0 for colors alone.
         height: Of the cell of a notebook [pixels].
 
     Raises:

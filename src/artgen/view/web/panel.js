@@ -5,8 +5,8 @@ const SIGNS = {
   colliders: "Colliders",
   joints: "Joint axes and limits",
   grasps: "Grasps and pushes",
-  masses: "Centres of mass",
-  labels: "Colours of labels",
+  masses: "Centers of mass",
+  labels: "Colors of labels",
 };
 const UNLIMITED = { revolute: Math.PI, prismatic: 0.2 }; // how far sliders go without limits [rad or m]
 

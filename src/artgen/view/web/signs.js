@@ -1,4 +1,4 @@
-// What is drawn over an asset: colliders, axes and ranges of joints, frames of hands, centres of mass.
+// What is drawn over an asset: colliders, axes and ranges of joints, frames of hands, centers of mass.
 
 const SIGN_COLORS = {
   axis: 0xd55e00, range: 0xe69f00, hand: 0x0072b2, push: 0xcc79a7, center: 0x111111, place: 0xff2a00,
@@ -92,7 +92,7 @@ class Signs {
     this.model.root.updateMatrixWorld(true);
   }
 
-  /** Returns the centre of mass of the whole asset as it stands. */
+  /** Returns the center of mass of the whole asset as it stands. */
   center() {
     const sum = new THREE.Vector3();
     for (const link of this.data.links) {

@@ -1,4 +1,4 @@
-// Where an asset stands: soft light from all around, a key light, its shadow on the ground, and colours as a
+// Where an asset stands: soft light from all around, a key light, its shadow on the ground, and colors as a
 // camera sees them.
 
 const EXPOSURE = 0.82;
@@ -10,7 +10,7 @@ const SOFTWARE = /swiftshader|llvmpipe|softpipe|software|basic render/i;
 const COARSE = 0.5;
 const RESTS = 200; // after so long [ms]
 
-// The Khronos neutral tone mapper keeps base colours as they are and only rolls off highlights.
+// The Khronos neutral tone mapper keeps base colors as they are and only rolls off highlights.
 const NEUTRAL = `
 vec3 CustomToneMapping(vec3 color) {
   const float START = 0.8 - 0.04, DESATURATION = 0.15;

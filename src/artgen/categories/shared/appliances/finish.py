@@ -1,4 +1,4 @@
-"""What appliances are made of and in which colours: fronts, the cabinets behind them, matching metals.
+"""What appliances are made of and in which colors: fronts, the cabinets behind them, matching metals.
 
 A category draws a look, and by it the finish of its front and the metal of its handles:
 
@@ -12,7 +12,7 @@ Walls of appliances are sheet metal around foam, wool or air: `filled` gives the
 from dataclasses import dataclass
 from typing import Any, Literal, get_args
 
-from artgen import COLORS, Float, Material, Scalar, by, coloured, material, shades
+from artgen import COLORS, Float, Material, Scalar, by, colored, material, shades
 from artgen._arrays import cached_property
 
 
@@ -64,16 +64,16 @@ _PLAIN_STEEL = (
 )
 _WHITE = (
     material("enamel_white"),
-    coloured("enamel", "cool_white"),
+    colored("enamel", "cool_white"),
     material("powder_coat_white"),
 )
 _BLACK = (
     material("enamel_black"),
     material("powder_coat_black"),
-    coloured("powder_coat", "anthracite"),
+    colored("powder_coat", "anthracite"),
 )
 _PASTEL = tuple(
-    coloured("enamel", color)
+    colored("enamel", color)
     for color in ("cream", "mint", "sky", "blush", "red", "navy", "black", "sage", "mustard", "orange")
 )
 _GLASS = (
@@ -85,7 +85,7 @@ _PANEL = (
     material("oak"),
     material("walnut"),
     material("ash"),
-    *(coloured("lacquered_mdf", color) for color in ("white", "sage", "navy", "graphite", "taupe")),
+    *(colored("lacquered_mdf", color) for color in ("white", "sage", "navy", "graphite", "taupe")),
 )
 
 FRONTS: dict[Look, tuple[tuple[Material, ...], tuple[float, ...]]] = {
@@ -140,13 +140,13 @@ def grip_metals(*looks: Look) -> Any:
 def cabinet_finish(look: Look, finish: Material) -> Material:
     """Return what the sides of an appliance are made of whose front has a finish.
 
-    Steel and panel fronts have cabinets of painted sheet; coloured ones are of one colour all around.
+    Steel and panel fronts have cabinets of painted sheet; colored ones are of one color all around.
     """
     if look in ("pastel", "white", "black"):
         return finish
     if look == "glass" and max(finish.base_color) < 0.2:
-        return coloured("powder_coat", "anthracite")
-    return coloured("powder_coat", _CABINETS[look])
+        return colored("powder_coat", "anthracite")
+    return colored("powder_coat", _CABINETS[look])
 
 
 def filled(finish: Material, density: float, what: str = "filled") -> Material:

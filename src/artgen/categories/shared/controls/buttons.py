@@ -1,7 +1,7 @@
 """Push buttons: the caps that springs return, the holes that they move in, and the plates around them.
 
 A button is drawn about the origin on the plane y = 0, which is the face of its panel; it stands out to -y and
-reaches into the panel to +y. A finger is 18 mm thick: the middles of neighbours belong at least 10 mm plus
+reaches into the panel to +y. A finger is 18 mm thick: the middles of neighbors belong at least 10 mm plus
 half of a cap apart, and a cap that stands out by more than its travel can be pressed home.
 """
 

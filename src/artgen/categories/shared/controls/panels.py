@@ -15,7 +15,7 @@ from artgen import (
     Scalar,
     Y,
     circle,
-    coloured,
+    colored,
     detail,
     details,
     extrude,
@@ -31,10 +31,10 @@ PANE = 0.0006
 _LAMP = 0.0009  # radius of a lamp beside an icon [m]
 _FILM = 0.0002  # how far print stands out [m]
 
-LIGHT_INK = coloured("abs", "light_grey").with_(name="light_ink", texture="", tile=None)
+LIGHT_INK = colored("abs", "light_grey").with_(name="light_ink", texture="", tile=None)
 """Print on dark faces."""
 
-DARK_INK = coloured("abs", "graphite").with_(name="dark_ink", texture="", tile=None)
+DARK_INK = colored("abs", "graphite").with_(name="dark_ink", texture="", tile=None)
 """Print on bright faces."""
 
 

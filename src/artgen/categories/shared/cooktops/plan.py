@@ -110,7 +110,7 @@ class Plan:
         left, right, front, back = self.field
         counts = COLUMNS[self.burners, self.rows]
         sizes = iter(_SIZES[self.burners, self.rows])
-        # a wok's column is wider than its neighbours
+        # a wok's column is wider than its neighbors
         shares = [1.12 if number == 1 and max(counts) > 1 else 1.0 for number in counts]
         found: list[Column] = []
         start, deep = 0.0, back - front

@@ -43,7 +43,7 @@ EASE = 0.0008
 """Edges of boards are eased to this radius [m]."""
 
 _BITE = 0.0003  # how far ends of boards reach into the faces that they abut [m]
-_SEAM = 0.0004  # by how much a board ends short of the edge of its neighbour [m]
+_SEAM = 0.0004  # by how much a board ends short of the edge of its neighbor [m]
 _BACK_INSET = 0.010  # from the rear of the sides to the back panel [m]
 _PITCH = 0.032  # of rows of holes: the 32 mm system [m]
 

@@ -30,7 +30,7 @@ class Arch:
 
     half: Float  # half of its span [m]
     radius: Float  # radius of its circle [m]
-    center: Float  # height of the circle's centre [m]
+    center: Float  # height of the circle's center [m]
 
     @staticmethod
     def over(span: Float, *, spring: Scalar, rise: Float) -> "Arch":

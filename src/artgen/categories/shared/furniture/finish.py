@@ -8,7 +8,7 @@ A category draws a look, and by it the finish of fronts and carcass:
 
 from typing import Any, Literal
 
-from artgen import Material, by, coloured, material, shades
+from artgen import Material, by, colored, material, shades
 from artgen.categories.shared.finish import known, weighing
 
 BoardLook = Literal["wood", "lacquer", "melamine", "decor"]
@@ -46,15 +46,15 @@ _LACQUERS: dict[str, float] = {
     "mustard": 0.3,
     "burgundy": 0.3,
 }
-LACQUERS = tuple(coloured("lacquered_mdf", color) for color in _LACQUERS)
+LACQUERS = tuple(colored("lacquered_mdf", color) for color in _LACQUERS)
 """Sprayed MDF, 750 kg/m3."""
 
 _FOIL: dict[str, Any] = {"specular_roughness": 0.42, "coat_weight": 0.0, "density": 660.0}  # on chipboard
 _MELAMINES: dict[str, float] = {"cool_white": 2.4, "light_grey": 1.0, "sand": 0.7, "graphite": 0.8}
 MELAMINES = tuple(
-    coloured("lacquered_mdf", color).with_(name=f"melamine_{color}", **_FOIL) for color in _MELAMINES
+    colored("lacquered_mdf", color).with_(name=f"melamine_{color}", **_FOIL) for color in _MELAMINES
 )
-"""Chipboard with a foil of one colour."""
+"""Chipboard with a foil of one color."""
 
 _DECORS: dict[str, float] = {"oak": 1.4, "walnut": 0.8, "ash": 1.0, "beech": 0.6}
 DECORS = tuple(
@@ -74,25 +74,25 @@ _STEELS: dict[str, float] = {
     "navy": 0.4,
 }
 # walls are two sheets of 0.8 mm with air between them: 1.6 of some 14 mm are steel, less where they are one
-STEELS = weighing([coloured("powder_coat", color) for color in _STEELS], 620.0, "sheet")
+STEELS = weighing([colored("powder_coat", color) for color in _STEELS], 620.0, "sheet")
 """Painted sheet steel, folded."""
 
-WHITE_BOARD = coloured("lacquered_mdf", "cool_white").with_(name="melamine_inside", **_FOIL)
+WHITE_BOARD = colored("lacquered_mdf", "cool_white").with_(name="melamine_inside", **_FOIL)
 """White melamine, of which the insides of kitchen cabinets are."""
 
 PLY = material("plywood").with_(name="birch_ply", base_color=(0.70, 0.55, 0.37))
 """Birch plywood: backs, and the bottoms and sides of drawers."""
 
-HARDBOARD = coloured("lacquered_mdf", "cool_white").with_(name="hardboard_white", density=850.0)
+HARDBOARD = colored("lacquered_mdf", "cool_white").with_(name="hardboard_white", density=850.0)
 """Hardboard with a white face: thin backs and bottoms."""
 
 ZINC = material("zinc").with_(name="zinc_plated", base_color=(0.66, 0.67, 0.69), density=7850.0)
 """Zinc-plated steel of runners, hinges and pins."""
 
-GREY_STEEL = coloured("powder_coat", "light_grey").with_(name="grey_steel_walls", density=700.0)
+GREY_STEEL = colored("powder_coat", "light_grey").with_(name="grey_steel_walls", density=700.0)
 """Sides of drawers, folded of sheet steel and hollow."""
 
-CREAM_STEEL = coloured("powder_coat", "ivory").with_(name="cream_steel")
+CREAM_STEEL = colored("powder_coat", "ivory").with_(name="cream_steel")
 """Epoxy-coated steel, of which roller runners are."""
 
 CLEAR_RUBBER = material("polycarbonate").with_(name="clear_rubber", density=1150.0, friction=0.9)
@@ -102,7 +102,7 @@ _STONES = {"granite": 1.0, "black_granite": 1.0, "marble": 0.8}
 _TOPS = (
     *weighing(known("oak", "beech", "walnut"), 680.0, "butcher_block"),
     *(
-        coloured("lacquered_mdf", color).with_(name=f"laminate_{color}", **_FOIL)
+        colored("lacquered_mdf", color).with_(name=f"laminate_{color}", **_FOIL)
         for color in ("graphite", "white", "sand")
     ),
     *known(*_STONES),

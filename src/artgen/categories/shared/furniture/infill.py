@@ -47,7 +47,7 @@ class Opening(NamedTuple):
 
     width: Scalar  # [m]
     height: Scalar  # [m]
-    centers: Sequence[VectorLike]  # where their centres are [m]
+    centers: Sequence[VectorLike]  # where their centers are [m]
     columns: int  # how many there are
     finish: Material  # what surrounds them
     label: str = "door"  # semantic label of the leaf
@@ -162,7 +162,7 @@ def slats_in(opening: Opening, thickness: Scalar, slats: int, *, joined: bool = 
         heavy = finish.with_(name=f"{finish.name}_slats", density=_SLATS * finish.density / _CORE)
         field = array(tilted, at=places).at(opening.centers[0])
         return [part(core, opening.label, heavy), detail(field, opening.label, finish)]
-    # neighbours are of different boards
+    # neighbors are of different boards
     return [
         part(array(tilted, at=places[first::_BOARDS]).at(opening.centers[0]), opening.label, opening.finish)
         for first in range(_BOARDS)

@@ -70,7 +70,7 @@ def _frames(bullet: Any, body: int, numbers: dict[str, int], links: list[str]) -
     for name in links:
         if numbers[name] < 0:
             place = _frame(bullet, *bullet.getBasePositionAndOrientation(body))
-            # which is the frame of its centre of mass
+            # which is the frame of its center of mass
             inertial = bullet.getDynamicsInfo(body, -1)
             found[name] = place @ np.linalg.inv(_frame(bullet, inertial[3], inertial[4]))
         else:

@@ -2,7 +2,7 @@
 
     pip install "artgen[demos,train]"
     artgen demos OpenDrawer -n 150 --noise 0.1 --out demos
-    python examples/training/behaviour_cloning.py demos/demo.hdf5
+    python examples/training/behavior_cloning.py demos/demo.hdf5
 
 A small network learns from `mask/train` which actions follow an observation: eight of them, which it does
 before it looks again. The assets that it is tried on are in no file that is made of seeds below a million.
