@@ -1,8 +1,9 @@
 """Types of arrays, and the neighbors of rows in a ring such as a contour."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from functools import lru_cache, wraps
 from threading import Lock
+from types import MappingProxyType
 from typing import Any, Generic, Self, TypeVar, overload
 from weakref import WeakKeyDictionary
 
@@ -12,19 +13,24 @@ from numpy.typing import NDArray
 OPENUSD = Lock()
 """Lock around calls of OpenUSD: while it loads its plugins, two threads would wait for each other forever."""
 
+_MAPPINGS = (dict, MappingProxyType)
+_SEQUENCES = (tuple, list)
+_PLAIN = (str, float, int)  # what a sequence of numbers or words begins with, which has no arrays
+
 Value = TypeVar("Value")
 Key = TypeVar("Key")
 
 
 def frozen(value: Value) -> Value:
     """Return the value, with its arrays read-only, also those in tuples, lists and mappings."""
-    if isinstance(value, np.ndarray):
-        value.flags.writeable = False
-    elif isinstance(value, tuple | list):
-        for each in value:
+    kind = type(value)
+    if kind is np.ndarray:
+        value.setflags(write=False)  # type: ignore[attr-defined]
+    elif kind in _MAPPINGS:
+        for each in value.values():  # type: ignore[attr-defined]
             frozen(each)
-    elif isinstance(value, Mapping):
-        for each in value.values():
+    elif kind in _SEQUENCES and not (value and type(value[0]) in _PLAIN):  # type: ignore[index]
+        for each in value:  # type: ignore[attr-defined]
             frozen(each)
     return value
 
