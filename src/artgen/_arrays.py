@@ -1,4 +1,4 @@
-"""Types of arrays, and the neighbors of rows in a ring such as a contour."""
+"""Types of arrays, read-only arrays, and remembered values that threads and assets share."""
 
 from collections.abc import Callable
 from functools import lru_cache, wraps
@@ -44,7 +44,11 @@ class FrozenArrays:
 
 
 class cached_property(Generic[Value]):  # noqa: N801 - the name of the field
-    """A property that is computed once; threads that compute it at the same time get one value."""
+    """A property that is computed once; threads that compute it at the same time get one value.
+
+    It holds no lock. On Python 3.11, `functools.cached_property` locks all instances of a class while it
+    computes, and threads that compute properties of each other's objects wait for each other forever.
+    """
 
     def __init__(self, compute: Callable[[Any], Value]) -> None:
         self._compute = compute

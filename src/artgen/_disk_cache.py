@@ -1,4 +1,4 @@
-"""Files that took long to make, kept on disk for all processes of a user.
+"""Disk cache for files that are expensive to compute, shared by all processes of a user.
 
 They lie below `$ARTGEN_CACHE`, or `$XDG_CACHE_HOME/artgen`, or `~/.cache/artgen`; `ARTGEN_CACHE=off` keeps
 nothing. A file is written beside its place first, so that other processes see all of it or nothing, and it
@@ -29,7 +29,7 @@ def cache_directory() -> Path | None:
 
 
 def read(kind: str, key: str) -> bytes | None:
-    """Return what is kept of a kind under a key; None where there is nothing, or it is damaged."""
+    """Return the content of a kind under a key; None where it is missing or damaged."""
     directory = cache_directory()
     if directory is None:
         return None
@@ -43,7 +43,7 @@ def read(kind: str, key: str) -> bytes | None:
 
 
 def write(kind: str, key: str, content: bytes) -> None:
-    """Keep content of a kind under a key; do nothing where nothing is kept."""
+    """Keep content of a kind under a key, if the cache is enabled."""
     directory = cache_directory()
     if directory is None:
         return

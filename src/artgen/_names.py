@@ -1,4 +1,4 @@
-"""Names and relative paths that authors and files give: what artgen itself would write, and nothing else."""
+"""Checks of names and relative paths from authors and files, before they become file names."""
 
 import os
 import re

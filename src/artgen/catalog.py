@@ -1,4 +1,4 @@
-"""The catalog: categories by name, those of artgen and those that other packages bring, or by file."""
+"""The catalog: categories of artgen and of other packages by name, or by file."""
 
 import functools
 import hashlib
@@ -58,7 +58,7 @@ def _culprit(error: BaseException) -> str:
 
 
 def _refuse_own_names() -> None:
-    """Take from the catalog what another package has put there under the name of a category of artgen's."""
+    """Remove foreign categories with the name of one of artgen's from the catalog."""
     for name in sorted(_own() & set(CATEGORIES)):
         if CATEGORIES[name].function.__module__ != f"artgen.categories.{name}":
             other = CATEGORIES.pop(name)
@@ -66,7 +66,7 @@ def _refuse_own_names() -> None:
 
 
 def categories() -> tuple[str, ...]:
-    """Return the names of all categories in alphabetical order; `broken` tells what is left out."""
+    """Return the names of all categories in alphabetical order; `broken` names the packages left out."""
     broken()
     return tuple(sorted({*_own(), *CATEGORIES}))
 
@@ -102,7 +102,7 @@ def is_file(name: str) -> bool:
 def load_file(path: str | Path) -> Generator:
     """Run a Python file and return the category that it defines.
 
-    It is run anew each time, so that what was edited is seen. The category does not enter the catalog: the
+    It runs each time, so that edits take effect. The category does not enter the catalog: the
     file may be a copy of an installed one. As for a script, the folder of the file is searched for what it
     imports.
 

@@ -100,7 +100,7 @@ def show_params(
         str, typer.Argument(help="Name of a category, which `artgen list` shows, or a file that defines one.")
     ],
 ) -> None:
-    """Show what varies in a category, the parameters of its sub-generators included."""
+    """Show the parameters of a category, including those of its sub-generators."""
     found = find(category)
     table = _table("parameter", "type", "distribution", "unit", "limits", "what it is")
     for name, parameter in found.parameters().items():

@@ -1,4 +1,4 @@
-"""Every error that artgen raises on purpose.
+"""The error classes of artgen.
 
     ArtgenError
     ├── BuildError(ValueError)          a category is written wrongly (known while building)

@@ -95,7 +95,7 @@ class SmallestClearance:
 
 @dataclass(frozen=True)
 class RangeProof:
-    """What the certificates of samples and corners say of the parameter ranges of a category.
+    """The certificates of samples and corners of the parameter ranges of a category.
 
     Attributes:
         category: Its name.
@@ -156,7 +156,7 @@ class RangeProof:
         }
 
     def __str__(self) -> str:
-        """Tell what is proven, the smallest clearance with what attains it, and what failed."""
+        """Summarize the proof: the smallest clearance with its sample, and the failures."""
         return "\n".join([self._summary(), *self._clearance_lines(), *self._failure_lines()])
 
     def _summary(self) -> str:
@@ -324,7 +324,7 @@ class _Run:
         return asset
 
     def _certify(self, trial: _Trial) -> Outcome:
-        """Certify a draw; remember what is proven and what failed."""
+        """Certify a draw; record the result."""
         self._draws += 1
         try:
             certificate = self._asset(trial).certify(self.tolerance)

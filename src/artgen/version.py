@@ -1,3 +1,3 @@
-"""The version, in the one place that packaging and every exported asset take it from."""
+"""The version of the package, also recorded in every exported asset."""
 
 __version__ = "0.1.0"

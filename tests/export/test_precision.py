@@ -156,7 +156,7 @@ def test_an_asset_that_was_read_is_refused_and_written_again_as_it_is(
 ) -> None:
     read = Asset.load(exports[1])
     with pytest.raises(
-        AssetError, match=r"keep no solids, so its surfaces cannot be made anew within 0\.001 m"
+        AssetError, match=r"keep no solids, so its surfaces cannot be simplified within 0\.001 m"
     ):
         read.export(tmp_path / "a", mesh_precision=0.001)
     again = read.export(tmp_path / "b", formats=("mjcf", "usd"), textures=0)

@@ -1,4 +1,4 @@
-"""What a hand can do with an asset: where it takes hold or pushes, and which joints that moves."""
+"""Affordances: where a hand grasps or pushes an asset, and which joints that moves."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -86,7 +86,7 @@ class Affordance(FrozenArrays):
 
 
 def affordances(asset: "Asset") -> tuple[Affordance, ...]:
-    """Return what a hand can do with an asset, in the order of its links."""
+    """Return the affordances of an asset, in the order of its links."""
     result = []
     for link in asset.links:
         joints = moved_joints(asset, link.name)

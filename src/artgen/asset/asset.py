@@ -128,7 +128,7 @@ class Asset:
         return self
 
     def __repr__(self) -> str:
-        """Tell its size and what is proven of it."""
+        """Name its size and the state of its certificate."""
         certificate = self.certificate
         state = "not certified" if certificate is None else "proven" if certificate.proven else "not proven"
         return f"<Asset {self.name}: {len(self.links)} links, {len(self.joints)} joints, {state}>"
@@ -184,7 +184,7 @@ class Asset:
 
     @cached_property
     def affordances(self) -> tuple[Affordance, ...]:
-        """What a hand can do with it: grasps and pushes, each with the joints that it moves."""
+        """Grasps and pushes, each with the joints that it moves."""
         return affordances(self)
 
     def positions(self, q: Mapping[str, float] | None = None) -> dict[str, float]:
@@ -293,7 +293,7 @@ class Asset:
 
     @property
     def certificate(self) -> Certificate | None:
-        """What `certify` proved last; None before, and on every asset made of this one by a change."""
+        """The last certificate; None before `certify`, and on every changed copy."""
         certificate: Certificate | None = vars(self).get(_CERTIFICATE)
         return certificate
 
@@ -349,5 +349,5 @@ FORMAT = "artgen-asset-1"
 
 
 def remember(asset: Asset, certificate: Certificate) -> None:
-    """Keep what was proven of an asset with it; assets made of it by a change do not inherit it."""
+    """Attach a certificate to an asset; changed copies of the asset do not inherit it."""
     vars(asset)[_CERTIFICATE] = certificate

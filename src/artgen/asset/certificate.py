@@ -1,4 +1,4 @@
-"""The certificate of an asset: what is proven about collisions of its links over all joint positions."""
+"""The certificate of an asset: the proof about collisions of its links over all joint positions."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -54,7 +54,7 @@ class Witness:
 
     @staticmethod
     def from_data(data: Mapping[str, Any]) -> "Witness":
-        """Read what `to_data` wrote."""
+        """Return the object of data from `to_data`."""
         x, y, z = data["place"]
         first, second = data["labels"]
         return Witness(
@@ -77,7 +77,7 @@ class OpenCell:
 
     @staticmethod
     def from_data(data: Mapping[str, Any]) -> "OpenCell":
-        """Read what `to_data` wrote."""
+        """Return the object of data from `to_data`."""
         region = {name: (low, high) for name, (low, high) in data["region"].items()}
         first, second = data["labels"]
         return OpenCell(region, (first, second), data["distance"])
@@ -85,7 +85,7 @@ class OpenCell:
 
 @dataclass(frozen=True)
 class PairResult:
-    """What was proven about two links.
+    """The result of the proof for two links.
 
     Attributes:
         links: Their names.
@@ -159,7 +159,7 @@ class PairResult:
 
     @staticmethod
     def from_data(data: Mapping[str, Any]) -> "PairResult":
-        """Read what `to_data` wrote."""
+        """Return the object of data from `to_data`."""
         a, b = data["links"]
         witness = data["witness"]
         return PairResult(
@@ -178,7 +178,7 @@ class PairResult:
 
 @dataclass(frozen=True)
 class Certificate:
-    """What was proven about all pairs of links of an asset that move against each other.
+    """The results of the proof for all pairs of links that move against each other.
 
     Attributes:
         tolerance: Clearance that had to be proven [m].
@@ -236,7 +236,7 @@ class Certificate:
 
     @staticmethod
     def from_data(data: Mapping[str, Any], leaves: Mapping[str, Any] | None = None) -> "Certificate":
-        """Read what `to_data` wrote."""
+        """Return the object of data from `to_data`."""
         return Certificate(
             data["tolerance"],
             tuple(PairResult.from_data(item) for item in data["pairs"]),

@@ -58,7 +58,7 @@ def _inside(inner: Manifold, outer: Manifold) -> bool:
 
 @dataclass(frozen=True, eq=False)
 class DerivedLink(Link):
-    """A link that is another one but for what a subclass says."""
+    """A link that equals another one except for the fields of a subclass."""
 
     source: Link = field(kw_only=True)  # the link before
 
@@ -88,7 +88,7 @@ class DerivedLink(Link):
 
 
 def fields_of(link: Link) -> tuple[Any, ...]:
-    """Return what every link is made of, in the order of its fields."""
+    """Return the fields of a link, in order."""
     return link.name, link.label, link.pieces, link.grasps, link.separate, link.pushes
 
 
@@ -147,7 +147,7 @@ def with_colliders(asset: Asset, kind: Collision | str) -> Asset:
         return asset
     need_solids(
         asset,
-        f"its colliders cannot be made anew as {kind!r}",
+        f"its colliders cannot be replaced by {kind!r}",
         "collision='exact', which keeps the colliders that it has",
     )
     found = {link.name: made_colliders(solid_parts(link), kind) for link in asset.links}
@@ -170,7 +170,7 @@ def collision_of(links: Sequence[dict[str, Any]]) -> str:
 
 
 def solid_parts(link: Link) -> list[SolidPart]:
-    """Return the solids of a link that was generated, without what is only seen."""
+    """Return the solids of a generated link, without visual details."""
     return [
         SolidPart(piece.label, piece.material, piece.shape.manifold)
         for piece in link.pieces

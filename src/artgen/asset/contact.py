@@ -1,4 +1,4 @@
-"""Contacts by design: pieces that may touch or press into each other, such as a gasket and what it seals."""
+"""Contacts by design: pieces that may touch or press into each other, such as a gasket and its frame."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -49,7 +49,7 @@ class AllowedContact:
 
     @staticmethod
     def from_data(data: Mapping[str, Any]) -> "AllowedContact":
-        """Read what `to_data` wrote."""
+        """Return the object of data from `to_data`."""
         (a, b), (first, second) = data["links"], data["labels"]
         when = data["when"]
         return AllowedContact(

@@ -19,7 +19,7 @@ _POINT = 1e-9  # radius of a ball that stands for a point [m]
 def coarser(shape: Shape, precision: float) -> Mesh:
     """Return a surface of fewer triangles: no point of it lies farther than that from the shape's.
 
-    Vertices that are left keep their texture coordinates and paint. Normals are made anew: those of a rounded
+    Vertices that are left keep their texture coordinates and paint. Normals are new: those of a rounded
     edge that is gone would shade the faces beside it. What is thinner than the precision, as print is, is
     kept to a part of it.
     """

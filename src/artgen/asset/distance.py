@@ -58,7 +58,7 @@ class TriangleSet(FrozenArrays):
         return self._sampled(count)[0]
 
     def _sampled(self, count: int) -> tuple[Array, Indices]:
-        """Return what `spread` does, and the triangle of each point, shape (n,)."""
+        """Return the points of `spread`, and the triangle of each point, shape (n,)."""
         corners, owners = self.corners.reshape(-1, 3), np.repeat(np.arange(len(self.corners)), 3)
         ends = np.cumsum(self.areas)
         if not len(ends) or ends[-1] <= 0.0:

@@ -184,7 +184,7 @@ def asset_from_data(
 
 
 def _leaves(path: Path) -> dict[str, Any] | None:
-    """Read the proof of a certificate; what is wrong with it is for the check of the certificate to say."""
+    """Read the proof of a certificate; the check of the certificate reports its faults."""
     try:
         data = json.loads(path.read_text(encoding="utf-8"))
     except FileNotFoundError:
@@ -359,13 +359,13 @@ Packed = tuple[Mapping[str, Any], Mapping[str, tuple[Surface, ...]], Certificate
 
 
 def pack(asset: Asset) -> Packed:
-    """Return what is sent of an asset: its data, the surfaces of its links, and its certificate."""
+    """Return an asset for pickling: its data, the surfaces of its links, and its certificate."""
     stored = as_stored(asset)
     return stored.to_data(), {link.name: link.surfaces for link in stored.links}, asset.certificate
 
 
 def unpack(*packed: Any) -> Asset:
-    """Return the asset of what `pack` returned; like one read from files, it keeps no solids."""
+    """Return the asset that `pack` packed; like a loaded asset, it has no solids."""
     data, surfaces, certificate = packed
     asset = asset_from_data({**data, "certificate": None}, Path())
     for link in asset.links:

@@ -67,7 +67,7 @@ def block(corners: Array, frame: Array) -> Manifold:
 
 
 def clipped(solids: Iterable[Manifold], region: Manifold, frame: Array) -> Array:
-    """Return the corners of what solids have inside a convex region, in a frame, shape (n, 3) [m]."""
+    """Return the corners of the intersection of solids with a convex region, in a frame, shape (n, 3) [m]."""
     found = [np.zeros((0, 3))]
     for solid in solids:
         common = solid ^ region

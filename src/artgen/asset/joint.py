@@ -1,4 +1,4 @@
-"""Joints: how a link moves against its parent, what drives it, and on what that depends."""
+"""Joints of an asset: motion, dynamics, couplings and dependencies."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -81,7 +81,7 @@ class AssetCondition:
 
     @staticmethod
     def from_data(data: Mapping[str, Any]) -> "AssetCondition":
-        """Read what `to_data` wrote."""
+        """Return the object of data from `to_data`."""
         terms = tuple(AssetCondition.from_data(term) for term in data.get("terms", ()))
         return AssetCondition(data["kind"], data.get("joint", ""), data.get("value", 0.0), terms)
 
@@ -123,7 +123,7 @@ class AssetDependency:
 
     @staticmethod
     def from_data(data: Mapping[str, Any]) -> "AssetDependency":
-        """Read what `to_data` wrote."""
+        """Return the object of data from `to_data`."""
         return AssetDependency(AssetCondition.from_data(data["condition"]), data["until"], data.get("beyond"))
 
 
@@ -150,7 +150,7 @@ class AssetJoint(FrozenArrays):
         needs: The dependency on other joints, if any.
         parent: Name of the parent link; empty until the joint is part of an asset.
         child: Name of the child link; empty until the joint is part of an asset.
-        driven: What moves it where no hand does, such as `a motor`; empty for joints that hands move.
+        driven: Actuator that moves it, such as `a motor`; empty: moved by hand.
     """
 
     name: str
@@ -230,7 +230,7 @@ class AssetJoint(FrozenArrays):
 
     @staticmethod
     def from_data(data: Mapping[str, Any]) -> "AssetJoint":
-        """Read what `to_data` wrote."""
+        """Return the object of data from `to_data`."""
         limits, follows, needs = data["limits"], data["follows"], data["needs"]
         return AssetJoint(
             name=data["name"],

@@ -79,7 +79,7 @@ class Piece:
 
 @dataclass(frozen=True, eq=False)
 class Collider:
-    """A convex piece of a link with what a contact needs to know.
+    """A convex piece of a link with its contact properties.
 
     Attributes:
         convex: The piece, in asset coordinates at rest.
@@ -241,7 +241,7 @@ class Link(FrozenArrays):
         }
 
     def surface_data(self) -> list[dict[str, Any]]:
-        """Return what each surface is of, and how many triangles it has, as JSON data."""
+        """Return label, material and number of triangles of each surface as JSON data."""
         return [
             {
                 "name": surface.name,

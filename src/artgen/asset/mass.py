@@ -39,7 +39,7 @@ class Moments(FrozenArrays):
 
 @dataclass(frozen=True, eq=False)
 class MassProperties(FrozenArrays):
-    """What a rigid body's motion depends on.
+    """Mass, center of mass and inertia of a rigid body.
 
     Attributes:
         mass: [kg].
@@ -83,7 +83,7 @@ class MassProperties(FrozenArrays):
 
     @staticmethod
     def from_data(data: dict[str, Any]) -> "MassProperties":
-        """Read what `to_data` wrote."""
+        """Return the object of data from `to_data`."""
         return MassProperties(data["mass"], np.array(data["center"]), np.array(data["inertia"]))
 
 

@@ -1,4 +1,4 @@
-"""What checks find, and the report of all checks of one asset."""
+"""Findings of checks, and the report of all checks of one asset."""
 
 import json
 from collections.abc import Mapping
@@ -45,7 +45,7 @@ class Finding:
     severity: Severity = "fault"
 
     def __str__(self) -> str:
-        """Tell where, what, and what to do."""
+        """Name the place, the fault and the remedy."""
         place = ", ".join(
             f"{kind} {name}" for kind, name in (("link", self.link), ("joint", self.joint)) if name
         )
@@ -71,7 +71,7 @@ class Finding:
 
 @dataclass(frozen=True)
 class CheckResult:
-    """What one check said of an asset.
+    """The result of one check of an asset.
 
     Attributes:
         check: Name of the check.
@@ -103,7 +103,7 @@ class CheckResult:
 
 @dataclass(frozen=True)
 class Report:
-    """What all checks said of one asset."""
+    """The results of all checks of one asset."""
 
     asset: str  # name of the asset
     results: tuple[CheckResult, ...]  # one for each check, in the order in which they ran

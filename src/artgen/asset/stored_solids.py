@@ -18,7 +18,7 @@ _ONE_BOX = 1e-6  # [m] that a bounding box may be off in a file
 
 @dataclass(frozen=True, eq=False)
 class Details(FrozenArrays):
-    """What the data of a link that was read from files records as only seen."""
+    """Visual details of a loaded link."""
 
     boxes: Mapping[str, Array] = field(default_factory=dict)  # bounding boxes by label, shape (n, 2, 3) [m]
 

@@ -188,7 +188,7 @@ class _Intersection(Pieces):
 
 
 def _cut(pieces: Sequence[Facetted], cutters: Sequence[Facetted]) -> Cover:
-    """Subtract the cutters; what several of them cut is put together again where it fits."""
+    """Subtract the cutters; fragments that form a convex piece are joined again."""
     rest = [part.convex() for part in subtract(pieces, cutters)]
     if len(cutters) > 1 and len(rest) > len(pieces):
         rest = joined(rest, _MANY)
@@ -206,5 +206,5 @@ def difference(solid: Pieces, cutter: Pieces) -> Pieces:
 
 
 def intersection(first: Pieces, second: Pieces) -> Pieces:
-    """Return the cover of what two solids share."""
+    """Return the cover of the intersection of two solids."""
     return _Intersection(first, second)

@@ -92,7 +92,7 @@ def subtract(pieces: Sequence[Facetted], cutters: Iterable[Facetted]) -> list[Fa
 
 
 def intersect(pieces: Sequence[Facetted], others: Sequence[Facetted]) -> list[Facetted]:
-    """Return what each piece shares with each of the others."""
+    """Return the intersections of each piece with each of the others."""
     shared: list[Facetted] = []
     for other in others:
         for near, piece in zip(_near(pieces, other.bounds), pieces, strict=True):
@@ -142,7 +142,7 @@ def _without(piece: Facetted, cutter: Polytope) -> list[Facetted] | None:
 
 
 def _common(piece: Facetted, other: Facetted) -> Facetted | None:
-    """Return what two pieces share; the one that lies within the other stays as it is."""
+    """Return the intersection of two pieces; a piece inside the other is returned unchanged."""
     heights = piece.shape.heights(other.shape.planes)
     if (heights.min(axis=1) >= -SLIVER).any():
         return None

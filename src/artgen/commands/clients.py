@@ -62,7 +62,7 @@ def clients(
 
 
 def _install(names: str, python: Path | None) -> None:
-    """Make the environments of the named clients, as many as can be made, and say what was done."""
+    """Make the environments of the named clients as far as possible, and report the result."""
     found, by_name = chosen_clients(names)
     directory = environments_directory()
     program = "" if python is None else os.path.abspath(python)  # noqa: PTH100 - a link stays a link

@@ -121,7 +121,7 @@ def generate(
         typer.Option(help="If that is not proven: draw another sample, fail, or keep the asset."),
     ] = "redraw",
 ) -> None:
-    """Generate an asset and print the paths of what was written; with -n, a dataset of many."""
+    """Generate an asset and print the paths of its files; with -n, a dataset of many assets."""
     chosen = check_formats(layout, formats)
     check_size(texture_size)
     check_precision(mesh_precision)
@@ -186,7 +186,7 @@ def _one(
     drawn: dict[str, Any],
     written: dict[str, Any],
 ) -> None:
-    """Generate one asset and print the paths of what was written."""
+    """Generate one asset and print the paths of its files."""
     if len(categories) > 1:
         raise typer.BadParameter(
             f"one asset is of one category, not {', '.join(categories)}; say with -n how many"

@@ -46,7 +46,7 @@ def images(
     random: Annotated[
         str,
         typer.Option(
-            metavar="NAMES", help=f"What is drawn anew for each picture: {', '.join(RANDOM)}, or all."
+            metavar="NAMES", help=f"Draw these again for each picture: {', '.join(RANDOM)}, or all."
         ),
     ] = "",
     depth: Annotated[bool, typer.Option("--depth", help="Write depths as PNG of 16 bits.")] = False,

@@ -63,7 +63,7 @@ Begin = Callable[[int], None]
 
 
 def many(work: Callable[[Step, Begin], Summary], out: str, *, each: int = 1, what: str = "assets") -> None:
-    """Make a dataset, show how it goes on, and list what cannot be made.
+    """Make a dataset, show its progress, and list the failures.
 
     Args:
         work: Makes it: given what to call with each line of the manifest, and with how many are missing.
@@ -94,7 +94,7 @@ def many(work: Callable[[Step, Begin], Summary], out: str, *, each: int = 1, wha
 
 
 def _tell(summary: Summary, out: str, each: int, what: str) -> None:
-    """List what cannot be made on stderr, and say on stdout what there is."""
+    """List the failures on stderr, and the number of finished assets on stdout."""
     for record in summary.failed[:_SHOWN]:
         typer.echo(f"{record['name']}: {record['error']}", err=True)
     if len(summary.failed) > _SHOWN:

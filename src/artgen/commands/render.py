@@ -84,7 +84,7 @@ def _size(text: str) -> tuple[int, int]:
 
 
 def _shown(picture: "Picture", what: str) -> Any:
-    """Return as colors what the pixels of a picture tell."""
+    """Return the channel of a picture as colors."""
     import numpy as np
 
     if what == "color":

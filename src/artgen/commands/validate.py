@@ -113,7 +113,7 @@ def _children(directory: Path) -> Iterator[Path]:
 
 
 def _show(console: Console, directory: Path, report: Report) -> None:
-    """Print a table of the checks, and what they found below."""
+    """Print a table of the checks, and their findings below."""
     title = Text.assemble((report.asset, "bold"), f" in {directory}")
     console.print(title, soft_wrap=True)
     table = Table(box=None, pad_edge=False, header_style="bold")
@@ -132,7 +132,7 @@ def _show(console: Console, directory: Path, report: Report) -> None:
 
 
 def _show_clients(console: Console, outcomes: Sequence[Outcome]) -> None:
-    """Print a table of what clients said, and further faults below."""
+    """Print a table of the results of clients, and further faults below."""
     table = Table(box=None, pad_edge=False, header_style="bold")
     for column in ("client", "version", "result", "first message"):
         table.add_column(column, overflow="fold")

@@ -1,4 +1,4 @@
-"""Writers: an asset to URDF, MJCF and USD, and the one function that writes to a disk.
+"""Writers: an asset as URDF, MJCF, USD and GLB files, and the one function that writes them to disk.
 
 Every writer returns the bytes of its files and a list of what its format cannot say.
 """

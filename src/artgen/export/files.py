@@ -34,7 +34,7 @@ def digests(files: Mapping[str, bytes]) -> dict[str, str]:
 
 
 def digest(content: bytes) -> str:
-    """Return the SHA-256 of a file in hexadecimal digits; of a PNG file, of what it says unpacked.
+    """Return the SHA-256 of a file in hexadecimal digits; of a PNG file, of its unpacked pixels.
 
     Machines differ in how they pack the same texels, so the bytes of a PNG file would make `asset.json`
     differ as well.
@@ -320,7 +320,7 @@ def _replace(target: Path, files: Mapping[str, bytes], kept: Sequence[str]) -> N
 
 
 def _recover(target: Path) -> None:
-    """Finish what a process was killed in: put the old directory back, or away if the new one is in place."""
+    """Finish an interrupted replacement: restore the old directory, or remove it beside the new one."""
     previous = previous_directory(target)
     if not previous.exists():
         return

@@ -171,7 +171,7 @@ def unused(name: str, taken: Collection[str]) -> str:
 
 
 def joint_type(joint: AssetJoint) -> str:
-    """Return what formats that follow URDF call the kind of a joint."""
+    """Return URDF's name of the kind of a joint."""
     if joint.locked:
         return "fixed"
     return "continuous" if joint.kind == "revolute" and joint.limits is None else joint.kind
@@ -221,7 +221,7 @@ def mass_in_frame(asset: Asset, link: Link) -> tuple[float, Array, Array]:
 
 
 def seen_box(asset: Asset) -> Array:
-    """Return the corners of the bounding box of what is seen, as the asset stands, shape (2, 3) [m]."""
+    """Return the corners of the bounding box of the visible surfaces at rest, shape (2, 3) [m]."""
     boxes = []
     for link, matrix in asset.pose().items():
         for surface in asset.link(link).surfaces:
@@ -261,7 +261,7 @@ def regions(asset: Asset, condition: AssetCondition) -> list[Region]:
 
 
 def intersection(boxes: Iterable[Region]) -> Region:
-    """Return what boxes have in common; an interval that nothing is in has its ends the wrong way round."""
+    """Return the intersection of boxes; an empty interval has its ends swapped."""
     result: Region = {}
     for box in boxes:
         for name, (low, high) in box.items():

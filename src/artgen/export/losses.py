@@ -1,4 +1,4 @@
-"""What a writer returns: files as bytes, and the features that its format has no word for."""
+"""The result of a writer: files as bytes, and the features that the format cannot express."""
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import asdict, dataclass
@@ -82,7 +82,7 @@ def label_losses(asset: Asset) -> tuple[Loss, ...]:
 
 
 def look_losses(asset: Asset, textures: int, *, coat: str = "") -> tuple[Loss, ...]:
-    """List what is lost of the looks of materials.
+    """List the losses of the appearance of materials.
 
     Args:
         asset: The asset.

@@ -36,7 +36,7 @@ def with_precision(asset: Asset, precision: float) -> Asset:
         return asset
     need_solids(
         asset,
-        f"its surfaces cannot be made anew within {precision:g} m",
+        f"its surfaces cannot be simplified within {precision:g} m",
         "mesh_precision=0, which keeps the surfaces that it has",
     )
     links = [

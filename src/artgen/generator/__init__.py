@@ -1,4 +1,4 @@
-"""Generators: typed functions whose signatures say what varies and how."""
+"""Generators: typed functions; the signature declares the parameters and their distributions."""
 
 from artgen.generator.declare import CATEGORIES, category, collected, generator, one_of
 from artgen.generator.generator import Generator, OnCollision

@@ -37,7 +37,7 @@ def collected(module: str) -> Iterator[dict[str, Generator]]:
 
 
 def generator(function: Callable[..., Any]) -> Generator:
-    """Make a generator of a function: its signature says what varies.
+    """Make a generator of a function: its signature declares the parameters.
 
     Raises:
         BuildError: A parameter has no annotation, or its default does not fit its annotation.
@@ -52,7 +52,7 @@ def category(
 
     Args:
         labels: Every semantic label that its parts may carry.
-        joints: How many joints its assets have, least and most, for who looks for one in `artgen list`.
+        joints: Minimum and maximum joint count, shown by `artgen list`.
 
     Raises:
         BuildError: Another category has that name, a parameter has no distribution or value, the function

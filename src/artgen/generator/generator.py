@@ -43,7 +43,7 @@ _REMEDY = (
 
 
 def check_proof(certify: Any, tolerance: Any, on_collision: Any) -> None:
-    """Check what a caller asks of the proof."""
+    """Check the options of the proof."""
     if not isinstance(certify, bool):
         raise ParameterError(f"certify = {certify!r} is not allowed: it must be True or False")
     if not is_number(tolerance) or not 0.0 <= tolerance <= MOST_TOLERANCE:
@@ -97,7 +97,7 @@ class Built:
         self._bodies: OrderedDict[tuple[Any, ...], Any] = OrderedDict()
 
     def of(self, values: Mapping[str, Any]) -> Any:
-        """Return the handle of the result; raises what building raises."""
+        """Return the handle of the result; errors of the function pass through."""
         key = tuple(_structural(self._own, values, ""))
         body = self._bodies.get(key)
         if body is None:
@@ -120,7 +120,7 @@ def _structural(
 
 
 def call_author(name: str, function: Callable[..., Any], arguments: Mapping[str, Any]) -> Any:
-    """Call the function of a generator and return what it returns."""
+    """Call the function of a generator and return its result."""
     file = function.__code__.co_filename
     try:
         return function(**arguments)
@@ -334,7 +334,7 @@ class Generator(Variant):
         on_collision: OnCollision = "redraw",
         overrides: Mapping[str, Any] | None = None,
     ) -> tuple[Asset, Evaluation]:
-        """Generate like `generate`, and return with the asset what its evaluation cost."""
+        """Generate like `generate`, and return the asset with the cost of its evaluation."""
         seed = checked_count("seed", seed)
         name = name or f"{self.name}_{seed}"
         _check_options(name, base, attempts)
@@ -346,7 +346,7 @@ class Generator(Variant):
             if values in refused:  # few parameters, or few values of them, give the same sample again
                 continue
             try:
-                # a cache of his own has who changes one value after another; else all is made anew
+                # reuse built bodies only if the caller passed a cache
                 body = self.build(values) if cache is None else self._built.of(values)
                 evaluation = Graph(body).evaluate(values, SHARED if cache is None else cache)
                 try:
@@ -470,7 +470,7 @@ def _place(body: Handle, error: AssetError) -> str:
 
 
 def _names_given(node: Node, error: AssetError) -> list[str]:
-    """Return by which names a node speaks of things such as an error is about."""
+    """Return the parameter names that an error message should mention."""
     if error.joint and error.link:  # a contact between links, which is allowed where a joint stands
         when = node.inputs["when"] if node.op == "allow_contact" else None
         below = topological(when) if isinstance(when, Node) else []

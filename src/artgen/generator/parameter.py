@@ -1,4 +1,4 @@
-"""Parameters: what an annotation accepts, and whether a distribution gives nothing else."""
+"""Parameters: the values that an annotation accepts, and the check of distributions against it."""
 
 import types
 import typing
@@ -109,7 +109,7 @@ class Parameter:
 
     @property
     def allowed(self) -> str:
-        """What its values may be, in words."""
+        """The allowed values, in words."""
         if is_variant(self.kind):
             return "one of " + ", ".join(option.name for option in self.variants)
         if typing.get_origin(self.kind) is Literal:

@@ -60,7 +60,7 @@ class Cache:
 
 @dataclass
 class Evaluation:
-    """What an evaluation gave and what it cost.
+    """The value of an evaluation and its cost.
 
     Attributes:
         value: The value of the root.

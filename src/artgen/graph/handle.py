@@ -1,4 +1,4 @@
-"""Handles: what authors hold while a graph is built. A handle has a type and a node, but no value."""
+"""Handles: typed references to nodes while a graph is built. A handle has a type and a node, but no value."""
 
 import typing
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -114,7 +114,7 @@ class Handle:
         return not self.__eq__(other)
 
     def __hash__(self) -> int:
-        """Refuse: what cannot be compared is no key."""
+        """Refuse: a handle cannot be compared, so it cannot be a key."""
         self._refuse(
             "a handle as a key of a dict or a member of a set",
             "Use switch(condition, a, b) instead of a look-up, or handle.node.key as the key.",

@@ -1,4 +1,4 @@
-"""Registered operations: a kernel computes on values what its constructor records in the graph."""
+"""Registered operations: a constructor records an operation, its kernel computes the value."""
 
 import inspect
 import types

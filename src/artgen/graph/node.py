@@ -85,7 +85,7 @@ class Data(dict[str, Any]):
         self.spelling = tuple(spelling)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """Make it anew when it is pickled or copied."""
+        """Construct it again when it is pickled or copied."""
         return Data, (dict(self), self.value)
 
 

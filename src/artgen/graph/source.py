@@ -1,4 +1,4 @@
-"""Graphs as Python source: what an author would have written, line by line."""
+"""Graphs as Python source, as an author would write it."""
 
 import inspect
 import keyword

@@ -1,4 +1,4 @@
-"""The node graph of a category as a page: values, times, cache and geometry of every node."""
+"""The node graph of a category as a web page: value, time, cache state and geometry of every node."""
 
 import html
 import json
@@ -73,7 +73,7 @@ def _value(node: Node, evaluation: Evaluation, cache: Cache) -> Any:
 
 
 def _described(node: Node, number: Mapping[str, int], authors: Authors) -> dict[str, Any]:
-    """Say what a node is, and who made it."""
+    """Describe the operation of a node, and the author's line."""
     where, source = authors.line_of(node)
     given = node.inputs.get("label") or node.inputs.get("name")
     return {
@@ -122,7 +122,7 @@ def graph_page(
         seed: Decides every draw.
         overrides: A value or a distribution by parameter name.
         change: Overrides with which the graph is evaluated a second time, from the cache of the first: the
-            page then tells what had to be computed anew.
+            page then shows which nodes were computed again.
         height: Of the cell of a notebook [pixels].
 
     Raises:

@@ -60,7 +60,7 @@ class Source:
 
 
 class Authors:
-    """Tells who made nodes; reads each file once."""
+    """Finds the author's function and line of a node; reads each file once."""
 
     def __init__(self) -> None:
         self._sources: dict[str, Source] = {}

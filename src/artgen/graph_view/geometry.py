@@ -15,7 +15,7 @@ _DIGITS = 6  # of positions [m]
 
 
 class Gallery:
-    """Collects what the nodes of a graph look like.
+    """Collects the geometry of the nodes of a graph.
 
     Attributes:
         meshes: For each mesh, how many vertices and triangles it has, and its bounding box; the numbers

@@ -16,7 +16,7 @@ _TURNED = (4, 4)  # shape of a frame
 
 
 def value_text(value: Any) -> str:
-    """Describe what a node gave."""
+    """Describe the value of a node."""
     if isinstance(value, bool | np.bool_):
         return str(bool(value))
     if isinstance(value, float | int | np.number):

@@ -1,4 +1,4 @@
-"""Materials: how a surface looks and what a solid of it weighs and grips."""
+"""Materials: appearance, density and friction."""
 
 from artgen.materials.material import Material
 from artgen.materials.table import COLORS, MATERIALS, colored, material

@@ -16,7 +16,7 @@ _MORE = ("opacity", "density", "friction")
 
 @dataclass(frozen=True)
 class Material:
-    """How a surface looks and what a solid of it weighs and grips.
+    """A material: appearance of a surface, density and friction of a solid.
 
     Attributes:
         name: Identifier, unique among the materials of one asset.
@@ -112,7 +112,7 @@ class Material:
         return zlib.crc32(self.name.encode()) | 1
 
     def with_(self, **changes: Any) -> "Material":
-        """Return a copy with some fields changed, e.g. a color drawn for one asset; name it anew.
+        """Return a copy with some fields changed, e.g. a color drawn for one asset; give it a new name.
 
         Raises:
             ParameterError: There is no such field, or its value is not allowed.
@@ -131,7 +131,7 @@ class Material:
 
     @staticmethod
     def from_data(data: dict[str, Any]) -> "Material":
-        """Read what `to_data` wrote."""
+        """Return the object of data from `to_data`."""
         return Material(**data)
 
 

@@ -1,4 +1,4 @@
-"""What a material is made of, in words that labels and sensors share."""
+"""The substance of a material, in words that labels and sensors share."""
 
 from dataclasses import dataclass
 from typing import Literal
@@ -85,7 +85,7 @@ _HEAVY = 2000.0
 
 
 def substance_of(material: Material) -> Substance:
-    """Return what a material is made of, as its name, its maps or its looks tell."""
+    """Return the substance of a material, from its name, its maps or its appearance."""
     if _has(material.name, "paint"):
         return _STEEL if material.density > _HEAVY else _WOOD
     for text in (material.name, material.texture):
@@ -98,7 +98,7 @@ def substance_of(material: Material) -> Substance:
 
 
 def coating_of(material: Material) -> Coating:
-    """Return what a material is coated with."""
+    """Return the coating of a material."""
     painted = any(_has(text, word) for text in (material.name, material.texture) for word in _PAINTS)
     lacquered = material.coat_weight > 0.0
     if painted:

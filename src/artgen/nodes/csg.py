@@ -58,7 +58,7 @@ def _coarse(solid: Shape, within: float) -> Shape:
 
 
 def coarse(solid: Solid, within: Scalar = MOST) -> Solid:
-    """Let the colliders of a round solid stand off it; it looks and weighs what it did.
+    """Let the colliders of a round solid stand off it; appearance and mass stay the same.
 
     A thin round shell, such as the wall of a bin, collides as one piece for each of its facets; with 1 mm to
     spare it needs less than half as many. What is proven of it holds for the coarser pieces.
@@ -133,7 +133,7 @@ def _paints(shapes: Sequence[Shape]) -> Mapping[int, Material]:
 
 
 def _combined(manifold: Manifold, pieces: colliders.Pieces, shapes: Sequence[Shape], what: str) -> Shape:
-    """Return a checked result; `what` says why it could be empty."""
+    """Return a checked result; `what` is the reason for an empty one."""
     if manifold.is_empty():
         raise ValueError(what)
     return Shape(manifold, pieces, _paints(shapes)).checked()
@@ -194,7 +194,7 @@ def _intersection(a: Shape, b: Shape) -> Shape:
 
 
 def intersection(a: Solid, b: Solid) -> Solid:
-    """Keep what two solids have in common; also written `a & b`.
+    """Return the intersection of two solids; also written `a & b`.
 
     Examples:
         >>> intersection(box(0.16, 0.16, 0.16), sphere(0.1))
@@ -250,7 +250,7 @@ def _split(solid: Shape, point: Array3, normal: Array3) -> Shape:
 
 
 def split(solid: Solid, *, point: VectorLike, normal: VectorLike) -> Solid:
-    """Keep what a solid has on the side of a plane to which its normal points.
+    """Keep the part of a solid on the side of a plane to which its normal points.
 
     Args:
         solid: What to cut.
@@ -378,7 +378,7 @@ def _enclosed(solid: Shape) -> Shape:
 
 
 def enclosed(solid: Solid) -> Solid:
-    """Let a solid collide as the one convex hull around it; it looks and weighs what it did.
+    """Let a solid collide as its convex hull; appearance and mass stay the same.
 
     For things that are finer than what touches them, such as slats, grilles and knurls. What is joined to the
     solid afterwards has its own colliders.

@@ -1,4 +1,4 @@
-"""Half sections of turned things: what a lathe turns, drawn as the line of its outside."""
+"""Half sections of turned solids, drawn as the line of their outside."""
 
 from collections.abc import Sequence
 

@@ -1,4 +1,4 @@
-"""The typed handles that authors combine: profiles, paths, solids and bodies; those of numbers are beside."""
+"""The typed handles that authors combine: profiles, paths, solids, bodies (scalars: `scalar_handles`)."""
 
 from collections.abc import Sequence
 from typing import Any, ClassVar

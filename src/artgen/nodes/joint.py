@@ -227,7 +227,7 @@ class Revolute(Joint):
         follows: Coupling to another joint, such as `4.0 * pedal + 0.02`; gives the limits.
         needs: Where the joint may leave 0, such as `handle > 0.5`; `(handle > 0.5).until(0.06)` asks for it
             only below 0.06, `(door > 1.2).beyond(0.03)` only beyond 0.03.
-        driven: What moves the joint where no hand does, such as `a motor`: checks then ask for no grasp.
+        driven: Actuator that moves the joint, such as `a motor`; grasp checks are skipped.
 
     Examples:
         >>> lid = part(box(0.3, 0.2, 0.01), "lid", material("oak"))
@@ -276,7 +276,7 @@ class Prismatic(Joint):
         follows: Coupling to another joint, such as `0.02 * handle`; gives the limits.
         needs: Where the joint may leave 0, such as `door > 1.2`; `(door > 1.2).beyond(0.03)` asks for it
             only beyond 0.03, `(door > 1.2).until(0.3)` only below 0.3.
-        driven: What moves the joint where no hand does, such as `a motor`: checks then ask for no grasp.
+        driven: Actuator that moves the joint, such as `a motor`; grasp checks are skipped.
 
     Examples:
         >>> case = part(shell(box(0.3, 0.2, 0.1), 0.01, open=-Y), "case", material("walnut"))

@@ -1,4 +1,4 @@
-"""What joints a body will have, read from its graph before any geometry is made."""
+"""The joints of a body, read from its graph before any geometry is made."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace

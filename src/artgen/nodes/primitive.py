@@ -193,7 +193,7 @@ def _bore(radius: float, length: float, axis: Array3) -> Shape:
 
 
 def bore(radius: Scalar, length: Scalar, *, axis: VectorLike = UP) -> Solid:
-    """Make a tool that drills a hole, centered on the origin: a shaft of `radius` fits what it leaves.
+    """Make a tool that drills a hole, centered on the origin: a shaft of `radius` fits the hole.
 
     It is a cylinder with its facets outside of the radius, where those of `cylinder` are inside.
 

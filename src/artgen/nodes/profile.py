@@ -304,7 +304,7 @@ def _profile_intersection(a: Outline, b: Outline) -> Outline:
 
 
 def profile_intersection(a: Profile, b: Profile) -> Profile:
-    """Keep what two profiles have in common; also written `a & b`."""
+    """Return the intersection of two profiles; also written `a & b`."""
     return Profile.record(_profile_intersection, a=a, b=b)
 
 

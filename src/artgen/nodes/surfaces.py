@@ -145,7 +145,7 @@ class Sheets:
         self._count += len(flat)
 
     def skin(self) -> Skin:
-        """Return what was added as one surface."""
+        """Return the added patches as one surface."""
         return Skin(
             np.concatenate(self._vertices),
             np.concatenate(self._normals),

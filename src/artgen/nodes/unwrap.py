@@ -146,7 +146,7 @@ def boxed_uvs(vertices: Array, normals: Array, size: Array) -> tuple[Array, Indi
     axis = np.argmax(np.abs(normals), axis=-1)
     side = np.sign(np.take_along_axis(normals, axis[..., None], axis=-1)[..., 0])
     grain = np.array([grain_of(size, but=each) for each in range(3)])[axis]
-    # u goes to the right of v for who looks against the normal: u = v x n
+    # seen from outside, u points right and v up: u = v x n
     third = 3 - axis - grain
     turn = np.where((axis - grain) % 3 == 1, 1.0, -1.0)
     u = np.take_along_axis(vertices, third[..., None], axis=-1)[..., 0] * (side * turn)

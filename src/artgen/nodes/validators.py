@@ -1,4 +1,4 @@
-"""Checks of what kernels are given, with messages that name the value and its unit."""
+"""Checks of the inputs of kernels; messages name the value and its unit."""
 
 import math
 from typing import Any

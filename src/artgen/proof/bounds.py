@@ -162,7 +162,7 @@ def gap(first: Array, second: Array, path: Sequence[Motion], frame: int, normals
 
 
 def around_axis(points: Array, origin: Array, axis: Array) -> Array:
-    """Return what of convex pieces does not change while they turn about an axis: height and distance.
+    """Return the heights and distances of convex pieces, which stay constant while they turn about an axis.
 
     Args:
         points: Vertices, shape (N, V, 3) [m].

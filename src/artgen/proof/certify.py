@@ -42,7 +42,7 @@ _POSE_DECIMALS = 8  # of positions: cells reach over the ends of ranges by less
 
 @dataclass(frozen=True, eq=False)
 class Judged:
-    """What a search found about one pair of links on one kind of pieces.
+    """The result of a search for one pair of links on one kind of pieces.
 
     Attributes:
         way: The pair.
@@ -86,7 +86,7 @@ class Judged:
 
 
 def pair_result(asset: Asset, solids: Links, on_colliders: Judged, on_solids: Judged) -> PairResult:
-    """Say what is proven of a pair.
+    """Return the result of the proof for a pair.
 
     Args:
         asset: The asset.
@@ -212,7 +212,7 @@ def _rounded(number: float) -> float:
 
 
 def leaves_data(proven: Sequence[Judged]) -> dict[str, Any]:
-    """Return what was proven as JSON data.
+    """Return the cells of the proof as JSON data.
 
     `links` has for each kind of pieces and each link the order in which leaves count its pieces, and, where
     they are no colliders, the pieces themselves. Each leaf of a pair is one row: the range of pieces of the
@@ -345,7 +345,7 @@ def _check_ranges(asset: Asset) -> None:
 
 
 class _Proof:
-    """What the searches for one asset share."""
+    """The shared state of the searches for one asset."""
 
     def __init__(self, asset: Asset, tolerance: float, settings: Settings) -> None:
         self.tolerance = tolerance

@@ -151,7 +151,7 @@ class _Grown:
 def _with_moved_faces(piece: Polytope, growth: float) -> tuple[Array, float]:
     """Return the vertices of a piece whose faces moved outwards, shape (n, 3), and their longest way [m].
 
-    Each vertex goes where its faces meet anew, in the sense of least squares where they are more than three.
+    Each vertex moves to the new meeting point of its faces; with more than three faces, by least squares.
     """
     normals = piece.planes[:, :3]
     touching = piece.contact.astype(np.float64)

@@ -1,4 +1,4 @@
-"""Open items of a search, and what it found."""
+"""Open items of a search, and its findings."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
@@ -14,7 +14,7 @@ NONE = -1
 
 @dataclass(frozen=True)
 class Settings:
-    """What to measure, and when to give up.
+    """The limits of a search.
 
     Attributes:
         measure: Whether to bracket the clearance, up to `cap`, within `share`.
@@ -78,7 +78,7 @@ class Items:
 
 @dataclass(eq=False)
 class SearchOutcome:
-    """What the search found about one pair of links.
+    """The result of a search for one pair of links.
 
     Attributes:
         guaranteed: Smallest bound of what was closed; infinite if nothing was [m].

@@ -1,4 +1,4 @@
-"""A close look at one pose: what two links have in common, exactly, and where they first touch."""
+"""Exact overlap of two links at one pose, and their first contact."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -28,7 +28,7 @@ _MOST_EDGES = 24  # directions of edges of a piece that are crossed with those o
 
 @dataclass(frozen=True, eq=False)
 class Overlap:
-    """What two links have in common at a pose.
+    """The overlap of two links at a pose.
 
     Attributes:
         volume: [m^3].
@@ -58,7 +58,7 @@ class Links:
         return self._parts[link]
 
     def overlap(self, way: Way, positions: Array, allowed: Sequence[AllowedContact] = ()) -> Overlap | None:
-        """Return what the links of a way have in common beyond contacts by design; None if nothing."""
+        """Return the overlap of the links of a path beyond contacts by design, or None."""
         (a, b), matrix = way.links, displacement(way, positions)
         first, second = self.parts(a), self.parts(b)
         low, high = self._boxes[a][:, 0], self._boxes[a][:, 1]

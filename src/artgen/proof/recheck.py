@@ -28,7 +28,7 @@ _HINT = "certify the asset again and export it"
 
 
 def recheck(asset: Asset, certificate: Certificate) -> list[Finding]:
-    """Verify the proof that a certificate carries; return what does not hold.
+    """Verify the proof of a certificate; return a finding for each statement that does not hold.
 
     Raises:
         AssetError: A dependency of the asset can never be met, or its meshes are missing.

@@ -1,4 +1,4 @@
-"""The studio: a category in the browser, where a value is turned and the hinge is seen to move.
+"""The studio: a category in the browser with live parameters and joints.
 
 `session` and what it uses know no browser; `app` serves one with viser, of the extra `artgen[studio]`.
 """

@@ -1,4 +1,4 @@
-"""The studio in the browser: a viser server whose wishes one thread grants, the last of each kind only."""
+"""The studio in the browser: a viser server; one worker handles the latest request of each kind."""
 
 import contextlib
 import errno
@@ -130,7 +130,7 @@ class Studio:
 
     @contextlib.contextmanager
     def _told(self) -> Iterator[None]:
-        """Tell what goes wrong instead of ending."""
+        """Show errors instead of ending."""
         try:
             yield
         except ArtgenError as error:
@@ -301,7 +301,7 @@ def _server(host: str, port: int) -> tuple[Any, str]:
 
 
 def _quiet() -> contextlib.redirect_stdout[io.StringIO]:
-    """Keep viser from printing what the studio says itself."""
+    """Keep viser from printing its own start message."""
     return contextlib.redirect_stdout(io.StringIO())
 
 

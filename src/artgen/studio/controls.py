@@ -1,4 +1,4 @@
-"""What a person can set: the parameters in use and the free joints, as data for any user interface."""
+"""Parameters in use and free joints as data for any user interface."""
 
 import math
 import typing
@@ -43,7 +43,7 @@ class ParameterControl:
 
     @property
     def shape(self) -> tuple[Any, ...]:
-        """All but the value: a user interface makes a control anew when this changes."""
+        """All but the value: a user interface rebuilds a control when this changes."""
         return (self.name, self.kind, self.hint, self.low, self.high, self.options)
 
 
@@ -141,7 +141,7 @@ def _step(width: float) -> float:
 
 
 def read_value(control: ParameterControl, kind: Any, value: Any) -> Any:
-    """Return what a user interface gave as the parameter takes it."""
+    """Convert the value of a user interface to that of the parameter."""
     if typing.get_origin(kind) is Literal:
         return next((item for item in typing.get_args(kind) if str(item) == value), value)
     if kind is int:
@@ -166,7 +166,7 @@ class JointControl:
 
     @property
     def shape(self) -> tuple[Any, ...]:
-        """All but the position: a user interface makes a control anew when this changes."""
+        """All but the position: a user interface rebuilds a control when this changes."""
         return (self.name, self.low, self.high, self.hint, self.follows)
 
 

@@ -1,4 +1,4 @@
-"""The panel in the browser: parameters, joints, what is drawn, the certificate, and what is taken away."""
+"""The panel in the browser: parameters, joints, display options, certificate and export."""
 
 import html
 import math
@@ -255,7 +255,7 @@ class Panel:
         tell(self.held, self._session.held, "held")
 
     def show_fault(self) -> None:
-        """Tell what is wrong with what is wanted, or what the asset is."""
+        """Show the error of the last request, or the summary of the asset."""
         session = self._session
         tell(self.fault, session.fault, "fault")
         if session.shown is None:
@@ -271,7 +271,7 @@ class Panel:
         self.python.content = _code(session.python())
 
     def show_proof(self, state: str = "") -> None:
-        """Tell what is proven, or what is being done about it."""
+        """Show the result or the progress of the certificate."""
         for button in self._witnesses:
             button.remove()
         self._witnesses = []

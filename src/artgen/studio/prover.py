@@ -16,7 +16,7 @@ _LIMIT = 600.0  # that a proof may take [s]
 
 @dataclass(frozen=True)
 class ProofTask:
-    """What another process needs to know to make an asset again."""
+    """The description of an asset for another process."""
 
     reference: str  # what the category is found by
     revision: int  # how often its file was loaded again

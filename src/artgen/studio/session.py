@@ -1,4 +1,4 @@
-"""A session of the studio, without any user interface: what is wanted, what is shown, and what went wrong."""
+"""A session of the studio without a user interface: requests, the shown asset, and errors."""
 
 import time
 from collections.abc import Iterator, Mapping
@@ -98,7 +98,7 @@ _VALUES = 16384  # that the cache keeps: of the largest category, those of sever
 
 @dataclass(frozen=True)
 class Shown:
-    """An asset with what it was made of."""
+    """An asset with its parameters and evaluation."""
 
     asset: Asset  # the asset
     evaluation: Evaluation  # what it cost
@@ -108,7 +108,7 @@ class Shown:
 
 
 class Session:
-    """A category with a seed, what a person sets, and where its joints stand.
+    """A category with a seed, overrides, and joint positions.
 
     What cannot be made leaves a message in `fault`, and the asset before stays.
 
@@ -180,7 +180,7 @@ class Session:
         self._attempts = _ATTEMPTS
 
     def resample(self, seed: int) -> None:
-        """Draw from another seed; what is set stays set."""
+        """Draw from another seed; overrides stay."""
         self.seed = seed
         self._attempts = _ATTEMPTS
 
@@ -275,7 +275,7 @@ class Session:
         return ProofTask(source.reference, source.revision, shown.seed, attempts, dict(shown.overrides))
 
     def certified(self, certificate: Certificate) -> None:
-        """Take what was proven of the asset that is shown."""
+        """Attach a certificate to the shown asset."""
         self.certificate = certificate
         remember(self.asset, certificate)
 

@@ -1,4 +1,4 @@
-"""What the studio draws over an asset: colliders, joints, grasp frames, centers of mass."""
+"""Signs over an asset in the studio: colliders, joints, grasp frames, centers of mass."""
 
 from collections.abc import Callable, Mapping
 from typing import Any, Literal, get_args
@@ -44,7 +44,7 @@ class Signs:
         self._hands: dict[str, tuple[Any, Any]] = {}  # of each joint the frames of its axis and of its hand
 
     def clear(self) -> None:
-        """Remove everything; what is wanted stays wanted."""
+        """Remove everything; the display options stay."""
         for kind in list(self._nodes):
             self._remove(kind)
         self._found = None

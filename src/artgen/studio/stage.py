@@ -1,4 +1,4 @@
-"""The scene in the browser: a frame for each link, which joints move, with what is seen of it below.
+"""The scene in the browser: a frame for each link, moved by the joints, with the meshes below.
 
 What did not change is not sent again: a joint only sets poses, and a link that looks as it did stays.
 """
@@ -47,7 +47,7 @@ def placed(link: Link) -> Placed:
 
 
 def _unmoved(link: Link) -> tuple[Link, Array]:
-    """Return the link before it was moved, and how it was, shape (4, 4); a new name lays textures anew."""
+    """Return the link before it was moved, and how it was, shape (4, 4); a new name lays textures again."""
     if isinstance(link, MovedLink) and link.name == link.source.name:
         base, matrix = _unmoved(link.source)
         return base, link.matrix @ matrix
@@ -118,7 +118,7 @@ class _Shown:
     """A link in the scene."""
 
     frame: Any  # node that its pose moves
-    looks: tuple[Any, ...] = ()  # decides whether what is below has to be made anew
+    looks: tuple[Any, ...] = ()  # decides whether the fields below have to be rebuilt
     nodes: list[Any] = field(default_factory=list)  # what is seen of it
     pose: Array = field(default_factory=lambda: np.full((4, 4), np.nan))  # where the frame stands
 
@@ -127,7 +127,7 @@ class Viewport:
     """The scene of a viser server.
 
     Attributes:
-        sent: How many links were sent since the server began, for who wants to know what a change costs.
+        sent: Number of links sent since the server started; shows the cost of a change.
         by_label: Whether links have the colors of their semantic labels.
         textures: Texels on a side of the materials' maps; 0 for colors alone.
     """
@@ -157,7 +157,7 @@ class Viewport:
         )
 
     def show(self, asset: Asset, q: Mapping[str, float]) -> None:
-        """Put an asset in the place of the one before; what looks as it did stays."""
+        """Replace the shown asset; unchanged links stay."""
         first = self._asset is None
         self._asset = asset
         self._red = ()
@@ -176,7 +176,7 @@ class Viewport:
         return self._links[link].frame
 
     def dress(self, red: tuple[str, ...] = ()) -> None:
-        """Dress the links anew after a change of `by_label` or `textures`."""
+        """Update the materials of the links after a change of `by_label` or `textures`."""
         self._red = tuple(red)
         if self._asset is not None:
             self._dress()

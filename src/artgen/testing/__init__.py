@@ -1,4 +1,4 @@
-"""Checks for the test suites of those who write categories.
+"""Checks for the test suites of authors of categories.
 
     from artgen.testing import check_category
 

@@ -1,4 +1,4 @@
-"""The check of a category: its assets over some seeds, and what every category promises."""
+"""The check of a category: sound assets over some seeds, and the promises of every category."""
 
 from collections.abc import Collection, Iterable, Mapping
 from typing import Any, Literal
@@ -69,7 +69,7 @@ def _faults(
     behavior: bool,  # noqa: FBT001 - passed on
     on_collision: Literal["keep", "redraw"],
 ) -> tuple[Mapping[str, Any], list[str]]:
-    """Return the parameters of the asset of a seed, and what is wrong with it."""
+    """Return the parameters of the asset of a seed, and its faults."""
 
     def generated(cache: Cache | None = None) -> Asset:
         return generator.generate(seed, cache=cache, on_collision=on_collision, **overrides)

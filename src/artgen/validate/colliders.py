@@ -1,4 +1,4 @@
-"""Whether colliders are what simulators take, contain the solids, and stand for them faithfully."""
+"""Check of colliders: accepted by simulators, around the solids, and close to them."""
 
 from collections.abc import Iterator, Sequence
 
@@ -65,7 +65,7 @@ def check_colliders(asset: Asset) -> CheckResult:
 
 
 def solid_of(link: Link) -> Manifold:
-    """Return the union of a link's solids, without what is only seen; empty if no surface closes.
+    """Return the union of a link's solids, without visual details; empty if no surface closes.
 
     Of a link that was read from files, the closed parts of its meshes; those are left out that its file
     records as only seen, or that have a label that no collider has.
@@ -120,12 +120,12 @@ def _piece_findings(link: Link) -> Iterator[Finding]:
             message = "" if value > 0.0 else f"{name} has a length of {value:.4g} m"
         if message:
             yield Finding(
-                CHECK, message, link.name, value=value, hint="make it anew of the solid's own pieces"
+                CHECK, message, link.name, value=value, hint="rebuild it from the solid's own pieces"
             )
 
 
 def _hull_fault(name: str, points: Array) -> tuple[str, float | None]:
-    """Return what is wrong with the points of a hull, and the number; empty text if nothing is."""
+    """Return the fault of the points of a hull, and its number; an empty text if there is no fault."""
     if not 4 <= len(points) <= MOST_VERTICES:
         return f"{name} has {len(points)} vertices; 4 to {MOST_VERTICES} are taken", float(len(points))
     try:

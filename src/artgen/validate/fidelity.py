@@ -70,7 +70,7 @@ def fidelity(solid: Manifold, convexes: Sequence[Convex]) -> Fidelity:
 def _sticking_out(
     missing: Manifold, polytopes: Sequence[Polytope], faces: TriangleSet
 ) -> tuple[float, Array]:
-    """Return how far what pieces miss of a solid is from the nearest of them, and where.
+    """Return the largest distance of a solid to its pieces, and its place.
 
     Measured along the normals of their faces; films between pieces that share a face count as nothing.
     """

@@ -21,7 +21,7 @@ Interval = tuple[float, float]
 
 
 def joint_findings(asset: Asset) -> Iterator[Finding]:
-    """Yield what is wrong with the joints of an asset."""
+    """Yield the faults of the joints of an asset."""
     joints = {joint.name: joint for joint in asset.joints}
     for joint in asset.joints:
         yield from _number_findings(joint)

@@ -79,7 +79,7 @@ def check_solids(asset: Asset) -> CheckResult:
 
 
 def link_findings(link: Link, found: Sequence[LinkShells]) -> Iterator[Finding]:
-    """Yield what is wrong with the surfaces of a link."""
+    """Yield the faults of the surfaces of a link."""
     if not found:
         yield Finding(CHECK, "it has no surface", link.name, hint="give the link a solid")
     for skin in found:

@@ -127,7 +127,7 @@ def check_tree(asset: Asset) -> CheckResult:
 
 
 def _structure_findings(asset: Asset) -> Iterator[Finding]:
-    """Yield what keeps the links from being one tree with the first one as its root."""
+    """Yield the faults of the tree of links, whose root is the first link."""
     known = {link.name for link in asset.links}
     position = {link.name: number for number, link in reversed(list(enumerate(asset.links)))}
     parents: dict[str, str] = {}

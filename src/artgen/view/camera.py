@@ -103,7 +103,7 @@ class Camera:
 
 @dataclass(frozen=True)
 class View:
-    """A direction to look from; the distance follows from what has to be in the picture.
+    """A direction to look from; the distance follows from the size of the subject.
 
     Attributes:
         azimuth: From where: 0 from the front, a quarter turn from the right [rad].

@@ -2,7 +2,7 @@
 
 One picture of it has hard shadows and steps along edges; the average has neither, and corners are dark
 because fewer of the lamps reach them. Metal and lacquer mirror the studio: its image is a texture, laid on
-anew for each camera.
+again for each camera.
 """
 
 import math
@@ -86,7 +86,7 @@ class ClassicDress:
     textures: set[str] = field(default_factory=set)
 
     def layers(self, spec: Any, material: Material, textures: int) -> tuple[Layer, ...]:
-        """Add what a material needs to a specification; return with what its surfaces are drawn, in order."""
+        """Add the textures and materials of a surface; return the material passes in draw order."""
         if material.name not in self.known:
             self.known[material.name] = self._made(spec, material, textures)
         return self.known[material.name]
@@ -371,7 +371,7 @@ def _mirrored(drawn: Drawn, camera: Camera, pose: Array, place: Backdrop) -> Arr
 
 
 def _toned(light: Any) -> NDArray[np.uint8]:
-    """Compress what is brighter than paper, and return bytes."""
+    """Compress highlights, and return bytes."""
     knee = 0.85
     over = np.maximum(light - knee, 0.0)
     shown = np.minimum(light, knee) + (1.0 - knee) * (1.0 - np.exp(-over / (1.0 - knee)))

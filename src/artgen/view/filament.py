@@ -49,7 +49,7 @@ class OneThread:
         return self._thread is not None
 
     def run(self, call: Callable[[], Result]) -> Result:
-        """Return what a call returns, or raise what it raises."""
+        """Return the result of a call in the thread, or raise its error."""
         with self._beginning:
             if self._thread is None:
                 # a daemon, so that the process may end, and be told to by functions that run at its exit
@@ -93,7 +93,7 @@ class FilamentDress:
     textures: set[str] = field(default_factory=set)
 
     def layers(self, spec: Any, material: Material, textures: int) -> tuple[Layer, ...]:
-        """Add what a material needs to a specification; return with what its surfaces are drawn, in order."""
+        """Add the textures and materials of a surface; return the material passes in draw order."""
         if material.name not in self.known:
             self._add(spec, material, textures)
             self.known[material.name] = (Layer(material.name),)
@@ -247,7 +247,7 @@ def forget_context() -> None:
 
 @contextlib.contextmanager
 def _silence() -> Iterator[None]:
-    """Keep what a library writes to the process's own output from being seen."""
+    """Suppress the output of a library to the process's own streams."""
     sys.stdout.flush()
     sys.stderr.flush()
     saved = [os.dup(number) for number in (1, 2)]

@@ -1,4 +1,4 @@
-"""How an asset stands open: what a person would open to show what is inside."""
+"""Poses that show the inside of an asset: doors, drawers and lids open."""
 
 from collections.abc import Iterable, Mapping
 from collections.abc import Set as AbstractSet
@@ -12,7 +12,7 @@ from artgen.export.frames import leader_of, regions
 _WIDE = 1.2  # a swing that is wider shows more from in front when it is not opened fully [rad]
 _SHARE = 0.45  # of a wide swing about an upright axis: farther, a door is seen edge on
 _UPRIGHT = 0.7  # vertical part of an axis, beyond which a hinge is a door's and a slide a lift
-_LIFT = (0.1, 0.5)  # what is lifted by more shows more when it is not lifted all the way [m, share]
+_LIFT = (0.1, 0.5)  # larger lifts are opened to this share only [m, share]
 _TURN = 0.8  # of a joint without limits [rad or m]
 _DOOR = 0.4  # size of a part, as a share of what it lets move, from which it is a door or lid and no lock
 _TOP = 0.4  # how far the highest of drawers above each other is pulled, that all can be looked into

@@ -1,4 +1,4 @@
-"""What viewers draw over an asset: colliders, joints, grasp frames, centers of mass, colors of labels.
+"""Overlays of viewers: colliders, joints, grasp frames, centers of mass, colors of labels.
 
 All of it is plain data in asset coordinates at rest [m]. A viewer carries what belongs to a link by
 `asset.pose(q)[link]`, and what belongs to a joint by `axis_poses(asset, q)[joint]`.
@@ -72,7 +72,7 @@ class HoldFrame:
 
 @dataclass(frozen=True, eq=False)
 class LinkOverlay:
-    """What is drawn over a link and moves with it."""
+    """The overlay of a link, which moves with it."""
 
     link: str  # its name
     label: str  # its semantic label
@@ -84,7 +84,7 @@ class LinkOverlay:
 
 @dataclass(frozen=True, eq=False)
 class JointOverlay:
-    """What is drawn for a joint.
+    """The overlay of a joint.
 
     `axis` and `range` stay with the joint (`axis_poses`); `hand` moves like that of a clock, by
     `axis_poses(asset, q)[joint] @ asset.joint(joint).motion(position)`: its end then lies on `range`.
@@ -113,7 +113,7 @@ class Overlays:
 
 
 def overlays(asset: Asset) -> Overlays:
-    """Return what viewers draw over an asset."""
+    """Return the overlays of an asset."""
     low, high = asset.bounds()
     return Overlays(
         links={name: _of_link(asset, name) for name in (link.name for link in asset.links)},

@@ -1,4 +1,4 @@
-"""Pictures: colors, and for each pixel what is seen there, how far away it is, and how it is turned."""
+"""Pictures: color, and for each pixel the link, the label, the distance and the normal."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -18,7 +18,7 @@ _SUFFIXES = {".png": "PNG", ".jpg": "JPEG", ".jpeg": "JPEG"}
 
 @dataclass(frozen=True, eq=False)
 class Segmentation:
-    """What each pixel shows.
+    """The link and label of each pixel.
 
     Attributes:
         ids: Number of the name of each pixel, 0 for the background, shape (height, width).
@@ -41,7 +41,7 @@ class Segmentation:
 
 @dataclass(frozen=True, eq=False)
 class Passes:
-    """What a picture is made by, each drawn when it is first asked for."""
+    """The passes of a picture, each drawn at its first use."""
 
     # number of the surface at each pixel's center from 1, 0 for none, with the depth of it along the
     # camera's axis [m], infinite for none; both of shape (height, width)
@@ -81,12 +81,12 @@ class Picture:
 
     @cached_property
     def links(self) -> Segmentation:
-        """Which link each pixel's center shows; glass hides what is behind it."""
+        """Index of the link at each pixel's center; glass hides the links behind it."""
         return self._by(self.link_names)
 
     @cached_property
     def labels(self) -> Segmentation:
-        """Which semantic label each pixel's center shows; glass hides what is behind it."""
+        """Index of the semantic label at each pixel's center; glass hides the labels behind it."""
         return self._by(self.label_names)
 
     @cached_property

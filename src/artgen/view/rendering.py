@@ -35,7 +35,7 @@ class Hits:
 
 
 def cast(meshes: Sequence[Mesh], origin: Array, directions: Array) -> Hits:
-    """Return what rays from one point hit first."""
+    """Return the first hits of rays from one point."""
     try:
         from embreex.mesh_construction import TriangleMesh
         from embreex.rtcore_scene import EmbreeScene
@@ -135,7 +135,7 @@ def render(
 
 
 def close() -> None:
-    """Free what is kept ready for further pictures in this thread; the next one makes it anew."""
+    """Free the renderers of this thread; the next picture makes a new one."""
     if not gl.owns_process():
         return  # what a forked process finds is its parent's
     _close_kept()
@@ -151,7 +151,7 @@ def _close_kept() -> None:
 
 
 def _renderer(asset: Asset, backend: str, studio: Studio, textures: int, size: tuple[int, int]) -> Any:
-    """Return the renderer of an asset, made anew only where none is kept."""
+    """Return the renderer of an asset; it is reused for further pictures."""
     gl.claim_process()
     kept: OrderedDict[Any, Any] = vars(_kept).setdefault("renderers", OrderedDict())
     key = (id(asset), backend, studio, textures)

@@ -35,7 +35,7 @@ class Dress(Protocol):
     """Makes MuJoCo's materials of artgen's, as one of its renderers needs them."""
 
     def layers(self, spec: Any, material: Material, textures: int) -> tuple[Layer, ...]:
-        """Add what a material needs to a specification; return with what its surfaces are drawn, in order."""
+        """Add the textures and materials of a surface; return the material passes in draw order."""
 
     def surroundings(self, spec: Any, place: Backdrop) -> None:
         """Add lights and the sky to a specification."""

@@ -1,4 +1,4 @@
-"""Contact sheets: many samples of a category on one page, each closed and open, with what tells it apart."""
+"""Contact sheets: many samples of a category on one page, each closed and open, with its main features."""
 
 import io
 import math
@@ -87,7 +87,7 @@ def sheet(
 
 
 def shots(asset: Asset) -> tuple[tuple[Mapping[str, float], View], ...]:
-    """Return what a sheet shows of an asset: positions of joints, and a view, for each picture.
+    """Return joint positions and a view for each picture of an asset on a sheet.
 
     It is closed, open, and closed from behind.
     """
@@ -139,7 +139,7 @@ def _aspect(asset: Asset) -> float:
 
 
 def words(asset: Asset) -> str:
-    """Return what makes an asset different in a few words: its structural parameters and its size."""
+    """Return the features of an asset in a few words: its structural parameters and its size."""
     found = [
         _SHADE.sub("", value)
         for name, value in asset.parameters.items()

@@ -1,4 +1,4 @@
-"""What stands around an asset in a picture: a seamless backdrop, or the corner of a room."""
+"""Surroundings of an asset in a picture: a seamless backdrop, or the corner of a room."""
 
 import math
 from dataclasses import dataclass
@@ -19,7 +19,7 @@ _SKIRTING = Material("studio_skirting", (0.80, 0.79, 0.77), specular_roughness=0
 
 @dataclass(frozen=True, eq=False)
 class Backdrop:
-    """What stands around an asset, in studio coordinates."""
+    """The surroundings of an asset, in studio coordinates."""
 
     kind: str  # `studio`, `room` or `none`
     center: Array  # the middle of the asset at rest, shape (3,) [m]
@@ -48,7 +48,7 @@ class Backdrop:
 
 
 def backdrop(asset: Asset, kind: str) -> Backdrop:
-    """Return what stands around an asset."""
+    """Return the surroundings of an asset."""
     low, high = asset.bounds()
     center = (low + high) / 2.0
     radius = float(np.linalg.norm(high - low)) / 2.0

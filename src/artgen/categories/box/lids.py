@@ -286,7 +286,7 @@ class Lidded:
 
     @property
     def _clear(self) -> Scalar:
-        """Angle of the lid from which on the tuck clears the box however it is turned [rad]."""
+        """Smallest angle of the lid at which the tuck clears the box in every position [rad]."""
         far = sqrt(self.tuck**2 + self.ear**2) if self.ears else self.tuck
         return 1.13 * (far + 0.008) / self.reach
 
@@ -332,7 +332,7 @@ class Lidded:
 
     @property
     def _ears_clear(self) -> Scalar:
-        """Angle of the lid from which on the ears are above the walls [rad]."""
+        """Smallest angle of the lid at which the ears are above the walls [rad]."""
         return max_(atan2(self.tuck + 0.012, self.reach - self.ear), self._clear)
 
     def _side_creases(self) -> dict[str, Crease]:

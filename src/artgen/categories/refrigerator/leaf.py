@@ -140,7 +140,7 @@ class Leaf:
         return self.cell.left + _RIDGE_INSET, axis + sqrt(max_(room * room - self.reach * self.reach, 0.0))
 
     def clears(self, x: Scalar) -> Float:
-        """Return the angle from which on nothing of the open door reaches past `x` to the right [rad].
+        """Return the smallest angle at which the open door stays to the left of `x` [rad].
 
         A point at (u, v) of the axis, to the right and to the back, has turned to u cos q + v sin q. This
         falls from q = atan2(v, u) on, and passes c at that angle and acos(c / r) more.
@@ -173,5 +173,5 @@ class Leaf:
         )
 
     def frees(self, left: Scalar, right: Scalar) -> Float:
-        """Return the angle from which on it is out of the way of what comes out between two sides [rad]."""
+        """Return the smallest opening angle that clears a drawer between two sides [rad]."""
         return self.clears(-right if self.mirrored else left)

@@ -76,7 +76,7 @@ def write_glb(asset: Asset, textures: int = 0) -> Written:
 
 
 def _root(asset: Asset, segments: Sequence[Segment], taken: Collection[str]) -> Json:
-    """Return the node that turns the asset upright and says what it is."""
+    """Return the root node, which turns the asset upright and carries its metadata."""
     data = {
         "name": asset.name,
         "category": asset.category,
@@ -140,7 +140,7 @@ def _place(asset: Asset, segment: Segment, node: Json) -> None:
 
 
 def _mesh(frame: LinkFrame, link: Link, buffer: Buffer, looks: Looks, taken: Collection[str]) -> Json:
-    """Return the mesh of a link; it must not be named like a node, which readers would name anew."""
+    """Return the mesh of a link; its name must differ from that of a node, which readers would rename."""
     primitives = []
     for surface in link.surfaces:
         shown = primitive(buffer, surface, frame.origin, looks.maps(surface.material))

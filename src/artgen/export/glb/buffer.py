@@ -14,7 +14,7 @@ Content = Literal[
 
 _FLOAT, _SHORT, _LONG = 5126, 5123, 5125  # component types
 _VERTICES, _INDICES = 34962, 34963  # targets of buffer views
-_MOST_SHORT = 65535  # the last number of a short index means that a strip begins anew
+_MOST_SHORT = 65535  # the last number of a short index restarts a strip
 
 _LAYOUT: dict[Content, tuple[str, int, str, int]] = {
     "indices": ("SCALAR", _SHORT, "<u2", _INDICES),

@@ -43,7 +43,7 @@ class Looks:
         return self._numbers[material]
 
     def to_data(self) -> Json:
-        """Return what the file says of materials and images."""
+        """Return the materials and images of the file."""
         data: Json = {"materials": self.materials}
         if any("extensions" in material for material in self.materials):
             data["extensionsUsed"] = [CLEARCOAT]

@@ -1,4 +1,4 @@
-"""The order in which free joints move so that one of them can open: what it depends on comes first."""
+"""The order in which free joints open: a joint comes after those that it depends on."""
 
 import itertools
 import math

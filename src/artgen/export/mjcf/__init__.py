@@ -214,7 +214,7 @@ def _add_couplings(root: ET.Element, asset: Asset) -> None:
 
 
 def _add_custom(root: ET.Element, asset: Asset) -> None:
-    """Add what MJCF has no word for, in elements that stay when the model is attached to another."""
+    """Add custom elements for features without an MJCF element; they survive attachment to a model."""
     custom = ET.SubElement(root, "custom")
     for link in asset.links:
         ET.SubElement(custom, "text", name=f"{link.name}_labels", data=" ".join(link.labels))
@@ -242,7 +242,7 @@ def _stem(file: str) -> str:
 
 
 def mjcf_losses(asset: Asset, textures: int) -> tuple[Loss, ...]:
-    """List what MJCF cannot say of an asset with so many texels on a side of its maps."""
+    """List the losses of MJCF for an asset with maps of that size."""
 
     def moving(joint: AssetJoint) -> bool:
         return not joint.locked

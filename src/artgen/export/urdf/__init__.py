@@ -1,4 +1,4 @@
-"""URDF through yourdfpy's model, with what its XML writer leaves out added to the tree.
+"""URDF through yourdfpy's model; elements that its XML writer omits are added to the tree.
 
 The base link is the root. URDF has no word for a base that is fixed to the world or free: each client is told
 when it loads the file, so neither a `world` link nor a floating joint is written, which would impose one.
@@ -125,7 +125,7 @@ def _link(asset: Asset, link: Link, meshes: MeshFiles) -> Any:
 
 
 def _small_link(name: str, mass: float, moment: float) -> Any:
-    """Return a link without extent; clients refuse or make up what has no mass."""
+    """Return a link without extent, with a small mass: clients refuse massless links or invent a mass."""
     from yourdfpy import urdf as model
 
     return model.Link(name, model.Inertial(np.eye(4), mass, moment * np.eye(3)))
@@ -174,7 +174,7 @@ def _add_affordances(robot: Any, asset: Asset) -> None:
 
 
 def _add_couplings(tree: Any, asset: Asset) -> None:
-    """Add what yourdfpy's model has, but its writer leaves out."""
+    """Add the couplings of yourdfpy's model, which its writer omits."""
     elements = {element.get("name"): element for element in tree.iterfind("joint")}
     for joint in asset.joints:
         follows = coupling(asset, joint)

@@ -1,4 +1,4 @@
-"""What a URDF cannot say, whichever layout it is written for."""
+"""Features that no URDF can express, and elements that all layouts share."""
 
 from collections.abc import Iterable
 from typing import Any
@@ -53,7 +53,7 @@ def digits(value: float) -> str:
 
 
 def motion_losses(asset: Asset, inserted: Iterable[str]) -> tuple[Loss, ...]:
-    """List what is lost of how joints move.
+    """List the losses of the motion of joints.
 
     Args:
         asset: The asset.
@@ -90,7 +90,7 @@ def motion_losses(asset: Asset, inserted: Iterable[str]) -> tuple[Loss, ...]:
 
 
 def material_losses(asset: Asset) -> tuple[Loss, ...]:
-    """List what is lost of what links are made of."""
+    """List the losses of the materials of links."""
     return (
         *loss(
             "contact friction",

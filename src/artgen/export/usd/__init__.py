@@ -154,7 +154,7 @@ class _Writer:
         place(prim, frame.placement)
 
     def _content(self, prim: Sdf.PrimSpec, link: Link, origin: Array) -> None:
-        """Write what a link looks like, collides with and is held at; meshes go to a layer of their own."""
+        """Write surfaces, colliders and grasps of the links; meshes go to a layer of their own."""
         looks = self._root.path.AppendChild(self._looks_name)
         meshes = define(self._meshes, link.name)
         define(prim, "visuals", "Scope")

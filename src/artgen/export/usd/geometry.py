@@ -1,4 +1,4 @@
-"""What a link looks like and what it collides with, as USD prims."""
+"""Visual and collision geometry of a link as USD prims."""
 
 from collections.abc import Sequence
 

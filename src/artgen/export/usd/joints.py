@@ -68,7 +68,7 @@ def write_joints(layers: Layers, scope: Sdf.PrimSpec, asset: Asset, segments: Se
 
 
 def joint_losses(asset: Asset, segments: Sequence[Segment], *, apart: bool = False) -> tuple[Loss, ...]:
-    """List what plain UsdPhysics has no word for.
+    """List the losses of plain UsdPhysics.
 
     Args:
         asset: The asset.

@@ -38,7 +38,7 @@ CATEGORY_CODES = {
 
 
 def category_code(category: str) -> str:
-    """Return the Q-code of a category; that of a physical object if it has none of its own."""
+    """Return the Q-code of a category; that of a physical object if the category has no code."""
     return CATEGORY_CODES.get(category, THING)
 
 
@@ -91,7 +91,7 @@ class Layers:
         return prim if self.physics is None else over(self.physics, prim.path)
 
     def runtime(self, name: Runtime, prim: Sdf.PrimSpec) -> Sdf.PrimSpec:
-        """Return where is written what one simulator alone knows of a prim."""
+        """Return the prim that holds the attributes for one simulator."""
         return over(self.runtimes[name], prim.path) if self.runtimes else prim
 
 

@@ -1,4 +1,4 @@
-"""Materials as USD prims: surfaces for cameras, friction for contacts, and what other sensors see."""
+"""Materials as USD prims: surfaces for cameras, friction for contacts, labels for other sensors."""
 
 from collections.abc import Mapping
 
@@ -116,7 +116,7 @@ def write_material(
 
 
 def _sensed(prim: Sdf.PrimSpec, material: Material) -> None:
-    """Write what lidar, radar and sonar models need to know, in SimReady's words."""
+    """Write the attributes for lidar, radar and sonar models of SimReady."""
     attributes = ["emissive"] if any(material.emission) else []
     if material.transmission_weight >= 0.5 or material.opacity < 0.9:
         attributes.append("visually_transparent")

@@ -1,7 +1,6 @@
-"""What one simulator alone reads of a USD: the words of PhysX, Newton and MuJoCo, as plain attributes.
+"""Attributes of a USD stage for one simulator: PhysX, Newton or MuJoCo, without their packages.
 
-None of their packages is needed to write them, and who does not know a schema passes over it. The numbers are
-those of the MJCF.
+Readers ignore unknown schemas. The numbers are those of the MJCF.
 """
 
 import math
@@ -105,7 +104,7 @@ def _newton_joint(prim: Sdf.PrimSpec, joint: AssetJoint) -> None:
 
 
 def _mujoco_joint(layers: Layers, prim: Sdf.PrimSpec, joint: AssetJoint, position: float) -> None:
-    """Write what MJCF says of a joint.
+    """Write the joint attributes of MJCF.
 
     MuJoCo reads no drives, so that its variant has the spring and the damper as its own words, and none in
     the drive. Newton adds both, so that they are in the drive alone where all stand together.

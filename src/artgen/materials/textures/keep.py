@@ -1,4 +1,4 @@
-"""What is kept of maps that were made: lately made ones in memory, those of the library on disk."""
+"""Caches of maps: recent ones in memory, those of the library on disk."""
 
 import hashlib
 import threading
@@ -20,7 +20,7 @@ Value = TypeVar("Value")
 
 
 class Memory:
-    """What was made lately, up to a number of bytes; what was used least lately goes first."""
+    """A least-recently-used cache with a limit in bytes."""
 
     def __init__(self, limit: int) -> None:
         self.limit = limit
@@ -29,7 +29,7 @@ class Memory:
         self._lock = threading.Lock()
 
     def get(self, key: Hashable, make: Callable[[], Value], weigh: Callable[[Value], int]) -> Value:
-        """Return what is kept under a key, or make it and keep it, so many bytes as it weighs."""
+        """Return the value under a key; make and keep it if it is missing."""
         with self._lock:
             if key in self._kept:
                 self._kept.move_to_end(key)
@@ -70,7 +70,7 @@ def _key(name: str, suffix: str) -> str:
 
 
 def read(name: str, suffix: str) -> bytes | None:
-    """Return what is kept on disk under a name by this version of the code, or None."""
+    """Return the file on disk under a name, written by this version of the code, or None."""
     return disk_cache.read(_KIND, _key(name, suffix)) if _version() else None
 
 

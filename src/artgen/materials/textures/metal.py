@@ -1,4 +1,4 @@
-"""Metals: their color is even, what varies is how they were finished. Brushing runs along v."""
+"""Metals: even color, different finishes. Brushing runs along v."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""Plastics, rubber and what is baked on metal: even colors, told apart by grain and gloss."""
+"""Plastics, rubber and baked coatings: even colors, different grain and gloss."""
 
 import numpy as np
 

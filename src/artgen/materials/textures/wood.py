@@ -1,4 +1,4 @@
-"""Woods: what the eye knows best. The grain runs along v.
+"""Woods. The grain runs along v.
 
 A board shows the rings of the trunk that it was cut from. Cut through the pith (straight grain) they are
 lines that wander slowly; cut beside it (flat-sawn) they are arches over arches, one above the other, with
@@ -72,7 +72,7 @@ _EARLY = (0.12, 0.42)  # until where in a ring pores are crowded, and from where
 
 @dataclass(frozen=True)
 class Species:
-    """What tells one wood from another."""
+    """The characteristics of a species of wood."""
 
     mean: Color  # linear RGB mean of its albedo
     early: Color  # color where a ring begins, relative to the mean

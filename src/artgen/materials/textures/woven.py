@@ -1,4 +1,4 @@
-"""What is woven or perforated: threads over and under each other, holes in rows."""
+"""Woven and perforated sheets: threads over and under each other, holes in rows."""
 
 from dataclasses import dataclass
 from functools import partial
@@ -100,7 +100,7 @@ def _perforated(stream: np.random.Generator, size: int) -> Pattern:
 
 
 def recipes() -> list[Recipe]:
-    """Return the recipes of what is woven or perforated."""
+    """Return the recipes of woven and perforated sheets."""
     kinds = {"linen": _LINEN, "canvas": _CANVAS, "wicker": _WICKER, "plastic_wicker": _PLASTIC_WICKER}
     seen: tuple[Varying, ...] = ("albedo", "normal")
     return [

@@ -1,4 +1,4 @@
-"""Details: what makes a product look made. Print, icons, dials, displays, screws, vents, seals and racks.
+"""Details that are only seen: print, icons, dials, displays, screws, vents, seals and racks.
 
 Most are profiles and solids to be used like any other; `printed`, `raised`, `engraved`, `display`, `screw`
 and `rating_plate` are bodies that only are seen, to be welded to a part.

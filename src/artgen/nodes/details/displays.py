@@ -50,7 +50,7 @@ def _black_glass() -> Material:
 
 
 def _materials(color: str) -> tuple[Material, Material, Material]:
-    """Return the materials of the pane, of what is lit and of what is dark."""
+    """Return the materials of the pane, of lit and of dark segments."""
     if color not in (*_GLOW, "lcd"):
         raise BuildError(
             f"a display cannot shine in {color!r}.{nearest(color, [*_GLOW, 'lcd'])}\n  at {authors_line()}"

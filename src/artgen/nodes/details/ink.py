@@ -1,4 +1,4 @@
-"""What the strokes, fills and cuts of a pen leave: the outline of a drawing."""
+"""The outline of a drawing from the strokes, fills and cuts of a pen."""
 
 import math
 from collections.abc import Iterable
@@ -16,7 +16,7 @@ _SHARP = math.radians(32.0)  # a line that turns more has a corner
 
 
 def drawing(marks: Iterable[Mark], weight: float, what: str) -> Outline:
-    """Return what marks leave, in units."""
+    """Return the drawing of marks, in units."""
     region = CrossSection()
     rings: list[Array] = []
     for mark in marks:
@@ -32,7 +32,7 @@ def drawing(marks: Iterable[Mark], weight: float, what: str) -> Outline:
 
 
 def _touched(mark: Mark, width: float) -> list[Array]:
-    """Return the rings of what a mark covers."""
+    """Return the rings of the area of a mark."""
     points = mark.points
     if mark.kind in ("fill", "cut"):
         return [points if signed_area(points) > 0.0 else points[::-1]]

@@ -137,12 +137,12 @@ def gap(path: str, weight: float = 1.0) -> tuple[Mark, ...]:
 
 
 def fill(path: str) -> tuple[Mark, ...]:
-    """Fill what a path surrounds."""
+    """Fill the area inside a path."""
     return tuple(Mark("fill", points, closed=True) for points, _ in _lines(path))
 
 
 def cut(path: str) -> tuple[Mark, ...]:
-    """Cut out what a path surrounds."""
+    """Cut out the area inside a path."""
     return tuple(Mark("cut", points, closed=True) for points, _ in _lines(path))
 
 

@@ -1,4 +1,4 @@
-"""What lies on a face: print, raised letters and what looks engraved, from any profile."""
+"""Reliefs on a face from any profile: print, raised letters, engraving."""
 
 from collections.abc import Sequence
 

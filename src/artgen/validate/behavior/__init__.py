@@ -16,7 +16,7 @@ from artgen.validate.behavior.settle import Settled, settle
 
 
 def check_behavior(asset: Asset, directory: str | Path | None = None) -> CheckResult:
-    """Simulate an asset's MJCF in MuJoCo, and compare what happens with what the asset says.
+    """Simulate an asset's MJCF in MuJoCo, and compare its motion with the asset.
 
     It is let go when it is closed, halfway and open; each free joint is driven from end to end by its own
     effort; sprung joints are let go at both ends; and joints that depend on others are pushed while the

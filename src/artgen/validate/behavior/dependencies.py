@@ -19,7 +19,7 @@ _MOST_PLAY = 0.1  # share of the range that is no longer play
 
 
 def block(simulation: Simulation, motion: JointMotion) -> list[Finding]:
-    """Push a joint, and what follows it, where each part of its condition fails."""
+    """Push a joint and its followers where each part of its condition fails."""
     findings = []
     for member in motion.members:
         if member.needs is not None:

@@ -21,7 +21,7 @@ _RETURNED = 0.02  # share of the range by which a spring may miss its rest
 _PROGRESS = 0.002  # share of the range that counts as progress
 _HOLD_RATE = 10.0  # how quickly what is held returns to its place [1/s]
 _FIRM, _QUICK = 0.1, 0.6  # gains of the servo on the error of speed and on its change
-_REFRESH = 50  # steps after which the inertia is found anew
+_REFRESH = 50  # steps between two computations of the inertia
 
 
 class Servo:
@@ -104,7 +104,7 @@ def needed_state(simulation: Simulation, motion: JointMotion) -> dict[str, float
 
 
 def conditions(motion: JointMotion) -> list[AssetCondition]:
-    """Return what has to hold before a joint and its followers may move."""
+    """Return the conditions for the motion of a joint and its followers."""
     return [member.needs.condition for member in motion.members if member.needs is not None]
 
 
@@ -244,7 +244,7 @@ class _Return:
     width: float
 
     def run(self) -> Finding | None:
-        """Let go at the end; return what keeps the joint from its rest."""
+        """Let go at the end of the range; return the contact that keeps the joint from its rest."""
         simulation, motion = self.simulation, self.motion
         quiet, latest = 0.0, [math.inf, -math.inf]
         for _ in range(round(SETTLE_TIME / simulation.step_time)):

@@ -17,7 +17,7 @@ from artgen.validate.behavior.motion import JointMotion, length, motions_of, uni
 
 @contextmanager
 def collected_warnings() -> Iterator[list[str]]:
-    """Collect what MuJoCo warns of, which it would otherwise print and write to a file."""
+    """Collect the warnings of MuJoCo, which it would otherwise print and write to a file."""
     import mujoco
 
     before = mujoco.get_mju_user_warning()
@@ -64,11 +64,11 @@ _FLOOR = "the floor"
 
 
 class UnstableError(Exception):
-    """The simulation exploded; what was found is on record."""
+    """The simulation became unstable; the findings so far are kept."""
 
 
 class Simulation:
-    """A model of an asset with its state, and what was noticed while it moved.
+    """A model of an asset with its state, and the findings while it moved.
 
     Attributes:
         asset: The asset.
@@ -230,7 +230,7 @@ class Simulation:
         return self.geom(int(first)), self.geom(int(second))
 
     def touching(self, motion: JointMotion, others: frozenset[int] | None = None) -> list[str]:
-        """Name what presses on what a joint moves, the strongest contact first.
+        """Name the links that press on the links of a joint, the strongest contact first.
 
         Args:
             motion: The joint.

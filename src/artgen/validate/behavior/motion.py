@@ -1,4 +1,4 @@
-"""Free joints with all that follows them, as MuJoCo numbers them; and how their positions are spelt."""
+"""Map free joints and their followers to MuJoCo's qpos indices, and positions to text."""
 
 import math
 from dataclasses import dataclass

@@ -31,7 +31,7 @@ _TILT = math.radians(2.0)  # of a base that stands on the floor
 
 @dataclass
 class Settled:
-    """What was seen while an asset settled.
+    """The observations while an asset settled.
 
     Attributes:
         findings: The worst of each kind, by kind and place.

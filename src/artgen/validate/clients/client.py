@@ -1,4 +1,4 @@
-"""What artgen knows of each client: simulators, validators and converters that read its exports."""
+"""The description of a client: a simulator, validator or converter that reads exports."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -57,7 +57,7 @@ MACHINE = (
 
 @dataclass(frozen=True)
 class Client:
-    """A program that reads exported assets, and how to ask it what it read."""
+    """A program that reads exported assets, and its driver."""
 
     name: str  # identifier, such as `pybullet` or `newton_usd`
     format: FormatName  # the format that it reads

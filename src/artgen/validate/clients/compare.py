@@ -1,4 +1,4 @@
-"""Whether a client read what the asset is."""
+"""Comparison of an asset with the values that a client read."""
 
 from collections import Counter
 from collections.abc import Collection, Iterator, Mapping
@@ -19,7 +19,7 @@ _OF_JOINTS = ("kind", "limits")
 
 
 def silences(client: Client, exported: ClientExport, response: Mapping[str, Any]) -> Iterator[Finding]:
-    """Yield what is missing in a client's answer, as a whole, of a link or of a joint.
+    """Yield the values missing in a client's answer, in total or for a link or joint.
 
     A key of `Client.tells` such as `joints.damping` is a quantity of each joint. A client that tells of
     links has to tell masses, centers and inertias, one that tells of joints their kinds and limits.
@@ -62,7 +62,7 @@ _UNLIMITED = 1.0  # how far an unlimited joint is driven [rad or m]
 
 
 def differences(client: Client, exported: ClientExport, response: Mapping[str, Any]) -> Iterator[Finding]:
-    """Yield where a client's answer is not what the asset is."""
+    """Yield the differences between a client's answer and the asset."""
     asset = exported.asset
     yield from silences(client, exported, response)
     if "links" in response:
@@ -210,7 +210,7 @@ def _poses(client: Client, exported: ClientExport, found: Any) -> Iterator[Findi
 
 
 def moved_by_several(asset: Asset) -> frozenset[str]:
-    """Return the links that move by several joints, and what hangs on them."""
+    """Return the links with several joints, and their descendants."""
     joints = [joint for joint in asset.joints if not joint.locked]
     found = {name for name, count in Counter(joint.child for joint in joints).items() if count > 1}
     for joint in asset.joints:  # parents come before children

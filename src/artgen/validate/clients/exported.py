@@ -1,4 +1,4 @@
-"""An export as clients see it: which file they open, and what they are asked about it."""
+"""An export as input of clients: the file to open, and the questions about it."""
 
 import json
 import os
@@ -41,7 +41,7 @@ class ClientExport:
         return [{name: positions[name] for name in moving} for positions in complete]
 
     def request(self, client: Client) -> dict[str, Any]:
-        """Return what a client's driver is asked; see `drivers/README.md`."""
+        """Return the request for a client's driver; see `drivers/README.md`."""
         return {
             "file": os.path.abspath(self.mains[client.format]),  # noqa: PTH100 - a link stays a link
             "format": client.format,

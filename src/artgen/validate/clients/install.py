@@ -31,7 +31,7 @@ def install(
 ) -> Done:
     """Make the environment of some clients, unless it is there already.
 
-    It counts as there only when pip is through, so an install that was interrupted is begun anew.
+    It counts as there only when pip is through, so an interrupted install starts again.
     """
     if environment not in requirements:
         raise ClientError(f"there is no environment {environment!r}.{nearest(environment, requirements)}")

@@ -1,4 +1,4 @@
-"""What a client made of an export, and the report that holds it beside the checks."""
+"""The result of a client that read an export, and the report of all clients."""
 
 import re
 from collections.abc import Sequence
@@ -22,7 +22,7 @@ class Tolerated:
 
 @dataclass(frozen=True)
 class Outcome:
-    """What a client made of an export."""
+    """The result of a client for an export."""
 
     client: str  # name of the client
     format: str  # the format that it reads
@@ -40,7 +40,7 @@ class Outcome:
 
     @property
     def message(self) -> str:
-        """The first thing that is wrong, or what it noted."""
+        """The first fault, or the first note."""
         first = next((finding for finding in self.findings if finding.severity == "fault"), None)
         found = first or next(iter(self.findings), None)
         return self.note if found is None else str(found)
@@ -64,7 +64,7 @@ class Outcome:
 
 @dataclass(frozen=True)
 class ClientReport(Report):
-    """What all checks and some clients said of one asset."""
+    """The results of all checks and some clients for one asset."""
 
     outcomes: tuple[Outcome, ...] = ()  # one for each client
 

@@ -387,7 +387,7 @@ ROBOSUITE: tuple[Client, ...] = (
         distribution="mujoco-mjx",
         environment="mjx",
         driver="mjx_model",
-        seconds=600.0,  # it compiles each model anew
+        seconds=600.0,  # it compiles each model again
         tells=_TELLS,
         unavoidable=(
             Unavoidable(

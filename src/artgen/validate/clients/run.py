@@ -1,4 +1,4 @@
-"""Asking clients what they read: each in a process of its own, with a time limit."""
+"""Running clients on an export, each in a process of its own with a time limit."""
 
 import json
 import os
@@ -119,7 +119,7 @@ _AFTER = 30.0  # when the alarm rings after the time is over [s]
 
 
 def ask_all(clients: Sequence[Client], exported: ClientExport) -> list[Outcome]:
-    """Return what clients make of an export, some of them at a time, in the order of the clients."""
+    """Return the results of clients for an export in their order; several clients run at a time."""
     workers = max(1, (os.cpu_count() or 2) // 2)
     with ThreadPoolExecutor(workers) as pool:
         started = [pool.submit(ask, client, [exported]) for client in clients]
@@ -134,7 +134,7 @@ def ask_all(clients: Sequence[Client], exported: ClientExport) -> list[Outcome]:
 
 
 def ask(client: Client, exports: Sequence[ClientExport]) -> list[Outcome]:
-    """Return what a client makes of each of some exports.
+    """Return the result of a client for each export.
 
     All are read by one process, which pays for a slow start once. Where that says something that may be of
     any of them, or does not answer for all, halves of them are read again, until it is known of which.
@@ -298,7 +298,7 @@ _UNREAD = ("absent", "nothing to read")
 
 
 def ask_clients(directory: str | Path, clients: Sequence[Client], *, by_name: bool) -> list[Outcome]:
-    """Return what clients make of an export, in their order."""
+    """Return the results of clients for an export, in their order."""
     try:
         exported = read_exported(directory)
     except ArtgenError as error:

@@ -17,7 +17,7 @@ _GLB_CHUNKS = (b"JSON", b"BIN\0")
 
 @dataclass(frozen=True)
 class Contents:
-    """What the files of an export hold.
+    """The contents of the files of an export.
 
     Attributes:
         found: Content of each file that can be read, by path.
@@ -58,7 +58,7 @@ def read_contents(
 
 
 def _read(directory: Path, path: str) -> tuple[str, bytes]:
-    """Return what keeps a file from being read, and its content."""
+    """Return the error of reading a file, and its content."""
     try:
         # a link between two files of the export is the user's; one to elsewhere does not travel with it
         if not (directory / path).resolve().is_relative_to(directory.resolve()):
@@ -72,7 +72,7 @@ def _read(directory: Path, path: str) -> tuple[str, bytes]:
 
 
 def _fault_of(path: str, content: bytes) -> str:
-    """Say what is wrong with a content; nothing if it can be read."""
+    """Return the fault of a content; an empty text if it can be read."""
     suffix = PurePosixPath(path).suffix.lower()
     if suffix == ".png":
         return _fault_of_image(path, content)
@@ -125,7 +125,7 @@ def _fault_of_glb(path: str, content: bytes) -> str:
 def _changed(path: str, *, compared: bool) -> Finding:
     """Tell of a changed file: a note where another check compares what it says, or where it is only looks.
 
-    Who paints a texture anew may do so. What no check compares with the asset is a fault: meshes, from which
+    Replaced textures are allowed. What no check compares with the asset is a fault: meshes, from which
     the asset's own faces are read, and tables and layers beside the main files.
     """
     looks = PurePosixPath(path).suffix.lower() in _LOOKS

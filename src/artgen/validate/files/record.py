@@ -1,4 +1,4 @@
-"""What `asset.json` says of the export itself, and what it says twice."""
+"""Check of the part of `asset.json` that describes the export."""
 
 from collections.abc import Collection, Iterator, Mapping
 from typing import Any
@@ -22,7 +22,7 @@ def record_findings(
     digests: Mapping[str, str],
     there: Collection[str],
 ) -> Iterator[Finding]:
-    """Yield what the record of an export says wrongly, twice and differently, or not at all.
+    """Yield wrong, contradictory and missing fields of the record of an export.
 
     Args:
         data: The content of `asset.json`.

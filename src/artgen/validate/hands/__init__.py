@@ -1,4 +1,4 @@
-"""Whether hands can do what grasps and pushes promise: come near, take hold, and move the joints."""
+"""Check of grasps and pushes: a hand can approach, take hold, and move the joints."""
 
 from collections.abc import Collection, Iterator, Mapping
 
@@ -165,7 +165,7 @@ def _mm(length: float) -> str:
 
 
 def _grasp_faults(space: HandSpace, grasp: Affordance, pose: Mapping[str, Array]) -> Faults:
-    """Return what keeps an open gripper from coming and closing on the link; the first thing that does."""
+    """Return the first obstacle for an open gripper that approaches and closes on the link."""
     if not 0.0 < grasp.width <= GRIPPER.stroke + 1e-9:
         message = f"its width is {_mm(grasp.width)}, and the gripper opens to {_mm(GRIPPER.stroke)}"
         hint = "grip it where it is thinner, or along another direction"
@@ -237,7 +237,7 @@ def _width_faults(grasp: Affordance, low: float, high: float) -> Iterator[Findin
 
 
 def _contact_faults(space: HandSpace, grasp: Affordance, low: float, high: float) -> Iterator[Finding]:
-    """Yield what is wrong with where the pads touch."""
+    """Yield the faults of the contact of the pads."""
     patches = []
     for side, at in ((1.0, high), (-1.0, low)):
         corners = GRIPPER.between(0.0)
@@ -263,7 +263,7 @@ def _contact_faults(space: HandSpace, grasp: Affordance, low: float, high: float
 
 
 def _push_faults(space: HandSpace, push: Affordance, pose: Mapping[str, Array]) -> Faults:
-    """Return what keeps a finger from coming straight to the point of a push."""
+    """Return the obstacle for a finger on its straight way to the point of a push."""
     depths = space.finger_depths(pose[push.link] @ push.frame, pose, COMES_FROM)
     own = depths.pop(push.link, None)
     if own is None:

@@ -1,4 +1,4 @@
-"""What a hand meets: boxes in the frame of a grasp against the exact solids of an asset."""
+"""Contact of a hand, as boxes in the frame of a grasp, with the exact solids of an asset."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
@@ -20,7 +20,7 @@ _SLACK = 1e-5  # a hand may graze what it passes by this much [m]
 
 @dataclass(frozen=True)
 class Touch:
-    """What a hand touches.
+    """The contact of a hand.
 
     Attributes:
         link: Name of the link.

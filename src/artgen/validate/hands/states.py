@@ -1,4 +1,4 @@
-"""Where the joints stand as a hand comes: what hides the thing that it moves has been opened before."""
+"""Joint positions for the approach of a hand: covers of its target are open."""
 
 from collections.abc import Iterator, Mapping
 

@@ -1,4 +1,4 @@
-"""Whether the exported files say what the asset is, as readers understand them that are not artgen's."""
+"""Check of exported files: independent readers find the values of the asset."""
 
 import re
 from collections.abc import Callable, Iterator, Mapping

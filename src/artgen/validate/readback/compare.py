@@ -1,4 +1,4 @@
-"""How what a reader found in an exported file differs from the asset."""
+"""Differences between an asset and the values that a reader found in a file."""
 
 from collections.abc import Iterator
 
@@ -46,7 +46,7 @@ _UNITS = {
 
 
 class Expected:
-    """What the files of an asset should say; worked out once for all of them.
+    """The expected values of the files of an asset, computed once for all formats.
 
     Args:
         asset: The asset.

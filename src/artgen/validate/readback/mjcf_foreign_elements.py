@@ -1,4 +1,4 @@
-"""What an MJCF may say beside what is compared: words that move or hold links are none of an asset's."""
+"""MJCF elements that an exported asset must not contain: they move or hold links."""
 
 from collections.abc import Iterator
 from typing import Any

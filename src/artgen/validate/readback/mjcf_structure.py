@@ -1,4 +1,4 @@
-"""What is wrong with an MJCF whatever the asset is: what MuJoCo refuses, or takes without a word."""
+"""Faults of an MJCF file that do not depend on the asset: MuJoCo refuses them or silently accepts them."""
 
 from collections import Counter
 from collections.abc import Iterator

@@ -1,4 +1,4 @@
-"""Colliders as files have them: what a simulator makes of each, and whether two are the same."""
+"""Colliders in files: their shape in a simulator, and the comparison of two."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field

@@ -1,4 +1,4 @@
-"""What a reader found in an exported file, and what it should have found."""
+"""Values that a reader found in an exported file, and the expected ones."""
 
 import logging
 import warnings
@@ -46,7 +46,7 @@ class Faces:
 
 @dataclass(frozen=True, eq=False)
 class Reading:
-    """What one reader found in an exported asset.
+    """The values that one reader found in an exported asset.
 
     Attributes:
         file: Name of the file.
@@ -92,7 +92,7 @@ class Reading:
 
 @contextmanager
 def listening() -> Iterator[list[str]]:
-    """Collect what is logged or warned of meanwhile instead of showing it."""
+    """Collect log messages and warnings instead of showing them."""
     said: list[str] = []
     handler = logging.Handler(logging.WARNING)
     handler.emit = lambda record: said.append(record.getMessage())  # type: ignore[method-assign]

@@ -23,7 +23,7 @@ _UPRIGHT = 1e-6  # error of an axis
 
 @dataclass(frozen=True, eq=False)
 class Names:
-    """What the names of a layout stand for."""
+    """The meaning of the names of a layout."""
 
     links: Mapping[str, str]  # link of the asset, by name of the body
     # joint of the asset, and -1 where it is turned round, else 1, by name in the file
@@ -53,7 +53,7 @@ class Names:
 
 
 def read_names(path: Path) -> Names | None:
-    """Read what the names in a file stand for; None where it has those of the asset."""
+    """Read the meaning of the names in a file; None where they are those of the asset."""
     table = path.parent / NAMES_FILE
     if not table.exists():
         return None

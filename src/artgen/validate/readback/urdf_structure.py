@@ -1,4 +1,4 @@
-"""What is wrong with a URDF whatever the asset is: readers pass over most of it without a word."""
+"""Faults of a URDF that do not depend on the asset; readers silently ignore most of them."""
 
 from collections import Counter
 from collections.abc import Iterator

@@ -189,7 +189,7 @@ _NEWTON, _PHYSX, _MUJOCO = "Newton", "PhysX", "MuJoCo"
 
 @dataclass(frozen=True, eq=False)
 class RuntimeProfile:
-    """What a stage says of the joints to a simulator."""
+    """The joints of a stage for one simulator."""
 
     dynamics: dict[str, tuple[Said, ...]]  # springs, friction and so on of each joint
     couplings: dict[str, dict[str, Law]]  # leader, ratio and offset of each joint that follows, by simulator
@@ -214,7 +214,7 @@ def variants(stage: Any) -> Iterator[str]:
 
 
 def profile(stage: Any, asset: Asset, variant: str) -> RuntimeProfile:
-    """Read what a stage says with a variant enabled."""
+    """Read a stage with a variant enabled."""
     said = {arm.name: tuple(dynamics(arm)) for arm in arms(stage) if arm.kind and arm.parent}
     if variant == _PHYSX:
         return RuntimeProfile(said, {_PHYSX: physx_couplings(stage)})
@@ -294,7 +294,7 @@ def read_usd(asset: Asset, path: Path) -> Reading:
 
 
 def _validated(stage: Any) -> list[str]:
-    """Return what OpenUSD's own validators say of a stage.
+    """Return the findings of OpenUSD's validators for a stage.
 
     The shaders of MaterialX are known to renderers, not to the OpenUSD of PyPI, which is built without it.
     """

@@ -1,4 +1,4 @@
-"""What is wrong with a USD stage whatever the asset is: simulators take most of it without a word."""
+"""Faults of a USD stage that do not depend on the asset; simulators silently ignore most of them."""
 
 import re
 from collections import Counter
@@ -33,7 +33,7 @@ _ZERO = ("physxRigidBody:angularDamping",)  # PhysX damps by itself where it is 
 
 
 def strange_opinions(prim: Any) -> Iterator[Finding]:
-    """Yield what a body, joint or collider says that no asset says, and values that change with time."""
+    """Yield foreign attributes of bodies, joints and colliders, and values that change with time."""
     joint = prim.IsA(UsdPhysics.Joint)
     body = prim.HasAPI(UsdPhysics.RigidBodyAPI)
     known = (
@@ -76,7 +76,7 @@ def placed(prim: Any) -> Array:
 
 
 def stage_findings(stage: Any, asset: Asset) -> Iterator[Finding]:
-    """Yield what is wrong with units, articulation, bodies, joints, colliders and materials of a stage."""
+    """Yield the faults of units, articulation, bodies, joints, colliders and materials of a stage."""
     prims = list(Usd.PrimRange(stage.GetPseudoRoot(), Usd.TraverseInstanceProxies()))
     bodies = [prim for prim in prims if prim.HasAPI(UsdPhysics.RigidBodyAPI)]
     links = {link.name for link in asset.links}

@@ -110,7 +110,7 @@ def _jpeg(pixels: Pixels) -> bytes:
 
 
 def _entry(asset: Asset) -> dict[str, Any]:
-    """Return what the gallery knows of an asset, to show and to filter by."""
+    """Return the entry of an asset in the gallery."""
     certificate = asset.certificate
     return {
         "name": asset.name,

@@ -60,14 +60,14 @@ class Page:
         )
 
     def __repr__(self) -> str:
-        """Say what it is, and how large."""
+        """Name its type and its size."""
         return f"<Page of {self.name}: {len(self.html) / 1e6:.1f} MB; save(path) writes it>"
 
     def save(self, path: str | Path) -> Path:
         """Write the page to a file, and return its path.
 
         Raises:
-            ExportError: The file is none of a page, or cannot be written.
+            ExportError: The file is not a page written by artgen, or cannot be written.
         """
         path = Path(path)
         check_page(path)

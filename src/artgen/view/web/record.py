@@ -1,4 +1,4 @@
-"""What the viewer knows of an asset: its joints, links, signs, parameters and proof, as JSON data."""
+"""Data of the viewer as JSON: joints, links, signs, parameters and proof of an asset."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -175,7 +175,7 @@ def _joint(asset: Asset, joint: AssetJoint, signs: Overlays) -> dict[str, Any]:
 
 
 def _certificate(asset: Asset) -> dict[str, Any] | None:
-    """Return what is proven of an asset, each pair with the pose that is worst."""
+    """Return the certificate of an asset, each pair with its worst pose."""
     certificate = _measured(asset)
     if certificate is None:
         return None

@@ -120,7 +120,7 @@ def dial_turn(
     pivot: VectorLike = (0.0, 0.0, 0.0),
     endless: bool = False,
 ) -> Joint:
-    """Make the joint of a dial; positive turns it clockwise for who looks at it.
+    """Make the joint of a dial; positive angles turn it clockwise, seen from the front.
 
     Rotary switches of appliances turn at 0.02-0.06 N m; their detents are felt as friction.
     """

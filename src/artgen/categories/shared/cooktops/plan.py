@@ -1,4 +1,4 @@
-"""Where things are on a cooktop: the field of its burners, the strip of its dials, and who belongs to whom.
+"""Layout of a cooktop: the field of its burners, the strip of its dials, the dial of each burner.
 
 Seen from above: x to the right, y to the back, the origin in the middle of the plate.
 """

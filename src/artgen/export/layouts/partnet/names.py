@@ -168,7 +168,7 @@ def closed_end_first(joint: AssetJoint) -> int:
 
 
 def kind_of(joints: Sequence[AssetJoint], base: str = "fixed") -> str:
-    """Return what `semantics.txt` calls the motion of a link."""
+    """Return the motion of a link as a word of `semantics.txt`."""
     if not joints:
         return "static" if base == "fixed" else "free"
     kinds = [_KINDS[joint.kind] for joint in joints if not joint.locked]
@@ -178,7 +178,7 @@ def kind_of(joints: Sequence[AssetJoint], base: str = "fixed") -> str:
 
 
 def semantic(asset: Asset, link: Link, joints: Sequence[AssetJoint]) -> str:
-    """Return what `semantics.txt` calls a link, one word."""
+    """Return the name of a link as one word of `semantics.txt`."""
     label = link.label
     if not joints:
         return _BASES.get(asset.category) or (

@@ -1,4 +1,4 @@
-"""The tables of the PartNet-Mobility layout: what parts are called, how they move, which files they have."""
+"""The tables of the PartNet-Mobility layout: names of parts, their motion, their files."""
 
 import math
 from collections.abc import Mapping, Sequence

@@ -19,7 +19,7 @@ NOTHING = -1
 
 @dataclass(frozen=True, eq=False)
 class Seen:
-    """What is seen at each pixel."""
+    """The triangle and depth at each pixel."""
 
     owner: Indices  # number of the triangle, `NOTHING` where there is none, shape (size, size)
     depth: Array  # how far it is along the view, infinity where there is none, shape (size, size) [m]
@@ -226,7 +226,7 @@ def _floor(scene: _Scene, camera: _View, light: _View, shadow: Seen, size: int) 
 def _draw(
     picture: _Picture, scene: _Scene, camera: _View, light: _View, shadow: Seen, *, clear: bool
 ) -> None:
-    """Draw what is opaque, or what is clear, over a picture."""
+    """Draw the opaque or the clear triangles over a picture."""
     opacity = np.array([material.opacity for material in scene.materials])[scene.stuff]
     chosen = np.flatnonzero((opacity < 1.0) == clear)
     corners = camera.project(scene.corners[chosen])
