@@ -76,7 +76,7 @@ def test_the_two_must_be_of_one_type():
 def test_joints_cannot_be_chosen():
     turn = Revolute("turn", axis=Z)
     with pytest.raises(
-        BuildError, match=r"switch chooses between values of Float, .*Body, not Joint\n  at .*test_choose"
+        BuildError, match=r"switch chooses between values of Float, .*Body, not Revolute\n  at .*test_choose"
     ):
         switch(A > 1.0, turn, turn)
 
