@@ -1,4 +1,4 @@
-"""Colliders of another making, to compare with those known from how the solids were made."""
+"""Other colliders for a link than those of its construction: CoACD, hulls, or those of a file."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace

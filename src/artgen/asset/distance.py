@@ -1,4 +1,4 @@
-"""Distances to surfaces of triangles, and points spread over them."""
+"""Distances to surfaces of triangles, points spread over them, and unique rows of tables."""
 
 from dataclasses import dataclass
 from typing import TypeVar

@@ -1,4 +1,4 @@
-"""Reading an asset back from the directory that it was exported to."""
+"""Reading an asset from an export directory, and pickling it in the same form."""
 
 import json
 import os

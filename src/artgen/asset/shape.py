@@ -1,4 +1,4 @@
-"""The value of a solid: a watertight manifold, the paint of its faces and its convex pieces, in step."""
+"""The values of solids and of 2-D outlines: manifold, paint and convex pieces in step."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field

@@ -1,4 +1,4 @@
-"""Meshes of visible surfaces: split by paint, joined, moved, and laid on the maps of their materials."""
+"""Meshes of visible surfaces: split by paint, joined, moved, cleaned, and laid on the maps of materials."""
 
 import math
 import zlib

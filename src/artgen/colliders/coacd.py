@@ -1,4 +1,4 @@
-"""Approximate convex pieces of a mesh of unknown making, by CoACD."""
+"""Approximate convex pieces of a mesh of unknown construction: CoACD with a disk cache, or single hulls."""
 
 import hashlib
 import io

@@ -1,4 +1,4 @@
-"""The triangles of manifold3d's meshes, and their planes."""
+"""Triangles and convex hulls of manifold3d's meshes, and their planes."""
 
 import numpy as np
 from manifold3d import Manifold, Mesh64

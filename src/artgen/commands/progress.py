@@ -1,4 +1,4 @@
-"""The progress bars of commands that take long."""
+"""Progress bars of long commands, and the run of commands that make many assets."""
 
 from collections.abc import Callable
 from pathlib import Path

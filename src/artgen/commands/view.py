@@ -1,4 +1,4 @@
-"""`artgen view`: an asset in the browser, as one file."""
+"""Commands that open pages: `artgen view`, `artgen gallery`, `artgen graph`, `artgen studio`."""
 
 import time
 import webbrowser

@@ -1,4 +1,4 @@
-"""The only module that writes assets to a disk: all files of an asset at once, or none."""
+"""The only module that writes assets to disk: all files of an asset with their digests, or none."""
 
 import hashlib
 import json

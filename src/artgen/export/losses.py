@@ -1,4 +1,4 @@
-"""The result of a writer: files as bytes, and the features that the format cannot express."""
+"""The result of a writer (files as bytes, and the losses of its format), and the description of a layout."""
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import asdict, dataclass

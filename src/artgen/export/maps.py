@@ -1,4 +1,4 @@
-"""The maps of an asset's materials as image files, which its formats share."""
+"""Maps of an asset's materials as image files for all formats, and the Phong model of older renderers."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field

@@ -1,4 +1,4 @@
-"""Mesh files that URDF and MJCF share: OBJ surfaces in their link's frame, colliders, one MTL, maps."""
+"""Mesh files that URDF and MJCF share: OBJ surfaces, colliders, one MTL, maps; numbers as text."""
 
 import math
 from collections.abc import Mapping, Sequence

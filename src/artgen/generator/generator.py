@@ -1,4 +1,4 @@
-"""The generator: it samples its parameters, builds its graph and evaluates it to an asset."""
+"""The generator: it samples parameters, builds and caches graphs, and evaluates them to proven assets."""
 
 import atexit
 import functools

@@ -1,4 +1,4 @@
-"""Extrusions: a profile drawn out along an axis."""
+"""Extrusions and revolutions: a profile drawn out along an axis, or turned about it."""
 
 import math
 from collections.abc import Callable, Sequence

@@ -1,4 +1,4 @@
-"""Measures of solids: points and numbers to build on."""
+"""Measures of solids and bodies: points, numbers, mass and center of mass."""
 
 import numpy as np
 

@@ -17,11 +17,11 @@ from artgen._arrays import Array, Indices, Mask
 from artgen.asset.certificate import AXIS_FRAME
 from artgen.asset.joint import JointKind
 from artgen.proof.bounds import Motion
-from artgen.proof.coaxial import GRAIN, Ahead, Coaxial, Confirm, Depths, Planes, Witnesses, depth_of, taken
 from artgen.proof.hierarchy import Hierarchy
 from artgen.proof.items import NONE, Items, SearchOutcome, Settings
 from artgen.proof.kinematics import Frames, JointTable, frames, nearest_zero, starting_cells
 from artgen.proof.paths import Way
+from artgen.proof.separation import GRAIN, Ahead, Coaxial, Confirm, Depths, Planes, Witnesses, depth_of, taken
 
 MARGIN = 1e-8
 """By how much a bound must exceed its threshold; float64 errs by 1e-14 at a metre [m]."""

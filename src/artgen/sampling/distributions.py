@@ -1,4 +1,4 @@
-"""Distributions: values that say how a parameter is drawn, checked when they are made."""
+"""Distributions: values that say how a parameter is drawn, and the random stream of each name."""
 
 import hashlib
 import math

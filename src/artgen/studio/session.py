@@ -1,4 +1,4 @@
-"""A session of the studio without a user interface: requests, the shown asset, and errors."""
+"""A session of the studio without a user interface: requests, the shown asset, joints, and errors."""
 
 import time
 from collections.abc import Iterator, Mapping

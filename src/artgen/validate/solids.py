@@ -1,4 +1,4 @@
-"""Whether the solids of an asset are solids: closed, oriented outwards, none a sliver or there twice."""
+"""Check of solids and masses: closed, oriented outwards, no slivers, no duplicates, plausible weight."""
 
 from collections.abc import Iterator, Sequence
 from contextlib import suppress

@@ -1,4 +1,4 @@
-"""Whether an asset is one tree of connected links with joints and masses that make sense."""
+"""Check of the tree of links: connected solids, joints and masses that make sense."""
 
 from collections import Counter
 from collections.abc import Iterator, Sequence

@@ -1,4 +1,4 @@
-"""MuJoCo's Filament renderer: physically based, with every map of a material; on Vulkan, without a window."""
+"""MuJoCo's Filament renderer: physically based, with all maps of a material; Vulkan without a window."""
 
 import contextlib
 import importlib

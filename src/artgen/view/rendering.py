@@ -1,4 +1,4 @@
-"""Pictures of assets; `Asset.render` hands over to this."""
+"""Pictures of assets for `Asset.render`, and exact ray casts."""
 
 import atexit
 import threading

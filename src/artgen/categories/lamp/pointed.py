@@ -1,4 +1,4 @@
-"""Lamps that point their light: which arms carry which shade."""
+"""Lamps that point their light: arms with shades, and arc lamps."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""What pepper mills are made of."""
+"""Materials and marks of pepper mills."""
 
 from typing import Literal
 

@@ -1,4 +1,4 @@
-"""The measures of a refrigerator's door: where it hinges, how far its inside reaches, when it clears what."""
+"""Measures of a refrigerator's door (hinge, reach, clearances) and its gasket."""
 
 from dataclasses import dataclass
 from typing import Literal

@@ -1,4 +1,4 @@
-"""Hoods of bins: they sit over the rim, lift off to change the bag, and carry a lid that turns in them.
+"""Hoods over the rim of a bin, with a lid, and butterfly flaps.
 
 A swing lid tips on its middle and springs back; a disc turns in its rim; a ball, half of one that is closed
 below, rolls under its collar. All three turn about an axis along X over the middle of the bin.

@@ -1,4 +1,4 @@
-"""Lids that hinge at the back of a bin: their panels, the block with the pin behind the rim, and the joint.
+"""Lids at the back of a bin, on a hinge, and touch lids with their latch and spring.
 
 The hinge's axis runs along X behind the rim, below the underside of the lid: whatever the lid has before and
 above the axis stays above it until the lid stands upright.

@@ -1,4 +1,4 @@
-"""The part of a bin that stands on the floor: wall, floor, feet, rim, bands and beads."""
+"""The standing part of a bin (wall, floor, feet, rim, bands, beads) and its inner bucket."""
 
 from dataclasses import dataclass
 from typing import Literal

@@ -1,4 +1,4 @@
-"""Layouts: how the files of an export lie, for simulators and for the readers of well-known datasets."""
+"""The formats and the layouts of exports, for simulators and for readers of well-known datasets."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import replace

@@ -1,4 +1,4 @@
-"""Visual and collision geometry of a link as USD prims."""
+"""Visual and collision geometry of a link and its grasp frames as USD prims."""
 
 from collections.abc import Sequence
 

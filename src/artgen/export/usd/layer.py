@@ -1,4 +1,4 @@
-"""Short words for writing USD layers.
+"""Helpers for writing USD layers, and Wikidata codes of categories.
 
 Prims are authored as specs (`Sdf`), not through a stage: a stage composes and notifies after every word,
 which takes ten times as long. What a stage would check is checked by the validators of `pxr` in the tests.

@@ -1,4 +1,4 @@
-"""Materials as USD prims: surfaces for cameras, friction for contacts, labels for other sensors."""
+"""Materials as USD prims: preview and OpenPBR surfaces, friction for contacts, labels for other sensors."""
 
 from collections.abc import Mapping
 

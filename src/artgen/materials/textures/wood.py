@@ -1,4 +1,4 @@
-"""Woods. The grain runs along v.
+"""Woods: grain along v, growth rings, rays and pores.
 
 A board shows the rings of the trunk that it was cut from. Cut through the pith (straight grain) they are
 lines that wander slowly; cut beside it (flat-sawn) they are arches over arches, one above the other, with

@@ -1,4 +1,4 @@
-"""Reliefs on a face from any profile: print, raised letters, engraving."""
+"""Reliefs on a face from any profile: print, raised letters, engraving, and the prisms they consist of."""
 
 from collections.abc import Sequence
 

@@ -1,4 +1,4 @@
-"""An exported asset in MuJoCo: joints by name, couplings resolved, contacts named."""
+"""An exported asset in MuJoCo: loading, joints by name, couplings, contacts."""
 
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager

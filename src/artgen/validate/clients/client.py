@@ -1,4 +1,4 @@
-"""The description of a client: a simulator, validator or converter that reads exports."""
+"""The description of a client, and the environments that clients run in."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass

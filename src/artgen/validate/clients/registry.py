@@ -1,4 +1,4 @@
-"""All clients."""
+"""All clients: simulators, validators and converters, with their tolerances and known messages."""
 
 from collections.abc import Mapping, Sequence
 

@@ -1,4 +1,4 @@
-"""Reading an exported URDF with yourdfpy."""
+"""Reading an exported URDF with yourdfpy, and names of other layouts."""
 
 import json
 from collections.abc import Iterator, Mapping

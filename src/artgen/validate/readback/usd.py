@@ -1,4 +1,4 @@
-"""Reading an exported USD with OpenUSD."""
+"""Reading an exported USD with OpenUSD: links, joints, and attributes for single simulators."""
 
 import re
 from collections.abc import Iterator, Mapping

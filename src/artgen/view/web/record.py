@@ -1,4 +1,4 @@
-"""Data of the viewer as JSON: joints, links, signs, parameters and proof of an asset."""
+"""Data of the viewer as JSON: joints, links, signs, exploded view, parameters and proof of an asset."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace

@@ -1,4 +1,4 @@
-"""What every door leaf has in common: its measures, its wood, and what is done to it."""
+"""The common part of door leaves: measures, wood, arch and fittings."""
 
 import math
 from dataclasses import dataclass

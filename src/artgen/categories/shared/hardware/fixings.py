@@ -1,4 +1,4 @@
-"""Rows of screws as they are seen: heads with a recess, in places on a face; they only are details."""
+"""Visible screws in rows, and feet of furniture and appliances."""
 
 from collections.abc import Sequence
 from typing import Literal

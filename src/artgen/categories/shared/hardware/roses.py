@@ -1,4 +1,4 @@
-"""Roses and plates: the fixed covers of the hole that a spindle passes.
+"""Roses, plates and lock cylinders around the hole of a spindle.
 
 A rose hides a square hole, as a square spindle has; the neck of the handle stands in front of the rose and
 covers it, so that nothing of the hole is seen.

@@ -1,4 +1,4 @@
-"""Pieces that turn about one axis are kept apart by heights and distances that turning does not change."""
+"""Steps of a search: separating planes, pieces on one axis, and witnesses of collisions."""
 
 import itertools
 from collections.abc import Callable, Sequence
