@@ -161,8 +161,8 @@ def test_wrong_use_is_refused(asset, tmp_path):
     assert with_colliders(loaded, "exact") is loaded
     with pytest.raises(
         AssetError,
-        match=r"asset 'tray_0' was read from files, which keep no solids, so its colliders cannot be made "
-        r"anew as 'hull'; generate the asset again, or write it with collision='exact'",
+        match=r"asset 'tray_0' was read from files, which keep no solids, so its colliders cannot be "
+        r"replaced by 'hull'; generate the asset again, or write it with collision='exact'",
     ) as caught:
         loaded.export(tmp_path / "other", collision="hull")
     assert caught.value.link == "tray"
