@@ -1,11 +1,17 @@
 """The JSON of an asset: any data comes back, and a person can read it."""
 
 import json
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import ClassVar
 
+import numpy as np
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from artgen.asset.record import json_text, rounded, rounded_link, significant
+from artgen._arrays import Array
+from artgen.asset.record import Record, json_text, rounded, rounded_coordinates, significant
 
 numbers = st.floats(allow_nan=False, allow_infinity=False)
 data = st.recursive(
@@ -31,23 +37,52 @@ def test_significant_digits_are_kept_and_no_zero_is_negative() -> None:
     assert str(significant(-0.0, 6)) == "0.0"
 
 
-@given(st.lists(st.lists(st.floats(-100.0, 100.0), min_size=3, max_size=3), max_size=5), st.floats(0.0, 1e6))
-def test_link_is_rounded_to_what_no_machine_disputes(points: list[list[float]], mass: float) -> None:
-    link = {
-        "name": "lid",
-        "mass": mass,
-        "colliders": [{"kind": "hull", "pose": [], "size": [mass], "points": points}],
-    }
-    found = rounded_link(link)
-    assert rounded_link(found) == found
-    assert found["mass"] == float(f"{mass:.12g}")
-    (collider,) = found["colliders"]
-    assert collider["kind"] == "hull"
-    assert collider["size"] == [found["mass"]]
-    for row, before in zip(collider["points"], points, strict=True):
+@given(st.lists(st.lists(st.floats(-100.0, 100.0), min_size=3, max_size=3), min_size=1, max_size=5))
+def test_coordinates_are_rounded_to_what_no_machine_disputes(points: list[list[float]]) -> None:
+    found = rounded_coordinates(np.array(points)).tolist()
+    assert rounded_coordinates(np.array(found)).tolist() == found
+    for row, before in zip(found, points, strict=True):
         assert all(abs(a - b) <= 5.3e-13 for a, b in zip(row, before, strict=True))
         assert all(a == round(a, 12) for a in row)
-    assert not any(str(number) == "-0.0" for row in collider["points"] for number in row)
+    assert not any(str(number) == "-0.0" for row in found for number in row)
+
+
+@dataclass(frozen=True)
+class Leg(Record):
+    """A record in a record."""
+
+    OPTIONAL: ClassVar = frozenset({"note"})
+
+    length: float
+    tip: Array
+    note: str | None = None
+
+
+@dataclass(frozen=True)
+class Stool(Record):
+    """A record with every kind of field."""
+
+    legs: tuple[Leg, ...]
+    size: tuple[float, int]
+    spans: Mapping[str, tuple[float, float]]
+    first: Leg | None = None
+
+
+def test_a_record_is_read_back_from_its_data() -> None:
+    leg = Leg(0.4, np.array([1.0, 2.0, 1.0 / 3.0]))
+    stool = Stool((leg, replace(leg, note="bent")), (0.5, 2), {"x": (0.0, 1.0)}, leg)
+    data = json.loads(json.dumps(stool.to_data()))
+    assert data["spans"] == {"x": [0.0, 1.0]}
+    found = Stool.from_data(data)
+    assert found.to_data() == stool.to_data()
+    assert isinstance(found.legs[0].tip, np.ndarray)
+    assert (found.size, found.spans) == (stool.size, stool.spans)
+    assert rounded(stool).first.tip[2] == 0.333333333333
+    del data["legs"][0]["note"]
+    assert Stool.from_data(data).legs[0].note is None
+    del data["legs"][0]["length"]
+    with pytest.raises(KeyError, match="length"):
+        Stool.from_data(data)
 
 
 def test_a_field_a_collider_and_a_file_list_have_a_line_each() -> None:

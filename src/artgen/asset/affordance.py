@@ -1,12 +1,12 @@
 """Affordances: where a hand grasps or pushes an asset, and which joints that moves."""
 
-from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, Literal, Self
 
 import numpy as np
 
 from artgen._arrays import Array, FrozenArrays
+from artgen.asset.record import Record
 
 if TYPE_CHECKING:
     from artgen.asset.asset import Asset
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, eq=False)
-class Hold(FrozenArrays):
+class Hold(FrozenArrays, Record):
     """A frame at which a hand acts.
 
     Attributes:
@@ -51,7 +51,7 @@ class Push(Hold):
 
 
 @dataclass(frozen=True, eq=False)
-class Affordance(FrozenArrays):
+class Affordance(FrozenArrays, Record):
     """One thing that a hand can do with an asset.
 
     Attributes:
@@ -70,19 +70,6 @@ class Affordance(FrozenArrays):
     frame: Array
     width: float
     joints: tuple[str, ...]
-
-    def to_data(self, asset: "Asset") -> dict[str, Any]:
-        """Return it as JSON data, with the motion that its first joint makes."""
-        motion = _motion(asset.joint(self.joints[0])) if self.joints else None
-        return {
-            "name": self.name,
-            "kind": self.kind,
-            "link": self.link,
-            "frame": self.frame.tolist(),
-            "width": self.width,
-            "joints": list(self.joints),
-            "motion": motion,
-        }
 
 
 def affordances(asset: "Asset") -> tuple[Affordance, ...]:
@@ -115,11 +102,10 @@ def head(joint: "AssetJoint", asset: "Asset") -> "AssetJoint":
     return joint
 
 
-def _motion(joint: "AssetJoint") -> Mapping[str, Any]:
-    return {
-        "joint": joint.name,
-        "kind": joint.kind,
-        "axis": joint.axis.tolist(),
-        "pivot": joint.pivot.tolist(),
-        "limits": None if joint.limits is None else list(joint.limits),
-    }
+def affordance_data(affordance: Affordance, asset: "Asset") -> dict[str, Any]:
+    """Return an affordance as JSON data, with the motion that its first joint makes."""
+    motion = None
+    if affordance.joints:
+        data = asset.joint(affordance.joints[0]).to_data()
+        motion = {"joint": data["name"], **{name: data[name] for name in ("kind", "axis", "pivot", "limits")}}
+    return {**affordance.to_data(), "motion": motion}

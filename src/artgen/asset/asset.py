@@ -7,13 +7,14 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 
 from artgen._arrays import Array, cached_property
-from artgen.asset.affordance import Affordance, affordances
+from artgen.asset.affordance import Affordance, affordance_data, affordances
 from artgen.asset.certificate import Certificate
 from artgen.asset.contact import AllowedContact
 from artgen.asset.joint import AssetJoint, is_number, positions_of_followers
 from artgen.asset.link import Link
 from artgen.asset.mass import MassProperties, total
-from artgen.asset.record import json_text, rounded
+from artgen.asset.record import json_text, plain, rounded
+from artgen.asset.rounding import rounded_links
 from artgen.asset.tree import Tree, check_contact
 from artgen.errors import AssetError, nearest
 from artgen.materials import Material
@@ -307,13 +308,33 @@ class Asset:
         show = asset_methods.show
         load = staticmethod(asset_methods.load)
 
-    def to_data(self) -> dict[str, Any]:
-        """Return everything but the triangles as JSON data.
+    def rounded(self) -> "Asset":
+        """Return the asset with as many digits as its files keep.
 
-        Numbers have 12 significant digits; poses and points of colliders have 12 decimals.
+        Numbers have 12 significant digits; poses and points of colliders have 12 decimals, and surfaces as
+        many as `artgen.asset.rounding` says. The digits beyond differ between machines. An asset that was
+        read from files has no more digits and is returned unchanged.
         """
-        links = [link.rounded_data() for link in self.links]
-        data: dict[str, Any] = {
+        if all(link.rounded for link in self.links):
+            return self
+        joints = tuple(map(rounded, self.joints))
+        origins = {joint.child: joint.pivot for joint in joints}
+        result = replace(
+            self,
+            links=rounded_links(self.links, {self.links[0].name: np.zeros(3), **origins}),
+            joints=joints,
+            parameters=rounded(self.parameters),
+            contacts=rounded(self.contacts),
+        )
+        if self.certificate is not None:
+            remember(result, self.certificate)
+        return result
+
+    def to_data(self) -> dict[str, Any]:
+        """Return everything but the triangles as JSON data, with as many digits as `rounded` keeps."""
+        asset, certificate = self.rounded(), self.certificate
+        links = [link.to_data() for link in asset.links]
+        return {
             "format": FORMAT,
             "name": self.name,
             "category": self.category,
@@ -322,21 +343,14 @@ class Asset:
             "version": self.version,
             "base": self.base,
             "labels": list(self.labels),
-            "parameters": dict(self.parameters),
-            "mass": sum(link["mass"] for link in links),
-            "materials": [material.to_data() for material in self.materials],
-        }
-        joints = [joint.to_data() for joint in self.joints]
-        contacts = [contact.to_data() for contact in self.contacts]
-        certificate = self.certificate
-        proven = {"certificate": None if certificate is None else rounded(certificate.to_data())}
-        return {
-            **rounded(data),
+            "parameters": plain(asset.parameters),
+            "mass": rounded(sum(link["mass"] for link in links)),
+            "materials": [material.to_data() for material in asset.materials],
             "links": links,
-            "joints": rounded(joints),
-            "affordances": rounded([affordance.to_data(self) for affordance in self.affordances]),
-            "contacts": rounded(contacts),
-            **proven,
+            "joints": plain(asset.joints),
+            "affordances": [affordance_data(each, asset) for each in asset.affordances],
+            "contacts": plain(asset.contacts),
+            "certificate": None if certificate is None else rounded(certificate.to_data()),
         }
 
     def to_json(self) -> str:

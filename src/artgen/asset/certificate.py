@@ -2,9 +2,10 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any, Literal
+from typing import Any, ClassVar, Literal
 
 from artgen.asset.contact import AllowedContact
+from artgen.asset.record import Record, plain
 
 PROOF_FORMAT = "artgen-certificate-1"
 """Marks the proofs that this version can verify."""
@@ -21,7 +22,7 @@ Region = Mapping[str, tuple[float, float]]
 
 
 @dataclass(frozen=True)
-class Witness:
+class Witness(Record):
     """A pose at which two links overlap.
 
     Attributes:
@@ -41,50 +42,18 @@ class Witness:
     place: tuple[float, float, float]
     labels: tuple[str, str]
 
-    def to_data(self) -> dict[str, Any]:
-        """Return the witness as JSON data."""
-        return {
-            "pose": dict(self.pose),
-            "first_contact": dict(self.first_contact),
-            "depth": self.depth,
-            "volume": self.volume,
-            "place": list(self.place),
-            "labels": list(self.labels),
-        }
-
-    @staticmethod
-    def from_data(data: Mapping[str, Any]) -> "Witness":
-        """Return the object of data from `to_data`."""
-        x, y, z = data["place"]
-        first, second = data["labels"]
-        return Witness(
-            data["pose"], data["first_contact"], data["depth"], data["volume"], (x, y, z), (first, second)
-        )
-
 
 @dataclass(frozen=True)
-class OpenCell:
+class OpenCell(Record):
     """A region of joint space in which two pieces were proven neither apart nor in collision."""
 
     region: Region  # interval of each free joint that moves the pair [rad or m]
     labels: tuple[str, str]  # labels of the two pieces
     distance: float  # distance of the pieces in the middle of the region [m]
 
-    def to_data(self) -> dict[str, Any]:
-        """Return the cell as JSON data."""
-        region = {name: list(interval) for name, interval in self.region.items()}
-        return {"region": region, "labels": list(self.labels), "distance": self.distance}
-
-    @staticmethod
-    def from_data(data: Mapping[str, Any]) -> "OpenCell":
-        """Return the object of data from `to_data`."""
-        region = {name: (low, high) for name, (low, high) in data["region"].items()}
-        first, second = data["labels"]
-        return OpenCell(region, (first, second), data["distance"])
-
 
 @dataclass(frozen=True)
-class PairResult:
+class PairResult(Record):
     """The result of the proof for two links.
 
     Attributes:
@@ -142,42 +111,9 @@ class PairResult:
         which = "not proven" if self.verdict != "proven" else "not proven for the colliders"
         return f"{names}: {which} in {100 * self.open_fraction:.3g} % of their joint space{place}"
 
-    def to_data(self) -> dict[str, Any]:
-        """Return the result as JSON data."""
-        return {
-            "links": list(self.links),
-            "joints": list(self.joints),
-            "verdict": self.verdict,
-            "colliders": self.colliders,
-            "guaranteed": self.guaranteed,
-            "found": self.found,
-            "found_at": dict(self.found_at),
-            "witness": None if self.witness is None else self.witness.to_data(),
-            "open_cells": [cell.to_data() for cell in self.open_cells],
-            "open_fraction": self.open_fraction,
-        }
-
-    @staticmethod
-    def from_data(data: Mapping[str, Any]) -> "PairResult":
-        """Return the object of data from `to_data`."""
-        a, b = data["links"]
-        witness = data["witness"]
-        return PairResult(
-            (a, b),
-            tuple(data["joints"]),
-            data["verdict"],
-            data["colliders"],
-            data["guaranteed"],
-            data["found"],
-            data["found_at"],
-            None if witness is None else Witness.from_data(witness),
-            tuple(OpenCell.from_data(cell) for cell in data["open_cells"]),
-            data["open_fraction"],
-        )
-
 
 @dataclass(frozen=True)
-class Certificate:
+class Certificate(Record):
     """The results of the proof for all pairs of links that move against each other.
 
     Attributes:
@@ -186,6 +122,8 @@ class Certificate:
         contacts: The contacts that the category allows.
         leaves: The proof, which `artgen.proof.recheck` verifies; None where it was not kept.
     """
+
+    OPTIONAL: ClassVar = frozenset({"leaves"})
 
     tolerance: float
     pairs: tuple[PairResult, ...]
@@ -227,22 +165,8 @@ class Certificate:
 
     def to_data(self) -> dict[str, Any]:
         """Return everything but the leaves as JSON data."""
-        return {
-            "tolerance": self.tolerance,
-            "proven": self.proven,
-            "pairs": [pair.to_data() for pair in self.pairs],
-            "contacts": [contact.to_data() for contact in self.contacts],
-        }
-
-    @staticmethod
-    def from_data(data: Mapping[str, Any], leaves: Mapping[str, Any] | None = None) -> "Certificate":
-        """Return the object of data from `to_data`."""
-        return Certificate(
-            data["tolerance"],
-            tuple(PairResult.from_data(item) for item in data["pairs"]),
-            tuple(AllowedContact.from_data(item) for item in data["contacts"]),
-            leaves,
-        )
+        proven = {"tolerance": self.tolerance, "proven": self.proven}
+        return {**proven, "pairs": plain(self.pairs), "contacts": plain(self.contacts)}
 
 
 def _mm(length: float) -> str:

@@ -9,9 +9,8 @@ from manifold3d import Manifold, Mesh64, OpType
 from numpy.typing import NDArray
 
 from artgen._arrays import Array, cached_property
-from artgen.asset import Asset, Collider, Link, Surface
-from artgen.asset.link import MOST_COLLIDERS, boxes_overlap
-from artgen.asset.mass import MassProperties
+from artgen.asset import Asset, Collider, Link
+from artgen.asset.link import MOST_COLLIDERS, DerivedLink, boxes_overlap
 from artgen.colliders import Convex
 from artgen.colliders.coacd import coacd_pieces, fewest, single_hull
 from artgen.errors import AssetError, ExportError, nearest
@@ -54,42 +53,6 @@ def _rank(shell: Manifold) -> tuple[float, ...]:
 def _inside(inner: Manifold, outer: Manifold) -> bool:
     first, second = (np.array(solid.bounding_box()).reshape(2, 3) for solid in (inner, outer))
     return bool((first[0] >= second[0]).all() and (first[1] <= second[1]).all())
-
-
-@dataclass(frozen=True, eq=False)
-class DerivedLink(Link):
-    """A link that equals another one except for the fields of a subclass."""
-
-    source: Link = field(kw_only=True)  # the link before
-
-    @cached_property
-    def labels(self) -> tuple[str, ...]:
-        """The semantic labels on the link, its own first."""
-        return self.source.labels
-
-    @cached_property
-    def mass_properties(self) -> MassProperties:
-        """Mass, center and inertia of the source: of its solids."""
-        return self.source.mass_properties
-
-    @cached_property
-    def colliders(self) -> tuple[Collider, ...]:
-        """The colliders of the source."""
-        return self.source.colliders
-
-    @cached_property
-    def surfaces(self) -> tuple[Surface, ...]:
-        """The visible faces of the source."""
-        return self.source.surfaces
-
-    def to_data(self) -> dict[str, Any]:
-        """Return everything but the triangles as JSON data."""
-        return self.source.to_data()
-
-
-def fields_of(link: Link) -> tuple[Any, ...]:
-    """Return the fields of a link, in order."""
-    return link.name, link.label, link.pieces, link.grasps, link.separate, link.pushes
 
 
 def need_solids(asset: Asset, refused: str, instead: str) -> None:
@@ -156,10 +119,7 @@ def with_colliders(asset: Asset, kind: Collision | str) -> Asset:
 
 def replace_colliders(asset: Asset, colliders: dict[str, tuple[Collider, ...]], kind: str) -> Asset:
     """Return an asset with other colliders on its links, by the links' names."""
-    links = [
-        RecollidedLink(*fields_of(link), source=link, replacing=colliders[link.name], collision=kind)
-        for link in asset.links
-    ]
+    links = [RecollidedLink.of(link, replacing=colliders[link.name], collision=kind) for link in asset.links]
     return replace(asset, links=tuple(links))
 
 
@@ -257,7 +217,6 @@ class RecollidedLink(DerivedLink):
         """The colliders that replace the source's."""
         return self.replacing
 
-    def to_data(self) -> dict[str, Any]:
-        """Return everything but the triangles as JSON data, with how the colliders were made."""
-        colliders = Link.to_data(self)["colliders"]
-        return {**super().to_data(), "colliders": colliders, _RECORD: self.collision}
+    def origin_data(self) -> dict[str, Any]:
+        """Return how colliders and surfaces were made, as JSON data."""
+        return {_RECORD: self.collision, **super().origin_data()}

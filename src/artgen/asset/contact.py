@@ -5,10 +5,11 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from artgen.asset.joint import AssetCondition
+from artgen.asset.record import Record
 
 
 @dataclass(frozen=True)
-class AllowedContact:
+class AllowedContact(Record):
     """Two kinds of pieces on two links that may touch.
 
     Attributes:
@@ -38,24 +39,5 @@ class AllowedContact:
         return f"{a}/{first} may press {1e3 * self.depth:.3g} mm into {b}/{second}{where}: {self.reason}"
 
     def to_data(self) -> dict[str, Any]:
-        """Return the contact as JSON data."""
-        return {
-            "links": list(self.links),
-            "labels": list(self.labels),
-            "depth": self.depth,
-            "when": None if self.when is None else self.when.to_data(),
-            "reason": self.reason,
-        }
-
-    @staticmethod
-    def from_data(data: Mapping[str, Any]) -> "AllowedContact":
-        """Return the object of data from `to_data`."""
-        (a, b), (first, second) = data["links"], data["labels"]
-        when = data["when"]
-        return AllowedContact(
-            (a, b),
-            (first, second),
-            data["depth"],
-            data["reason"],
-            None if when is None else AssetCondition.from_data(when),
-        )
+        """Return the contact as JSON data, the reason last."""
+        return dict.fromkeys(("links", "labels", "depth", "when")) | super().to_data()

@@ -5,8 +5,7 @@ import os
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from types import MappingProxyType
-from typing import Any, NoReturn
+from typing import Any, ClassVar, NoReturn
 
 import numpy as np
 
@@ -20,7 +19,7 @@ from artgen.asset.joint import AssetJoint
 from artgen.asset.link import Collider, Link, Surface
 from artgen.asset.mass import MassProperties
 from artgen.asset.shape import Mesh
-from artgen.asset.surface import joined, metric_coordinates, texture_coordinates
+from artgen.asset.surface import metric_coordinates
 from artgen.colliders import Convex
 from artgen.errors import AssetError, ExportError
 from artgen.materials import Material
@@ -28,15 +27,6 @@ from artgen.materials import Material
 ASSET_FILE = "asset.json"
 CERTIFICATE_FILE = "certificate.json"
 MESH_DIRECTORY = "meshes"
-
-POSITION_DECIMALS = 7
-"""Of the vertices of surfaces in files, in their link's frame: 0.1 micrometre."""
-
-NORMAL_DECIMALS = 5
-"""Of the normals of surfaces in files."""
-
-UV_DECIMALS = 6
-"""Of the texture coordinates of surfaces in files, in repeats of the maps."""
 
 
 def load(directory: str | Path) -> Asset:
@@ -72,19 +62,6 @@ def load(directory: str | Path) -> Asset:
         return asset_from_data(data, path.parent)
     except (AttributeError, KeyError, TypeError) as error:
         raise AssetError(f"{path} is damaged ({error!r}); export the asset again") from error
-
-
-def as_stored(asset: Asset) -> Asset:
-    """Return an asset with the very numbers that `asset.json` keeps of it, and with its own surfaces.
-
-    Writers write this one, so that their files agree with `asset.json` to the last digit, and are the same
-    when the asset is read back and written again.
-    """
-    data = asset.to_data()
-    result = asset_from_data({**data, "certificate": None}, Path(), {link.name: link for link in asset.links})
-    if asset.certificate is not None:
-        remember(result, asset.certificate)
-    return result
 
 
 def main_files(directory: str | Path) -> dict[str, Path]:
@@ -135,10 +112,8 @@ def mesh_names(names: Mapping[str, Sequence[str]], taken: Iterable[str] = ()) ->
     return result
 
 
-def asset_from_data(
-    data: Mapping[str, Any], directory: Path, sources: Mapping[str, Link] = MappingProxyType({})
-) -> Asset:
-    """Make an asset of its JSON data; the surfaces are read from files where no link is their source."""
+def asset_from_data(data: Mapping[str, Any], directory: Path) -> Asset:
+    """Make an asset of its JSON data; its surfaces are read from the directory when they are asked for."""
     materials = {item["name"]: Material.from_data(item) for item in data["materials"]}
     joints = tuple(AssetJoint.from_data(item) for item in data["joints"])
     files = mesh_names({item["name"]: [each["name"] for each in item["surfaces"]] for item in data["links"]})
@@ -148,18 +123,13 @@ def asset_from_data(
         _StoredLink(
             item["name"],
             item["label"],
-            grasps=tuple(
-                Grasp(each["name"], np.array(each["frame"], float), each["width"]) for each in item["grasps"]
-            ),
+            grasps=tuple(map(Grasp.from_data, item["grasps"])),
             separate=item.get("separate", ""),
-            pushes=tuple(
-                Push(each["name"], np.array(each["frame"], float)) for each in item.get("pushes", ())
-            ),
+            pushes=tuple(map(Push.from_data, item.get("pushes", ()))),
             data=item,
             materials=materials,
             meshes=tuple(directory / MESH_DIRECTORY / file for file in files[item["name"]]),
             origin=origins.get(item["name"], np.zeros(3)),
-            source=sources.get(item["name"]),
         )
         for item in data["links"]
     )
@@ -179,7 +149,8 @@ def asset_from_data(
     # a cached property lives in its instance's dictionary; found there, it is not derived from the surfaces
     vars(asset)["materials"] = tuple(materials.values())
     if data.get("certificate") is not None:
-        remember(asset, Certificate.from_data(data["certificate"], _leaves(directory / CERTIFICATE_FILE)))
+        certificate = Certificate.from_data(data["certificate"])
+        remember(asset, replace(certificate, leaves=_leaves(directory / CERTIFICATE_FILE)))
     return asset
 
 
@@ -203,7 +174,7 @@ class _StoredLink(Link):
     meshes: tuple[Path, ...] = ()  # the OBJ file of each surface
     # origin of the link's frame in asset coordinates at rest, shape (3,) [m]
     origin: Array = field(default_factory=lambda: np.zeros(3))
-    source: Link | None = None  # the link that has the surfaces, if they are not in files
+    rounded: ClassVar = True
 
     @cached_property
     def labels(self) -> tuple[str, ...]:
@@ -222,11 +193,6 @@ class _StoredLink(Link):
 
     @cached_property
     def surfaces(self) -> tuple[Surface, ...]:
-        if self.source is not None:
-            return tuple(
-                _as_written(surface, self.origin, self.materials[surface.material.name])
-                for surface in self.source.surfaces
-            )
         return tuple(
             self._surface(item, path) for item, path in zip(self.data["surfaces"], self.meshes, strict=True)
         )
@@ -241,10 +207,6 @@ class _StoredLink(Link):
     def to_data(self) -> dict[str, Any]:
         return dict(self.data)
 
-    def rounded_data(self) -> dict[str, Any]:
-        # files may have been edited; the data of a link that is about to be written were rounded before
-        return super().rounded_data() if self.source is None else self.to_data()
-
     def moved(self, matrix: Array) -> NoReturn:
         self._refuse()
 
@@ -255,66 +217,6 @@ class _StoredLink(Link):
         raise AssetError(
             f"link {self.name!r} was read from files and cannot be changed; generate the asset again"
         )
-
-
-def _as_written(surface: Surface, origin: Array, material: Material) -> Surface:
-    """Return a surface as it is read from files: rounded in the frame at `origin` [m], of that material."""
-    mesh = rounded_mesh(surface.mesh, origin, material)
-    # vertices that differed by less than what is written are one now, and some of them move on the maps
-    mesh = joined([mesh])
-    mesh = replace(mesh, uvs=_rounded_uvs(mesh, material))
-    return replace(surface, material=material, mesh=_in_order(mesh, origin, material))
-
-
-def _in_order(mesh: Mesh, origin: Array, material: Material) -> Mesh:
-    """Return a mesh with its vertices in the order in which a file numbers what it says of them.
-
-    `joined` has them in that of positions, normals and metres of texture; on turned maps the last is another.
-    """
-    coordinates = texture_coordinates(mesh, material)
-    steps = [each[1:] - each[:-1] for each in (mesh.vertices, mesh.normals)]
-    alike = ~np.any([each.any(axis=1) for each in steps], axis=0)
-    written = np.rint(coordinates * 10.0**UV_DECIMALS)
-    u, v = (written[1:] - written[:-1])[alike].T
-    if not ((u < 0.0) | (u == 0.0) & (v < 0.0)).any():
-        return mesh
-    columns = (
-        (coordinates, UV_DECIMALS),
-        (mesh.normals, NORMAL_DECIMALS),
-        (mesh.vertices - origin, POSITION_DECIMALS),  # which decide before the others
-    )
-    keys = [np.rint(each[:, ::-1].T * 10.0**decimals) for each, decimals in columns]
-    order = np.lexsort(np.concatenate(keys))
-    return Mesh(
-        mesh.vertices[order],
-        mesh.normals[order],
-        mesh.uvs[order],
-        mesh.paints[order],
-        np.argsort(order)[mesh.triangles],
-    )
-
-
-def rounded_mesh(
-    mesh: Mesh,
-    origin: Array,
-    material: Material,
-    *,
-    positions: int = POSITION_DECIMALS,
-    normals: int = NORMAL_DECIMALS,
-    uvs: int = UV_DECIMALS,
-) -> Mesh:
-    """Return a mesh with so many decimals in files of a link with that origin, shape (3,) [m]."""
-    return replace(
-        mesh,
-        vertices=np.round(mesh.vertices - origin, positions) + 0.0 + origin,
-        normals=np.round(mesh.normals, normals) + 0.0,
-        uvs=_rounded_uvs(mesh, material, uvs),
-    )
-
-
-def _rounded_uvs(mesh: Mesh, material: Material, decimals: int = UV_DECIMALS) -> Array:
-    written = np.round(texture_coordinates(mesh, material), decimals) + 0.0
-    return metric_coordinates(written, material)
 
 
 def _convex(data: Mapping[str, Any]) -> Convex:
@@ -360,7 +262,7 @@ Packed = tuple[Mapping[str, Any], Mapping[str, tuple[Surface, ...]], Certificate
 
 def pack(asset: Asset) -> Packed:
     """Return an asset for pickling: its data, the surfaces of its links, and its certificate."""
-    stored = as_stored(asset)
+    stored = asset.rounded()
     return stored.to_data(), {link.name: link.surfaces for link in stored.links}, asset.certificate
 
 

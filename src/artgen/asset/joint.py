@@ -2,18 +2,19 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from typing import Any, Literal
+from typing import Any, ClassVar, Literal
 
 import numpy as np
 
 from artgen._arrays import Array, FrozenArrays
+from artgen.asset.record import Record
 from artgen.errors import AssetError
 
 JointKind = Literal["revolute", "prismatic"]
 
 
 @dataclass(frozen=True)
-class AssetCoupling:
+class AssetCoupling(Record):
     """A joint that follows another: position = ratio * leader + offset.
 
     Attributes:
@@ -28,7 +29,7 @@ class AssetCoupling:
 
 
 @dataclass(frozen=True)
-class AssetCondition:
+class AssetCondition(Record):
     """A region of joint space.
 
     Attributes:
@@ -37,6 +38,8 @@ class AssetCondition:
         value: [rad or m].
         terms: The combined conditions.
     """
+
+    OPTIONAL: ClassVar = frozenset({"joint", "value", "terms"})
 
     kind: Literal["above", "below", "all", "any"]
     joint: str = ""
@@ -74,20 +77,13 @@ class AssetCondition:
         return sign.join(f"({term})" for term in self.terms)
 
     def to_data(self) -> dict[str, Any]:
-        """Return the condition as JSON data."""
-        if self.terms:
-            return {"kind": self.kind, "terms": [term.to_data() for term in self.terms]}
-        return {"kind": self.kind, "joint": self.joint, "value": self.value}
-
-    @staticmethod
-    def from_data(data: Mapping[str, Any]) -> "AssetCondition":
-        """Return the object of data from `to_data`."""
-        terms = tuple(AssetCondition.from_data(term) for term in data.get("terms", ()))
-        return AssetCondition(data["kind"], data.get("joint", ""), data.get("value", 0.0), terms)
+        """Return the condition as JSON data, without the fields that its kind does not use."""
+        unused = ("joint", "value") if self.terms else ("terms",)
+        return {name: value for name, value in super().to_data().items() if name not in unused}
 
 
 @dataclass(frozen=True)
-class AssetDependency:
+class AssetDependency(Record):
     """A joint may stand away from its closed position (0) only where a condition holds.
 
     Attributes:
@@ -97,6 +93,8 @@ class AssetDependency:
         beyond: The joint needs the condition only beyond this position; up to it the joint is free, as a
             drawer is until it strikes the closed door before it. None: already where it leaves 0 [rad or m].
     """
+
+    OPTIONAL: ClassVar = frozenset({"beyond"})
 
     condition: AssetCondition
     until: float | None = None
@@ -117,18 +115,13 @@ class AssetDependency:
         return f"({self.condition}){beyond}{until}"
 
     def to_data(self) -> dict[str, Any]:
-        """Return the dependency as JSON data; `beyond` is left out where there is none."""
-        beyond = {} if self.beyond is None else {"beyond": self.beyond}
-        return {"condition": self.condition.to_data(), "until": self.until, **beyond}
-
-    @staticmethod
-    def from_data(data: Mapping[str, Any]) -> "AssetDependency":
-        """Return the object of data from `to_data`."""
-        return AssetDependency(AssetCondition.from_data(data["condition"]), data["until"], data.get("beyond"))
+        """Return the dependency as JSON data; `beyond` is left out if it is None."""
+        data = super().to_data()
+        return data if self.beyond is not None else {name: data[name] for name in ("condition", "until")}
 
 
 @dataclass(frozen=True, eq=False)
-class AssetJoint(FrozenArrays):
+class AssetJoint(FrozenArrays, Record):
     """One degree of freedom between two links.
 
     Several joints may join one pair of links; they act in order, the first nearest to the parent.
@@ -152,6 +145,8 @@ class AssetJoint(FrozenArrays):
         child: Name of the child link; empty until the joint is part of an asset.
         driven: Actuator that moves it, such as `a motor`; empty: moved by hand.
     """
+
+    OPTIONAL: ClassVar = frozenset({"driven"})
 
     name: str
     kind: JointKind
@@ -210,41 +205,8 @@ class AssetJoint(FrozenArrays):
         return replace(self, name=names.get(self.name, self.name), follows=follows, needs=needs)
 
     def to_data(self) -> dict[str, Any]:
-        """Return the joint as JSON data."""
-        follows = self.follows
-        return {
-            "name": self.name,
-            "kind": self.kind,
-            "parent": self.parent,
-            "child": self.child,
-            "axis": self.axis.tolist(),
-            "pivot": self.pivot.tolist(),
-            "limits": None if self.limits is None else list(self.limits),
-            **{field: getattr(self, field) for field in DYNAMICS},
-            "follows": None
-            if follows is None
-            else {"leader": follows.leader, "ratio": follows.ratio, "offset": follows.offset},
-            "needs": None if self.needs is None else self.needs.to_data(),
-            "driven": self.driven,
-        }
-
-    @staticmethod
-    def from_data(data: Mapping[str, Any]) -> "AssetJoint":
-        """Return the object of data from `to_data`."""
-        limits, follows, needs = data["limits"], data["follows"], data["needs"]
-        return AssetJoint(
-            name=data["name"],
-            kind=data["kind"],
-            parent=data["parent"],
-            child=data["child"],
-            axis=np.array(data["axis"], float),
-            pivot=np.array(data["pivot"], float),
-            limits=None if limits is None else (limits[0], limits[1]),
-            **{field: data[field] for field in DYNAMICS},
-            follows=None if follows is None else AssetCoupling(**follows),
-            needs=None if needs is None else AssetDependency.from_data(needs),
-            driven=data.get("driven", ""),
-        )
+        """Return the joint as JSON data, the links that it joins in front."""
+        return dict.fromkeys(("name", "kind", "parent", "child")) | super().to_data()
 
 
 DYNAMICS = ("stiffness", "damping", "friction", "rest", "armature", "effort", "velocity")

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any, overload
+from typing import Any, ClassVar, Self, overload
 
 import numpy as np
 from manifold3d import Manifold, OpType
@@ -10,7 +10,7 @@ from manifold3d import Manifold, OpType
 from artgen._arrays import Array, FrozenArrays, cached_property
 from artgen.asset.affordance import Grasp, Push
 from artgen.asset.mass import MassProperties, Moments, polyhedron_moments, total
-from artgen.asset.record import rounded_link
+from artgen.asset.record import plain
 from artgen.asset.shape import Mesh, Shape
 from artgen.asset.surface import by_paint, joined, shifted
 from artgen.colliders import Convex, budgeted_together
@@ -122,6 +122,8 @@ class Link(FrozenArrays):
         pushes: Frames at which a finger pushes the link.
     """
 
+    rounded: ClassVar = False  # whether its numbers have as many digits as files keep
+
     name: str
     label: str
     pieces: Sequence[Piece] = ()
@@ -219,11 +221,8 @@ class Link(FrozenArrays):
             "label": self.label,
             "labels": list(self.labels),
             **self.mass_properties.to_data(),
-            "grasps": [
-                {"name": grasp.name, "frame": grasp.frame.tolist(), "width": grasp.width}
-                for grasp in self.grasps
-            ],
-            "pushes": [{"name": push.name, "frame": push.frame.tolist()} for push in self.pushes],
+            "grasps": plain(self.grasps),
+            "pushes": plain(self.pushes),
             "colliders": [
                 {
                     "kind": collider.convex.kind,
@@ -236,9 +235,14 @@ class Link(FrozenArrays):
                 for collider in self.colliders
             ],
             "surfaces": self.surface_data(),
-            "details": self._details(),
+            "details": self.details_data(),
             "separate": self.separate,
+            **self.origin_data(),
         }
+
+    def origin_data(self) -> dict[str, Any]:
+        """Return how colliders and surfaces were made, as JSON data; empty if as usual."""
+        return {}
 
     def surface_data(self) -> list[dict[str, Any]]:
         """Return label, material and number of triangles of each surface as JSON data."""
@@ -252,14 +256,10 @@ class Link(FrozenArrays):
             for surface in self.surfaces
         ]
 
-    def rounded_data(self) -> dict[str, Any]:
-        """Return the JSON data with as many digits as files keep."""
-        return rounded_link(self.to_data())
-
-    def _details(self) -> list[dict[str, Any]]:
+    def details_data(self) -> list[dict[str, Any]]:
         """Return label and bounding box of each connected part that is only seen, as JSON data."""
         boxes = [
-            (piece.label, np.round([points.min(axis=0), points.max(axis=0)], 9).tolist())
+            (piece.label, (np.round([points.min(axis=0), points.max(axis=0)], 9) + 0.0).tolist())
             for piece in self.pieces
             if piece.visual
             for points in piece.shape.parts
@@ -299,6 +299,56 @@ class MovedPieces(Sequence[Piece]):
     def __getitem__(self, index: slice) -> Sequence[Piece]: ...
     def __getitem__(self, index: int | slice) -> Piece | Sequence[Piece]:
         return self._moved[index]
+
+
+@dataclass(frozen=True, eq=False)
+class DerivedLink(Link):
+    """A link that equals another one except for what a subclass changes."""
+
+    source: Link = field(kw_only=True)  # the link before
+
+    @classmethod
+    def of(cls, link: Link, **changes: Any) -> Self:
+        """Make one from another link.
+
+        Args:
+            link: The link before.
+            changes: The fields of the subclass.
+        """
+        fields = (link.name, link.label, link.pieces, link.grasps, link.separate, link.pushes)
+        return cls(*fields, source=link, **changes)
+
+    @cached_property
+    def labels(self) -> tuple[str, ...]:
+        """The labels of the source."""
+        return self.source.labels
+
+    @cached_property
+    def mass_properties(self) -> MassProperties:
+        """Mass, center and inertia of the source."""
+        return self.source.mass_properties
+
+    @cached_property
+    def colliders(self) -> tuple[Collider, ...]:
+        """The colliders of the source."""
+        return self.source.colliders
+
+    @cached_property
+    def surfaces(self) -> tuple[Surface, ...]:
+        """The visible faces of the source."""
+        return self.source.surfaces
+
+    def surface_data(self) -> list[dict[str, Any]]:
+        """Return what the source says of its surfaces."""
+        return self.source.surface_data()
+
+    def details_data(self) -> list[dict[str, Any]]:
+        """Return what the source says of its details."""
+        return self.source.details_data()
+
+    def origin_data(self) -> dict[str, Any]:
+        """Return how colliders and surfaces of the source were made."""
+        return self.source.origin_data()
 
 
 @dataclass(frozen=True, eq=False)

@@ -6,12 +6,12 @@ point; see B. Mirtich, Fast and accurate computation of polyhedral mass properti
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from artgen._arrays import Array, FrozenArrays
+from artgen.asset.record import Record
 from artgen.colliders.triangles import cross
 from artgen.errors import AssetError
 
@@ -38,7 +38,7 @@ class Moments(FrozenArrays):
 
 
 @dataclass(frozen=True, eq=False)
-class MassProperties(FrozenArrays):
+class MassProperties(FrozenArrays, Record):
     """Mass, center of mass and inertia of a rigid body.
 
     Attributes:
@@ -76,15 +76,6 @@ class MassProperties(FrozenArrays):
         about_center = 0.5 * np.trace(self.inertia) * np.eye(3) - self.inertia
         second = about_center + self.mass * np.outer(self.center, self.center)
         return Moments(self.mass, self.mass * self.center, second)
-
-    def to_data(self) -> dict[str, Any]:
-        """Return the numbers as JSON data."""
-        return {"mass": self.mass, "center": self.center.tolist(), "inertia": self.inertia.tolist()}
-
-    @staticmethod
-    def from_data(data: dict[str, Any]) -> "MassProperties":
-        """Return the object of data from `to_data`."""
-        return MassProperties(data["mass"], np.array(data["center"]), np.array(data["inertia"]))
 
 
 def polyhedron_moments(vertices: Array, triangles: NDArray[np.int64]) -> Moments:

@@ -1,52 +1,115 @@
-"""The text of an asset's JSON: numbers that are the same on every machine, on lines that can be read."""
+"""Values of an asset as JSON: plain data, rounded numbers, and text that a person can read."""
 
 import json
-from typing import Any
+import types
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, fields, is_dataclass, replace
+from typing import Any, ClassVar, Self, Union, get_args, get_origin, get_type_hints
 
 import numpy as np
 
+from artgen._arrays import cached
+
 DECIMALS = 12
-"""Of coordinates of colliders [m]; numbers of other kinds have as many significant digits."""
+"""Decimals of coordinates of colliders [m]; other numbers have as many significant digits."""
 
 _EXPANDED = 3  # levels that are always spread over lines; the next one where it holds more than numbers
 
 _ENCODER = json.JSONEncoder(ensure_ascii=False, allow_nan=False)
 
 
-def rounded(data: Any) -> Any:
-    """Round every number in JSON data to 12 significant digits.
+@dataclass(frozen=True, eq=False)
+class Record:
+    """Base of the dataclasses that JSON files keep.
+
+    Fields are words, numbers, arrays, records, and tuples and mappings of these.
+    """
+
+    OPTIONAL: ClassVar[frozenset[str]] = frozenset()  # fields that data may lack
+
+    def to_data(self) -> dict[str, Any]:
+        """Return the fields as JSON data."""
+        return {field.name: plain(getattr(self, field.name)) for field in fields(self)}
+
+    @classmethod
+    def from_data(cls, data: Mapping[str, Any]) -> Self:
+        """Return the object of data from `to_data`.
+
+        Raises:
+            KeyError: The data lack a field.
+        """
+        readers = _readers(cls)
+        given = {name: data[name] for name in readers if name in data or name not in cls.OPTIONAL}
+        return cls(**{name: readers[name](value) for name, value in given.items()})
+
+
+Reader = Callable[[Any], Any]
+
+
+@cached(None)
+def _readers(cls: type[Record]) -> dict[str, Reader]:
+    """Return for each field of a record the function that makes its value of JSON data."""
+    hints = get_type_hints(cls)
+    return {field.name: _reader(hints[field.name]) for field in fields(cls)}
+
+
+def _reader(kind: Any) -> Reader:
+    """Return the function that makes a value of a type of JSON data."""
+    origin, inner = get_origin(kind), get_args(kind)
+    if origin is np.ndarray:
+        return lambda data: np.array(data, float)
+    if isinstance(kind, type) and issubclass(kind, Record):
+        return kind.from_data
+    if origin in (Union, types.UnionType):  # of a type and None
+        read = _reader(inner[0])
+        return lambda data: None if data is None else read(data)
+    if origin is tuple and inner[-1] is Ellipsis:
+        read = _reader(inner[0])
+        return lambda data: tuple(map(read, data))
+    if origin is tuple:
+        readers = [_reader(each) for each in inner]
+        return lambda data: tuple(read(item) for read, item in zip(readers, data, strict=True))
+    if origin is Mapping:
+        read = _reader(inner[1])
+        return lambda data: {key: read(item) for key, item in data.items()}
+    return lambda data: data
+
+
+def plain(value: Any) -> Any:
+    """Return a value as JSON data: arrays and tuples become lists, records become objects."""
+    if isinstance(value, Record):
+        return value.to_data()
+    if isinstance(value, np.ndarray):
+        return value.tolist()
+    if isinstance(value, Mapping):
+        return {key: plain(item) for key, item in value.items()}
+    return [plain(item) for item in value] if isinstance(value, list | tuple) else value
+
+
+def rounded(value: Any) -> Any:
+    """Round every number in a record or in JSON data to 12 significant digits.
 
     The digits beyond differ between machines, whose libraries round differently.
     """
-    if isinstance(data, float):
-        return significant(data, 12)
-    if isinstance(data, dict):
-        return {key: rounded(value) for key, value in data.items()}
-    return [rounded(item) for item in data] if isinstance(data, list | tuple) else data
+    if isinstance(value, float):
+        return significant(value, DECIMALS)
+    if isinstance(value, np.ndarray):
+        return np.array([significant(each, DECIMALS) for each in value.flat]).reshape(value.shape)
+    if is_dataclass(value) and not isinstance(value, type):
+        return replace(value, **{each.name: rounded(getattr(value, each.name)) for each in fields(value)})
+    if isinstance(value, dict):
+        return {key: rounded(item) for key, item in value.items()}
+    return type(value)(map(rounded, value)) if isinstance(value, list | tuple) else value
+
+
+def rounded_coordinates(rows: Any) -> Any:
+    """Round coordinates to a millionth of a micrometre."""
+    return np.round(rows, DECIMALS) + 0.0
 
 
 def significant(number: float, digits: int) -> float:
     """Round a number to some significant digits; no zero is negative."""
     return float(f"{number:.{digits}g}") + 0.0
-
-
-def rounded_link(data: dict[str, Any]) -> dict[str, Any]:
-    """Round the numbers of a link: thousands of coordinates of its colliders, and few others."""
-    colliders = [
-        {
-            key: _coordinates(value) if key in ("pose", "points") else rounded(value)
-            for key, value in item.items()
-        }
-        for item in data["colliders"]
-    ]
-    details = [{**item, "bounds": _coordinates(item["bounds"])} for item in data.get("details", ())]
-    exact = {"colliders": colliders, "details": details}
-    return {key: exact[key] if key in exact else rounded(value) for key, value in data.items()}
-
-
-def _coordinates(rows: Any) -> Any:
-    """Round rows of coordinates to a millionth of a micrometre."""
-    return (np.round(np.array(rows, float), DECIMALS) + 0.0).tolist()
 
 
 def json_text(data: Any) -> str:
@@ -56,10 +119,10 @@ def json_text(data: Any) -> str:
 
 def _spread(data: Any, level: int) -> str:
     """Return data as JSON text, its outer levels spread over lines."""
-    if not isinstance(data, dict | list) or not data or level > _EXPANDED:
+    if not isinstance(data, dict | list | tuple) or not data or level > _EXPANDED:
         return _ENCODER.encode(data)
     values = data.values() if isinstance(data, dict) else data
-    if level == _EXPANDED and not any(isinstance(value, dict | list) for value in values):
+    if level == _EXPANDED and not any(isinstance(value, dict | list | tuple) for value in values):
         return _ENCODER.encode(data)
     indent = "\n" + " " * (level + 1)
     texts = [_spread(value, level + 1) for value in values]

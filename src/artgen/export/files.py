@@ -14,7 +14,7 @@ from artgen._names import check_names, inside
 from artgen.asset import Asset
 from artgen.asset.asset import FORMAT
 from artgen.asset.collision import Collision, collision_of, with_colliders
-from artgen.asset.files import ASSET_FILE, CERTIFICATE_FILE, as_stored, previous_directory
+from artgen.asset.files import ASSET_FILE, CERTIFICATE_FILE, previous_directory
 from artgen.asset.record import json_text
 from artgen.errors import AssetError, ExportError, nearest
 from artgen.export.layouts import FORMATS, LAYOUTS, TEXTURES, Layout
@@ -149,7 +149,7 @@ def encode(
         check_size(textures)
     laid_out = find_layout(layout)
     chosen = chosen_formats(laid_out, formats)
-    asset = as_stored(with_precision(with_colliders(asset, collision), mesh_precision))
+    asset = with_precision(with_colliders(asset, collision), mesh_precision).rounded()
     files: dict[str, bytes] = {}
     record: dict[str, Any] = {}
     for name in chosen:

@@ -8,12 +8,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from artgen._arrays import cached_property
-from artgen.asset import Asset, Mesh, Surface
+from artgen.asset import Asset, Link, Mesh, Surface
 from artgen.asset.asset import remember
-from artgen.asset.collision import DerivedLink, fields_of, need_solids
+from artgen.asset.collision import need_solids
 from artgen.asset.decimate import coarser
-from artgen.asset.files import POSITION_DECIMALS, rounded_mesh
-from artgen.asset.link import Piece
+from artgen.asset.link import DerivedLink, Piece
+from artgen.asset.rounding import POSITION_DECIMALS, rounded_mesh
 from artgen.asset.surface import joined
 from artgen.errors import ParameterError
 
@@ -40,9 +40,7 @@ def with_precision(asset: Asset, precision: float) -> Asset:
         "mesh_precision=0, which keeps the surfaces that it has",
     )
     links = [
-        CoarseLink(
-            *fields_of(link), source=link, precision=precision, origin=tuple(asset.origin(link.name).tolist())
-        )
+        CoarseLink.of(link, precision=precision, origin=tuple(asset.origin(link.name).tolist()))
         for link in asset.links
     ]
     result = replace(asset, links=tuple(links))
@@ -76,17 +74,17 @@ class CoarseLink(DerivedLink):
         precision = (1.0 - 2.0 * _ROUNDING) * self.precision  # rounding takes its share
         return coarser(piece.shape, precision if piece.reading is None else _PRINT * precision)
 
-    def to_data(self) -> dict[str, Any]:
-        """Return everything but the triangles as JSON data, with how precise these are.
+    def surface_data(self) -> list[dict[str, Any]]:
+        """Return label, material and number of triangles of each surface as JSON data."""
+        return Link.surface_data(self)
 
-        There are no details in it: they are there to be told from the solids, which these are not.
-        """
-        return {
-            **super().to_data(),
-            "surfaces": self.surface_data(),
-            "details": [],
-            "mesh_precision": self.precision,
-        }
+    def details_data(self) -> list[dict[str, Any]]:
+        """Return an empty list: details serve to tell the solids in the meshes, which these do not show."""
+        return []
+
+    def origin_data(self) -> dict[str, Any]:
+        """Return how colliders and surfaces were made, as JSON data."""
+        return {**super().origin_data(), "mesh_precision": self.precision}
 
 
 def _rounded(surface: Surface, step: float, origin: NDArray[np.float64]) -> Surface:

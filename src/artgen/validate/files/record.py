@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 
 from artgen.asset import Asset
+from artgen.asset.affordance import affordance_data
 from artgen.asset.files import ASSET_FILE
 from artgen.asset.report import AGAIN, Finding
 from artgen.errors import nearest
@@ -93,7 +94,7 @@ def _affordance_findings(data: Mapping[str, Any], asset: Asset) -> Iterator[Find
             )
             yield Finding("files", message, wanted[name].link, value=away, hint=AGAIN)
             continue
-        own = wanted[name].to_data(asset)
+        own = affordance_data(wanted[name], asset)
         differing = [key for key in own if not _same(stored[name].get(key), own[key])]
         if differing:
             message = (
