@@ -9,7 +9,7 @@ import pytest
 import artgen
 from artgen import Body, Prismatic, Revolute, X, Y, Z, box, frame, grasp_on, material, part, push_on
 from artgen.asset import Asset
-from artgen.asset.affordance import Grasp, Push
+from artgen.asset.affordance import Grasp, Push, affordance_data
 from artgen.asset.gripper import GRIPPER, block, held
 
 STEEL = material("steel")
@@ -62,7 +62,7 @@ def test_a_hand_that_moves_nothing_has_no_motion(made: Asset) -> None:
     base = replace(made.links[0], grasps=(Grasp("edge", np.eye(4), 0.05),))
     found = replace(made, links=(base, *made.links[1:])).affordances[0]
     assert (found.name, found.joints) == ("edge", ())
-    assert found.to_data(made)["motion"] is None
+    assert affordance_data(found, made)["motion"] is None
 
 
 @pytest.mark.parametrize("kind", [Grasp("it", np.eye(4), 0.05), Push("it", np.eye(4))])

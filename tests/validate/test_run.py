@@ -12,7 +12,7 @@ import pytest
 from artgen.asset import Asset
 from artgen.asset.asset import remember
 from artgen.asset.certificate import Certificate, OpenCell, PairResult, Witness
-from artgen.asset.contact import AllowedContact
+from artgen.asset.joint import AllowedContact
 from artgen.asset.report import CheckResult, Finding, Report
 from artgen.commands.validate import write_report
 from artgen.errors import AssetError, ExportError, ParameterError

@@ -2,9 +2,9 @@
 
 from artgen.asset.affordance import Affordance, Grasp, Hold, Push
 from artgen.asset.asset import Asset, Base
-from artgen.asset.contact import AllowedContact
 from artgen.asset.joint import (
     DYNAMICS,
+    AllowedContact,
     AssetCondition,
     AssetCoupling,
     AssetDependency,

@@ -9,8 +9,7 @@ import numpy as np
 from artgen._arrays import Array, cached_property
 from artgen.asset.affordance import Affordance, affordance_data, affordances
 from artgen.asset.certificate import Certificate
-from artgen.asset.contact import AllowedContact
-from artgen.asset.joint import AssetJoint, is_number, positions_of_followers
+from artgen.asset.joint import AllowedContact, AssetJoint, is_number, positions_of_followers
 from artgen.asset.link import Link
 from artgen.asset.mass import MassProperties, total
 from artgen.asset.record import json_text, plain, rounded

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, ClassVar, Literal
 
-from artgen.asset.contact import AllowedContact
+from artgen.asset.joint import AllowedContact
 from artgen.asset.record import Record, plain
 
 PROOF_FORMAT = "artgen-certificate-1"

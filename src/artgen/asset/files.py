@@ -14,8 +14,7 @@ from artgen._names import check_names
 from artgen.asset.affordance import Grasp, Push
 from artgen.asset.asset import FORMAT, Asset, remember
 from artgen.asset.certificate import Certificate
-from artgen.asset.contact import AllowedContact
-from artgen.asset.joint import AssetJoint
+from artgen.asset.joint import AllowedContact, AssetJoint
 from artgen.asset.link import Collider, Link, Surface
 from artgen.asset.mass import MassProperties
 from artgen.asset.shape import Mesh

@@ -5,8 +5,7 @@ from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass, replace
 
 from artgen._arrays import Array
-from artgen.asset.contact import AllowedContact
-from artgen.asset.joint import AssetJoint
+from artgen.asset.joint import AllowedContact, AssetJoint
 from artgen.asset.link import Link
 from artgen.errors import AssetError, nearest
 

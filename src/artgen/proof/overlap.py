@@ -9,7 +9,7 @@ from manifold3d import Manifold
 from artgen._arrays import Array
 from artgen.asset import Link
 from artgen.asset.collision import SolidPart
-from artgen.asset.contact import AllowedContact
+from artgen.asset.joint import AllowedContact
 from artgen.asset.stored_solids import link_parts
 from artgen.colliders.triangles import cross
 from artgen.proof.paths import Way

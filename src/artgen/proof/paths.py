@@ -13,8 +13,7 @@ import numpy as np
 
 from artgen._arrays import Array
 from artgen.asset import Asset, AssetJoint
-from artgen.asset.contact import AllowedContact
-from artgen.asset.joint import AssetCondition
+from artgen.asset.joint import AllowedContact, AssetCondition
 from artgen.errors import AssetError
 
 Interval = tuple[float, float]
