@@ -142,7 +142,7 @@ def test_an_unknown_leader_names_the_line_of_the_joint():
         return block("base").attach(block("lid"), turn)
 
     raises_at(
-        "marker: leader", AssetError, "joint 'lid' follows 'pedal', which is no joint of this asset", lid
+        "marker: leader", AssetError, "joint 'lid' follows 'pedal', which is not a joint of this asset", lid
     )
 
 
@@ -169,7 +169,7 @@ def test_a_link_without_mass_names_the_line_of_the_detail():
         label = detail(box(1.0, 1.0, 1.0), "print", OAK)  # marker: detail
         return block("base").attach(label, Revolute("t", axis=X))
 
-    raises_at("marker: detail", AssetError, "link 'print' is made of details only", toy)
+    raises_at("marker: detail", AssetError, "link 'print' consists of details only", toy)
 
 
 def test_a_label_that_is_not_declared_names_the_line_of_the_part():

@@ -158,9 +158,9 @@ def revolute(name: str, **fields: object) -> Joint:
     ("joints", "message"),
     [
         ([revolute("lid", follows=Coupling("pedl", 1.0)), revolute("pedal")],
-         r"joint 'lid' follows 'pedl', which is no joint of this asset; attach .* Did you mean 'pedal'"),
+         r"joint 'lid' follows 'pedl', which is not a joint of this asset; attach .* Did you mean 'pedal'"),
         ([revolute("lid", needs=Dependency(Condition("above", "dor", 1.0))), revolute("door")],
-         r"joint 'lid' needs 'dor', which is no joint of this asset; attach .* Did you mean 'door'"),
+         r"joint 'lid' needs 'dor', which is not a joint of this asset; attach .* Did you mean 'door'"),
         ([revolute("lid", follows=Coupling("lid", 1.0))], "joint 'lid' follows itself; name another joint"),
         ([revolute("a", follows=Coupling("b", 1.0)), revolute("b", follows=Coupling("a", 1.0))],
          "the couplings of joints a, b form a circle"),

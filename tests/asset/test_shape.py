@@ -61,7 +61,7 @@ def test_solids_that_are_apart_are_one_solid_with_all_their_parts():
 @pytest.mark.parametrize(
     ("change", "message"),
     [
-        (lambda triangles: triangles[1:], "not a closed manifold: an edge belongs to one face alone"),
+        (lambda triangles: triangles[1:], "not a closed manifold: an edge belongs to one face only"),
         (
             lambda triangles: triangles[:, ::-1],
             r"the volume is -1e-06 m\^3; a solid must have",

@@ -146,7 +146,7 @@ def test_details_are_seen_but_have_neither_mass_nor_collider():
 def test_a_link_of_details_only_is_refused():
     body = block().attach(detail(box(1.0, 1.0, 1.0), "print", GLASS), turn())
     with pytest.raises(
-        AssetError, match="link 'print' is made of details only, which have no mass; weld them"
+        AssetError, match="link 'print' consists of details only, which have no mass; weld them"
     ):
         asset(body)
 

@@ -229,7 +229,7 @@ def with_drawer(when):
 @pytest.mark.parametrize(
     ("joint", "message"),
     [
-        ("hing", "but 'hing' is no joint of this asset. Did you mean 'hinge'? Between them are: hinge."),
+        ("hing", "but 'hing' is not a joint of this asset. Did you mean 'hinge'? Between them are: hinge."),
         ("drawer", "but 'drawer' does not move one against the other. Between them are: hinge."),
     ],
 )
@@ -287,10 +287,10 @@ def test_a_tree_made_by_hand_is_held_to_its_joints():
     tree = evaluate(fridge()).value
     stray = AllowedContact(("door", "body"), ("leaf", "body"), 0.0, WHY, Condition("below", "lid", 0.1))
     nested = Tree(tree.link, tuple(Branch(each.joints, each.tree) for each in tree.branches), (stray,))
-    with pytest.raises(AssetError, match="'lid' is no joint of this asset"):
+    with pytest.raises(AssetError, match="'lid' is not a joint of this asset"):
         Asset.from_tree(nested, "made", "test")
     astray = AllowedContact(("lid", "body"), ("leaf", "body"), 0.0, WHY)
-    with pytest.raises(AssetError, match="a contact names the link 'lid', which is no link of this asset"):
+    with pytest.raises(AssetError, match="a contact names the link 'lid', which is not a link of this asset"):
         Asset.from_tree(Tree(tree.link, tree.branches, (astray,)), "made", "test")
 
 

@@ -192,11 +192,11 @@ def test_a_follower_takes_its_range_from_its_leader():
 
 def test_an_unknown_leader_is_an_error():
     with pytest.raises(
-        AssetError, match=r"joint 'lid' follows 'padel', which is no joint.*Did you mean 'pedal'\?"
+        AssetError, match=r"joint 'lid' follows 'padel', which is not a joint.*Did you mean 'pedal'\?"
     ):
         asset(pair(follows=Revolute("padel", axis=X) * 2))
     with pytest.raises(
-        AssetError, match=r"joint 'lid' needs 'padel', which is no joint of this asset; attach"
+        AssetError, match=r"joint 'lid' needs 'padel', which is not a joint of this asset; attach"
     ):
         asset(pair(needs=Revolute("padel", axis=X) > 0.2))
 

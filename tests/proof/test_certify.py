@@ -300,7 +300,7 @@ def test_two_pieces_that_may_touch_everywhere_have_no_clearance() -> None:
     assert pair.clear
     assert pair.guaranteed is None
     assert certificate.clearance is None
-    assert str(pair) == "rail and runner: proven to touch as their contacts by design allow only"
+    assert str(pair) == "rail and runner: proven to touch only as their allowed contacts permit"
 
 
 @pytest.mark.parametrize("tolerance", [-0.001, 0.2, math.nan, math.inf, True, "0.001", None])

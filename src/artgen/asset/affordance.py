@@ -1,4 +1,4 @@
-"""Affordances: where a hand grasps or pushes an asset, and which joints that moves."""
+"""Affordances: frames at which a hand grasps or pushes an asset, and the joints that this moves."""
 
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, Literal, Self
@@ -19,8 +19,7 @@ class Hold(FrozenArrays, Record):
 
     Attributes:
         name: Identifier, unique on the asset.
-        frame: Pose in asset coordinates at rest, z along the direction in which the hand comes, shape (4, 4)
-            [m].
+        frame: Pose in asset coordinates at rest, z along the approach of the hand, shape (4, 4) [m].
     """
 
     name: str
@@ -36,10 +35,10 @@ class Hold(FrozenArrays, Record):
 
 @dataclass(frozen=True, eq=False)
 class Grasp(Hold):
-    """A frame at which a hand takes hold: x is the direction along which a parallel gripper closes.
+    """A frame at which a hand grasps: a parallel gripper closes along x.
 
     Attributes:
-        width: Opening that the fingers need [m].
+        width: Opening of the fingers [m].
     """
 
     width: float = 0.08
@@ -47,21 +46,21 @@ class Grasp(Hold):
 
 @dataclass(frozen=True, eq=False)
 class Push(Hold):
-    """A frame at which a finger pushes: its origin is on the surface, and z is the way of the push."""
+    """A frame at which a finger pushes: the origin lies on the surface, z is the direction of the push."""
 
 
 @dataclass(frozen=True, eq=False)
 class Affordance(FrozenArrays, Record):
-    """One thing that a hand can do with an asset.
+    """One action of a hand on an asset.
 
     Attributes:
         name: Identifier, unique on the asset.
         kind: `grasp`, closing a parallel gripper, or `push`, with a finger.
-        link: Name of the link that the hand touches.
+        link: Name of the touched link.
         frame: Pose in asset coordinates at rest: z along the approach, x along the closing direction,
             shape (4, 4) [m].
-        width: Opening that the fingers need; 0 for a push [m].
-        joints: Names of the free joints that the hand can move there, the nearest to the link first.
+        width: Opening of the fingers; 0 for a push [m].
+        joints: Names of the free joints that the action moves, the nearest to the link first.
     """
 
     name: str
@@ -96,7 +95,7 @@ def moved_joints(asset: "Asset", link: str) -> tuple[str, ...]:
 
 
 def head(joint: "AssetJoint", asset: "Asset") -> "AssetJoint":
-    """Return the joint at the head of a joint's chain of leaders; the joint itself if it follows none."""
+    """Return the leader at the head of a chain of couplings; the joint itself if it follows no other."""
     while joint.follows is not None:
         joint = asset.joint(joint.follows.leader)
     return joint

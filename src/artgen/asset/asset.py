@@ -1,4 +1,4 @@
-"""The asset: a tree of links and joints with the parameters it was made from."""
+"""The asset: a tree of links and joints with its parameters."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
@@ -23,12 +23,12 @@ if TYPE_CHECKING:
 
 
 def assembled(tree: Tree) -> tuple[tuple[Link, ...], tuple[AssetJoint, ...], tuple[AllowedContact, ...]]:
-    """Return the links, the joints and the contacts by design of a body; coupled joints get their ranges."""
+    """Return the links, joints and allowed contacts of a tree; coupled joints get their limits."""
     links = tuple(tree.links())
     for link in links:
         if all(piece.visual for piece in link.pieces):
             raise AssetError(
-                f"link {link.name!r} is made of details only, which have no mass; weld them to a part",
+                f"link {link.name!r} consists of details only, which have no mass; weld them to a part",
                 link=link.name,
             )
     joints = {joint.name: joint for joint in tree.joints()}
@@ -53,7 +53,7 @@ def _check_references(joint: AssetJoint, joints: Mapping[str, AssetJoint]) -> No
     for verb, name in named:
         if name not in joints:
             raise AssetError(
-                f"joint {joint.name!r} {verb} {name!r}, which is no joint of this asset; "
+                f"joint {joint.name!r} {verb} {name!r}, which is not a joint of this asset; "
                 f"attach {name!r} as well.{nearest(name, others)}",
                 joint=joint.name,
             )
@@ -62,7 +62,7 @@ def _check_references(joint: AssetJoint, joints: Mapping[str, AssetJoint]) -> No
 
 
 def _with_followed_limits(joint: AssetJoint, joints: Mapping[str, AssetJoint]) -> AssetJoint:
-    """Give a coupled joint the range over which its leader takes it."""
+    """Return a coupled joint with the limits that follow from the limits of its leader."""
     if joint.follows is None:
         return joint
     leader = _with_followed_limits(joints[joint.follows.leader], joints)
@@ -74,8 +74,8 @@ def _with_followed_limits(joint: AssetJoint, joints: Mapping[str, AssetJoint]) -
 
 Base = Literal["fixed", "free"]
 
-_CERTIFICATE = "_certificate"  # where an asset keeps what was proven of it
-_LIMIT_SLACK = 1e-9  # a position may miss its limit by rounding [rad or m]
+_CERTIFICATE = "_certificate"  # attribute in which an asset keeps its certificate
+_LIMIT_SLACK = 1e-9  # tolerance of joint limits [rad or m]
 
 
 @dataclass(frozen=True, eq=False)
@@ -84,16 +84,16 @@ class Asset:
 
     Attributes:
         name: Identifier, also the name of its files.
-        category: Name of the category that it belongs to.
+        category: Name of its category.
         links: Rigid bodies, parents before their children; the first is the base.
-        joints: Degrees of freedom; those that join one pair of links follow each other in order.
-        seed: What its parameters were drawn from; None if it was not sampled.
-        attempt: How many draws were infeasible before this one.
-        parameters: Every parameter with the value that it took.
+        joints: Degrees of freedom; joints of the same two links are consecutive.
+        seed: Seed of its parameters; None if they were not sampled.
+        attempt: Number of infeasible draws before this one.
+        parameters: Value of every parameter by name.
         base: Whether the base is fixed to the world or free to move.
         version: Version of artgen that made it.
         labels: Semantic labels that the category declares.
-        contacts: What may touch by design.
+        contacts: Contacts that the category allows.
     """
 
     name: str
@@ -110,11 +110,11 @@ class Asset:
 
     @staticmethod
     def from_tree(tree: Tree, name: str, category: str, **fields: Any) -> "Asset":
-        """Make an asset of an evaluated body.
+        """Make an asset from an evaluated body.
 
         Raises:
-            AssetError: A link has no mass, a coupling, a dependency or a contact by design names an unknown
-                joint, couplings form a circle, or the joint that a contact names does not move its links.
+            AssetError: A link has no mass; a coupling, dependency or contact names an unknown joint;
+                couplings form a circle; or the joint of a contact does not move its links.
         """
         links, joints, contacts = assembled(tree)
         return Asset(name, category, links, joints, contacts=contacts, **fields)
@@ -128,7 +128,7 @@ class Asset:
         return self
 
     def __repr__(self) -> str:
-        """Name its size and the state of its certificate."""
+        """Return its name, size and the state of its certificate."""
         certificate = self.certificate
         state = "not certified" if certificate is None else "proven" if certificate.proven else "not proven"
         return f"<Asset {self.name}: {len(self.links)} links, {len(self.joints)} joints, {state}>"
@@ -145,7 +145,7 @@ class Asset:
         """Return the link of that name.
 
         Raises:
-            AssetError: There is none; the message has the nearest name.
+            AssetError: There is no such name; the message suggests the nearest one.
         """
         if name not in self._links:
             raise AssetError(f"asset {self.name!r} has no link {name!r}.{nearest(name, self._links)}")
@@ -155,7 +155,7 @@ class Asset:
         """Return the joint of that name.
 
         Raises:
-            AssetError: There is none; the message has the nearest name.
+            AssetError: There is no such name; the message suggests the nearest one.
         """
         if name not in self._joints:
             raise AssetError(f"asset {self.name!r} has no joint {name!r}.{nearest(name, self._joints)}")
@@ -163,7 +163,7 @@ class Asset:
 
     @cached_property
     def materials(self) -> tuple[Material, ...]:
-        """The materials of its surfaces and solids, in order of appearance."""
+        """Materials of surfaces and colliders, in order of appearance."""
         found: dict[str, Material] = {}
         for link in self.links:
             for material in (
@@ -188,7 +188,9 @@ class Asset:
         return affordances(self)
 
     def positions(self, q: Mapping[str, float] | None = None) -> dict[str, float]:
-        """Complete joint positions: those not given stand nearest to 0, coupled ones follow.
+        """Return the positions of all joints for the given positions of some.
+
+        Other joints stand at the position nearest to 0 within their limits; coupled joints follow.
 
         Args:
             q: Positions by joint name [rad or m].
@@ -223,7 +225,7 @@ class Asset:
         return {joint.name: positions[joint.name] for joint in self.joints}
 
     def blocked(self, q: Mapping[str, float] | None = None) -> tuple[str, ...]:
-        """Return the names of the joints that a dependency forbids to stand where `q` puts them."""
+        """Return the names of the joints whose dependencies forbid their position in `q`."""
         positions = self.positions(q)
         return tuple(
             joint.name
@@ -232,10 +234,10 @@ class Asset:
         )
 
     def pose(self, q: Mapping[str, float] | None = None) -> dict[str, Array]:
-        """Return how each link is displaced from rest.
+        """Return the displacement of each link from rest.
 
         Args:
-            q: Positions by joint name; those not given stand nearest to 0, coupled ones follow [rad or m].
+            q: Positions by joint name, completed as in `positions` [rad or m].
 
         Returns:
             For each link the transform, shape (4, 4), that takes its geometry from rest (asset coordinates)
@@ -261,10 +263,10 @@ class Asset:
         return [(joints[0].parent, child, tuple(joints)) for child, joints in grouped.items()]
 
     def origin(self, link: str) -> Array:
-        """Return where a link's own frame lies at rest in asset coordinates, shape (3,) [m].
+        """Return the origin of a link's frame at rest in asset coordinates, shape (3,) [m].
 
-        The frame of the base is the asset's; that of another link has its origin on the joint nearest to
-        it. All frames are parallel to the asset's axes at rest.
+        The base has the asset's frame. The origin of any other link lies on its nearest joint. At rest all
+        frames are parallel to the asset's axes.
         """
         name = self.link(link).name
         pivots = [joint.pivot for joint in self.joints if joint.child == name]
@@ -293,7 +295,7 @@ class Asset:
 
     @property
     def certificate(self) -> Certificate | None:
-        """The last certificate; None before `certify`, and on every changed copy."""
+        """The certificate of the last `certify`; None before it and on changed copies."""
         certificate: Certificate | None = vars(self).get(_CERTIFICATE)
         return certificate
 
@@ -358,9 +360,9 @@ class Asset:
 
 
 FORMAT = "artgen-asset-1"
-"""Marks the files that this version of the asset's JSON can be read from."""
+"""Format of `asset.json` that this version reads and writes."""
 
 
 def remember(asset: Asset, certificate: Certificate) -> None:
-    """Attach a certificate to an asset; changed copies of the asset do not inherit it."""
+    """Attach a certificate to an asset; changed copies do not inherit it."""
     vars(asset)[_CERTIFICATE] = certificate

@@ -1,4 +1,4 @@
-"""The certificate of an asset: the proof about collisions of its links over all joint positions."""
+"""Certificate of an asset: results of the collision proof over all joint positions."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -8,13 +8,13 @@ from artgen.asset.joint import AllowedContact
 from artgen.asset.record import Record, plain
 
 PROOF_FORMAT = "artgen-certificate-1"
-"""Marks the proofs that this version can verify."""
+"""Format of the proofs that this version can verify."""
 
 AXIS_FRAME = -2
-"""Frame of a leaf that is proven by heights and distances about the common axis, not by a plane."""
+"""Frame number of a cell that heights and radii about a common axis prove, instead of a plane."""
 
 MOST_TOLERANCE = 0.1
-"""Clearance that can be asked for, at most [m]."""
+"""Largest clearance that `certify` accepts [m]."""
 
 Verdict = Literal["proven", "collision", "not proven"]
 Region = Mapping[str, tuple[float, float]]
@@ -27,11 +27,11 @@ class Witness(Record):
 
     Attributes:
         pose: Position of every free joint that moves the pair [rad or m].
-        first_contact: Where on the straight way from rest to `pose` they first touch; equal to the rest
-            position if they overlap there [rad or m].
-        depth: How far the two pieces press into each other at `pose` [m].
-        volume: What the two links have in common at `pose` [m^3].
-        place: Middle of what they have in common, in asset coordinates at `pose` [m].
+        first_contact: First touching position on the straight line from rest to `pose`; the rest position
+            if they overlap there [rad or m].
+        depth: Penetration depth of the two pieces at `pose` [m].
+        volume: Volume of the overlap at `pose` [m^3].
+        place: Center of the overlap in asset coordinates at `pose` [m].
         labels: Labels of the two pieces.
     """
 
@@ -45,11 +45,11 @@ class Witness(Record):
 
 @dataclass(frozen=True)
 class OpenCell(Record):
-    """A region of joint space in which two pieces were proven neither apart nor in collision."""
+    """A region of joint space in which two pieces were proven neither separate nor colliding."""
 
     region: Region  # interval of each free joint that moves the pair [rad or m]
     labels: tuple[str, str]  # labels of the two pieces
-    distance: float  # distance of the pieces in the middle of the region [m]
+    distance: float  # distance of the pieces at the center of the region [m]
 
 
 @dataclass(frozen=True)
@@ -58,16 +58,16 @@ class PairResult(Record):
 
     Attributes:
         links: Their names.
-        joints: The free joints that move one against the other.
-        verdict: `proven`: the solids stay apart at every position. `collision`: they overlap at the
-            witness. `not proven`: neither; counts as a failure.
-        colliders: The same of the colliders, which contain the solids.
-        guaranteed: The solids are never closer than this, pieces apart that may touch by design; None if
-            all may, or not all is proven [m].
-        found: The convex pieces around them are that close at `found_at`; None if not measured [m].
-        found_at: Positions of the free joints there [rad or m].
-        witness: Where they overlap, if they do (the colliders, where only those do).
-        open_cells: Where nothing was proven, the first few.
+        joints: Names of the free joints that move one link against the other.
+        verdict: Verdict on the solids. `proven`: separate at every position. `collision`: they overlap at
+            the witness. `not proven`: neither could be shown; this counts as a failure.
+        colliders: Verdict on the colliders, which contain the solids.
+        guaranteed: Lower bound of the distance of the solids, without pieces that may touch; None if all
+            pieces may touch or the pair is not proven [m].
+        found: Distance of the convex pieces at `found_at`; None if it was not measured [m].
+        found_at: Positions of the free joints at that distance [rad or m].
+        witness: An overlap of the solids, or of the colliders if only they overlap.
+        open_cells: The first few regions in which nothing was proven.
         open_fraction: Share of the joint space of the pair in which nothing was proven.
     """
 
@@ -88,11 +88,11 @@ class PairResult(Record):
         return self.verdict == "proven" and self.colliders == "proven"
 
     def __str__(self) -> str:
-        """Tell the verdict in one line."""
+        """Return the verdict in one line."""
         names = f"{self.links[0]} and {self.links[1]}"
         if self.clear:
             if self.guaranteed is None:
-                return f"{names}: proven to touch as their contacts by design allow only"
+                return f"{names}: proven to touch only as their allowed contacts permit"
             return f"{names}: proven apart, at least {_mm(self.guaranteed)}"
         if self.witness is not None:
             what = "collide" if self.verdict == "collision" else "collide in their colliders only"
@@ -117,10 +117,10 @@ class Certificate(Record):
     """The results of the proof for all pairs of links that move against each other.
 
     Attributes:
-        tolerance: Clearance that had to be proven [m].
-        pairs: The result of each pair.
-        contacts: The contacts that the category allows.
-        leaves: The proof, which `artgen.proof.recheck` verifies; None where it was not kept.
+        tolerance: Required clearance [m].
+        pairs: Result of each pair.
+        contacts: Contacts that the category allows.
+        leaves: The proof, which `artgen.proof.recheck` verifies; None if it was not kept.
     """
 
     OPTIONAL: ClassVar = frozenset({"leaves"})
@@ -137,26 +137,26 @@ class Certificate(Record):
 
     @property
     def failures(self) -> tuple[PairResult, ...]:
-        """The pairs that are not proven, those that collide first."""
+        """The pairs that are not proven, collisions first."""
         order = {"collision": 0, "not proven": 1, "proven": 2}
         failed = [pair for pair in self.pairs if not pair.clear]
         return tuple(sorted(failed, key=lambda pair: (order[pair.verdict], order[pair.colliders])))
 
     @property
     def clearance(self) -> PairResult | None:
-        """The pair with the smallest guaranteed clearance; None if there is none, or not all is proven."""
+        """The pair with the smallest guaranteed clearance; None if no pair has one, or not all are proven."""
         known = [(pair.guaranteed, pair.links, pair) for pair in self.pairs if pair.guaranteed is not None]
         return min(known)[2] if self.proven and known else None
 
     def __str__(self) -> str:
-        """Tell the verdict in one line, and each failure in one more."""
+        """Return the verdict in one line, and one more line for each failure and each allowed contact."""
         if not self.pairs:
             return "nothing moves: there is nothing to prove"
         count, failed = len(self.pairs), len(self.failures)
         pairs = f"{count} pair{'' if count == 1 else 's'}"
         apart = f" with {_mm(self.tolerance)} to spare" if self.tolerance else ""
         if self.proven:
-            verb = "collide as contacts by design allow only" if self.contacts else "never collide"
+            verb = "touch only as allowed contacts permit" if self.contacts else "never collide"
             text = f"proven: {pairs} of links {verb}{apart}"
         else:
             text = f"not proven{apart}: {failed} of {pairs} fail{'s' if failed == 1 else ''}"
@@ -178,5 +178,5 @@ def _pose(pose: Mapping[str, float]) -> str:
 
 
 def spelled_region(region: Region) -> str:
-    """Spell a box in joint space."""
+    """Format a box in joint space."""
     return ", ".join(f"{name} in {low:.4g}..{high:.4g}" for name, (low, high) in region.items())

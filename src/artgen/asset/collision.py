@@ -1,4 +1,4 @@
-"""Other colliders for a link than those of its construction: CoACD, hulls, or those of a file."""
+"""Replacement of the colliders of an asset: CoACD, convex hulls, or given pieces."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
@@ -16,11 +16,11 @@ from artgen.colliders.coacd import coacd_pieces, fewest, single_hull
 from artgen.errors import AssetError, ExportError, nearest
 from artgen.materials import Material
 
-_DUST = 1e-15  # [m^3]: a part of less volume, that of a cube of 0.01 mm, is a crumb of a boolean
+_DUST = 1e-15  # smaller parts are rounding crumbs of booleans: a cube of 0.01 mm [m^3]
 
 
 def closed_mesh(solid: Manifold) -> tuple[Array, NDArray[np.int64]]:
-    """Return the vertices of a solid, each point once, shape (n, 3) [m], and its triangles, shape (m, 3)."""
+    """Return the distinct vertices of a solid, shape (n, 3) [m], and its triangles, shape (m, 3)."""
     mesh = solid.to_mesh64()
     vertices = np.array(mesh.vert_properties)[:, :3]
     target = np.arange(len(vertices))
@@ -34,10 +34,10 @@ def closed_mesh(solid: Manifold) -> tuple[Array, NDArray[np.int64]]:
 
 
 def connected_parts(solid: Manifold) -> list[Manifold]:
-    """Return the connected parts of a solid with their closed hollows, the smallest first, without crumbs."""
+    """Return the connected parts of a solid with their hollows, the smallest first, without crumbs."""
     shells = sorted(solid.decompose(), key=_rank)
     parts = [shell for shell in shells if shell.volume() > _DUST]
-    for wall in (shell for shell in shells if shell.volume() < -_DUST):  # of a hollow, turned inside out
+    for wall in (shell for shell in shells if shell.volume() < -_DUST):  # hollows: turned inside out
         around = next((number for number, part in enumerate(parts) if _inside(wall, part)), None)
         if around is not None:
             vertices, triangles = closed_mesh(wall)
@@ -56,7 +56,7 @@ def _inside(inner: Manifold, outer: Manifold) -> bool:
 
 
 def need_solids(asset: Asset, refused: str, instead: str) -> None:
-    """Refuse an asset that was read from files."""
+    """Raise AssetError for an asset that was read from files and has no solids."""
     for link in asset.links:
         if not link.pieces:
             raise AssetError(
@@ -68,40 +68,41 @@ def need_solids(asset: Asset, refused: str, instead: str) -> None:
 
 Collision = Literal["exact", "coacd", "hull"]
 COLLISIONS: tuple[str, ...] = get_args(Collision)
-"""How colliders can be made; `exact` leaves an asset those that it has."""
+"""Kinds of colliders; `exact` keeps the colliders of the asset."""
 
 _MOST_VERTICES = 64
-_TOUCHING = 2e-6  # [m]: solids of which less is common only touch; files have seven decimals
-_CONVEX = 1e-4  # share of its hull that a convex part does not fill
-_RECORD = "collision"  # in the data of a link whose colliders were replaced
+_TOUCHING = 2e-6  # solids that overlap by less only touch; files have seven decimals [m]
+_CONVEX = 1e-4  # largest share of its hull that a convex part may leave empty
+_RECORD = "collision"  # key in the data of a link with replaced colliders
 
 
 @dataclass(frozen=True, eq=False)
 class SolidPart:
-    """A solid of a link as colliders are made of it."""
+    """A solid of a link from which colliders are made."""
 
     label: str  # semantic label
     material: Material  # material of the solid
-    solid: Manifold  # the solid, in asset coordinates at rest; it may be of several parts that do not touch
+    solid: Manifold  # the solid in asset coordinates at rest; it may have several separate parts
 
 
 def with_colliders(asset: Asset, kind: Collision | str) -> Asset:
-    """Return an asset whose links carry colliders of another kind; all else, masses too, stays.
+    """Return an asset whose links have colliders of another kind; everything else stays, masses too.
 
-    `hull` is one convex hull around each connected part of each solid, of at most 64 vertices; where these
-    are more than 64 on a link, neighbors are joined. It contains the solids and closes every hollow.
-    `coacd` is CoACD's decomposition of the union of a link's solids, as few and as small; solids that only
-    touch are decomposed apart. It neither contains the solids nor keeps all hollows open.
-    `exact` is the asset itself.
+    `hull`: one convex hull of at most 64 vertices around each connected part of each solid; on links with
+    more than 64 parts, neighbors are joined. The hulls contain the solids and close every hollow.
+    `coacd`: CoACD's decomposition of the union of a link's solids, with at most 64 pieces of 64 vertices;
+    solids that only touch are decomposed separately. The pieces do not contain the solids exactly, and may
+    close hollows.
+    `exact`: the asset itself.
 
-    A certificate is of the colliders that it was made of: the asset that is returned has none.
+    The returned asset has no certificate: a certificate holds for the colliders that it was proven on.
 
     Args:
         asset: The asset.
-        kind: Of `COLLISIONS`.
+        kind: One of `COLLISIONS`.
 
     Raises:
-        ExportError: There is no such kind, or CoACD is not installed or fails.
+        ExportError: The kind is unknown, or CoACD is not installed or fails.
         AssetError: The asset was read from files, which have no solids.
     """
     if kind not in COLLISIONS:
@@ -118,13 +119,13 @@ def with_colliders(asset: Asset, kind: Collision | str) -> Asset:
 
 
 def replace_colliders(asset: Asset, colliders: dict[str, tuple[Collider, ...]], kind: str) -> Asset:
-    """Return an asset with other colliders on its links, by the links' names."""
+    """Return an asset with replaced colliders; `colliders` has the new ones by link name."""
     links = [RecollidedLink.of(link, replacing=colliders[link.name], collision=kind) for link in asset.links]
     return replace(asset, links=tuple(links))
 
 
 def collision_of(links: Sequence[dict[str, Any]]) -> str:
-    """Tell of which kind the colliders are in the data of an asset's links."""
+    """Return the kind of the colliders in the data of an asset's links."""
     kinds = dict.fromkeys(link.get(_RECORD, "exact") for link in links)
     return next((kind for kind in kinds if kind != "exact"), "exact")
 
@@ -150,7 +151,7 @@ def made_colliders(parts: Sequence[SolidPart], kind: str) -> tuple[Collider, ...
 
 
 def _unions(parts: Sequence[SolidPart]) -> list[Manifold]:
-    """Return the unions of solids that overlap by more than files round away."""
+    """Return the unions of solids that overlap by more than the rounding of files."""
     groups: list[list[Manifold]] = []
     for solid in (connected for part in parts for connected in connected_parts(part.solid)):
         met = [group for group in groups if any(_overlapping(solid, other) for other in group)]
@@ -163,7 +164,7 @@ def _overlapping(first: Manifold, second: Manifold) -> bool:
     if not boxes_overlap(_bounds(first), _bounds(second)):
         return False
     common = first ^ second
-    return bool(2.0 * common.volume() > _TOUCHING * common.surface_area())  # of a film: its thickness
+    return bool(2.0 * common.volume() > _TOUCHING * common.surface_area())  # the thickness of a film
 
 
 def _decomposed(solid: Manifold) -> tuple[Convex, ...]:
@@ -207,10 +208,10 @@ def _bounds(solid: Manifold) -> Array:
 
 @dataclass(frozen=True, eq=False)
 class RecollidedLink(DerivedLink):
-    """A link with colliders of another making; the rest is the source's."""
+    """A link with replaced colliders; everything else comes from the source."""
 
-    replacing: tuple[Collider, ...] = field(kw_only=True)  # its colliders now
-    collision: str = field(kw_only=True)  # how they were made
+    replacing: tuple[Collider, ...] = field(kw_only=True)  # the new colliders
+    collision: str = field(kw_only=True)  # kind of the new colliders
 
     @cached_property
     def colliders(self) -> tuple[Collider, ...]:

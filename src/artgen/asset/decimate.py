@@ -1,4 +1,4 @@
-"""Fewer triangles for a surface, within a given distance of it."""
+"""Simplification of a surface within a given distance."""
 
 import math
 
@@ -9,21 +9,21 @@ from artgen.asset.manifolds import coincident
 from artgen.asset.shape import Mesh, Shape
 from artgen.asset.surface import corner_normals
 
-_CREASE = math.radians(62.0)  # the fewer facets a round thing has, the more they turn
+_CREASE = math.radians(62.0)  # smooth below: a round surface with few facets has large angles between them
 
-_SHARES = (1.0, 0.8, 0.6, 0.3, 0.1, 0.03)  # of the precision that are tried
-_KEPT = 0.9  # of the area, or things have gone
-_POINT = 1e-9  # radius of a ball that stands for a point [m]
+_SHARES = (1.0, 0.8, 0.6, 0.3, 0.1, 0.03)  # shares of the precision to try
+_KEPT = 0.9  # least share of the area; below it, parts have vanished
+_POINT = 1e-9  # radius of a ball that represents a point [m]
 
 
 def coarser(shape: Shape, precision: float) -> Mesh:
-    """Return a surface of fewer triangles: no point of it lies farther than that from the shape's.
+    """Return a surface with fewer triangles, within a precision of the shape's surface [m].
 
-    Vertices that are left keep their texture coordinates and paint. Normals are new: those of a rounded
-    edge that is gone would shade the faces beside it. What is thinner than the precision, as print is, is
-    kept to a part of it.
+    Remaining vertices keep their texture coordinates and paint. Normals are computed again: normals of a
+    removed round edge would shade the faces next to it. Features thinner than the precision, such as print,
+    are kept to a share of it.
     """
-    mesh = shape.mesh  # in an order of its own, which decides what goes
+    mesh = shape.mesh  # its order decides which vertices are removed
     same = Shape.from_mesh(
         mesh.vertices, mesh.normals, mesh.uvs, mesh.triangles, shape.pieces, paints=mesh.paints
     )
@@ -33,7 +33,7 @@ def coarser(shape: Shape, precision: float) -> Mesh:
         fewer = Shape(solid, shape.pieces).mesh
         if solid.surface_area() <= _KEPT * area or set(fewer.paints.tolist()) != paints:
             continue
-        if lies_within(precision, mesh.vertices, fewer):  # steps add up along a curve
+        if lies_within(precision, mesh.vertices, fewer):  # along a curve, steps add up
             break
     else:
         return mesh
@@ -50,7 +50,7 @@ def coarser(shape: Shape, precision: float) -> Mesh:
 
 
 def lies_within(distance: float, points: Array, mesh: Mesh) -> bool:
-    """Tell whether no point, of shape (n, 3), is farther than a distance from a surface [m]."""
+    """Tell whether all points, shape (n, 3), lie within a distance of a surface [m]."""
     import fcl
     from scipy.spatial import cKDTree
 

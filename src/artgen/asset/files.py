@@ -1,4 +1,4 @@
-"""Reading an asset from an export directory, and pickling it in the same form."""
+"""Loading of assets from an export directory, and pickling in the same form."""
 
 import json
 import os
@@ -31,15 +31,15 @@ MESH_DIRECTORY = "meshes"
 def load(directory: str | Path) -> Asset:
     """Read an asset that was exported to a directory.
 
-    The numbers come from its `asset.json`; the visible faces from `meshes/`, when they are first asked for.
-    Where an export was killed before it put the new directory in place, the asset before is read.
+    Numbers come from `asset.json`; visible faces are read from `meshes/` on first access. If an export was
+    killed before its directory was in place, the previous asset is read.
 
     Args:
         directory: The directory, or its `asset.json`.
 
     Raises:
         ExportError: There is no readable `asset.json`.
-        AssetError: The file is of another format, or has names or paths that artgen would not write.
+        AssetError: The file has another format, or names or paths that artgen does not write.
     """
     path = Path(directory)
     path = path / ASSET_FILE if path.suffix != ".json" else path
@@ -49,7 +49,7 @@ def load(directory: str | Path) -> Asset:
     try:
         data = json.loads(path.read_text(encoding="utf-8"))
     except (OSError, ValueError) as error:
-        reason = getattr(error, "strerror", None) or error  # which does not repeat the path
+        reason = getattr(error, "strerror", None) or error  # the message without the path
         raise ExportError(
             f"cannot read {path}: {reason}; is this a directory that artgen exported?"
         ) from error
@@ -64,7 +64,7 @@ def load(directory: str | Path) -> Asset:
 
 
 def main_files(directory: str | Path) -> dict[str, Path]:
-    """Return the file that a client opens, for each format of an export.
+    """Return the main file of each format of an export, which simulators open.
 
     Args:
         directory: The directory of the export.
@@ -87,15 +87,20 @@ def main_files(directory: str | Path) -> dict[str, Path]:
 
 
 def previous_directory(directory: Path) -> Path:
-    """Return where the earlier asset of a directory is while a new one takes its place."""
+    """Return the path of the earlier asset while a new one is put into its directory."""
     target = Path(os.path.realpath(directory))
     return target.parent / f".{target.name}.previous"
 
 
 def mesh_names(names: Mapping[str, Sequence[str]], taken: Iterable[str] = ()) -> dict[str, tuple[str, ...]]:
-    """Give each named mesh of each link a file name of its own.
+    """Return a unique file name for each mesh of each link.
 
-    Some clients search a mesh by its base name only, and some disks do not tell capitals from small letters.
+    Names differ in more than case: some simulators search meshes by base name, and some file systems ignore
+    case.
+
+    Args:
+        names: Mesh names by link.
+        taken: File names that are in use.
     """
     used = {name.lower() for name in taken}
     result = {}
@@ -116,7 +121,7 @@ def asset_from_data(data: Mapping[str, Any], directory: Path) -> Asset:
     materials = {item["name"]: Material.from_data(item) for item in data["materials"]}
     joints = tuple(AssetJoint.from_data(item) for item in data["joints"])
     files = mesh_names({item["name"]: [each["name"] for each in item["surfaces"]] for item in data["links"]})
-    # the last joint before a link lies on the link's origin; the base has the asset's frame
+    # the origin of a link lies on its last joint; the base has the asset's frame
     origins = {joint.child: joint.pivot for joint in joints}
     links = tuple(
         _StoredLink(
@@ -145,7 +150,7 @@ def asset_from_data(data: Mapping[str, Any], directory: Path) -> Asset:
         labels=tuple(data["labels"]),
         contacts=tuple(AllowedContact.from_data(item) for item in data.get("contacts", ())),
     )
-    # a cached property lives in its instance's dictionary; found there, it is not derived from the surfaces
+    # preset the cached property: otherwise it would be derived from the surfaces
     vars(asset)["materials"] = tuple(materials.values())
     if data.get("certificate") is not None:
         certificate = Certificate.from_data(data["certificate"])
@@ -154,7 +159,7 @@ def asset_from_data(data: Mapping[str, Any], directory: Path) -> Asset:
 
 
 def _leaves(path: Path) -> dict[str, Any] | None:
-    """Read the proof of a certificate; the check of the certificate reports its faults."""
+    """Read the proof of a certificate; a damaged proof is left to the check of certificates."""
     try:
         data = json.loads(path.read_text(encoding="utf-8"))
     except FileNotFoundError:
@@ -166,9 +171,9 @@ def _leaves(path: Path) -> dict[str, Any] | None:
 
 @dataclass(frozen=True, eq=False)
 class _StoredLink(Link):
-    """A link whose derived values were stored, instead of being derived from solids."""
+    """A link whose values come from files instead of solids."""
 
-    data: Mapping[str, Any] = field(default_factory=dict)  # what `Link.to_data` wrote
+    data: Mapping[str, Any] = field(default_factory=dict)  # data from `Link.to_data`
     materials: Mapping[str, Material] = field(default_factory=dict)  # the asset's materials by name
     meshes: tuple[Path, ...] = ()  # the OBJ file of each surface
     # origin of the link's frame in asset coordinates at rest, shape (3,) [m]
@@ -197,7 +202,7 @@ class _StoredLink(Link):
         )
 
     def _surface(self, item: Mapping[str, Any], path: Path) -> Surface:
-        """Read a surface; files have texture coordinates in repeats of its material's maps."""
+        """Read a surface; its file has texture coordinates in repeats of the maps."""
         material = self.materials[item["material"]]
         mesh = read_obj(path, self.origin)
         metric = replace(mesh, uvs=metric_coordinates(mesh.uvs, material))
@@ -224,7 +229,7 @@ def _convex(data: Mapping[str, Any]) -> Convex:
 
 
 def read_obj(path: Path, origin: Array) -> Mesh:
-    """Read the triangles of an OBJ file that artgen wrote."""
+    """Read a mesh from an OBJ file that artgen wrote; `origin` is the origin of its frame, shape (3,) [m]."""
     try:
         lines = path.read_bytes().splitlines()
     except FileNotFoundError:
@@ -241,7 +246,7 @@ def read_obj(path: Path, origin: Array) -> Mesh:
             rows[keyword].append(rest)
     try:
         corners = _numbers(rows[b"f"], 9).astype(np.int64).reshape(-1, 3) - 1
-        # a lower number is a lower value, so that these are in the order of positions, normals, coordinates
+        # files number values in ascending order: sorted keys sort by position, normal and coordinates
         keys = (corners[:, 0] * len(rows[b"vn"]) + corners[:, 2]) * len(rows[b"vt"]) + corners[:, 1]
         _, first, numbers = np.unique(keys, return_index=True, return_inverse=True)
         place, uv, normal = corners[first].T
@@ -260,17 +265,17 @@ Packed = tuple[Mapping[str, Any], Mapping[str, tuple[Surface, ...]], Certificate
 
 
 def pack(asset: Asset) -> Packed:
-    """Return an asset for pickling: its data, the surfaces of its links, and its certificate."""
+    """Return the parts of an asset that are pickled: data, surfaces of its links, certificate."""
     stored = asset.rounded()
     return stored.to_data(), {link.name: link.surfaces for link in stored.links}, asset.certificate
 
 
 def unpack(*packed: Any) -> Asset:
-    """Return the asset that `pack` packed; like a loaded asset, it has no solids."""
+    """Return the asset from the parts of `pack`; like a loaded asset, it has no solids."""
     data, surfaces, certificate = packed
     asset = asset_from_data({**data, "certificate": None}, Path())
     for link in asset.links:
-        # a cached property lives in its instance's dictionary; found there, no file is read
+        # preset the cached property: no file is read
         vars(link)["surfaces"] = surfaces[link.name]
     if certificate is not None:
         remember(asset, certificate)

@@ -1,7 +1,7 @@
-"""The hand that grasps are made and checked for: a parallel gripper of usual size, and a finger that pushes.
+"""The hand for which grasps are made and checked: a parallel gripper, and a finger that pushes.
 
-In the frame of a grasp, the fingers close along x, the hand comes along z, and the origin is in the middle of
-the pads. Sizes are those of a Franka hand.
+In the frame of a grasp, the fingers close along x, the hand approaches along z, and the origin is the center
+of the pads. Sizes are those of a Franka hand.
 """
 
 from collections.abc import Iterable
@@ -24,18 +24,18 @@ class Gripper:
     long: float = 0.054  # length of a finger from the hand to the tip [m]
     # sizes of the hand behind the fingers: along the closing direction, across, and along the approach [m]
     hand: tuple[float, float, float] = (0.204, 0.063, 0.066)
-    clearance: float = 0.005  # what each open finger keeps from the thing before it closes [m]
-    finger: float = 0.018  # diameter of the finger that pushes [m]
+    clearance: float = 0.005  # distance of each open finger from the object before it closes [m]
+    finger: float = 0.018  # diameter of the pushing finger [m]
 
     @property
     def tip(self) -> float:
-        """How far the tips reach past the origin of a grasp [m]."""
+        """Distance of the finger tips beyond the origin of a grasp [m]."""
         return self.pad / 2.0
 
     def opening(self, thickness: float) -> float:
-        """Return the opening that the fingers need around a thing, in steps of 0.1 mm [m].
+        """Return the opening of the fingers around an object of a thickness, in steps of 0.1 mm [m].
 
-        It is more than they have around a thing that they cannot take, so that checks say how much is amiss.
+        For objects that are too thick it exceeds the stroke, so that checks can report the excess.
         """
         wanted = np.ceil(1e4 * (thickness + 2.0 * self.clearance) - 1e-3) / 1e4
         return float(wanted if thickness > self.stroke else min(wanted, self.stroke))
@@ -47,7 +47,7 @@ class Gripper:
         )
 
     def blocks(self, low: float, high: float, back: float = 0.0) -> dict[str, Array]:
-        """Return the corners of the boxes that make the hand, by name, shape (2, 3) each [m]."""
+        """Return the boxes of the hand by name, each as two corners, shape (2, 3) [m]."""
         root, across = self.tip - self.long, self.wide / 2.0
         x, y, z = self.hand
         return {
@@ -58,7 +58,7 @@ class Gripper:
 
 
 GRIPPER = Gripper()
-"""The gripper that grasps are made for."""
+"""The gripper for which grasps are made."""
 
 
 def block(corners: Array, frame: Array) -> Manifold:
@@ -77,6 +77,6 @@ def clipped(solids: Iterable[Manifold], region: Manifold, frame: Array) -> Array
 
 
 def held(solids: Iterable[Manifold], frame: Array) -> tuple[float, float] | None:
-    """Return how far solids reach along x between the fingers of a grasp; None if nothing is there."""
+    """Return the extent of solids along x between the fingers of a grasp; None without solids there [m]."""
     points = clipped(solids, block(GRIPPER.between(GRIPPER.stroke), frame), frame)
     return (float(points[:, 0].min()), float(points[:, 0].max())) if len(points) else None

@@ -19,8 +19,8 @@ class AssetCoupling(Record):
 
     Attributes:
         leader: Name of the joint that leads.
-        ratio: [rad/rad, m/rad, rad/m or m/m].
-        offset: [rad or m].
+        ratio: Transmission ratio [rad/rad, m/rad, rad/m or m/m].
+        offset: Position while the leader stands at 0 [rad or m].
     """
 
     leader: str
@@ -35,7 +35,7 @@ class AssetCondition(Record):
     Attributes:
         kind: `above` and `below` compare one joint with `value`; `all` and `any` combine `terms`.
         joint: Name of the compared joint.
-        value: [rad or m].
+        value: Threshold [rad or m].
         terms: The combined conditions.
     """
 
@@ -47,7 +47,7 @@ class AssetCondition(Record):
     terms: tuple["AssetCondition", ...] = ()
 
     def holds(self, q: Mapping[str, float]) -> bool:
-        """Tell whether the joint positions `q` (of every joint named here) lie in the region."""
+        """Tell whether joint positions `q` lie in the region; `q` has every joint of `joints()`."""
         if self.kind == "above":
             return q[self.joint] > self.value
         if self.kind == "below":
@@ -56,7 +56,7 @@ class AssetCondition(Record):
         return all(results) if self.kind == "all" else any(results)
 
     def joints(self) -> tuple[str, ...]:
-        """Return the names of the joints that the region speaks of, in order of appearance."""
+        """Return the names of the joints in the condition, in order of appearance."""
         if self.joint:
             return (self.joint,)
         return tuple(dict.fromkeys(name for term in self.terms for name in term.joints()))
@@ -70,7 +70,7 @@ class AssetCondition(Record):
         )
 
     def __str__(self) -> str:
-        """Spell the condition as its author would."""
+        """Return the condition in the syntax of the language."""
         if self.kind in ("above", "below"):
             return f"{self.joint} {'>' if self.kind == 'above' else '<'} {self.value:.6g}"
         sign = " & " if self.kind == "all" else " | "
@@ -84,14 +84,14 @@ class AssetCondition(Record):
 
 @dataclass(frozen=True)
 class AssetDependency(Record):
-    """A joint may stand away from its closed position (0) only where a condition holds.
+    """A joint may leave its closed position (0) only while a condition on other joints holds.
 
     Attributes:
-        condition: The region of the other joints in which the joint may move.
-        until: The joint needs the condition only below this position; beyond it the joint is free, as a
-            door is once its latch has left the strike. None: however far it is away [rad or m].
-        beyond: The joint needs the condition only beyond this position; up to it the joint is free, as a
-            drawer is until it strikes the closed door before it. None: already where it leaves 0 [rad or m].
+        condition: The condition.
+        until: The dependency ends at this position; farther open, the joint moves freely, like a door whose
+            latch has left the strike. None: it never ends [rad or m].
+        beyond: The dependency begins at this position; closer to 0, the joint moves freely, like a drawer
+            before it reaches the closed door. None: it begins at 0 [rad or m].
     """
 
     OPTIONAL: ClassVar = frozenset({"beyond"})
@@ -101,13 +101,13 @@ class AssetDependency(Record):
     beyond: float | None = None
 
     def allows(self, position: float, q: Mapping[str, float]) -> bool:
-        """Tell whether the joint may stand at `position` while the others stand at `q`."""
+        """Tell whether the joint may stand at `position` while the other joints stand at `q`."""
         near = abs(position) <= max(self.beyond or 0.0, 1e-9)
         far = self.until is not None and abs(position) >= self.until
         return near or far or self.condition.holds(q)
 
     def __str__(self) -> str:
-        """Spell the dependency as its author would."""
+        """Return the dependency in the syntax of the language."""
         if self.until is None and self.beyond is None:
             return str(self.condition)
         beyond = "" if self.beyond is None else f".beyond({self.beyond:.6g})"
@@ -124,26 +124,26 @@ class AssetDependency(Record):
 class AssetJoint(FrozenArrays, Record):
     """One degree of freedom between two links.
 
-    Several joints may join one pair of links; they act in order, the first nearest to the parent.
+    The same two links may have several joints; they act in order, the first nearest to the parent.
 
     Attributes:
         name: Identifier, unique in the asset.
         kind: `revolute` [rad] or `prismatic` [m].
         axis: Unit vector in asset coordinates at rest, shape (3,).
         pivot: A point on the axis in asset coordinates at rest, shape (3,) [m].
-        limits: Lowest and highest position; equal ones lock the joint, None is unlimited [rad or m].
+        limits: Lowest and highest position; equal limits lock the joint, None is unlimited [rad or m].
         stiffness: Spring towards `rest` [N m/rad or N/m].
         damping: [N m s/rad or N s/m].
-        friction: Dry friction that holds the joint [N m or N].
-        rest: Position in which the spring is at ease [rad or m].
-        armature: Inertia added at the joint [kg m^2 or kg].
-        effort: Largest torque or force that an actuator may apply [N m or N].
+        friction: Dry friction [N m or N].
+        rest: Position at which the spring is relaxed [rad or m].
+        armature: Additional inertia at the joint [kg m^2 or kg].
+        effort: Largest torque or force of an actuator [N m or N].
         velocity: Largest speed [rad/s or m/s].
         follows: The coupling to another joint, if any.
         needs: The dependency on other joints, if any.
         parent: Name of the parent link; empty until the joint is part of an asset.
         child: Name of the child link; empty until the joint is part of an asset.
-        driven: Actuator that moves it, such as `a motor`; empty: moved by hand.
+        driven: Actuator that moves the joint, such as `a motor`; empty if a hand moves it.
     """
 
     OPTIONAL: ClassVar = frozenset({"driven"})
@@ -168,7 +168,7 @@ class AssetJoint(FrozenArrays, Record):
 
     @property
     def locked(self) -> bool:
-        """Whether the limits leave one position only."""
+        """Whether the limits allow one position only."""
         return self.limits is not None and self.limits[0] == self.limits[1]
 
     @property
@@ -196,7 +196,7 @@ class AssetJoint(FrozenArrays, Record):
         return replace(self, axis=axis, pivot=matrix[:3, :3] @ self.pivot + matrix[:3, 3])
 
     def renamed(self, names: Mapping[str, str]) -> "AssetJoint":
-        """Return the joint with itself and the joints that it refers to renamed."""
+        """Return the joint with its own name and its references to other joints renamed."""
         follows, needs = self.follows, self.needs
         if follows is not None:
             follows = replace(follows, leader=names.get(follows.leader, follows.leader))
@@ -210,11 +210,11 @@ class AssetJoint(FrozenArrays, Record):
 
 
 DYNAMICS = ("stiffness", "damping", "friction", "rest", "armature", "effort", "velocity")
-"""The fields of a joint that are one number each, in SI units."""
+"""Fields of a joint with one number each, in SI units."""
 
 
 def is_number(value: object) -> bool:
-    """Tell whether a value is a real number, as positions and lengths are; True and False are none."""
+    """Tell whether a value is a real number; booleans do not count."""
     return isinstance(value, int | float | np.integer | np.floating) and not isinstance(value, bool)
 
 
@@ -227,7 +227,7 @@ def rotation(axis: Array, angle: float) -> Array:
 
 
 def positions_of_followers(joints: Mapping[str, AssetJoint], q: dict[str, float]) -> dict[str, float]:
-    """Add the positions of coupled joints to those of the free ones."""
+    """Return the given positions of free joints with the positions of coupled joints."""
     result = dict(q)
     for name in joints:
         chain: list[str] = []
@@ -251,14 +251,14 @@ def positions_of_followers(joints: Mapping[str, AssetJoint], q: dict[str, float]
 
 @dataclass(frozen=True)
 class AllowedContact(Record):
-    """Two kinds of pieces on two links that may touch.
+    """A contact that the category allows, between pieces of two links.
 
     Attributes:
-        links: Names of the two links, the declared order kept.
-        labels: Label of the pieces on the first and on the second link.
-        depth: How far the pieces may press into each other [m].
-        reason: Why they do, as the author says.
-        when: The region of joint space in which they may; everywhere if None.
+        links: Names of the two links.
+        labels: Labels of the pieces on the first and on the second link.
+        depth: Largest allowed penetration [m].
+        reason: Reason that the author gives.
+        when: Condition on the joints under which the contact is allowed; None: always.
     """
 
     links: tuple[str, str]
@@ -268,13 +268,13 @@ class AllowedContact(Record):
     when: AssetCondition | None = None
 
     def renamed(self, links: Mapping[str, str], joints: Mapping[str, str]) -> "AllowedContact":
-        """Return the contact with links and joints renamed; names not in the mappings stay."""
+        """Return the contact with renamed links and joints; names not in the mappings stay."""
         first, second = (links.get(name, name) for name in self.links)
         when = None if self.when is None else self.when.renamed(joints)
         return replace(self, links=(first, second), when=when)
 
     def __str__(self) -> str:
-        """Tell which pieces may touch, how deep, where and why."""
+        """Describe the pieces, the depth, the condition and the reason."""
         (a, b), (first, second) = self.links, self.labels
         where = "" if self.when is None else f" where {self.when}"
         return f"{a}/{first} may press {1e3 * self.depth:.3g} mm into {b}/{second}{where}: {self.reason}"

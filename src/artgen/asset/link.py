@@ -18,15 +18,15 @@ from artgen.errors import AssetError
 from artgen.materials import Material
 
 MOST_COLLIDERS = 64
-"""Convex pieces that one link may carry; the budget of GPU simulators."""
+"""Most convex pieces of one link; a common limit of GPU simulators."""
 
 
 @dataclass(frozen=True, eq=False)
 class PrintDirection(FrozenArrays):
-    """How print is read, so that the mirror image of a product does not have mirrored print.
+    """Reading direction of print, which keeps print readable on mirrored parts.
 
     Attributes:
-        about: The middle of the print, shape (3,) [m].
+        about: Center of the print, shape (3,) [m].
         direction: Unit vector along the lines, shape (3,).
     """
 
@@ -34,10 +34,13 @@ class PrintDirection(FrozenArrays):
     direction: Array
 
     def motion(self, matrix: Array) -> Array:
-        """Return how print moves when its part is moved by a rigid motion or a reflection, shape (4, 4).
+        """Return the motion of print on a part that is moved or reflected, shape (4, 4).
 
-        A reflection turns the print over about its middle as well, which leaves it readable in the place
-        where its mirror image would be.
+        Under a reflection, the print is also flipped about its center: it stays readable in the place of its
+        mirror image.
+
+        Args:
+            matrix: Rigid motion or reflection of the part, shape (4, 4).
         """
         if np.linalg.det(matrix[:3, :3]) > 0.0:
             return matrix
@@ -47,20 +50,20 @@ class PrintDirection(FrozenArrays):
         return np.asarray(matrix @ turned)
 
     def moved(self, motion: Array) -> "PrintDirection":
-        """Return how the print is read after that motion of its own, shape (4, 4)."""
+        """Return the reading direction after a motion of the print, shape (4, 4)."""
         return PrintDirection(motion[:3, :3] @ self.about + motion[:3, 3], motion[:3, :3] @ self.direction)
 
 
 @dataclass(frozen=True, eq=False)
 class Piece:
-    """A solid of one material with a name of its own.
+    """A labelled solid of one material.
 
     Attributes:
         label: Semantic label.
         material: Material of the solid.
         shape: The solid, in asset coordinates at rest.
-        visual: Whether the piece is only seen: it has neither mass nor collider.
-        reading: How it is read, if it is print.
+        visual: Whether the piece is a visual detail, without mass and collider.
+        reading: Its reading direction, if the piece is print.
     """
 
     label: str
@@ -83,8 +86,8 @@ class Collider:
 
     Attributes:
         convex: The piece, in asset coordinates at rest.
-        label: Semantic label of the solid that it covers.
-        material: Material of that solid.
+        label: Semantic label of the covered solid.
+        material: Material of the covered solid.
     """
 
     convex: Convex
@@ -116,9 +119,9 @@ class Link(FrozenArrays):
     Attributes:
         name: Identifier, unique in the asset.
         label: Semantic label of the link as a whole.
-        pieces: Its solids; empty on an asset read from files, which has surfaces and colliders only.
-        grasps: Frames at which a hand takes hold of the link.
-        separate: Why its solids do not all hang together, if they are meant not to.
+        pieces: Its solids; empty if the asset was read from files, which hold surfaces and colliders only.
+        grasps: Frames at which a hand grasps the link.
+        separate: Reason why its solids are not all connected; empty if they have to be.
         pushes: Frames at which a finger pushes the link.
     """
 
@@ -138,7 +141,7 @@ class Link(FrozenArrays):
 
     @cached_property
     def mass_properties(self) -> MassProperties:
-        """Mass, center and inertia of the solids; where welded solids overlap, the first one counts."""
+        """Mass, center and inertia of the solids; a volume in several solids counts for the first one."""
         moments: list[Moments] = []
         done: list[tuple[Shape, Array]] = []
         for piece in self._solid_pieces():
@@ -177,11 +180,11 @@ class Link(FrozenArrays):
 
     @cached_property
     def surfaces(self) -> tuple[Surface, ...]:
-        """The visible faces, one surface for each label and material."""
+        """Visible faces, one surface for each label and material."""
         return self.surfaces_of(lambda piece: piece.shape.mesh)
 
     def surfaces_of(self, mesh_of: Callable[[Piece], Mesh]) -> tuple[Surface, ...]:
-        """Return one surface for each label and material, of the meshes that stand for the pieces."""
+        """Return one surface for each label and material; `mesh_of` returns the mesh of a piece."""
         groups: dict[tuple[str, Material], list[Mesh]] = {}
         for index, piece in enumerate(self.pieces):
             for number, mesh in by_paint(mesh_of(piece)):
@@ -241,7 +244,7 @@ class Link(FrozenArrays):
         }
 
     def origin_data(self) -> dict[str, Any]:
-        """Return how colliders and surfaces were made, as JSON data; empty if as usual."""
+        """Return as JSON data how colliders and surfaces were replaced; empty if they were not."""
         return {}
 
     def surface_data(self) -> list[dict[str, Any]]:
@@ -257,7 +260,7 @@ class Link(FrozenArrays):
         ]
 
     def details_data(self) -> list[dict[str, Any]]:
-        """Return label and bounding box of each connected part that is only seen, as JSON data."""
+        """Return label and bounding box of each connected part of visual details, as JSON data."""
         boxes = [
             (piece.label, (np.round([points.min(axis=0), points.max(axis=0)], 9) + 0.0).tolist())
             for piece in self.pieces
@@ -275,12 +278,12 @@ class Link(FrozenArrays):
 
 
 def boxes_overlap(a: Array, b: Array) -> bool:
-    """Tell whether two boxes, shape (2, 3), have more in common than faces."""
+    """Tell whether the interiors of two boxes, shape (2, 3), overlap."""
     return bool((a[0] < b[1]).all() and (b[0] < a[1]).all())
 
 
 class MovedPieces(Sequence[Piece]):
-    """Pieces that are moved when they are looked at."""
+    """Pieces whose motion is computed on first access."""
 
     def __init__(self, pieces: Sequence[Piece], matrix: Array) -> None:
         self._source = pieces
@@ -303,18 +306,13 @@ class MovedPieces(Sequence[Piece]):
 
 @dataclass(frozen=True, eq=False)
 class DerivedLink(Link):
-    """A link that equals another one except for what a subclass changes."""
+    """A link with the values of another link, of which subclasses change some."""
 
     source: Link = field(kw_only=True)  # the link before
 
     @classmethod
     def of(cls, link: Link, **changes: Any) -> Self:
-        """Make one from another link.
-
-        Args:
-            link: The link before.
-            changes: The fields of the subclass.
-        """
+        """Return the link derived from another; `changes` are the fields of the subclass."""
         fields = (link.name, link.label, link.pieces, link.grasps, link.separate, link.pushes)
         return cls(*fields, source=link, **changes)
 
@@ -339,21 +337,21 @@ class DerivedLink(Link):
         return self.source.surfaces
 
     def surface_data(self) -> list[dict[str, Any]]:
-        """Return what the source says of its surfaces."""
+        """Return the surfaces of the source as JSON data."""
         return self.source.surface_data()
 
     def details_data(self) -> list[dict[str, Any]]:
-        """Return what the source says of its details."""
+        """Return the details of the source as JSON data."""
         return self.source.details_data()
 
     def origin_data(self) -> dict[str, Any]:
-        """Return how colliders and surfaces of the source were made."""
+        """Return how colliders and surfaces of the source were replaced."""
         return self.source.origin_data()
 
 
 @dataclass(frozen=True, eq=False)
 class MovedLink(Link):
-    """A link that was moved after it was made; values derived from the link move along."""
+    """A moved link; its values are moved values of the source, computed on first access."""
 
     source: Link = field(kw_only=True)  # the link before
     matrix: Array = field(kw_only=True)  # rigid motion or reflection, shape (4, 4)
@@ -378,18 +376,18 @@ class MovedLink(Link):
 
     @cached_property
     def surfaces(self) -> tuple[Surface, ...]:
-        """The visible faces of the source, moved; under another name they show another part of the maps."""
+        """The visible faces of the source, moved; a renamed link uses another part of its texture maps."""
         return super().surfaces if self._turned_over else self._carried(self.source.surfaces)
 
     def surfaces_of(self, mesh_of: Callable[[Piece], Mesh]) -> tuple[Surface, ...]:
-        """Return one surface for each label and material, of meshes that stand for the source's pieces."""
+        """Return one surface for each label and material; `mesh_of` returns the mesh of a piece."""
         if self._turned_over:
             return super().surfaces_of(mesh_of)
         return self._carried(self.source.surfaces_of(mesh_of))
 
     @property
     def _turned_over(self) -> bool:
-        """Whether print has to be turned on its own, to stay readable."""
+        """Whether a reflection requires that print is turned separately."""
         reflected = np.linalg.det(self.matrix[:3, :3]) < 0.0
         return bool(reflected) and any(piece.reading is not None for piece in self.source.pieces)
 

@@ -1,4 +1,4 @@
-"""The watertight surfaces of manifold3d: made of triangles, mended and moved."""
+"""Watertight surfaces in manifold3d: construction from triangles, repair and motion."""
 
 import numpy as np
 from manifold3d import Manifold, Mesh64
@@ -11,11 +11,11 @@ PROPERTIES = 6
 """Vertex property channels of every manifold: nx ny nz u v paint."""
 
 TURNED_OVER = np.array([-1.0, 1.0])
-"""Turns texture coordinates, so that a reflection mirrors no map."""
+"""Factors of texture coordinates under a reflection, which keep maps unmirrored."""
 
-_COINCIDENT = 1e-9  # [m]: vertices closer than this are one point of the surface
-_SMALL = 600  # triangles
-_HAS_NORMALS = 2  # bit of a mesh run: the first three channels are normals, to be turned with the solid
+_COINCIDENT = 1e-9  # vertices closer than this are one point of the surface [m]
+_SMALL = 600  # most triangles of a surface whose connectivity is cached
+_HAS_NORMALS = 2  # bit of a mesh run: the first three channels are normals, which turn with the solid
 
 
 def moved_manifold(manifold: Manifold, matrix: Array) -> Manifold:
@@ -26,9 +26,9 @@ def moved_manifold(manifold: Manifold, matrix: Array) -> Manifold:
 
 
 def _reflected(manifold: Manifold, matrix: Array) -> Manifold:
-    """Return a manifold moved by a matrix that turns it over, shape (4, 4).
+    """Return a manifold after a reflection, shape (4, 4).
 
-    Manifold's own transform turns the triangles but leaves their corners' normals in the old order.
+    The transform of manifold3d flips the triangles but not the order of the normals at their corners.
     """
     raw = manifold.to_mesh64()
     properties = np.array(raw.vert_properties)
@@ -40,7 +40,7 @@ def _reflected(manifold: Manifold, matrix: Array) -> Manifold:
 
 
 def manifold_of(table: Array, triangles: ArrayLike, merged: ArrayLike, target: ArrayLike) -> Manifold:
-    """Make a manifold, whose status is not checked, of vertices with the channels of `PROPERTIES`."""
+    """Return a manifold with unchecked status from vertices with the channels of `PROPERTIES`."""
     corners = np.array(triangles, np.uint64, order="C").reshape(-1, 3)
     return Manifold(
         Mesh64(
@@ -56,10 +56,10 @@ def manifold_of(table: Array, triangles: ArrayLike, merged: ArrayLike, target: A
 
 
 def mended(table: Array, triangles: Indices) -> Array:
-    """Return the vertices of a manifold with numbers where a boolean left none.
+    """Return the vertices of a manifold with the missing properties filled in.
 
-    Where many solids meet in a point, manifold3d makes corners between sides of no length: without normal,
-    texture coordinates or paint. They get those of the largest face at them.
+    Where many solids meet in a point, booleans of manifold3d create corners without normal, texture
+    coordinates or paint. They get the values of their largest face.
     """
     whole = np.logical_and(np.isfinite(table).all(axis=1), table[:, 3:6].any(axis=1))
     if whole.all():
@@ -78,26 +78,26 @@ def mended(table: Array, triangles: Indices) -> Array:
 
 
 def coincident(vertices: Array) -> Indices:
-    """Return for each vertex the first vertex at its place."""
+    """Return for each vertex the first vertex at the same position."""
     quantised = np.rint(vertices / _COINCIDENT).astype(np.int64)
     _, first, group = np.unique(quantised, axis=0, return_index=True, return_inverse=True)
     return first[group.ravel()]
 
 
 def is_closed(faces: Indices) -> bool:
-    """Tell whether each edge of triangles, shape (m, 3), is one of another triangle the other way round."""
+    """Tell whether each edge of triangles, shape (m, 3), is a reversed edge of another triangle."""
     start, end = faces.ravel(), faces[:, [1, 2, 0]].ravel()
     count = int(faces.max()) + 1
     return np.array_equal(np.sort(start * count + end), np.sort(end * count + start))
 
 
 def groups(faces: Indices) -> list[Indices]:
-    """Return the points of each connected part of triangles, shape (m, 3), in their order."""
+    """Return the sorted points of each connected part of triangles, shape (m, 3)."""
     from scipy.sparse import csr_array
     from scipy.sparse.csgraph import connected_components
 
     count = int(faces.max()) + 1
-    # each triangle is a row that leads to the next corner: a matrix as scipy keeps it, without sorting
+    # each corner leads to the next one: a CSR matrix without sorting
     order = np.argsort(faces.ravel(), kind="stable")
     ends = np.cumsum(np.bincount(faces.ravel(), minlength=count))
     following = faces[:, [1, 2, 0]].ravel()[order]
@@ -115,7 +115,7 @@ def groups(faces: Indices) -> list[Indices]:
 
 
 def connected(triangles: Indices, targets: Indices) -> tuple[Indices, Indices, Indices]:
-    """Return how a surface hangs together; that of small ones, which are often alike, is remembered."""
+    """Return the connectivity of a surface; small surfaces, which often repeat, are cached."""
     if len(triangles) > _SMALL:
         return _connect(triangles, targets)
     return _remembered(*(np.asarray(each, np.int64).tobytes() for each in (triangles, targets)))
@@ -136,7 +136,7 @@ def _connect(triangles: Indices, targets: Indices) -> tuple[Indices, Indices, In
         raise ValueError("the result is empty")
     faces, triangles = faces[proper], triangles[proper]
     if not is_closed(faces):
-        raise ValueError("the surface is not a closed manifold: an edge belongs to one face alone")
+        raise ValueError("the surface is not a closed manifold: an edge belongs to one face only")
     used = np.zeros(len(targets), bool)
     used[triangles] = True
     kept, number = np.flatnonzero(used), np.cumsum(used) - 1

@@ -1,4 +1,4 @@
-"""Mass, center of mass and inertia of polyhedra, exactly.
+"""Exact mass, center of mass and inertia of polyhedra.
 
 The integrals over a polyhedron are sums over the tetrahedra that its triangles span with a reference
 point; see B. Mirtich, Fast and accurate computation of polyhedral mass properties, 1996.
@@ -15,7 +15,7 @@ from artgen.asset.record import Record
 from artgen.colliders.triangles import cross
 from artgen.errors import AssetError
 
-_DIGITS = 12  # that mass properties keep: beyond, the order of additions shows
+_DIGITS = 12  # significant digits of mass properties; the digits beyond depend on the order of additions
 
 
 @dataclass(frozen=True, eq=False)
@@ -23,9 +23,9 @@ class Moments(FrozenArrays):
     """Integrals over a solid about the origin: 1, x, and x x^T, each times density.
 
     Attributes:
-        zeroth: Mass [kg] (or volume [m^3] at density 1).
-        first: Shape (3,) [kg m].
-        second: Shape (3, 3) [kg m^2].
+        zeroth: Mass [kg], or volume [m^3] at density 1.
+        first: First moment, shape (3,) [kg m].
+        second: Second moment, shape (3, 3) [kg m^2].
     """
 
     zeroth: float
@@ -33,7 +33,7 @@ class Moments(FrozenArrays):
     second: Array
 
     def scaled(self, factor: float) -> "Moments":
-        """Return the moments at another density."""
+        """Return the moments multiplied by a density."""
         return Moments(self.zeroth * factor, self.first * factor, self.second * factor)
 
 
@@ -42,7 +42,7 @@ class MassProperties(FrozenArrays, Record):
     """Mass, center of mass and inertia of a rigid body.
 
     Attributes:
-        mass: [kg].
+        mass: Mass [kg].
         center: Center of mass in asset coordinates at rest, shape (3,) [m].
         inertia: About the center of mass, along the asset's axes, shape (3, 3) [kg m^2].
     """
@@ -72,7 +72,7 @@ class MassProperties(FrozenArrays, Record):
         )
 
     def moments(self) -> Moments:
-        """Return the moments about the asset's origin that these properties stand for."""
+        """Return the moments about the asset's origin."""
         about_center = 0.5 * np.trace(self.inertia) * np.eye(3) - self.inertia
         second = about_center + self.mass * np.outer(self.center, self.center)
         return Moments(self.mass, self.mass * self.center, second)
@@ -98,13 +98,13 @@ def polyhedron_moments(vertices: Array, triangles: NDArray[np.int64]) -> Moments
 
 
 def _sum(terms: Array) -> Array:
-    """Add up along the first axis; sorted, so that the triangles' order does not show in the last digit."""
+    """Add along the first axis; terms are sorted, so that the order of triangles does not change the sum."""
     result: Array = np.sort(terms, axis=0).sum(axis=0)
     return result
 
 
 def _shifted(moments: Moments, origin: Array) -> Moments:
-    """Express moments taken about `origin` about the asset's origin."""
+    """Return moments about `origin` as moments about the asset's origin."""
     cross = np.outer(moments.first, origin)
     return Moments(
         moments.zeroth,
@@ -123,7 +123,7 @@ def total(moments: Iterable[Moments]) -> MassProperties:
     second = np.sum([part.second for part in parts], axis=0) - mass * np.outer(center, center)
     second = 0.5 * (second + second.T)
     inertia = np.trace(second) * np.eye(3) - second
-    # what is only rounding, such as a product of inertia of a symmetric solid, is exactly 0
+    # rounding noise, such as the product of inertia of a symmetric solid, becomes exactly 0
     grain = 10.0 ** np.ceil(np.log10(np.trace(inertia)) - _DIGITS)
     return MassProperties(
         float(f"{mass:.{_DIGITS}g}"), np.round(center, _DIGITS) + 0.0, np.rint(inertia / grain) * grain + 0.0

@@ -1,4 +1,4 @@
-"""Values of an asset as JSON: plain data, rounded numbers, and text that a person can read."""
+"""Values of an asset as JSON: plain data, rounded numbers, and readable text."""
 
 import json
 import types
@@ -13,19 +13,19 @@ from artgen._arrays import cached
 DECIMALS = 12
 """Decimals of coordinates of colliders [m]; other numbers have as many significant digits."""
 
-_EXPANDED = 3  # levels that are always spread over lines; the next one where it holds more than numbers
+_EXPANDED = 3  # levels that always have a line per item; the next level has if items are not plain values
 
 _ENCODER = json.JSONEncoder(ensure_ascii=False, allow_nan=False)
 
 
 @dataclass(frozen=True, eq=False)
 class Record:
-    """Base of the dataclasses that JSON files keep.
+    """Base of dataclasses that are stored as JSON.
 
     Fields are words, numbers, arrays, records, and tuples and mappings of these.
     """
 
-    OPTIONAL: ClassVar[frozenset[str]] = frozenset()  # fields that data may lack
+    OPTIONAL: ClassVar[frozenset[str]] = frozenset()  # fields that may be missing in data
 
     def to_data(self) -> dict[str, Any]:
         """Return the fields as JSON data."""
@@ -48,19 +48,19 @@ Reader = Callable[[Any], Any]
 
 @cached(None)
 def _readers(cls: type[Record]) -> dict[str, Reader]:
-    """Return for each field of a record the function that makes its value of JSON data."""
+    """Return for each field of a record the function that converts its JSON data."""
     hints = get_type_hints(cls)
     return {field.name: _reader(hints[field.name]) for field in fields(cls)}
 
 
 def _reader(kind: Any) -> Reader:
-    """Return the function that makes a value of a type of JSON data."""
+    """Return the function that converts JSON data to a type."""
     origin, inner = get_origin(kind), get_args(kind)
     if origin is np.ndarray:
         return lambda data: np.array(data, float)
     if isinstance(kind, type) and issubclass(kind, Record):
         return kind.from_data
-    if origin in (Union, types.UnionType):  # of a type and None
+    if origin in (Union, types.UnionType):  # a type or None
         read = _reader(inner[0])
         return lambda data: None if data is None else read(data)
     if origin is tuple and inner[-1] is Ellipsis:
@@ -89,7 +89,7 @@ def plain(value: Any) -> Any:
 def rounded(value: Any) -> Any:
     """Round every number in a record or in JSON data to 12 significant digits.
 
-    The digits beyond differ between machines, whose libraries round differently.
+    Digits beyond depend on the math library of the machine.
     """
     if isinstance(value, float):
         return significant(value, DECIMALS)
@@ -108,17 +108,17 @@ def rounded_coordinates(rows: Any) -> Any:
 
 
 def significant(number: float, digits: int) -> float:
-    """Round a number to some significant digits; no zero is negative."""
+    """Round a number to significant digits; zero is never negative."""
     return float(f"{number:.{digits}g}") + 0.0
 
 
 def json_text(data: Any) -> str:
-    """Return JSON text with a line for each thing that a reader looks for, such as a field or a collider."""
+    """Return JSON text with one line per field, link part or collider."""
     return _spread(data, 0) + "\n"
 
 
 def _spread(data: Any, level: int) -> str:
-    """Return data as JSON text, its outer levels spread over lines."""
+    """Return data as JSON text with one line per item on the outer levels."""
     if not isinstance(data, dict | list | tuple) or not data or level > _EXPANDED:
         return _ENCODER.encode(data)
     values = data.values() if isinstance(data, dict) else data

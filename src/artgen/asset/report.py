@@ -20,18 +20,18 @@ _DIGITS = 9  # significant digits of numbers in a report
 
 @dataclass(frozen=True)
 class Finding:
-    """One thing that a check found.
+    """One fault or note that a check reports.
 
     Attributes:
         check: Name of the check, such as `solids`.
-        message: What is wrong, in one sentence with the number.
-        link: The link at fault, or two of them as `door, frame`.
-        joint: The joint at fault.
-        value: The number at fault, in `unit`.
+        message: The fault in one sentence, with the number.
+        link: Name of the faulty link, or of two links as `door, frame`.
+        joint: Name of the faulty joint.
+        value: The faulty number, in `unit`.
         unit: Its SI unit, such as `m`.
-        pose: Joint positions at which it shows [rad or m].
-        hint: What to do about it.
-        severity: A `fault` fails the check; a `note` tells what it could not judge.
+        pose: Joint positions of the fault [rad or m].
+        hint: Remedy.
+        severity: A `fault` fails the check; a `note` says what the check could not judge.
     """
 
     check: str
@@ -45,7 +45,7 @@ class Finding:
     severity: Severity = "fault"
 
     def __str__(self) -> str:
-        """Name the place, the fault and the remedy."""
+        """Return place, fault and remedy in one line."""
         place = ", ".join(
             f"{kind} {name}" for kind, name in (("link", self.link), ("joint", self.joint)) if name
         )
@@ -75,9 +75,9 @@ class CheckResult:
 
     Attributes:
         check: Name of the check.
-        findings: What it found; none if all is well.
-        detail: What was looked at, in a few words, such as `5 links, 31 solids`.
-        skipped: Why the check could not run; empty if it ran.
+        findings: Its faults and notes.
+        detail: Number of checked items, such as `5 links, 31 solids`.
+        skipped: Reason why the check could not run; empty if it ran.
     """
 
     check: str
@@ -119,7 +119,7 @@ class Report:
         return not self.faults
 
     def __str__(self) -> str:
-        """Tell the result of each check in one line, and each finding in one more."""
+        """Return one line for each check and one for each finding."""
         lines = []
         for result in self.results:
             data = result.to_data()

@@ -1,4 +1,4 @@
-"""An asset with as many digits as its files keep, so that all files agree and read back the same."""
+"""Rounding of an asset to the digits that files keep: all files agree, and a loaded asset is the same."""
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
@@ -26,7 +26,7 @@ UV_DECIMALS = 6
 
 
 def rounded_links(links: Iterable[Link], origins: Mapping[str, Array]) -> tuple[Link, ...]:
-    """Return links with as many digits as files keep; links that were read from files stay.
+    """Return links rounded to the digits that files keep; links that were read from files stay.
 
     Args:
         links: The links.
@@ -46,7 +46,7 @@ def rounded_links(links: Iterable[Link], origins: Mapping[str, Array]) -> tuple[
 
 @dataclass(frozen=True, eq=False)
 class RoundedLink(DerivedLink):
-    """A link with as many digits as files keep."""
+    """A link rounded to the digits that files keep."""
 
     rounded: ClassVar = True
 
@@ -68,7 +68,7 @@ class RoundedLink(DerivedLink):
 
     @cached_property
     def surfaces(self) -> tuple[Surface, ...]:
-        """The visible faces of the source, as they are read from files."""
+        """The visible faces of the source, as a loader of the files sees them."""
         return tuple(
             _as_written(surface, self.origin, _rounded_material(surface.material))
             for surface in self.source.surfaces
@@ -82,25 +82,26 @@ def _rounded_material(material: Material) -> Material:
 
 
 def _rounded_convex(convex: Convex) -> Convex:
-    """Return a collider with as many digits as files keep."""
+    """Return a collider rounded to the digits that files keep."""
     size = tuple(map(rounded, convex.size))
     points = convex.points if convex.kind == "hull" else np.empty((0, 3))
     return Convex(convex.kind, rounded_coordinates(convex.pose), size, rounded_coordinates(points))
 
 
 def _as_written(surface: Surface, origin: Array, material: Material) -> Surface:
-    """Return a surface as it is read from files: rounded in the frame at `origin` [m], of that material."""
+    """Return a surface rounded in the frame at `origin` [m], with a material, in the order of files."""
     mesh = rounded_mesh(surface.mesh, origin, material)
-    # vertices that differed by less than what is written are one now, and some of them move on the maps
+    # rounding makes some vertices equal; joining them may move texture coordinates
     mesh = joined([mesh])
     mesh = replace(mesh, uvs=_rounded_uvs(mesh, material))
     return replace(surface, material=material, mesh=_in_order(mesh, origin, material))
 
 
 def _in_order(mesh: Mesh, origin: Array, material: Material) -> Mesh:
-    """Return a mesh with its vertices in the order in which a file numbers what it says of them.
+    """Return a mesh with its vertices in the order of a mesh file.
 
-    `joined` has them in that of positions, normals and metres of texture; on turned maps the last is another.
+    `joined` sorts them by position, normal and metric texture coordinates; on turned maps the order of the
+    written coordinates differs.
     """
     coordinates = texture_coordinates(mesh, material)
     steps = [each[1:] - each[:-1] for each in (mesh.vertices, mesh.normals)]
@@ -112,7 +113,7 @@ def _in_order(mesh: Mesh, origin: Array, material: Material) -> Mesh:
     columns = (
         (coordinates, UV_DECIMALS),
         (mesh.normals, NORMAL_DECIMALS),
-        (mesh.vertices - origin, POSITION_DECIMALS),  # which decide before the others
+        (mesh.vertices - origin, POSITION_DECIMALS),  # lexsort: the last keys decide first
     )
     keys = [np.rint(each[:, ::-1].T * 10.0**decimals) for each, decimals in columns]
     order = np.lexsort(np.concatenate(keys))
@@ -134,7 +135,7 @@ def rounded_mesh(
     normals: int = NORMAL_DECIMALS,
     uvs: int = UV_DECIMALS,
 ) -> Mesh:
-    """Return a mesh with so many decimals in files of a link with that origin, shape (3,) [m]."""
+    """Return a mesh rounded to numbers of decimals in the frame of a link at `origin`, shape (3,) [m]."""
     return replace(
         mesh,
         vertices=np.round(mesh.vertices - origin, positions) + 0.0 + origin,

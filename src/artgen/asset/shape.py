@@ -1,4 +1,4 @@
-"""The values of solids and of 2-D outlines: manifold, paint and convex pieces in step."""
+"""Values of solids and 2-D outlines: a manifold with its paints and the convex pieces that cover it."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -44,8 +44,8 @@ class Outline(FrozenArrays):
 
     Attributes:
         contours: Outer borders and holes.
-        convex: Convex polygons (counter-clockwise, each shape (k, 2)) whose union is the region, where
-            the maker knows them; None leaves the decomposition to whoever needs it.
+        convex: Convex polygons (counter-clockwise, each shape (k, 2)) whose union is the region; None if
+            they are not known, and have to be found by a decomposition.
     """
 
     contours: tuple[Contour, ...]
@@ -59,7 +59,7 @@ class Curve(FrozenArrays):
     Attributes:
         points: Samples along the line, shape (n, 3) [m].
         closed: Whether the last point joins the first (which is not repeated).
-        tangents: Unit tangents at the samples where the maker knows them, shape (n, 3), else None.
+        tangents: Unit tangents at the samples, shape (n, 3); None if they are not known.
     """
 
     points: Array
@@ -68,9 +68,9 @@ class Curve(FrozenArrays):
 
 
 GRAIN = 1e12
-"""Steps per metre that hide the last digits, in which the sines of machines and versions of NumPy differ."""
-_NEEDLE = 1e-9  # height of a triangle [m]
-_RIGID = 1e-12  # what a rotation may miss orthogonality by
+"""Steps per metre to which coordinates are rounded: machines and versions of NumPy differ beyond."""
+_NEEDLE = 1e-9  # height below which a triangle is degenerate [m]
+_RIGID = 1e-12  # largest deviation of a rotation from orthogonality
 _UNTURNED = np.eye(3)
 
 
@@ -92,6 +92,18 @@ class Mesh(FrozenArrays):
     paints: Indices
     triangles: Indices
 
+    @staticmethod
+    def concatenated(meshes: Sequence["Mesh"]) -> "Mesh":
+        """Return meshes as one, their vertices and triangles in the given order."""
+        starts = np.cumsum([0, *(len(mesh.vertices) for mesh in meshes[:-1])])
+        return Mesh(
+            np.concatenate([mesh.vertices for mesh in meshes]),
+            np.concatenate([mesh.normals for mesh in meshes]),
+            np.concatenate([mesh.uvs for mesh in meshes]),
+            np.concatenate([mesh.paints for mesh in meshes]),
+            np.concatenate([mesh.triangles + start for mesh, start in zip(meshes, starts, strict=True)]),
+        )
+
     def moved(self, matrix: Array) -> "Mesh":
         """Return the mesh after a rigid motion or a reflection, shape (4, 4); print stays readable."""
         rotation = matrix[:3, :3]
@@ -111,9 +123,9 @@ class Shape:
 
     Attributes:
         manifold: The watertight surface, with the channels of `PROPERTIES`.
-        pieces: Convex pieces that cover the solid, found from how it was made.
-        paints: The materials of painted faces by paint number; faces numbered 0 take the part's material.
-        united: The shapes whose union it is, where it was made as one.
+        pieces: Convex pieces that cover the solid, derived from its construction.
+        paints: Materials of painted faces by paint number; faces numbered 0 take the part's material.
+        united: The shapes that were united to this one; empty for other operations.
     """
 
     manifold: Manifold
@@ -123,7 +135,7 @@ class Shape:
 
     @property
     def members(self) -> tuple["Shape", ...]:
-        """The shapes whose union it is; itself alone if it was made otherwise."""
+        """The shapes that were united to this one; the shape alone if there are none."""
         return self.united or (self,)
 
     @staticmethod
@@ -146,8 +158,8 @@ class Shape:
             uvs: Texture coordinates, shape (n, 2) [m].
             triangles: Vertex indices, counter-clockwise seen from outside, shape (m, 3).
             pieces: Convex pieces that cover the solid.
-            targets: For each vertex, the first vertex at the same point of the surface, shape (n,); found
-                by position when the maker does not know.
+            targets: For each vertex, the first vertex at the same point of the surface, shape (n,); by
+                default vertices at the same position are joined.
             paints: Paint number of each vertex, shape (n,); all 0 by default.
             paint_materials: Material of each paint number.
 
@@ -166,10 +178,12 @@ class Shape:
         )
         if not shape.has_needles:
             return shape
-        return Shape(shape.manifold, pieces, shape.paints)  # which turns the edges of needles
+        return Shape(
+            shape.manifold, pieces, shape.paints
+        )  # manifold3d flips the edges of degenerate triangles
 
     def checked(self) -> "Shape":
-        """Force the manifold and return the shape if it is a solid.
+        """Compute the manifold and return the shape if it is a solid.
 
         Raises:
             ValueError: It is empty, not a closed manifold, not finite, or turned inside out.
@@ -188,7 +202,7 @@ class Shape:
 
     @cached_property
     def mesh(self) -> Mesh:
-        """The triangles of the surface, in one order for one shape however it was cached."""
+        """The triangles of the surface, in an order that does not depend on caches."""
         raw = self.manifold.to_mesh64()
         triangles = np.asarray(raw.tri_verts).astype(np.int64)
         return _mesh(mended(np.asarray(raw.vert_properties), triangles), triangles)
@@ -216,7 +230,7 @@ class Shape:
 
 
 class MovedShape(Shape):
-    """A shape after a rigid motion or a reflection; its manifold is moved when it is asked for."""
+    """A shape after a rigid motion or a reflection; its manifold is computed on first access."""
 
     source: Shape  # the shape before
     matrix: Array  # the motion, shape (4, 4)
@@ -277,9 +291,9 @@ class MovedShape(Shape):
 
 
 class MeshShape(Shape):
-    """A solid of triangles that close; its manifold is made when it is asked for."""
+    """A solid made of a closed triangle mesh; its manifold is computed on first access."""
 
-    has_needles: bool  # whether triangles have no height, as some of a face with corners in a row have
+    has_needles: bool  # whether triangles have no height: faces with collinear corners can have some
     _table: Array  # x y z and the channels of `PROPERTIES` of each vertex, shape (n, 3 + PROPERTIES)
     _triangles: Indices
     _targets: Indices  # for each vertex, the first one at the same point of the surface, shape (n,)
@@ -325,7 +339,7 @@ class MeshShape(Shape):
         return shape.checked().manifold
 
     def checked(self) -> "Shape":
-        """Return the shape, which was checked when it was made."""
+        """Return the shape: its triangles were checked at construction."""
         return self
 
     def bounds(self) -> Array:
@@ -345,14 +359,14 @@ class MeshShape(Shape):
 
     @cached_property
     def parts(self) -> tuple[Array, ...]:
-        """The vertices of each connected part of the surface, without a manifold for each."""
+        """The vertices of each connected part of the surface, shape (n, 3) [m]."""
         return tuple(self._table[of_part, :3] for of_part in groups(self._targets[self._triangles]))
 
 
 class ComposedShape(Shape):
-    """Solids that are free of each other as one; its manifold is made when it is asked for."""
+    """Disjoint solids as one shape; its manifold is computed on first access."""
 
-    shapes: tuple[Shape, ...]  # the solids; those that are painted share their paint numbers
+    shapes: tuple[Shape, ...]  # the solids; they share the paint numbers
 
     def __init__(self, shapes: Sequence[Shape]) -> None:
         vars(self).update(
@@ -369,7 +383,7 @@ class ComposedShape(Shape):
         return Manifold.compose([shape.manifold for shape in self.shapes])
 
     def checked(self) -> "Shape":
-        """Return the shape: solids that are free of each other stay solids."""
+        """Return the shape: a union of disjoint solids is a solid."""
         return self
 
     def bounds(self) -> Array:
@@ -384,16 +398,8 @@ class ComposedShape(Shape):
 
     @cached_property
     def mesh(self) -> Mesh:
-        """The triangles of all solids, one after the other."""
-        meshes = [shape.mesh for shape in self.shapes]
-        first = np.cumsum([0, *(len(mesh.vertices) for mesh in meshes[:-1])])
-        return Mesh(
-            np.concatenate([mesh.vertices for mesh in meshes]),
-            np.concatenate([mesh.normals for mesh in meshes]),
-            np.concatenate([mesh.uvs for mesh in meshes]),
-            np.concatenate([mesh.paints for mesh in meshes]),
-            np.concatenate([mesh.triangles + at for mesh, at in zip(meshes, first, strict=True)]),
-        )
+        """The triangles of all solids, in their order."""
+        return Mesh.concatenated([shape.mesh for shape in self.shapes])
 
     @cached_property
     def parts(self) -> tuple[Array, ...]:
@@ -415,7 +421,7 @@ def _mesh(table: Array, triangles: Indices) -> Mesh:
 
 
 def _check_volume(volume: float) -> None:
-    """Refuse the volume of a surface that is not finite, or that is no solid [m^3]."""
+    """Raise ValueError for a volume that is not finite or not positive [m^3]."""
     if not np.isfinite(volume):
         raise ValueError("the surface has coordinates that are not finite")
     if volume <= 0.0:
@@ -423,7 +429,7 @@ def _check_volume(volume: float) -> None:
 
 
 def _has_needles(points: Array, triangles: Indices) -> bool:
-    """Tell whether triangles have no height."""
+    """Tell whether any triangle is degenerate: without height."""
     near = points - points[0]
     a, b, c = near.take(triangles.T, axis=0)
     across = cross(b - a, c - a)

@@ -1,4 +1,4 @@
-"""The surfaces of a link taken apart into closed shells, of solids in memory or of mesh files read back."""
+"""Connected shells of the surfaces of a link, for solids in memory and for meshes read from files."""
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
@@ -13,18 +13,18 @@ from artgen._arrays import Array, FrozenArrays, Indices, cached_per_object, cach
 from artgen.asset import Link, Mesh
 from artgen.asset.distance import distinct_rows
 
-_WELD_MEMORY = 1e-9  # [m] within which corners of solids are one point
-_WELD_FILES = 4e-7  # [m]: mesh files have 7 decimals
+_WELD_MEMORY = 1e-9  # distance within which corners of solids are one point [m]
+_WELD_FILES = 4e-7  # the same for mesh files, which have 7 decimals [m]
 
 
 @dataclass(frozen=True, eq=False)
 class Shell(FrozenArrays):
     """A connected part of a surface; solids that share an edge are one."""
 
-    label: str  # label of the piece or surface that it belongs to
-    piece: int  # number of the piece on its link; 0 for all shells that were read from files
-    points: Array  # its corners, each once, shape (n, 3) [m]
-    triangles: Indices  # indices of them, shape (m, 3)
+    label: str  # label of its piece or surface
+    piece: int  # number of its piece on the link; 0 for all shells that were read from files
+    points: Array  # distinct corners, shape (n, 3) [m]
+    triangles: Indices  # indices into `points`, shape (m, 3)
     hollows: tuple["Shell", ...] = ()  # the walls of the hollows inside it
 
     @cached_property
@@ -34,7 +34,7 @@ class Shell(FrozenArrays):
 
     @cached_property
     def area(self) -> float:
-        """Its area [m^2]."""
+        """Surface area [m^2]."""
         a, b, c = self.corners[:, 0], self.corners[:, 1], self.corners[:, 2]
         return float(0.5 * np.linalg.norm(np.cross(b - a, c - a), axis=1).sum())
 
@@ -59,7 +59,7 @@ class Shell(FrozenArrays):
 
     @property
     def thickness(self) -> float:
-        """Mean thickness: of a plate its own, of a wire half its diameter [m]."""
+        """Mean thickness: the thickness of a plate, half the diameter of a wire [m]."""
         return 2.0 * abs(self.volume) / self.area if self.area else 0.0
 
     @cached_property
@@ -69,7 +69,7 @@ class Shell(FrozenArrays):
 
     @cached_property
     def manifold(self) -> Manifold:
-        """The enclosed solid without its hollows, as a manifold whose status is not checked."""
+        """The enclosed solid without its hollows, as a manifold with unchecked status."""
         wall = Manifold(Mesh64(np.array(self.points), self.triangles.astype(np.uint64)))
         for hollow in self.hollows:
             turned = hollow.triangles[:, ::-1].astype(np.uint64)
@@ -101,10 +101,10 @@ class LinkShells(FrozenArrays):
     open_edges: int = 0  # edges with a face on one side only
     turned_edges: int = 0  # edges whose faces are wound against each other
     doubled: int = 0  # triangles that lie on another one of the same winding
-    flat: int = 0  # triangles lower than `_FLAT`
+    flat: int = 0  # triangles of less height than `_FLAT`
     against: int = 0  # triangles that lean away from a normal at their corners by more than 60 degrees
     place: Array = field(default_factory=lambda: np.zeros(3))  # a point of the first fault, shape (3,) [m]
-    triangles: int = 0  # how many triangles there are
+    triangles: int = 0  # number of triangles
 
     @cached_property
     def solids(self) -> tuple[Shell, ...]:
@@ -131,7 +131,7 @@ class LinkShells(FrozenArrays):
 
 
 def _owner(hollow: Shell, outer: Sequence[Shell]) -> int:
-    """Return the number of the smallest shell whose box holds that of a hollow; -1 if none does."""
+    """Return the number of the smallest shell whose box contains the box of a hollow; -1 if there is none."""
     low, high = hollow.bounds
     around = [
         (shell.volume, number)
@@ -143,9 +143,9 @@ def _owner(hollow: Shell, outer: Sequence[Shell]) -> int:
     return min(around, default=(0.0, -1))[1]
 
 
-_FLAT = 1e-8  # [m]
-_JUDGED = 2e-5  # [m]: lower triangles have no normal to speak of in mesh files
-_AGAINST = 0.5  # cosine between a face and the normal at a corner, below which it leans away: 60 degrees
+_FLAT = 1e-8  # height below which a triangle is flat [m]
+_JUDGED = 2e-5  # least height of a triangle with a meaningful normal in mesh files [m]
+_AGAINST = 0.5  # least cosine between a face and a normal at its corners: 60 degrees
 
 
 @cached_per_object
@@ -160,20 +160,8 @@ def skins(link: Link) -> tuple[LinkShells, ...]:
         return ()
     meshes = [surface.mesh for surface in link.surfaces]
     labels = np.repeat(np.arange(len(meshes)), [len(mesh.triangles) for mesh in meshes])
-    return (_skin(_together(meshes), labels, [surface.label for surface in link.surfaces], _WELD_FILES),)
-
-
-def _together(meshes: list[Mesh]) -> Mesh:
-    starts = np.cumsum([0, *(len(mesh.vertices) for mesh in meshes)])
-    return Mesh(
-        vertices=np.concatenate([mesh.vertices for mesh in meshes]),
-        normals=np.concatenate([mesh.normals for mesh in meshes]),
-        uvs=np.concatenate([mesh.uvs for mesh in meshes]),
-        paints=np.concatenate([mesh.paints for mesh in meshes]),
-        triangles=np.concatenate(
-            [mesh.triangles + start for mesh, start in zip(meshes, starts, strict=False)]
-        ),
-    )
+    names = [surface.label for surface in link.surfaces]
+    return (_skin(Mesh.concatenated(meshes), labels, names, _WELD_FILES),)
 
 
 def _skin(
@@ -185,7 +173,7 @@ def _skin(
     *,
     detail: bool | None = None,
 ) -> LinkShells:
-    """Weld corners at one place, count the faults and take the surface apart."""
+    """Weld coincident corners, count the faults and split the surface into shells."""
     label = names[0] if detail is not None else ""
     if not np.isfinite(mesh.vertices).all():
         return LinkShells(label, detail=detail, finite=False, triangles=len(mesh.triangles))
@@ -219,12 +207,12 @@ def _skin(
 
 
 def point_text(point: Iterable[float]) -> str:
-    """Spell a point in millimetres."""
+    """Format a point in millimetres."""
     return "(" + ", ".join(f"{round(1e3 * value, 1) + 0.0:.1f}" for value in point) + ") mm"
 
 
 def _welded(vertices: Array, reach: float) -> tuple[Array, Indices]:
-    """Return points and the point of each vertex; vertices within reach of each other are one."""
+    """Return the distinct points, joined within a reach [m], and the number of the point of each vertex."""
     distinct, _, number = distinct_rows(vertices)
     pairs = cKDTree(distinct).query_pairs(reach, output_type="ndarray")
     if not len(pairs):
@@ -243,7 +231,7 @@ def _heights(corners: Array) -> Array:
 
 
 def _against(mesh: Mesh) -> Indices:
-    """Return the triangles that lean away from a normal at their corners."""
+    """Return the triangles that lean away from a normal at one of their corners."""
     corners = mesh.vertices[mesh.triangles]
     across = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     size = np.linalg.norm(across, axis=1)

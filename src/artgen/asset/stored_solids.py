@@ -1,4 +1,4 @@
-"""The solids of a link that was read from files, made of the meshes that are seen."""
+"""Solids of a link that was read from files, reconstructed from its visual meshes."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -12,8 +12,8 @@ from artgen.asset import Link, Surface
 from artgen.asset.collision import SolidPart, connected_parts, solid_parts
 from artgen.errors import AssetError
 
-_ONE_POINT = 3e-7  # [m]: vertices of a file nearer than this are one; it has seven decimals
-_ONE_BOX = 1e-6  # [m] that a bounding box may be off in a file
+_ONE_POINT = 3e-7  # vertices of a file nearer than this are one; files have seven decimals [m]
+_ONE_BOX = 1e-6  # tolerance of bounding boxes in files [m]
 
 
 @dataclass(frozen=True, eq=False)
@@ -31,29 +31,29 @@ class Details(FrozenArrays):
         return Details({label: np.array(of_label, float) for label, of_label in boxes.items()})
 
     def have(self, label: str, bounds: Array) -> bool:
-        """Tell whether a closed part of the meshes is one of them, by its label and its box, shape (2, 3)."""
+        """Tell whether a part with a label and a bounding box, shape (2, 3), is a visual detail."""
         known = self.boxes.get(label)
         return known is not None and bool((np.abs(known - bounds).max(axis=(1, 2)) <= _ONE_BOX).any())
 
 
 def mesh_precision(*links: Link) -> float:
-    """Return how far the visible faces of links may lie from their solids; 0 where they are theirs [m]."""
+    """Return the mesh precision that links were exported with; 0 for exact meshes [m]."""
     read = [link.to_data() for link in links if not link.pieces]
     return max((float(data.get("mesh_precision", 0.0)) for data in read), default=0.0)
 
 
 @cached_per_object
 def link_parts(link: Link) -> tuple[SolidPart, ...]:
-    """Return the solids of a link; where it was read from files, the closed parts of its meshes.
+    """Return the solids of a link; for a link that was read from files, the closed parts of its meshes.
 
-    What has neither mass nor collider, such as the head of a screw, is told by its label and bounding box.
+    Visual details, such as heads of screws, are left out: label and bounding box identify them.
     """
     if link.pieces:
         return tuple(solid_parts(link))
     if precision := mesh_precision(link):
         raise AssetError(
-            f"the meshes of link {link.name!r} have a precision of {1e3 * precision:g} mm: they show its "
-            f"solids, and are not theirs; export the asset with mesh_precision=0",
+            f"the meshes of link {link.name!r} have a precision of {1e3 * precision:g} mm and do not give "
+            f"its exact solids; export the asset with mesh_precision=0",
             link=link.name,
         )
     groups: dict[str, list[Surface]] = {}
@@ -71,7 +71,7 @@ def link_parts(link: Link) -> tuple[SolidPart, ...]:
 
 
 def _closed(link: Link, label: str, surfaces: list[Surface]) -> list[Manifold]:
-    """Return the closed parts of the faces that share a label, with their hollows."""
+    """Return the closed parts of the surfaces of one label, with their hollows."""
     offsets = np.cumsum([0, *(len(surface.mesh.vertices) for surface in surfaces[:-1])])
     mesh = Mesh64(
         np.concatenate([surface.mesh.vertices for surface in surfaces]),

@@ -1,4 +1,4 @@
-"""Meshes of visible surfaces: split by paint, joined, moved, cleaned, and laid on the maps of materials."""
+"""Operations on visible meshes: join, split by paint, remove degenerate triangles, map textures."""
 
 import math
 import zlib
@@ -15,12 +15,12 @@ from artgen.colliders.triangles import cross
 from artgen.materials import Material
 from artgen.materials.textures import shifts_of, tile_of
 
-_SAME = 1e-6  # by how much position [m], normal and texture coordinates of one vertex differ
-_ROUNDS = 8  # how often each needle is looked at: the ones beside it may have to go first
+_SAME = 1e-6  # tolerance of position [m], normal and texture coordinates [m] of equal vertices
+_ROUNDS = 8  # tries for each needle: its neighbors may have to be removed first
 
 
 def needles(positions: Indices, corners: Indices) -> NDArray[np.bool_]:
-    """Tell which triangles are lower than one step, shape (m,)."""
+    """Tell which triangles have a height of less than one rounding step, shape (m,)."""
     a, b, c = (positions[:, each] for each in corners)
     first, second, third = b - a, c - b, a - c
     x, y, z = (first[i] * second[j] - first[j] * second[i] for i, j in ((1, 2), (2, 0), (0, 1)))
@@ -31,9 +31,10 @@ def needles(positions: Indices, corners: Indices) -> NDArray[np.bool_]:
 def without_needles(
     rows: Array, place: Indices, corners: Indices, flat: NDArray[np.bool_]
 ) -> tuple[Array, Indices]:
-    """Leave needles out; the triangle beyond the long side of each is divided at the corner between its ends.
+    """Remove degenerate triangles (needles) without leaving T-junctions.
 
-    So no edge is left whose ends another edge passes. The ones at the border of a surface just go.
+    The neighbor across the long side of a needle is divided at the needle's middle corner. A needle at the
+    border of a surface has no such neighbor and is dropped.
     """
     vertices, places = list(rows), place.tolist()
     triangles: list[list[int]] = corners.T.tolist()
@@ -57,7 +58,7 @@ def without_needles(
                 waiting.append(number)
             continue
         one, other, apex = _from_side(triangles[beyond], places, places[end])
-        if (one, other) != (end, start):  # another face: it has a vertex of its own there
+        if (one, other) != (end, start):  # another face, with its own vertices
             middle = _vertex_between(vertices, places, middle, one, other)
         triangles[beyond] = [one, middle, apex]
         triangles.append([middle, other, apex])
@@ -69,14 +70,14 @@ def without_needles(
 
 
 def _from_middle(triangle: list[int], vertices: list[Array]) -> tuple[int, int, int]:
-    """Return the corners of a needle in their order, from the one between the others."""
+    """Return the corners of a needle in order, the middle one first."""
     at = np.array([vertices[corner][:3] for corner in triangle])
     opposite = np.square(at[[2, 0, 1]] - at[[1, 2, 0]]).sum(axis=1)
     return _from(triangle, int(opposite.argmax()))
 
 
 def _from_side(triangle: list[int], places: list[int], place: int) -> tuple[int, int, int]:
-    """Return the corners of a triangle in their order, from the one at a place."""
+    """Return the corners of a triangle in order, the one at a place first."""
     return _from(triangle, [places[corner] for corner in triangle].index(place))
 
 
@@ -85,7 +86,7 @@ def _from(triangle: list[int], number: int) -> tuple[int, int, int]:
 
 
 def _vertex_between(vertices: list[Array], places: list[int], at: int, one: int, other: int) -> int:
-    """Return a vertex on the side between two, at the place of another; a new one unless there is one."""
+    """Return the vertex at the place of `at` on the side from `one` to `other`; append a missing one."""
     start, end, position = vertices[one], vertices[other], vertices[at][:3]
     along = end[:3] - start[:3]
     share = float((position - start[:3]) @ along / (along @ along))
@@ -103,7 +104,7 @@ def _vertex_between(vertices: list[Array], places: list[int], at: int, one: int,
 def corner_normals(
     triangles: NDArray[np.int64], corners: Array, crease: float, *, by: Literal["angle", "area"] = "angle"
 ) -> Array:
-    """Return a normal for each corner of each triangle, shape (3 m, 3), smooth across shallow edges."""
+    """Return a normal for each corner of each triangle, shape (3 m, 3), smooth below a crease angle."""
     count = len(triangles)
     across = cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     areas = np.linalg.norm(across, axis=1)  # twice
@@ -130,16 +131,16 @@ def corner_normals(
 
 
 Corners = NDArray[np.int64]
-"""The corners of triangles, shape (3, m): in rows, which NumPy adds up and compares much faster."""
+"""Corner indices of triangles, shape (3, m): NumPy sums and compares rows much faster than columns."""
 
-_SHIFTS = 64  # places in a tile, in each direction, at which the pattern of a part may begin
-_APART = 1e-5  # by how much texture coordinates of vertices differ that have to stay two [m]
-_STEPS = 1e7  # per metre, and per unit of a normal: values closer than this are one
-_MOST_PACKED = 2**21  # vertices of which three numbers have room in one of 64 bits
+_SHIFTS = 64  # possible texture offsets in a tile, in each direction
+_APART = 1e-5  # difference of texture coordinates that keeps two vertices separate [m]
+_STEPS = 1e7  # rounding steps per metre, and per unit of a normal
+_MOST_PACKED = 2**21  # most vertices for which three indices fit into 64 bits
 
 
 def shifted(mesh: Mesh, material: Material, key: str) -> Mesh:
-    """Return a mesh whose texture begins at a place that a key decides, so that no two boards match."""
+    """Return a mesh with a texture offset derived from a key, so that no two boards look alike."""
     if not material.texture:
         return mesh
     number = zlib.crc32(key.encode())
@@ -151,7 +152,7 @@ def shifted(mesh: Mesh, material: Material, key: str) -> Mesh:
 def texture_coordinates(mesh: Mesh, material: Material) -> Array:
     """Return the texture coordinates of a mesh in repeats of its material's maps, shape (n, 2).
 
-    u grows to the right of the map and v upwards; both are in metres where there are no maps.
+    u points right and v up in the map; without maps, both are in metres.
     """
     if not material.texture:
         return mesh.uvs
@@ -160,7 +161,7 @@ def texture_coordinates(mesh: Mesh, material: Material) -> Array:
 
 
 def metric_coordinates(coordinates: Array, material: Material) -> Array:
-    """Return in metres, shape (n, 2), what `texture_coordinates` gave in repeats of a material's maps."""
+    """Return texture coordinates in repeats of a material's maps in metres, shape (n, 2)."""
     if not material.texture:
         return coordinates
     uvs = coordinates * np.array(tile_of(material))
@@ -168,7 +169,7 @@ def metric_coordinates(coordinates: Array, material: Material) -> Array:
 
 
 def by_paint(mesh: Mesh) -> list[tuple[int, Mesh]]:
-    """Split a mesh by the paint of its faces; return each paint's number with its faces."""
+    """Split a mesh by paint; return the number of each paint with its faces."""
     paint = mesh.paints[mesh.triangles[:, 0]]
     numbers = [int(number) for number in np.unique(paint)]
     if len(numbers) == 1:
@@ -188,10 +189,10 @@ def _compacted(mesh: Mesh, triangles: NDArray[np.int64]) -> Mesh:
 
 
 def joined(meshes: list[Mesh]) -> Mesh:
-    """Concatenate meshes, and put vertices and triangles in an order that only their values decide.
+    """Concatenate meshes; the order of vertices and triangles depends on their values only.
 
-    Corners of equal values are one vertex, unless faces touch there in that point alone: such a vertex is no
-    manifold. Checkers would merge vertices of equal values again, so that these differ a little.
+    Equal corners become one vertex, except where faces touch in a single point: one vertex would not be
+    manifold there. Such vertices differ a little, because checkers merge equal vertices again.
     """
     offsets = np.cumsum([0, *(len(mesh.vertices) for mesh in meshes[:-1])])
     rows = np.concatenate(
@@ -209,7 +210,7 @@ def joined(meshes: list[Mesh]) -> Mesh:
     number[order] = np.cumsum(new) - 1
     rows, place = rows[order[new]], np.cumsum(elsewhere)[new]
     corners = number[corners]
-    # a triangle between corners at one place has no area, though their normals or textures may differ
+    # triangles with two corners at one place have no area, even if normals or textures differ
     a, b, c = place[corners]
     corners = corners[:, (a != b) & (b != c) & (c != a)]
     flat = needles(ordered[:3, new], corners)
@@ -229,23 +230,23 @@ def joined(meshes: list[Mesh]) -> Mesh:
 
 
 def _sorted(rows: Array, corners: Corners) -> tuple[Array, Corners]:
-    """Put vertices in the order of their values; return them with the triangles among them."""
+    """Return vertices sorted by value, and the triangles with the new indices."""
     order = np.lexsort(_quantised(rows)[::-1])
     return rows[order], np.argsort(order)[corners]
 
 
 def _quantised(rows: Array) -> Corners:
-    """Return the columns of rows in whole steps that tell values apart."""
+    """Return the columns of rows in whole rounding steps."""
     return np.rint(np.ascontiguousarray(rows.T) * _STEPS).astype(np.int64)
 
 
 def _ordered(corners: Corners, count: int) -> Corners:
-    """Return triangles among `count` vertices in order, each with its least corner first."""
+    """Return sorted triangles of `count` vertices, each with its smallest corner first."""
     a, b, c = corners
     if count >= _MOST_PACKED:
         turned = np.where((a < b) & (a < c), (a, b, c), np.where((b < c) & (b < a), (b, c, a), (c, a, b)))
         return turned[:, np.lexsort(turned[::-1])]
-    # one number for each way to begin a triangle: the least of them begins with the least corner
+    # one number for each rotation of a triangle: the smallest begins with the smallest corner
     least = np.minimum(
         np.minimum((a * count + b) * count + c, (b * count + c) * count + a), (c * count + a) * count + b
     )
@@ -254,12 +255,12 @@ def _ordered(corners: Corners, count: int) -> Corners:
 
 
 def _fanned(corners: Corners, count: int) -> tuple[Corners, list[int]]:
-    """Give open fans of triangles vertices of their own where they touch in one point."""
+    """Give separate vertices to open fans of triangles that touch in one point."""
     following = corners[[1, 2, 0]]
     keys = np.sort((np.minimum(corners, following) * count + np.maximum(corners, following)).ravel())
     sides = keys[np.append(True, keys[1:] != keys[:-1])]
     neighbors = np.bincount(sides // count, minlength=count) + np.bincount(sides % count, minlength=count)
-    # an open fan has one neighbor more than triangles, a closed one as many
+    # an open fan has one more neighbor than triangles, a closed fan has equal numbers
     fans = neighbors - np.bincount(corners.ravel(), minlength=count)
     copied: list[int] = []
     for vertex in np.flatnonzero(fans > 1).tolist():

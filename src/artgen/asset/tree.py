@@ -1,4 +1,4 @@
-"""The value of a body: a link with the links that are joined to it, before it has a seed and a name."""
+"""Value of a body: a link and the links joined to it, before the asset has a name and a seed."""
 
 from collections import Counter
 from collections.abc import Collection, Iterator, Mapping
@@ -12,7 +12,7 @@ from artgen.errors import AssetError, nearest
 
 @dataclass(frozen=True, eq=False)
 class Branch:
-    """A child with the joints that join it, the first nearest to the parent."""
+    """A child tree with its joints, the first nearest to the parent."""
 
     joints: tuple[AssetJoint, ...]
     tree: "Tree"
@@ -25,8 +25,7 @@ class Tree:
     Attributes:
         link: The link nearest to the root.
         branches: The children with their joints.
-        contacts: What may touch by design, of the pairs of links that were declared here; those that a
-            branch declared are the branch's.
+        contacts: Allowed contacts declared on this tree; contacts declared on a branch stay there.
     """
 
     link: Link
@@ -47,13 +46,13 @@ class Tree:
             yield from branch.tree.joints()
 
     def all_contacts(self) -> Iterator[AllowedContact]:
-        """Yield the contacts by design of the whole tree, parents before their children."""
+        """Yield the allowed contacts of the whole tree, parents before their children."""
         yield from self.contacts
         for branch in self.branches:
             yield from branch.tree.all_contacts()
 
     def moved(self, matrix: Array) -> "Tree":
-        """Return the tree carried along by a rigid motion or a reflection, shape (4, 4)."""
+        """Return the tree after a rigid motion or a reflection, shape (4, 4)."""
         return Tree(
             self.link.moved(matrix),
             tuple(
@@ -106,11 +105,12 @@ class Tree:
 
 
 def check_contact(contact: AllowedContact, links: Collection[str], joints: Mapping[str, AssetJoint]) -> None:
-    """Check that a contact by design speaks of links, and of joints that move one against the other."""
+    """Check that a contact names links of the asset, and joints that move one against the other."""
     for link in contact.links:
         if link not in links:
             raise AssetError(
-                f"a contact names the link {link!r}, which is no link of this asset.{nearest(link, links)}",
+                f"a contact names the link {link!r}, which is not a link of this asset."
+                f"{nearest(link, links)}",
                 link=link,
             )
     if contact.when is None:
@@ -120,7 +120,7 @@ def check_contact(contact: AllowedContact, links: Collection[str], joints: Mappi
     for name in contact.when.joints():
         if name in between:
             continue
-        fault = f"is no joint of this asset.{nearest(name, joints)}"
+        fault = f"is not a joint of this asset.{nearest(name, joints)}"
         if name in joints:
             fault = "does not move one against the other."
         raise AssetError(
@@ -132,7 +132,7 @@ def check_contact(contact: AllowedContact, links: Collection[str], joints: Mappi
 
 
 def _moving(links: tuple[str, str], joints: Mapping[str, AssetJoint]) -> list[str]:
-    """Return the joints on the way between two links, then the joints that those follow."""
+    """Return the joints on the path between two links, then the leaders of these joints."""
     ways: list[list[str]] = []
     for link in links:
         way: list[str] = []
@@ -143,7 +143,7 @@ def _moving(links: tuple[str, str], joints: Mapping[str, AssetJoint]) -> list[st
         ways.append(way)
     first, second = ways
     found = [name for name in first if name not in second] + [name for name in second if name not in first]
-    for name in found:  # grows: what a leader follows comes after it
+    for name in found:  # grows: leaders of leaders are appended
         follows = joints[name].follows
         if follows is not None and follows.leader not in found:
             found.append(follows.leader)
