@@ -11,7 +11,7 @@ import yourdfpy
 from numpy.typing import NDArray
 
 from artgen.asset import Asset
-from artgen.validate.readback.reading import expected_frames
+from artgen.validate.readback.compare import expected_frames
 
 Array = NDArray[np.float64]
 

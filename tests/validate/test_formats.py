@@ -8,10 +8,10 @@ from pxr import Usd
 
 import artgen
 from artgen import Prismatic, Revolute, X, Y, Z, box, capsule, part, sphere
-from artgen.asset import Asset, Link
+from artgen.asset import Asset
 from artgen.validate.readback import check_formats
-from artgen.validate.readback.compare import _face_findings
-from artgen.validate.readback.reading import Faces
+from artgen.validate.readback.compare import Comparison, Expected
+from artgen.validate.readback.reading import Faces, Reading
 from support.blocks import STEEL
 
 pytest.importorskip("mujoco")
@@ -211,7 +211,7 @@ def test_a_joint_that_is_fixed_or_strange_is_found(copy):
     edit(copy, "urdf", r'(<joint name="turn" type=")revolute', r"\g<1>fixed")
     assert ("turn", "machine.urdf has no such joint that can move") in only(copy, "urdf")
     edit(copy, "urdf", r'(<joint name=")turn(" type=")fixed', r"\g<1>turned\g<2>revolute")
-    assert ("turned", "it can move in machine.urdf, but is no moving joint of the asset") in only(
+    assert ("turned", "it can move in machine.urdf, but is not a moving joint of the asset") in only(
         copy, "urdf"
     )
 
@@ -242,12 +242,23 @@ def test_a_missing_layer_is_found(copy, capfd):
     assert not any(capfd.readouterr())
 
 
+def face_findings(wanted, found):
+    """Return the differences of the meshes of one link."""
+    board = part(box(0.2, 0.1, 0.02), "board", STEEL)
+    expected = Expected(artgen.generator(lambda: board).generate(name="board", certify=False))
+    vars(expected)["faces"] = {"board": wanted}
+    links = frozenset({"links"})
+    reading = Reading("board.xml", lambda _: {}, told=links, faces={"board": found}, partial=True)
+    found = Comparison("mjcf", expected, reading, "mjcf").differences()
+    return [finding for finding in found if "faces" in finding.message]
+
+
 def test_meshes_with_one_bounding_box_are_told_apart_by_their_triangles():
     """The faces and the edges of a board, which rounding would exchange."""
     low, high = (np.array([[-0.1, -0.05, -0.01], [0.1, 0.05, 0.01]]) + noise for noise in (0.0, 2e-9))
     wanted = (Faces("faces", low, 4), Faces("edges", high, 8))
     found = (Faces("edges", low, 8), Faces("faces", high, 4))
-    assert list(_face_findings("mjcf", Link("board", "board"), "board.xml", wanted, found)) == []
+    assert face_findings(wanted, found) == []
     fewer = (Faces("edges", low, 7), Faces("faces", high, 4))
-    (fault,) = _face_findings("mjcf", Link("board", "board"), "board.xml", wanted, fewer)
+    (fault,) = face_findings(wanted, fewer)
     assert "edges have 7 triangles in board.xml, not 8" in fault.message

@@ -144,7 +144,7 @@ def test_a_proof_that_was_tampered_with_is_found(copy):
 
 def test_a_certificate_without_its_proof_is_found(copy):
     (copy / "certificate.json").unlink()
-    assert "certificate.json is missing, which keeps the proof; certify the asset and export it again" in str(
+    assert "certificate.json with the proof is missing; certify the asset and export it again" in str(
         judge(copy)
     )
 
@@ -179,7 +179,7 @@ def files_faults(directory) -> list[str]:
     return [str(finding) for finding in read_export(directory).result.faults]
 
 
-MOVE_AWAY = "move it away: clients that search meshes and textures by name may take it"
+MOVE_AWAY = "move it away: simulators that search meshes by name may load it"
 
 
 def test_empty_unreadable_and_stray_files_are_found(copy):
@@ -190,7 +190,7 @@ def test_empty_unreadable_and_stray_files_are_found(copy):
     assert files_faults(copy) == [
         "meshes/drawer_drawer_oak.obj is empty, which urdf and mjcf need; export the asset again",
         "stand_0.xml cannot be read (Is a directory), which mjcf needs; export the asset again",
-        f"meshes/drawer_old.obj is listed by no format of asset.json; {MOVE_AWAY}",
+        f"meshes/drawer_old.obj is not listed in asset.json; {MOVE_AWAY}",
     ]
 
 
@@ -216,8 +216,8 @@ def test_files_of_others_beside_an_asset_are_noted_only(copy):
     result = read_export(copy).result
     assert not result.faults
     assert [str(note) for note in result.findings] == [
-        "notes/todo.txt is listed by no format of asset.json",
-        "photo.png is listed by no format of asset.json",
+        "notes/todo.txt is not listed in asset.json",
+        "photo.png is not listed in asset.json",
     ]
     write_report(Report("stand_0", ()), copy)
     assert len(read_export(copy).result.findings) == 2, "a report is no stranger"
@@ -278,7 +278,7 @@ def test_the_simulation_can_be_left_out(exported, monkeypatch):
 @pytest.mark.parametrize(
     ("what", "message"),
     [
-        ("nowhere", "nowhere is no directory; give a directory that artgen exported an asset to"),
+        ("nowhere", "nowhere is not a directory; give a directory that artgen exported an asset to"),
         (".", "has no asset.json; give a directory that artgen exported an asset to"),
     ],
 )

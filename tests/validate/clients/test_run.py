@@ -11,10 +11,10 @@ import artgen
 from artgen.validate.clients import install_location as place
 from artgen.validate.clients import run
 from artgen.validate.clients.client import Unavoidable
-from artgen.validate.clients.compare import moved_by_several
+from artgen.validate.clients.exported import moved_by_several
 from artgen.validate.clients.outcome import joined_lines, sorted_messages
 from artgen.validate.clients.run import ask, ask_all
-from artgen.validate.readback.reading import expected_frames
+from artgen.validate.readback.compare import expected_frames
 
 ANSWER = """
 import json, sys
@@ -95,33 +95,57 @@ def changed(data, path, value):
 @pytest.mark.parametrize(
     ("path", "value", "message"),
     [
-        (("links", "drawer", "mass"), 5.0, "link drawer: its mass is 5 kg, not "),
+        (("links", "drawer", "mass"), 5.0, "link drawer: its mass is 5 kg in stand_0.urdf, not "),
         (("links", "drawer", "mass"), float("nan"), "link drawer: its mass is nan kg"),
         (("links", "drawer", "center", 0), 0.3, "link drawer: its center of mass is 300 mm away"),
         (("links", "drawer", "inertia", 0, 0), 0.0, "link drawer: its inertia differs by "),
-        (("links",), {}, "link drawer: it knows no mass of it"),
-        (("joints", "slide", "kind"), "revolute", "joint slide: it is revolute, not prismatic"),
-        (("joints", "slide", "limits"), [0, 0.1], "joint slide: its limits are 0 to 0.1 m, not 0 to 0.2 m"),
-        (("joints", "slide", "limits"), None, "joint slide: its limits are none, not 0 to 0.2 m"),
+        (("links",), {}, "link drawer: stand_0.urdf has no such link with a mass"),
+        (
+            ("joints", "slide", "kind"),
+            "revolute",
+            "joint slide: it is revolute in stand_0.urdf",
+        ),
+        (
+            ("joints", "slide", "limits"),
+            [0, 0.1],
+            "joint slide: its limits are 0 to 0.1 m in stand_0.urdf",
+        ),
+        (
+            ("joints", "slide", "limits"),
+            None,
+            "joint slide: its limits are none in stand_0.urdf, not 0",
+        ),
         (("joints", "slide", "limits"), [0, float("nan")], "joint slide: its limits are 0 to nan m"),
-        (("joints", "slide", "stiffness"), 0.26, "joint slide: its stiffness is 0.26, not 15"),
-        (("joints", "slide", "rest"), 0.5, "joint slide: its spring rests at 0.5, not 0"),
-        (("joints", "other"), {}, "joint other: it can move, but is no moving joint of the asset"),
-        (("joints",), {}, "joint slide: it knows no such joint that can move"),
-        (("couplings", "slide"), ["other", 1.0, 0.0], "joint slide: it follows another joint"),
+        (
+            ("joints", "slide", "stiffness"),
+            0.26,
+            "joint slide: its stiffness is 0.26 N/m in stand_0.urdf",
+        ),
+        (("joints", "slide", "rest"), 0.5, "joint slide: its rest is 0.5 m in stand_0.urdf (fake), not 0"),
+        (
+            ("joints", "other"),
+            {},
+            "joint other: it can move in stand_0.urdf, but",
+        ),
+        (("joints",), {}, "joint slide: stand_0.urdf has no such joint that can move"),
+        (
+            ("couplings", "slide"),
+            ["other", 1.0, 0.0],
+            "joint slide: it follows 'other' in stand",
+        ),
         (("poses", 1, "drawer", 1, 3), 7.0, "link drawer: its frame is off by 7"),
         (
             ("poses", 0, "drawer"),
             [[0.0]],
-            "an array of shape (1, 1) stands where one of shape (4, 4) belongs",
+            "an array has the shape (1, 1) instead of (4, 4)",
         ),
         (("poses",), [], "it tells 0 poses of 5"),
         (("moved", "slide"), [0.0, 0.001], "joint slide: driven by 100 N it moves only from 0 to 0.001"),
         (("moved", "slide"), [-0.2, 0.2], "joint slide: it leaves its limits of 0 to 0.2"),
         (("moved", "slide"), [float("nan")] * 2, "joint slide: driven by 100 N it moves only from nan"),
-        (("finite",), False, "positions become infinite or no number in simulation"),
+        (("finite",), False, "positions become infinite or NaN in simulation"),
         (("said",), ["a tab\n and more"], "it says: a tab and more"),
-        (("links",), 3, "its answer is damaged: TypeError"),
+        (("links",), 3, "its answer is damaged: "),
         (("links", "lid"), {"mass": 1.0}, "its answer is damaged: AssetError"),
     ],
 )

@@ -1,20 +1,27 @@
-"""An export as input of clients: the file to open, and the questions about it."""
+"""An export as input of clients: the request to a client, and the comparison of its answer with the asset."""
 
 import json
 import os
-from collections.abc import Mapping
+from collections import Counter
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
+from artgen._arrays import Array, cached_property
 from artgen.asset import Asset, AssetJoint
 from artgen.asset.affordance import head
 from artgen.asset.files import ASSET_FILE, main_files
+from artgen.asset.joint import DYNAMICS
+from artgen.asset.report import Finding
 from artgen.errors import ExportError
 from artgen.validate.clients.client import Client
-from artgen.validate.readback.reading import sampled_positions
+from artgen.validate.readback.compare import Comparison, Expected
+from artgen.validate.readback.reading import Inertial, Reading, Said
 
-_POSES = 4  # beside the one as the asset stands
+_POSES = 4  # number of random poses, in addition to the rest pose
 
 
 @dataclass(frozen=True)
@@ -24,7 +31,12 @@ class ClientExport:
     directory: Path  # the directory
     asset: Asset  # what `asset.json` says
     layout: str  # how the files lie
-    mains: Mapping[str, Path]  # the file that a client opens, by format
+    mains: Mapping[str, Path]  # main file of each format
+
+    @cached_property
+    def expected(self) -> Expected:
+        """The values that clients should find."""
+        return Expected(self.asset, _POSES)
 
     def is_read_by(self, client: Client) -> bool:
         """Return whether there is something for a client: a file of its format, in a layout that it reads."""
@@ -35,10 +47,9 @@ class ClientExport:
         return joint.needs is not None and not joint.needs.condition.holds(self.asset.positions())
 
     def poses(self) -> list[dict[str, float]]:
-        """Return some positions of every joint that can move; the first is how the asset stands."""
+        """Return several positions of every joint that can move; the first are those at rest."""
         moving = [joint.name for joint in self.asset.joints if not joint.locked]
-        complete = [self.asset.positions(q) for q in sampled_positions(self.asset, _POSES)]
-        return [{name: positions[name] for name in moving} for positions in complete]
+        return [{name: positions[name] for name in moving} for _, positions, _ in self.expected.poses]
 
     def request(self, client: Client) -> dict[str, Any]:
         """Return the request for a client's driver; see `drivers/README.md`."""
@@ -88,3 +99,137 @@ def _moved_mass(asset: Asset, joint: AssetJoint) -> float:
         if parent in moved:
             moved.add(child)
     return float(sum(asset.link(name).mass_properties.mass for name in moved))
+
+
+_REQUIRED = {"links": ("mass", "center", "inertia"), "joints": ("kind", "limits")}
+_LEAST_MOTION = 0.1  # share of its range that a driven joint has to move
+_MOST_BEYOND = 0.1  # share of its range by which a joint may exceed a limit, in addition to:
+_SOFT = 0.02  # [rad or m]
+_UNLIMITED = 1.0  # distance that an unlimited joint is driven [rad or m]
+
+
+def differences(client: Client, exported: ClientExport, answer: Mapping[str, Any]) -> Iterator[Finding]:
+    """Yield the differences between a client's answer and the asset, and the missing values."""
+    asset = exported.asset
+    yield from _missing(client, exported, answer)
+    told = len(answer.get("poses", ()))
+    complete = told == len(exported.poses())
+    if "poses" in answer and not complete:
+        yield Finding(client.name, f"it tells {told} poses of {len(exported.poses())}")
+    parts = frozenset(part for part in ("links", "joints", "couplings", "poses") if part in answer)
+    reading = _reading(client, exported, answer, parts if complete else parts - {"poses"})
+    yield from Comparison(
+        client.name,
+        exported.expected,
+        reading,
+        client.format,
+        client.length_tolerance,
+        client.relative_tolerance,
+        hint="",
+    ).differences()
+    if not answer.get("finite", True):
+        yield Finding(client.name, "positions become infinite or NaN in simulation")
+    for name, span in answer.get("moved", {}).items():
+        yield from _motion(client, asset.joint(name), span)
+
+
+def _missing(client: Client, exported: ClientExport, answer: Mapping[str, Any]) -> Iterator[Finding]:
+    """Yield the values missing in an answer, in total or for a link or joint.
+
+    A key of `Client.tells` such as `joints.damping` is a quantity of each joint.
+    """
+    whole = [key for key in client.tells if "." not in key]
+    missing = [key for key in whole if key not in answer]
+    if missing:
+        yield Finding(client.name, f"it tells nothing of {', '.join(missing)}")
+    required = {part: list(quantities) for part, quantities in _REQUIRED.items()}
+    for part, _, quantity in (key.partition(".") for key in client.tells if "." in key):
+        required[part].append(quantity)
+    for part, quantities in required.items():
+        for name, read in answer.get(part, {}).items() if part in whole else ():
+            lost = [
+                quantity
+                for quantity in quantities
+                if quantity not in read and f"{part}.{quantity}" not in client.withholds
+            ]
+            if lost:
+                where = {part.removesuffix("s"): name}
+                yield Finding(client.name, f"it does not tell its {', '.join(lost)}", **where)
+    if "moved" in client.tells and "moved" in answer:
+        for joint in exported.asset.free_joints:
+            if joint.name not in answer["moved"] and not exported.is_blocked(joint):
+                yield Finding(client.name, "it was not driven in simulation", joint=joint.name)
+    if "steps" in client.tells and not answer.get("steps", 1) > 0:
+        yield Finding(client.name, "it simulated no steps")
+
+
+def _reading(
+    client: Client, exported: ClientExport, answer: Mapping[str, Any], told: frozenset[str]
+) -> Reading:
+    """Return an answer as the values of a reader."""
+    asset = exported.asset
+    links = {asset.link(name).name: read for name, read in answer.get("links", {}).items()}
+    joints = answer.get("joints", {})
+    kinds = {joint.name: joint.kind for joint in asset.joints}
+    poses = iter(answer.get("poses", ()))
+    return Reading(
+        exported.mains[client.format].name if client.format in exported.mains else client.name,
+        lambda _: {name: _array(frame, 4, 4) for name, frame in next(poses).items()},
+        told=told,
+        partial=True,
+        misplaced=moved_by_several(asset) if client.misplaces else frozenset(),
+        inertials={
+            name: Inertial(
+                float(read["mass"]),
+                _array(read["center"], 3) if "center" in read else None,
+                _array(read["inertia"], 3, 3) if "inertia" in read else None,
+            )
+            for name, read in links.items()
+        },
+        kinds={name: read.get("kind", kinds.get(name, "")) for name, read in joints.items()},
+        limits={
+            name: None if read["limits"] is None else tuple(_array(read["limits"], 2).tolist())
+            for name, read in joints.items()
+            if "limits" in read
+        },
+        dynamics={
+            name: tuple(Said(field, float(read[field]), client.name) for field in DYNAMICS if field in read)
+            for name, read in joints.items()
+        },
+        couplings={
+            name: (leader, ratio, offset)
+            for name, (leader, ratio, offset) in answer.get("couplings", {}).items()
+        },
+        holds=None,
+    )
+
+
+def moved_by_several(asset: Asset) -> frozenset[str]:
+    """Return the links with several joints, and their descendants."""
+    joints = [joint for joint in asset.joints if not joint.locked]
+    found = {name for name, count in Counter(joint.child for joint in joints).items() if count > 1}
+    for joint in asset.joints:  # parents come before children
+        if joint.parent in found:
+            found.add(joint.child)
+    return frozenset(found)
+
+
+def _motion(client: Client, joint: AssetJoint, span: Any) -> Iterator[Finding]:
+    least, most = (float(end) for end in span)
+    low, high = joint.limits or (-_UNLIMITED, _UNLIMITED)
+    if not most - least >= _LEAST_MOTION * (high - low):
+        force = f"{joint.effort:g} {'N m' if joint.kind == 'revolute' else 'N'}"
+        message = f"driven by {force} it moves only from {least:.4g} to {most:.4g}"
+        yield Finding(client.name, message, joint=joint.name, value=most - least)
+    slack = _SOFT + _MOST_BEYOND * (high - low)
+    if joint.limits is not None and not (low - slack <= least and most <= high + slack):
+        message = f"it leaves its limits of {low:.4g} to {high:.4g}: it moves from {least:.4g} to {most:.4g}"
+        yield Finding(client.name, message, joint=joint.name, value=max(low - least, most - high))
+
+
+def _array(value: Any, *shape: int) -> Array:
+    """Return numbers as an array; raise ValueError for another shape."""
+    result = np.array(value, float)
+    if result.shape != shape:
+        raise ValueError(f"an array has the shape {result.shape} instead of {shape}")
+    return result

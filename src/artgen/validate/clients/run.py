@@ -17,8 +17,7 @@ from typing import IO, Any
 from artgen.asset.report import Finding
 from artgen.errors import ArtgenError
 from artgen.validate.clients.client import Client
-from artgen.validate.clients.compare import differences
-from artgen.validate.clients.exported import ClientExport, read_exported
+from artgen.validate.clients.exported import ClientExport, differences, read_exported
 from artgen.validate.clients.install_location import how_to_get, interpreters
 from artgen.validate.clients.outcome import Outcome, State, Tolerated, joined_lines, sorted_messages
 

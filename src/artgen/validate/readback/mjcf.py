@@ -1,4 +1,4 @@
-"""Reading an exported MJCF with MuJoCo."""
+"""Reading an exported MJCF with MuJoCo, and faults that MuJoCo accepts silently."""
 
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
@@ -10,23 +10,113 @@ from numpy.typing import NDArray
 
 from artgen._arrays import Array
 from artgen.asset import Asset
+from artgen.asset.report import AGAIN, Finding
 from artgen.colliders import Convex
 from artgen.colliders.convex import Kind
-from artgen.validate.readback.mjcf_foreign_elements import model_findings
 from artgen.validate.readback.pieces import ReadCollider
 from artgen.validate.readback.reading import Faces, Inertial, Reading, Said, listening
 
-_KINDS = {2: "prismatic", 3: "revolute"}  # of mjtJoint; 0 and 1 have more than one degree of freedom
-_SHAPES: dict[int, Kind] = {2: "sphere", 3: "capsule", 5: "cylinder", 6: "box"}  # of mjtGeom
-_FREE = 0
+_CHECK = "mjcf"
+_KINDS = {2: "prismatic", 3: "revolute"}  # values of mjtJoint with one degree of freedom
+_FREE, _BALL = 0, 1  # other values of mjtJoint
+_SHAPES: dict[int, Kind] = {2: "sphere", 3: "capsule", 5: "cylinder", 6: "box"}  # values of mjtGeom
 _MESH = 7
+_SCENE = "move it to the scene that attaches the asset"
+_ACTING = ("actuator", "tendon", "deformable", "extension", "include")  # they move or hold links
+_PLAIN = {"contype": 1.0, "conaffinity": 1.0, "condim": 3.0, "margin": 0.0, "gap": 0.0}
+_SOFTEST, _LEAST_IMPEDANCE = 0.02, 0.9  # default time constant [s] and impedance of MuJoCo
+_SHOWN = 2  # most findings about the colliders of one link
 
 
-def read_mjcf(asset: Asset, path: Path) -> Reading:
+def element_findings(path: Path) -> Iterator[Finding]:
+    """Yield elements that hide contacts, change gravity, or move and hold links."""
+    from lxml import etree
+
+    root, file = etree.parse(path).getroot(), path.name
+    for exclude in root.iterfind("contact/exclude"):
+        message = f"{file} excludes their contacts, which hides parts that penetrate each other"
+        pair = f"{exclude.get('body1')}, {exclude.get('body2')}"
+        yield Finding(_CHECK, message, pair, hint="remove <exclude>")
+    for option in root.iterfind("option"):
+        settings = {name: option.get(name) for name in ("gravity", "density", "wind") if option.get(name)}
+        settings |= {name: value for flag in option.iterfind("flag") for name, value in flag.items()}
+        for name, value in settings.items():
+            yield Finding(_CHECK, f"{file} sets {name} to {value}, which belongs to the scene", hint=_SCENE)
+    for body in root.iterfind("worldbody//body[@gravcomp]"):
+        message = f"{file} compensates the share {body.get('gravcomp')} of its weight (gravcomp)"
+        yield Finding(_CHECK, message, body.get("name", ""), hint="remove gravcomp")
+    for tag in _ACTING:
+        if root.find(f".//{tag}") is not None:
+            yield Finding(_CHECK, f"{file} has <{tag}>, which does not belong to an asset", hint=_SCENE)
+    for equality in root.iterfind("equality/*"):
+        if equality.tag != "joint":
+            message = f"{file} has the equality <{equality.tag}>, which holds links together"
+            yield Finding(_CHECK, message, hint=_SCENE)
+        elif not equality.get("joint2"):
+            message = f"an equality of {file} holds it in place"
+            yield Finding(_CHECK, message, joint=equality.get("joint1", ""), hint=_SCENE)
+
+
+def _model_findings(model: Any, asset: Asset, file: str) -> Iterator[Finding]:
+    """Yield bodies that collide or move beside the links, and contacts and couplings that are unusual."""
+    import mujoco
+
+    links = {link.name for link in asset.links}
+    for body in range(model.nbody):
+        name = model.body(body).name
+        found = list(_geom_findings(model, body, name if name in links else "", file))
+        yield from found[:_SHOWN]
+        first = model.body_jntadr[body]
+        for joint in range(first, first + model.body_jntnum[body]):
+            kind = int(model.jnt_type[joint])
+            if kind == _BALL or (kind == _FREE and not _carries(model, body, asset.links[0].name)):
+                what = "as a ball" if kind == _BALL else "freely"
+                yield Finding(_CHECK, f"the body {name!r} moves {what} in {file}", hint=_SCENE)
+            elif kind != _FREE and _is_soft(model.jnt_solref[joint], model.jnt_solimp[joint]):
+                message = f"its limits are softer than MuJoCo's default in {file}"
+                yield Finding(_CHECK, message, joint=model.joint(joint).name, hint=AGAIN)
+    for number in np.flatnonzero(model.eq_type == mujoco.mjtEq.mjEQ_JOINT):
+        if np.abs(model.eq_data[number, 2:5]).max() > 0.0:
+            message = f"its coupling has terms of higher order in {file}"
+            yield Finding(_CHECK, message, joint=model.joint(int(model.eq_obj1id[number])).name, hint=AGAIN)
+
+
+def _geom_findings(model: Any, body: int, link: str, file: str) -> Iterator[Finding]:
+    for geom in _geoms(model, body, colliding=True):
+        name = model.geom(geom).name or f"number {geom}"
+        if not link:
+            where = model.body(body).name
+            message = f"its body {where!r} is not a link of the asset and collides, by the geom {name!r}"
+            yield Finding(_CHECK, message, hint=_SCENE)
+            continue
+        for key, wanted in _PLAIN.items():
+            value = float(getattr(model, f"geom_{key}")[geom])
+            if value != wanted:
+                message = f"its collider {name} has {key} {value:.4g} in {file}, not {wanted:g}"
+                yield Finding(_CHECK, message, link, value=value, hint=AGAIN)
+        if _is_soft(model.geom_solref[geom], model.geom_solimp[geom]):
+            message = f"its collider {name} is softer than MuJoCo's default in {file}"
+            yield Finding(_CHECK, message, link, hint=AGAIN)
+
+
+def _carries(model: Any, body: int, base: str) -> bool:
+    """Tell whether a body is the base or an ancestor of the base."""
+    current = next((number for number in range(model.nbody) if model.body(number).name == base), 0)
+    while current and current != body:
+        current = model.body_parentid[current]
+    return bool(current)
+
+
+def _is_soft(reference: Any, impedance: Any) -> bool:
+    """Tell whether a constraint is softer than MuJoCo's default; negative references are stiffnesses."""
+    return bool(reference[0] > _SOFTEST + 1e-9 or impedance[0] < _LEAST_IMPEDANCE - 1e-9)
+
+
+def read(asset: Asset, path: Path) -> Reading:
     """Read a model and its meshes."""
     import mujoco
 
-    # it keeps meshes, and takes a file that was changed within the same second for the one before
+    # MuJoCo caches meshes and does not notice a file that changed within the same second
     mujoco.mj_clearCache(mujoco.mj_getCache())
     with listening() as said, _warnings(mujoco, said):
         model = mujoco.MjModel.from_xml_path(str(path))
@@ -45,7 +135,7 @@ def read_mjcf(asset: Asset, path: Path) -> Reading:
             if name in positions:
                 data.qpos[model.jnt_qposadr[number]] = positions[name]
         mujoco.mj_kinematics(model, data)
-        return {name: _pose(data.body(name).xpos, data.body(name).xmat.reshape(3, 3)) for name in links}
+        return {name: _pose(data.body(name).xpos, data.body(name).xquat) for name in links}
 
     bodies = {name: model.body(name).id for name in links}
     return Reading(
@@ -63,14 +153,14 @@ def read_mjcf(asset: Asset, path: Path) -> Reading:
         colliders={name: tuple(_colliders(model, body)) for name, body in bodies.items()},
         faces={name: tuple(_faces(model, body)) for name, body in bodies.items()},
         holds=_holds(asset, model),
-        findings=tuple(model_findings(model, links, asset.links[0].name, path.name)),
+        findings=tuple(_model_findings(model, asset, path.name)),
         said=tuple(said),
     )
 
 
 @contextmanager
 def _warnings(mujoco: Any, said: list[str]) -> Iterator[None]:
-    """Collect MuJoCo's own warnings, which it prints and writes to a file otherwise."""
+    """Collect the warnings of MuJoCo, which it would print and write to a file."""
     before = mujoco.get_mju_user_warning()
     mujoco.set_mju_user_warning(said.append)
     try:
@@ -79,35 +169,23 @@ def _warnings(mujoco: Any, said: list[str]) -> Iterator[None]:
         mujoco.set_mju_user_warning(before)
 
 
-def _pose(position: Array, turn: Array) -> Array:
+def _pose(position: Array, quaternion: Array) -> Array:
+    """Return a position and a quaternion (w, x, y, z) as a transform, shape (4, 4)."""
+    w, x, y, z = quaternion
     result = np.eye(4)
-    result[:3, :3], result[:3, 3] = turn, position
+    result[:3, :3] = [
+        [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+        [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+        [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
+    ]
+    result[:3, 3] = position
     return result
 
 
-def _turn(quaternion: Array) -> Array:
-    w, x, y, z = quaternion
-    return np.array(
-        [
-            [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
-            [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
-            [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
-        ]
-    )
-
-
 def _base(model: Any, asset: Asset) -> str:
-    """Tell whether anything above and at the base lets it move freely."""
-    body = next(
-        (number for number in range(1, model.nbody) if model.body(number).name == asset.links[0].name), 0
-    )
-    while body:
-        first = model.body_jntadr[body]
-        kinds = [model.jnt_type[number] for number in range(first, first + model.body_jntnum[body])]
-        if _FREE in kinds:
-            return "free"
-        body = model.body_parentid[body]
-    return "fixed"
+    """Tell whether the base or a body above it is free to move."""
+    free = (int(model.jnt_bodyid[number]) for number in np.flatnonzero(model.jnt_type == _FREE))
+    return "free" if any(_carries(model, body, asset.links[0].name) for body in free) else "fixed"
 
 
 def _ends(model: Any, joint: int) -> tuple[str, str]:
@@ -121,12 +199,13 @@ def _limits(model: Any, joint: int) -> tuple[float, float] | None:
 
 
 def _inertial(body: Any) -> Inertial:
-    turn = _turn(body.iquat)
-    return Inertial(float(body.mass[0]), np.array(body.ipos), turn @ np.diag(body.inertia) @ turn.T)
+    pose = _pose(body.ipos, body.iquat)
+    turn = pose[:3, :3]
+    return Inertial(float(body.mass[0]), pose[:3, 3], turn @ np.diag(body.inertia) @ turn.T)
 
 
 def _axes(model: Any, joints: list[int]) -> Iterator[tuple[str, Array]]:
-    """Yield the axis of the last joint of each body; those before it are turned with the body."""
+    """Yield the axis of the last joint of each body; earlier joints turn with the body."""
     for number in joints:
         body = model.jnt_bodyid[number]
         if number == model.body_jntadr[body] + model.body_jntnum[body] - 1:
@@ -154,8 +233,8 @@ def _couplings(model: Any) -> Iterator[tuple[str, tuple[str, float, float]]]:
             continue
         follower, leader = int(model.eq_obj1id[number]), int(model.eq_obj2id[number])
         if leader < 0:
-            continue  # it holds a joint where it is
-        # MuJoCo couples what joints have moved from their reference positions
+            continue  # it holds a joint in place
+        # MuJoCo couples displacements from the reference positions
         start, start_of_leader = (
             float(model.qpos0[model.jnt_qposadr[joint]]) for joint in (follower, leader)
         )
@@ -177,7 +256,8 @@ def _placed_mesh(model: Any, geom: int) -> tuple[Array, NDArray[np.int64]]:
     vertices, faces = model.mesh_vertadr[mesh], model.mesh_faceadr[mesh]
     points = np.array(model.mesh_vert[vertices : vertices + model.mesh_vertnum[mesh]], float)
     triangles = np.array(model.mesh_face[faces : faces + model.mesh_facenum[mesh]], np.int64)
-    return points @ _turn(model.geom_quat[geom]).T + model.geom_pos[geom], triangles
+    pose = _pose(model.geom_pos[geom], model.geom_quat[geom])
+    return points @ pose[:3, :3].T + pose[:3, 3], triangles
 
 
 def _colliders(model: Any, body: int) -> Iterator[ReadCollider]:
@@ -187,22 +267,20 @@ def _colliders(model: Any, body: int) -> Iterator[ReadCollider]:
         if kind is not None:
             a, b, c = (float(size) for size in model.geom_size[geom])
             sizes = {"sphere": (a,), "box": (2 * a, 2 * b, 2 * c)}
-            pose = _pose(model.geom_pos[geom], _turn(model.geom_quat[geom]))
+            pose = _pose(model.geom_pos[geom], model.geom_quat[geom])
             yield ReadCollider.primitive(name, Convex(kind, pose, sizes.get(kind, (a, 2 * b))), friction)
         elif model.geom_type[geom] == _MESH:
             yield ReadCollider.mesh(name, *_placed_mesh(model, geom), friction)
         else:
             place = np.array(model.geom_pos[geom])
-            flaw = f"is of a kind that no asset has (mjtGeom {model.geom_type[geom]})"
+            flaw = f"has an unknown type (mjtGeom {model.geom_type[geom]})"
             yield ReadCollider(name, np.array([place, place]), place, 0.0, friction, flaw=flaw)
 
 
 def _faces(model: Any, body: int) -> Iterator[Faces]:
     for geom in _geoms(model, body, colliding=False):
         if model.geom_type[geom] == _MESH:
-            vertices, triangles = _placed_mesh(model, geom)
-            bounds = np.array([vertices.min(axis=0), vertices.max(axis=0)])
-            yield Faces(model.geom(geom).name or f"number {geom}", bounds, len(triangles))
+            yield Faces.of(model.geom(geom).name or f"number {geom}", *_placed_mesh(model, geom))
 
 
 def _holds(asset: Asset, model: Any) -> dict[str, tuple[str, Array]]:
@@ -214,6 +292,6 @@ def _holds(asset: Asset, model: Any) -> dict[str, tuple[str, Array]]:
             (sites[name] for name in (hold.name, f"{hold.kind}_{hold.name}") if name in sites), None
         )
         if number is not None:
-            pose = _pose(model.site_pos[number], _turn(model.site_quat[number]))
+            pose = _pose(model.site_pos[number], model.site_quat[number])
             found[hold.name] = (model.body(model.site_bodyid[number]).name, pose)
     return found

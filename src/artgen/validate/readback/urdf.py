@@ -1,6 +1,7 @@
-"""Reading an exported URDF with yourdfpy, and names of other layouts."""
+"""Reading an exported URDF with yourdfpy, and faults that URDF readers accept silently."""
 
 import json
+from collections import Counter
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -10,27 +11,99 @@ import numpy as np
 
 from artgen._arrays import Array
 from artgen.asset import Asset
+from artgen.asset.report import AGAIN, Finding
 from artgen.colliders import Convex
+from artgen.errors import nearest
 from artgen.export.layouts.partnet.names import NAMES_FILE
 from artgen.validate.readback.pieces import ReadCollider
-from artgen.validate.readback.reading import Faces, Inertial, Reading, Said, listening
+from artgen.validate.readback.reading import Faces, Inertial, Law, Reading, Said, listening
 
-Law = tuple[str, float, float]
-
+_CHECK = "urdf"
 _UP = np.array([0.0, 0.0, 1.0, 0.0])
-_UPRIGHT = 1e-6  # error of an axis
+_UPRIGHT = 1e-6  # tolerance of an axis
+_SPRING = {"springStiffness": "stiffness", "springReference": "rest"}  # elements of Gazebo
+
+
+def element_findings(path: Path) -> Iterator[Finding]:
+    """Yield names that are ambiguous or unknown, impossible limits, and elements that some readers obey."""
+    from lxml import etree
+
+    root = etree.parse(path).getroot()
+    names = {tag: [each.get("name", "") for each in root.iterfind(tag)] for tag in ("link", "joint")}
+    collisions = [each.get("name", "") for each in root.iterfind("link/collision")]
+    for kind, found in {**names, "collision": collisions}.items():
+        for name, count in Counter(filter(None, found)).items():
+            if count > 1:
+                message = f"{count} {kind}s are named {name!r}; readers keep one of them"
+                yield Finding(_CHECK, message, **({kind: name} if kind in names else {}), hint=AGAIN)
+    yield from _tree_findings(root, names["link"])
+    for joint in root.iterfind("joint"):
+        yield from _joint_findings(joint, names)
+    materials = {each.get("name") for each in root.iterfind("material")}
+    for material in root.iterfind("link/visual/material"):
+        if not len(material) and material.get("name") not in materials:
+            message = f"its material {material.get('name')!r} is not defined in the file"
+            yield Finding(_CHECK, message, material.getparent().getparent().get("name"), hint=AGAIN)
+    foreign = [(each.tag, "the model") for tag in ("transmission", "mujoco") for each in root.iterfind(tag)]
+    for element in root.iterfind("gazebo"):
+        place = element.get("reference", "the model")
+        foreign += [(word.tag, place) for word in element if word.tag not in _SPRING]
+    for tag, place in foreign:
+        message = f"it sets <{tag}> of {place!r}, which belongs to the scene"
+        yield Finding(_CHECK, message, hint=f"remove <{tag}>")
+
+
+def _tree_findings(root: Any, links: list[str]) -> Iterator[Finding]:
+    children = Counter(each.get("link") for each in root.iterfind("joint/child"))
+    for link in links:
+        if children[link] > 1:
+            yield Finding(_CHECK, f"{children[link]} joints hold it instead of 1", link, hint=AGAIN)
+    roots = [name for name in links if not children[name]]
+    if len(roots) != 1:
+        message = f"it has {len(roots)} links without a parent ({', '.join(roots)}) instead of 1"
+        yield Finding(_CHECK, message, value=float(len(roots)), hint=AGAIN)
+
+
+def _joint_findings(joint: Any, names: Mapping[str, list[str]]) -> Iterator[Finding]:
+    name, limit = joint.get("name", ""), joint.find("limit")
+    for tag, attribute, known in (
+        ("parent", "link", names["link"]),
+        ("child", "link", names["link"]),
+        ("mimic", "joint", names["joint"]),
+    ):
+        element = joint.find(tag)
+        target = None if element is None else element.get(attribute)
+        if target not in known and not (tag == "mimic" and element is None):
+            message = f"its {tag} {target!r} is not a {attribute} of the file.{nearest(str(target), known)}"
+            yield Finding(_CHECK, message, joint=name, hint=AGAIN)
+    for tag in ("safety_controller", "calibration"):
+        if joint.find(tag) is not None:
+            message = f"its <{tag}> changes its limits for some readers"
+            yield Finding(_CHECK, message, joint=name, hint=f"remove <{tag}>")
+    if limit is None or joint.get("type") == "fixed":
+        return
+    low, high, effort, velocity = (
+        float(limit.get(key, "0")) for key in ("lower", "upper", "effort", "velocity")
+    )
+    for what, value in (("effort", effort), ("velocity", velocity)):
+        if not value > 0.0:
+            message = f"its {what} limit is {value:.4g}; simulators treat the joint as immovable"
+            yield Finding(_CHECK, message, joint=name, value=value, hint=AGAIN)
+    if joint.get("type") != "continuous" and not low < high:
+        message = f"its limits are inverted or empty: from {low:.7g} to {high:.7g}"
+        yield Finding(_CHECK, message, joint=name, value=high - low, hint=AGAIN)
 
 
 @dataclass(frozen=True, eq=False)
 class Names:
-    """The meaning of the names of a layout."""
+    """Names of a layout that differ from those of the asset."""
 
     links: Mapping[str, str]  # link of the asset, by name of the body
-    # joint of the asset, and -1 where it is turned round, else 1, by name in the file
+    # joint of the asset by name in the file, with -1 for a reversed joint, else 1
     joints: Mapping[str, tuple[str, int]]
-    # leader, ratio and offset of each joint that follows, in the names of the file
+    # law of each joint that follows, in the names of the file
     couplings: Mapping[str, Law]
-    axes: Array  # from the asset's coordinates to those of the bodies, shape (3, 3): right angles only
+    axes: Array  # rotation from the asset's axes to those of the bodies, by right angles, shape (3, 3)
 
     @property
     def bodies(self) -> dict[str, str]:
@@ -38,22 +111,22 @@ class Names:
         return {link: body for body, link in self.links.items()}
 
     def joint(self, name: str) -> str:
-        """Return the joint of the asset that a name stands for."""
+        """Return the joint of the asset for a name in the file."""
         return self.joints.get(name, (name, 1))[0]
 
     def sign(self, name: str) -> int:
-        """Return -1 where a joint is turned round, else 1."""
+        """Return -1 for a reversed joint, else 1."""
         return self.joints.get(name, (name, 1))[1]
 
     def law(self, follower: str, law: Law) -> Law:
-        """Return a coupling of the file in the joints of the asset."""
+        """Return a law of the file in terms of the asset's joints."""
         leader, ratio, offset = law
         sign = self.sign(follower)
         return self.joint(leader), sign * self.sign(leader) * ratio, sign * offset
 
 
 def read_names(path: Path) -> Names | None:
-    """Read the meaning of the names in a file; None where they are those of the asset."""
+    """Read the names of a layout; None if they are those of the asset."""
     table = path.parent / NAMES_FILE
     if not table.exists():
         return None
@@ -67,7 +140,7 @@ def read_names(path: Path) -> Names | None:
 
 
 def translated(reading: Reading, names: Names, base: str) -> Reading:
-    """Return a reading in the names, axes and positions of the asset."""
+    """Return a reading with the names, axes and positions of the asset."""
     back = names.axes.T
     turn = np.eye(4)
     turn[:3, :3] = names.axes
@@ -80,7 +153,7 @@ def translated(reading: Reading, names: Names, base: str) -> Reading:
         }
         found = {name: frame @ turn for name, frame in reading.frames(own).items()}
         if base in found and np.abs(found[base][:, 2] - _UP).max() <= _UPRIGHT:
-            # the layout may have its front elsewhere, but not its top
+            # the layout may turn the asset about the vertical
             away = np.linalg.inv(found[base])
             found = {name: away @ frame for name, frame in found.items()}
         return found
@@ -89,7 +162,9 @@ def translated(reading: Reading, names: Names, base: str) -> Reading:
         reading,
         frames=frames,
         inertials={
-            name: Inertial(each.mass, back @ each.center, back @ each.inertia @ names.axes)
+            name: Inertial(
+                each.mass, back @ np.asarray(each.center), back @ np.asarray(each.inertia) @ back.T
+            )
             for name, each in reading.inertials.items()
         },
         kinds={names.joint(name): kind for name, kind in reading.kinds.items()},
@@ -123,7 +198,7 @@ def translated(reading: Reading, names: Names, base: str) -> Reading:
 
 
 def _laws(reading: Reading, names: Names) -> dict[str, Law]:
-    """Return the couplings of a file; those between joints of one body are in the table, not in the URDF."""
+    """Return the couplings of a file; the table has those between joints of the same parent."""
     laws = dict(reading.couplings)
     for follower, law in names.couplings.items():
         ends = [reading.ends.get(name) for name in (follower, law[0])]
@@ -149,14 +224,13 @@ def _piece(piece: ReadCollider, turn: Array) -> ReadCollider:
     )
 
 
-def read_urdf(asset: Asset, path: Path) -> Reading:
+def read(asset: Asset, path: Path) -> Reading:
     """Read a file and its meshes."""
     import yourdfpy
     from lxml import etree
 
     names = read_names(path)
     bodies = {} if names is None else names.bodies
-    tree = etree.parse(path)  # yourdfpy reads as much as it can of broken XML, and says nothing
     with listening() as said:
         robot = yourdfpy.URDF.load(str(path))
         if not robot.validate():
@@ -166,14 +240,14 @@ def read_urdf(asset: Asset, path: Path) -> Reading:
         colliders = {name: tuple(_colliders(link, path.parent)) for name, link in links.items()}
 
     def frames(positions: Mapping[str, float]) -> dict[str, Array]:
-        with listening():  # it repeats what it said when it read the file
+        with listening():  # yourdfpy repeats its warnings
             robot.update_cfg(
                 {name: positions[name] for name in robot.actuated_joint_names if name in positions}
             )
         return dict(_reached(robot, {name: own[name] for name in links}))
 
     moving = {name: joint for name, joint in robot.joint_map.items() if joint.type != "fixed"}
-    springs = _springs(tree)
+    springs = _springs(etree.parse(path))
     reading = Reading(
         path.name,
         frames,
@@ -203,7 +277,7 @@ def read_urdf(asset: Asset, path: Path) -> Reading:
 
 
 def _reached(robot: Any, bodies: Mapping[str, str]) -> Iterator[tuple[str, Array]]:
-    """Yield the frames of the links, given by their bodies, that joints lead to from the root."""
+    """Yield the frame of each link that joints connect to the root; `bodies` has the names in the file."""
     for name, body in bodies.items():
         try:
             yield name, np.asarray(robot.get_transform(body))
@@ -222,16 +296,13 @@ def _inertial(link: Any) -> Inertial:
     return Inertial(float(inertial.mass), origin[:3, 3], turn @ np.asarray(inertial.inertia) @ turn.T)
 
 
-def _springs(tree: Any) -> dict[str, dict[str, float]]:
-    """Return what Gazebo's words say of springs, by joint."""
+def _springs(root: Any) -> dict[str, dict[str, float]]:
+    """Return stiffness and rest position in Gazebo's elements, by joint."""
     return {
         element.get("reference"): {word.tag: float(word.text) for word in element if word.tag in _SPRING}
-        for element in tree.iterfind("gazebo")
+        for element in root.iterfind("gazebo")
         if element.get("reference")
     }
-
-
-_SPRING = {"springStiffness": "stiffness", "springReference": "rest"}
 
 
 def _dynamics(joint: Any, spring: Mapping[str, float]) -> Iterator[Said]:
@@ -272,7 +343,7 @@ def _mesh_piece(name: str, mesh: Any, pose: Array, directory: Path) -> ReadColli
 
 
 def _faces(robot: Any, links: Mapping[str, Any]) -> dict[str, tuple[Faces, ...]]:
-    """Return the visible faces of each link, from the scene that yourdfpy makes of them."""
+    """Return the visible meshes of each link from the scene of yourdfpy."""
     graph = robot.scene.graph
     owners = {link.name: name for name, link in links.items()}
     found: dict[str, list[Faces]] = {name: [] for name in links}
@@ -285,13 +356,12 @@ def _faces(robot: Any, links: Mapping[str, Any]) -> dict[str, tuple[Faces, ...]]
         pose, name = graph.get(node, frame_from=owner)
         mesh = robot.scene.geometry[name]
         vertices = np.asarray(mesh.vertices) @ pose[:3, :3].T + pose[:3, 3]
-        bounds = np.array([vertices.min(axis=0), vertices.max(axis=0)])
-        found[owners[owner]].append(Faces(str(node), bounds, len(mesh.faces)))
+        found[owners[owner]].append(Faces.of(str(node), vertices, mesh.faces))
     return {name: tuple(each) for name, each in found.items()}
 
 
 def _holds(asset: Asset, robot: Any) -> dict[str, tuple[str, Array]]:
-    """Return the frames of grasps and pushes: links without extent that are fixed there."""
+    """Return the frames of grasps and pushes: fixed links without geometry."""
     mounts = {joint.child: joint for joint in robot.joint_map.values() if joint.type == "fixed"}
     found = {}
     for hold in asset.affordances:
