@@ -5,11 +5,17 @@ nothing. A file is written beside its place first, so that other processes see a
 begins with a checksum, so that a damaged one is as good as none.
 """
 
+import io
 import os
 import tempfile
 import zlib
 from contextlib import suppress
 from pathlib import Path
+from typing import Any
+from zipfile import BadZipFile
+
+import numpy as np
+from numpy.typing import NDArray
 
 _HEAD = b"artgen-cache-1\n"
 _CHECK = 12  # bytes of checksum and length
@@ -59,6 +65,22 @@ def write(kind: str, key: str, content: bytes) -> None:
         with suppress(OSError):
             Path(name).unlink()
         raise
+
+
+def packed(arrays: dict[str, NDArray[Any]]) -> bytes:
+    """Return arrays as the content of a file, to be read by `unpacked`."""
+    file = io.BytesIO()
+    np.savez(file, allow_pickle=False, **arrays)
+    return file.getvalue()
+
+
+def unpacked(content: bytes | None) -> dict[str, NDArray[Any]] | None:
+    """Return the arrays in the content of a file; None where it is missing or holds something else."""
+    try:
+        with np.load(io.BytesIO(content or b""), allow_pickle=False) as stored:
+            return dict(stored)
+    except (OSError, ValueError, KeyError, EOFError, BadZipFile, zlib.error):
+        return None
 
 
 def _head(content: bytes) -> bytes:

@@ -15,7 +15,7 @@ from artgen.errors import ExportError
 from artgen.materials import Material, material
 from artgen.materials.textures import RECIPES, Pattern, Recipe, encoded, kinds, maps
 from artgen.materials.textures import bake as baking
-from artgen.materials.textures.keep import Memory
+from artgen.materials.textures.bake import Memory
 
 SIZE = 256
 

@@ -5,11 +5,9 @@ import io
 import json
 import subprocess
 import sys
-import zlib
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from importlib import metadata
-from zipfile import BadZipFile
 
 import numpy as np
 from numpy.typing import NDArray
@@ -72,7 +70,6 @@ def _around(pieces: Sequence[Convex], most_vertices: int) -> Convex:
 __all__ = ["cache_directory", "digest", "read_points", "write_points"]
 
 _FORMAT = "artgen-pieces-1"
-_DAMAGED = (OSError, ValueError, KeyError, EOFError, BadZipFile, zlib.error)  # what a damaged file raises
 
 
 def digest(vertices: Array, triangles: NDArray[np.int64], settings: Mapping[str, float | str]) -> str:
@@ -86,14 +83,10 @@ def digest(vertices: Array, triangles: NDArray[np.int64], settings: Mapping[str,
 
 def read_points(kind: str, key: str) -> list[Array] | None:
     """Return the points of the pieces that are kept under a key, each shape (n, 3) [m], or None."""
-    content = disk_cache.read(kind, f"{key}.npz")
-    if content is None:
+    stored = disk_cache.unpacked(disk_cache.read(kind, f"{key}.npz")) or {}
+    if not {"points", "counts"} <= {*stored}:
         return None
-    try:
-        with np.load(io.BytesIO(content), allow_pickle=False) as stored:
-            points, counts = stored["points"], stored["counts"]
-    except _DAMAGED:
-        return None
+    points, counts = stored["points"], stored["counts"]
     sound = (
         points.dtype == np.float64
         and counts.dtype == np.int64
@@ -111,9 +104,8 @@ def write_points(kind: str, key: str, pieces: Sequence[Array]) -> None:
         return
     counts = np.array([len(points) for points in pieces], np.int64)
     with suppress(OSError):
-        file = io.BytesIO()
-        np.savez(file, points=np.concatenate(pieces).astype(np.float64), counts=counts)
-        disk_cache.write(kind, f"{key}.npz", file.getvalue())
+        content = disk_cache.packed({"points": np.concatenate(pieces).astype(np.float64), "counts": counts})
+        disk_cache.write(kind, f"{key}.npz", content)
 
 
 THRESHOLD = 0.05

@@ -20,7 +20,7 @@ from artgen.errors import AssetError, ExportError, nearest
 from artgen.export.layouts import FORMATS, LAYOUTS, TEXTURES, Layout
 from artgen.export.precision import with_precision
 from artgen.materials.textures import check_size
-from artgen.materials.textures.keep import Memory
+from artgen.materials.textures.bake import Memory
 
 _PNG = b"\x89PNG\r\n\x1a\n"
 

@@ -14,7 +14,13 @@ from numpy.typing import NDArray
 
 from artgen._arrays import Array, FrozenArrays
 
+Color = tuple[float, float, float]
 Varying = Literal["albedo", "metalness", "normal"]
+
+SEEN: tuple[Varying, ...] = ("albedo", "normal")
+"""The maps of surfaces with a pattern of colors and a relief."""
+
+_GREY: Color = (0.5, 0.5, 0.5)
 
 
 @dataclass(frozen=True, eq=False)
@@ -55,7 +61,7 @@ class Recipe:
     """
 
     name: str
-    base_color: tuple[float, float, float]
+    base_color: Color
     make: Callable[[np.random.Generator, int], Pattern]
     tile: tuple[float, float] = (0.5, 0.5)
     variants: int = 1
@@ -63,6 +69,9 @@ class Recipe:
     shifts: tuple[bool, bool] = (True, True)
     kept: bool = False
 
+
+RECIPES: dict[str, Recipe] = {}
+"""The recipes by name."""
 
 Value = TypeVar("Value", bound=np.generic)
 
@@ -187,6 +196,26 @@ class Tile:
             return np.asarray(upper * (1.0 - low_share) + lower * low_share)
 
         return in_strips(there, numbers, np.broadcast_to(across, field), np.broadcast_to(along, field))
+
+
+def recipe(
+    name: str,
+    extent: tuple[float, float],
+    base_color: Color = _GREY,
+    *,
+    variants: int = 1,
+    varying: tuple[Varying, ...] = ("normal",),
+    shifts: tuple[bool, bool] = (True, True),
+) -> Callable[[Callable[[Tile], Pattern]], None]:
+    """Register the function below, which draws a tile of some size [m], as a recipe whose maps are kept."""
+
+    def register(draw: Callable[[Tile], Pattern]) -> None:
+        def make(stream: np.random.Generator, size: int) -> Pattern:
+            return draw(Tile(stream, size, extent))
+
+        RECIPES[name] = Recipe(name, base_color, make, extent, variants, varying, shifts, kept=True)
+
+    return register
 
 
 def _coefficients(stream: np.random.Generator, size: int, amplitude: Array) -> NDArray[np.complex128]:

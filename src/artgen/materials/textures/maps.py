@@ -3,7 +3,6 @@
 import io
 import struct
 import zlib
-from dataclasses import replace
 from typing import Literal
 
 import numpy as np
@@ -13,9 +12,8 @@ from artgen._arrays import cached
 from artgen.errors import ParameterError, nearest
 from artgen.materials.material import Material
 from artgen.materials.table import MATERIALS
-from artgen.materials.textures import board, keep, metal, plastic, stone, wood, woven
-from artgen.materials.textures.bake import MEMORY, Maps, Pixels, as_bytes, bake, baked, displayed
-from artgen.materials.textures.fields import Pattern, Recipe, Tile
+from artgen.materials.textures.bake import MEMORY, Maps, Pixels, as_bytes, bake, baked, displayed, read, write
+from artgen.materials.textures.fields import RECIPES, Recipe
 
 _SIGNATURE = b"\x89PNG\r\n\x1a\n"
 _GREY, _COLOR = 0, 2
@@ -38,26 +36,6 @@ def png(pixels: NDArray[np.uint8]) -> bytes:
 
 def _chunk(kind: bytes, data: bytes) -> bytes:
     return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
-
-
-_FLAT_TILE = (0.5, 0.5)
-
-
-def _flat(stream: np.random.Generator, size: int) -> Pattern:
-    """Make a surface that is even but for a breath of roughness."""
-    return Pattern(None, 0.02 * Tile(stream, size, _FLAT_TILE).cloud(0.25, 1.8))
-
-
-_FAMILIES = (wood, board, metal, plastic, stone, woven)
-
-RECIPES: dict[str, Recipe] = {
-    recipe.name: replace(recipe, kept=True)
-    for recipe in (
-        Recipe("flat", (0.5, 0.5, 0.5), _flat, _FLAT_TILE, varying=()),
-        *(recipe for family in _FAMILIES for recipe in family.recipes()),
-    )
-}
-"""The recipes by name."""
 
 
 Kind = Literal["albedo", "orm", "roughness", "metalness", "normal"]
@@ -183,11 +161,11 @@ def encoded(material: Material, kind: Kind, size: int, form: Form) -> bytes:
 
 def _kept_file(material: Material, kind: Kind, size: int, form: Form, name: str) -> bytes:
     kept = _is_kept(material, kind)
-    content = keep.read(name, form) if kept else None
+    content = read(name, form) if kept else None
     if content is None:
         content = _file(_pixels(material, kind, size), kind, form)
         if kept:
-            keep.write(name, form, content)
+            write(name, form, content)
     return content
 
 

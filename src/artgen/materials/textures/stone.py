@@ -1,4 +1,4 @@
-"""Stone, ceramic and glass."""
+"""Polished stone: granite and marble."""
 
 from dataclasses import dataclass
 from functools import partial
@@ -8,25 +8,16 @@ from numpy.typing import NDArray
 
 from artgen._arrays import Array
 from artgen.materials.textures.fields import (
+    Color,
     Pattern,
-    Recipe,
     Tile,
-    Varying,
     blend,
     centered,
     in_strips,
+    recipe,
     smoothstep,
     with_mean,
 )
-
-Color = tuple[float, float, float]
-
-_GREY = (0.5, 0.5, 0.5)
-_GRANITE_TILE = (0.20, 0.20)
-_MARBLE_TILE = (0.90, 0.90)
-_GLAZE_TILE = (0.30, 0.30)
-_GLASS_TILE = (0.40, 0.40)
-_FROSTED_TILE = (0.06, 0.06)
 
 
 @dataclass(frozen=True)
@@ -40,39 +31,40 @@ class Granite:
     flecks: float  # how many deviations of noise a fleck must exceed: lower is more
 
 
-_GREY_GRANITE = Granite(
-    (0.25, 0.24, 0.24),
-    (
-        ((0.46, 0.44, 0.42), 0.0044, 0.25),
-        ((0.22, 0.215, 0.22), 0.0032, 0.15),
-        ((0.36, 0.32, 0.29), 0.0054, -0.25),
-        ((0.10, 0.10, 0.105), 0.0030, -0.35),
+_GRANITES = {
+    "granite": Granite(
+        (0.25, 0.24, 0.24),
+        (
+            ((0.46, 0.44, 0.42), 0.0044, 0.25),
+            ((0.22, 0.215, 0.22), 0.0032, 0.15),
+            ((0.36, 0.32, 0.29), 0.0054, -0.25),
+            ((0.10, 0.10, 0.105), 0.0030, -0.35),
+        ),
+        (0.030, 0.030, 0.032),
+        1.15,
     ),
-    (0.030, 0.030, 0.032),
-    1.15,
-)
-_BLACK_GRANITE = Granite(
-    (0.032, 0.032, 0.034),
-    (
-        ((0.022, 0.022, 0.023), 0.0036, 0.5),
-        ((0.040, 0.040, 0.043), 0.0030, 0.0),
-        ((0.075, 0.078, 0.085), 0.0026, -1.05),
+    "black_granite": Granite(
+        (0.032, 0.032, 0.034),
+        (
+            ((0.022, 0.022, 0.023), 0.0036, 0.5),
+            ((0.040, 0.040, 0.043), 0.0030, 0.0),
+            ((0.075, 0.078, 0.085), 0.0026, -1.05),
+        ),
+        (0.021, 0.021, 0.021),
+        1.0,
     ),
-    (0.021, 0.021, 0.021),
-    1.0,
-)
+}
 
 
-def _granite(kind: Granite, stream: np.random.Generator, size: int) -> Pattern:
-    """Make polished granite: a mineral grows where its noise is the greatest, so that grains interlock."""
-    tile = Tile(stream, size, _GRANITE_TILE)
+def _granite(kind: Granite, tile: Tile) -> Pattern:
+    """Draw polished granite: a mineral grows where its noise is the greatest, so that grains interlock."""
     strength = [
         0.75 * tile.band(grain, 0.5) + 0.40 * tile.band(0.4 * grain, 0.5) + common
         for _, grain, common in kind.minerals
     ]
     # Crystals have straight sides: within one, no mineral gains on another
     cells = tile.cells(0.0021)
-    push = stream.standard_normal((len(kind.minerals), cells.total))
+    push = tile.stream.standard_normal((len(kind.minerals), cells.total))
 
     def mixed(number: NDArray[np.int64], *strength: Array) -> Array:
         total, mixture = np.zeros(number.shape), np.zeros((*number.shape, 3))
@@ -84,7 +76,7 @@ def _granite(kind: Granite, stream: np.random.Generator, size: int) -> Pattern:
 
     albedo = in_strips(mixed, cells.number, *strength)
     veil = tile.cloud(0.005, 1.0)
-    tone = 1.0 + 0.10 * stream.standard_normal(cells.total)
+    tone = 1.0 + 0.10 * tile.stream.standard_normal(cells.total)
     clumps = tile.band(0.010, 0.7)
     mica = smoothstep(0.0, 0.25, tile.band(0.0016, 0.5) + 0.55 * clumps - kind.flecks)
     broad = tile.cloud(0.12, 1.8)
@@ -103,21 +95,27 @@ def _granite(kind: Granite, stream: np.random.Generator, size: int) -> Pattern:
 
 @dataclass(frozen=True)
 class Marble:
-    """The colors of a marble: of its body, of its clouds and of its veins, linear RGB."""
+    """The colors of a marble, linear RGB."""
 
     mean: Color
     body: Color
     cloud: Color
     vein: Color
+    variants: int  # number of different patterns
 
 
-_WHITE_MARBLE = Marble((0.74, 0.73, 0.71), (0.82, 0.815, 0.80), (0.62, 0.62, 0.62), (0.27, 0.28, 0.30))
-_GREEN_MARBLE = Marble((0.045, 0.085, 0.060), (0.030, 0.065, 0.043), (0.06, 0.115, 0.08), (0.38, 0.45, 0.40))
+_MARBLES = {
+    "marble": Marble(
+        (0.74, 0.73, 0.71), (0.82, 0.815, 0.80), (0.62, 0.62, 0.62), (0.27, 0.28, 0.30), variants=3
+    ),
+    "green_marble": Marble(
+        (0.045, 0.085, 0.060), (0.030, 0.065, 0.043), (0.06, 0.115, 0.08), (0.38, 0.45, 0.40), variants=2
+    ),
+}
 
 
-def _marble(kind: Marble, stream: np.random.Generator, size: int) -> Pattern:
-    """Make polished marble: clouds, and veins where a slope crosses levels, bent by noise."""
-    tile = Tile(stream, size, _MARBLE_TILE)
+def _marble(kind: Marble, tile: Tile) -> Pattern:
+    """Draw polished marble: clouds, and veins where a slope crosses levels, bent by noise."""
     across, along = tile.cloud(0.55, 2.4), tile.cloud(0.55, 2.4)
     # Levels of a slope that runs aslant over the tile: their lines cross it, as faults in rock do
     slope = tile.u / tile.extent[0] + 2.0 * tile.v / tile.extent[1]
@@ -147,46 +145,9 @@ def _veins(tile: Tile, level: Array, across: Array, along: Array, width: float) 
     return np.asarray(1.0 / (1.0 + beside**2) ** 1.5)
 
 
-def _glaze(stream: np.random.Generator, size: int) -> Pattern:
-    """Make glazed ceramic: a few pin holes, wiped; its waves are flatter than a normal map's levels."""
-    tile = Tile(stream, size, _GLAZE_TILE)
-    holes = smoothstep(3.3, 3.9, tile.band(0.0028, 0.5))
-    return Pattern(None, centered(0.018 * tile.smudges(0.15) + 0.10 * holes))
-
-
-def _clear(stream: np.random.Generator, size: int) -> Pattern:
-    """Make clear glass: what was wiped off it, and what was not."""
-    tile = Tile(stream, size, _GLASS_TILE)
-    wiped = tile.smudges(0.20) + 0.25 * tile.streaks(0.004, 0.06)
-    return Pattern(None, centered(0.014 * np.clip(wiped, -1.2, 4.0)))
-
-
-def _frosted(stream: np.random.Generator, size: int) -> Pattern:
-    """Make frosted glass: etched to a fine grain."""
-    tile = Tile(stream, size, _FROSTED_TILE)
-    grain = tile.band(0.0007, 0.7)
-    return Pattern(None, centered(0.025 * grain + 0.02 * tile.smudges(0.06)), height=5e-6 * grain)
-
-
-def recipes() -> list[Recipe]:
-    """Return the recipes of stone, ceramic and glass."""
-    polished: tuple[Varying, ...] = ("albedo",)
-    relief: tuple[Varying, ...] = ("normal",)
-    return [
-        Recipe("granite", _GREY_GRANITE.mean, partial(_granite, _GREY_GRANITE), _GRANITE_TILE, 2, polished),
-        Recipe(
-            "black_granite",
-            _BLACK_GRANITE.mean,
-            partial(_granite, _BLACK_GRANITE),
-            _GRANITE_TILE,
-            2,
-            polished,
-        ),
-        Recipe("marble", _WHITE_MARBLE.mean, partial(_marble, _WHITE_MARBLE), _MARBLE_TILE, 3, polished),
-        Recipe(
-            "green_marble", _GREEN_MARBLE.mean, partial(_marble, _GREEN_MARBLE), _MARBLE_TILE, 2, polished
-        ),
-        Recipe("glaze", _GREY, _glaze, _GLAZE_TILE, 1, ()),
-        Recipe("clear_glass", _GREY, _clear, _GLASS_TILE, 2, ()),
-        Recipe("frosted_glass", _GREY, _frosted, _FROSTED_TILE, 1, relief),
-    ]
+for _name, _granite_kind in _GRANITES.items():
+    _draw = partial(_granite, _granite_kind)
+    recipe(_name, (0.20, 0.20), _granite_kind.mean, variants=2, varying=("albedo",))(_draw)
+for _name, _marble_kind in _MARBLES.items():
+    _draw = partial(_marble, _marble_kind)
+    recipe(_name, (0.90, 0.90), _marble_kind.mean, variants=_marble_kind.variants, varying=("albedo",))(_draw)

@@ -14,7 +14,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from artgen._arrays import Array
-from artgen.materials.textures.fields import Pattern, Recipe, Tile, blend, centered, smoothstep, with_mean
+from artgen.materials.textures.fields import (
+    SEEN,
+    Color,
+    Pattern,
+    Tile,
+    blend,
+    centered,
+    recipe,
+    smoothstep,
+    with_mean,
+)
 
 _SPREAD = 0.45  # of the logarithm of lengths
 _AT_ONCE = 1 << 14  # pores drawn at once: more are many pages of memory
@@ -60,11 +70,9 @@ def _covered(
     return texels.ravel(), (share_along[:, :, None] * share_across[:, None, :]).ravel()
 
 
-Color = tuple[float, float, float]
 _Cut = Callable[[Tile, "Species"], tuple[Array, int, float]]
 
-TILE = (0.256, 1.024)
-"""A repeat of most woods [m]: features are long along the grain, and a door has few repeats."""
+_TILE = (0.256, 1.024)  # [m]: features are long along the grain, and a door has few repeats
 
 _PORE_DEPTH = 90e-6  # [m]
 _EARLY = (0.12, 0.42)  # until where in a ring pores are crowded, and from where on there are few
@@ -176,9 +184,8 @@ def _flat_sawn(tile: Tile, species: Species) -> tuple[Array, int, float]:
     return rings, arches, 0.4 * species.rings / tile.size
 
 
-def _wood(species: Species, cut: _Cut, stream: np.random.Generator, size: int) -> Pattern:
-    """Make a board."""
-    tile = Tile(stream, size, TILE)
+def _wood(species: Species, cut: _Cut, tile: Tile) -> Pattern:
+    """Draw a board."""
     rings, count, width = cut(tile, species)
     late = _along_rings(_profile(_strengths(tile, count, 0.17), species.sharpness, width), count, rings)
     fine = tile.fibres(0.20, 0.25)
@@ -188,7 +195,9 @@ def _wood(species: Species, cut: _Cut, stream: np.random.Generator, size: int) -
     value += species.fibre * (0.6 * fine + 0.4 * short)
     if species.curl:
         value += species.curl * 0.05 * tile.streaks(0.10, 0.010)
-    groove = _grooves(tile, species, rings, short, broad) if species.pores else np.zeros((size, size))
+    groove = (
+        _grooves(tile, species, rings, short, broad) if species.pores else np.zeros((tile.size, tile.size))
+    )
     shade = 1.0 - species.pores * groove
     if species.flecks:
         fleck = smoothstep(1.1, 2.4, tile.streaks(0.0010, 0.0045))
@@ -217,17 +226,111 @@ def _scaled(color: Color, mean: Color) -> Color:
     return red, green, blue
 
 
-def recipes() -> list[Recipe]:
-    """Return the recipes of woods: each species with straight grain and flat-sawn."""
-    return [
-        Recipe(
-            name + suffix,
-            species.mean,
-            partial(_wood, species, cut),
-            TILE,
-            variants=4,
-            varying=("albedo", "normal"),
+for _name, _species in SPECIES.items():
+    for _suffix, _cut in (("", _straight), ("_flat_sawn", _flat_sawn)):
+        recipe(_name + _suffix, _TILE, _species.mean, variants=4, varying=SEEN)(
+            partial(_wood, _species, _cut)
         )
-        for name, species in SPECIES.items()
-        for suffix, cut in (("", _straight), ("_flat_sawn", _flat_sawn))
-    ]
+
+
+_PLYWOOD: Color = (0.62, 0.45, 0.28)
+_PLIES = 24  # of 1.4 mm each
+_MDF: Color = (0.42, 0.31, 0.21)
+_CARDBOARD: Color = (0.48, 0.33, 0.19)
+_CARDBOARD_EDGE: Color = (0.23, 0.155, 0.088)  # mostly hollows
+_FLUTE = 0.008  # wavelength of the standard's C flute [m]
+
+
+@recipe("plywood", (0.60, 1.20), _PLYWOOD, variants=2, varying=SEEN)
+def _plywood(tile: Tile) -> Pattern:
+    """Draw the face of birch plywood: peeled around the trunk, so with broad vague figure."""
+    level = 3.2 * tile.cloud(0.45, 2.0, 3.5) + 0.12 * tile.streaks(0.012, 0.10)
+    rings = smoothstep(0.35, 1.0, np.sin(2.0 * np.pi * level)) * 0.5 + 0.5 * level / 6.0
+    fine = tile.fibres(0.12, 0.25)
+    short = tile.fibres(0.02, 0.3)
+    fleck = smoothstep(1.9, 3.0, tile.streaks(0.0022, 0.020))
+    light = 1.0 - 0.060 * rings + 0.020 * fine + 0.022 * short + 0.02 * tile.streaks(0.09, 0.8)
+    albedo = (light * (1.0 - 0.16 * fleck))[..., None] ** np.array([0.8, 1.0, 1.3]) * _PLYWOOD
+    roughness = centered(0.03 * fleck + 0.012 * short + 0.015 * tile.smudges(0.3))
+    return Pattern(
+        with_mean(albedo, _PLYWOOD), roughness, height=20e-6 * short + 10e-6 * fine - 30e-6 * fleck
+    )
+
+
+@recipe("plywood_edge", (0.0336, 0.30), _PLYWOOD, variants=2, varying=SEEN)
+def _plywood_edge(tile: Tile) -> Pattern:
+    """Draw the edge of plywood: plies that show their long grain and their end grain in turn, and glue."""
+    wander = 0.05 * tile.streaks(0.02, 0.15)
+    # The border of the tile lies in the middle of a ply
+    place = tile.u * (_PLIES / tile.extent[0]) + 0.5 + wander
+    ply = np.floor(place).astype(np.int64) % _PLIES
+    within = place - np.floor(place)
+    end_grain = ply % 2
+    tone = (1.0 + 0.07 * tile.stream.standard_normal(_PLIES))[ply]
+    texel = _PLIES / tile.size
+    glue = 1.0 - smoothstep(0.03, 0.05 + texel, np.minimum(within, 1.0 - within))
+    lines = tile.fibres(0.06, 0.2)
+    dots = tile.streaks(0.00018, 0.0005) + 0.7 * tile.streaks(0.0006, 0.004)
+    light = tone * np.where(end_grain == 1, 0.74 + 0.075 * dots, 1.05 + 0.055 * lines)
+    light = np.clip(light * (1.0 - 0.38 * glue), 0.1, 1.35)
+    albedo = light[..., None] ** np.array([0.85, 1.0, 1.3]) * _PLYWOOD
+    height = np.where(end_grain == 1, 6e-6 * dots - 12e-6, 2e-6 * lines) - 15e-6 * glue
+    roughness = centered(0.08 * end_grain + 0.02 * dots)
+    return Pattern(with_mean(albedo, _PLYWOOD), roughness, height=height)
+
+
+@recipe("mdf", (0.25, 0.25), _MDF, varying=SEEN)
+def _mdf(tile: Tile) -> Pattern:
+    """Draw MDF: pressed fibres, some darker, in all directions."""
+    felt = tile.band(0.0016, 0.7)
+    fine = tile.cloud(0.004, 0.8)
+    dark = smoothstep(1.5, 2.8, tile.streaks(0.0012, 0.0035)) + smoothstep(
+        1.5, 2.8, tile.streaks(0.0035, 0.0012)
+    )
+    light = 1.0 + 0.035 * felt + 0.03 * fine + 0.025 * tile.cloud(0.12, 1.6) - 0.20 * dark
+    albedo = np.maximum(light, 0.3)[..., None] ** np.array([0.9, 1.0, 1.15]) * _MDF
+    roughness = centered(0.03 * felt + 0.02 * tile.cloud(0.1, 2.0))
+    return Pattern(with_mean(albedo, _MDF), roughness, height=8e-6 * fine + 6e-6 * felt)
+
+
+@recipe("cardboard", (0.20, 0.256), _CARDBOARD, variants=2, varying=SEEN)
+def _cardboard(tile: Tile) -> Pattern:
+    """Draw the face of corrugated board: kraft paper of long fibres, over flutes that run across."""
+    flute = np.cos(2.0 * np.pi * (tile.v / _FLUTE + 0.03 * tile.cloud(0.15, 2.0)))
+    wash = tile.cloud(0.02, 1.1)
+    fibre = smoothstep(1.2, 2.6, tile.streaks(0.0007, 0.0030)) + smoothstep(
+        1.2, 2.6, tile.streaks(0.0030, 0.0007)
+    )
+    pale = smoothstep(1.6, 2.8, tile.band(0.0018, 0.6))
+    light = 1.0 + 0.035 * wash + 0.012 * flute + 0.02 * tile.cloud(0.15, 2.0)
+    light = light - 0.11 * fibre + 0.08 * pale
+    albedo = light[..., None] ** np.array([0.9, 1.0, 1.2]) * _CARDBOARD
+    height = 22e-6 * flute + 9e-6 * wash + 9e-6 * fibre
+    return Pattern(with_mean(albedo, _CARDBOARD), centered(0.02 * wash - 0.03 * pale), height=height)
+
+
+# The liners are the board's faces
+@recipe("cardboard_edge", (0.004, 0.064), _CARDBOARD_EDGE, varying=SEEN, shifts=(False, True))
+def _cardboard_edge(tile: Tile) -> Pattern:
+    """Draw the cut edge of corrugated board: a liner at either face, and between them the flutes' wave."""
+    place = tile.u / tile.extent[0] + 0.5  # the border of the tile lies in the liners
+    place = place - np.floor(place) - 0.5
+    texel = 1.0 / tile.size
+    wave = 0.40 * np.sin(2.0 * np.pi * tile.v / _FLUTE + 0.35 * tile.streaks(5.0, 0.02))
+    slope = 0.40 * 2.0 * np.pi / _FLUTE * np.cos(2.0 * np.pi * tile.v / _FLUTE)  # in widths per metre
+    tilt = np.sqrt(1.0 + (slope * tile.extent[0]) ** 2)
+    paper = _sheet(
+        np.abs(place - wave) / tilt, 0.045, np.hypot(texel, slope * tile.extent[1] / tile.size) / tilt
+    )
+    liner = _sheet(np.abs(np.abs(place) - 0.5), 0.060, texel)
+    solid = np.maximum(paper, liner)
+    rag = tile.cloud(0.0015, 0.9)
+    depth = 0.30 + 0.70 * solid * (1.0 + 0.09 * rag)
+    albedo = np.clip(depth, 0.05, 1.3)[..., None] ** np.array([0.9, 1.0, 1.1]) * _CARDBOARD_EDGE
+    height = 60e-6 * solid + 5e-6 * rag * solid
+    return Pattern(with_mean(albedo, _CARDBOARD_EDGE), centered(0.03 * rag), height=height)
+
+
+def _sheet(distance: Array, half: float, texel: Array | float) -> Array:
+    """Return 1 in a sheet of some half thickness and 0 beside it, softly over a texel."""
+    return 0.5 - 0.5 * np.tanh((distance - half) / (0.6 * texel))

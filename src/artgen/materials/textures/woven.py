@@ -6,9 +6,16 @@ from functools import partial
 import numpy as np
 
 from artgen._arrays import Array
-from artgen.materials.textures.fields import Pattern, Recipe, Tile, Varying, centered, smoothstep, with_mean
-
-Color = tuple[float, float, float]
+from artgen.materials.textures.fields import (
+    SEEN,
+    Color,
+    Pattern,
+    Tile,
+    centered,
+    recipe,
+    smoothstep,
+    with_mean,
+)
 
 
 @dataclass(frozen=True)
@@ -27,15 +34,16 @@ class Weave:
     split: bool = False  # whether threads are split canes, with lines along them, instead of twisted strands
 
 
-_LINEN = Weave((0.75, 0.71, 0.64), (0.060, 0.060), 72, 0.90, 90e-6, 0.05, 0.14, 0.06, 0.62)
-_CANVAS = Weave((0.30, 0.31, 0.33), (0.072, 0.072), 60, 0.96, 160e-6, 0.08, 0.07, 0.10, 0.45)
-_WICKER = Weave((0.36, 0.23, 0.12), (0.128, 0.128), 24, 0.96, 0.9e-3, 0.09, 0.05, 0.09, 0.20, split=True)
-_PLASTIC_WICKER = Weave((0.060, 0.045, 0.036), (0.112, 0.112), 16, 0.95, 1.1e-3, 0.05, 0.02, 0.0, 0.35)
+_WEAVES = {
+    "linen": Weave((0.75, 0.71, 0.64), (0.060, 0.060), 72, 0.90, 90e-6, 0.05, 0.14, 0.06, 0.62),
+    "canvas": Weave((0.30, 0.31, 0.33), (0.072, 0.072), 60, 0.96, 160e-6, 0.08, 0.07, 0.10, 0.45),
+    "wicker": Weave((0.36, 0.23, 0.12), (0.128, 0.128), 24, 0.96, 0.9e-3, 0.09, 0.05, 0.09, 0.20, split=True),
+    "plastic_wicker": Weave((0.060, 0.045, 0.036), (0.112, 0.112), 16, 0.95, 1.1e-3, 0.05, 0.02, 0.0, 0.35),
+}
 
 
-def _weave(kind: Weave, stream: np.random.Generator, size: int) -> Pattern:
-    """Make a plain weave."""
-    tile = Tile(stream, size, kind.tile)
+def _weave(kind: Weave, tile: Tile) -> Pattern:
+    """Draw a plain weave."""
     pitch = tile.extent[0] / kind.threads
     # The border of the tile lies in the middle of a thread
     warp = _Threads(tile, kind, tile.u, tile.v, tile.streaks(0.3 * pitch, 6.0 * pitch))
@@ -80,30 +88,22 @@ class _Threads:
         self.strand = np.sin(2.0 * np.pi * (turns + 0.6 * self.offset))
 
 
-_PERFORATED = (0.030, 0.030, 0.031)
-_PERFORATED_TILE = (0.0240, 0.02425)  # rows of a hexagonal pattern, 2 mm apart
+for _name, _kind in _WEAVES.items():
+    recipe(_name, _kind.tile, _kind.mean, varying=SEEN)(partial(_weave, _kind))
+
+_PERFORATED: Color = (0.030, 0.030, 0.031)
 _HOLES = (12, 14)
 
 
-def _perforated(stream: np.random.Generator, size: int) -> Pattern:
-    """Make the screen of a microwave oven's door: round holes in staggered rows, seen as dark dots."""
-    tile = Tile(stream, size, _PERFORATED_TILE)
+@recipe("perforated", (0.0240, 0.02425), _PERFORATED, varying=SEEN)  # rows of hexagons, 2 mm apart
+def _perforated(tile: Tile) -> Pattern:
+    """Draw the screen of a microwave oven's door: round holes in staggered rows, seen as dark dots."""
     across, along = tile.u / tile.extent[0] * _HOLES[0], tile.v / tile.extent[1] * _HOLES[1]
     row = np.floor(along)
     shifted = across + 0.5 * (row % 2.0) + 0.25  # no hole lies on the border of the tile
     pitch = tile.extent[0] / _HOLES[0], tile.extent[1] / _HOLES[1]
     distance = np.hypot((shifted - np.floor(shifted) - 0.5) * pitch[0], (along - row - 0.5) * pitch[1])
-    texel = tile.extent[0] / size
+    texel = tile.extent[0] / tile.size
     metal = smoothstep(0.00062 - texel, 0.00062 + texel, distance)
     albedo = (0.40 + 0.60 * metal)[..., None] * np.ones(3)
     return Pattern(with_mean(albedo, _PERFORATED), centered(-0.25 * metal), height=60e-6 * metal)
-
-
-def recipes() -> list[Recipe]:
-    """Return the recipes of woven and perforated sheets."""
-    kinds = {"linen": _LINEN, "canvas": _CANVAS, "wicker": _WICKER, "plastic_wicker": _PLASTIC_WICKER}
-    seen: tuple[Varying, ...] = ("albedo", "normal")
-    return [
-        *(Recipe(name, kind.mean, partial(_weave, kind), kind.tile, 1, seen) for name, kind in kinds.items()),
-        Recipe("perforated", _PERFORATED, _perforated, _PERFORATED_TILE, 1, seen),
-    ]
