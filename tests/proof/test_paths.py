@@ -66,8 +66,8 @@ def test_no_allowed_pose_lies_outside_the_boxes(seed: int) -> None:
     except ValueError as error:
         assert "it could never move" in str(error)  # noqa: PT017 - drawn by chance
         return
-    ways = space.ways()
-    assert ways
+    joint_paths = space.joint_paths()
+    assert joint_paths
     for _ in range(150):
         q = {joint.name: float(draw.uniform(*(joint.limits or (0, 0)))) for joint in asset.joints}
         for name in NAMES:
@@ -75,24 +75,24 @@ def test_no_allowed_pose_lies_outside_the_boxes(seed: int) -> None:
                 q[name] = 0.0
         if asset.blocked(q):
             continue
-        for way in ways:
-            at = np.array([q[name] for name in way.variables])
-            inside = [((box[:, 0] <= at) & (at <= box[:, 1])).all() for box in way.boxes]
-            assert any(inside), (way.links, q)
+        for joint_path in joint_paths:
+            at = np.array([q[name] for name in joint_path.variables])
+            inside = [((box[:, 0] <= at) & (at <= box[:, 1])).all() for box in joint_path.boxes]
+            assert any(inside), (joint_path.links, q)
 
 
 def test_a_dependency_of_two_joints_on_a_way_cuts_off_what_it_forbids() -> None:
     asset = changed(star(), a={"needs": Dependency(Condition("above", "b", 1.0))})
-    boxes = Space(asset).way("a", "b").boxes
+    boxes = Space(asset).joint_path("a", "b").boxes
     total = sum(float(np.prod(box[:, 1] - box[:, 0])) for box in boxes)
     assert total == pytest.approx(2.0 * 0.5, rel=1e-6)  # a moves where b is within 1.0 to 1.5
-    (whole,) = Space(asset).way("hub", "a").boxes  # b does not move this pair: it may stand anywhere
+    (whole,) = Space(asset).joint_path("hub", "a").boxes  # b does not move this pair: it may stand anywhere
     np.testing.assert_allclose(whole, [[-0.5, 1.5]])
 
 
 def test_the_slack_of_a_dependency_adds_a_strip_in_which_the_other_may_stand_anywhere() -> None:
     asset = changed(star(), a={"needs": Dependency(Condition("above", "b", 1.0), beyond=0.1)})
-    boxes = Space(asset).way("a", "b").boxes
+    boxes = Space(asset).joint_path("a", "b").boxes
     q = {"a": np.linspace(-0.5, 1.5, 401), "b": np.linspace(-0.5, 1.5, 401)}
     found = np.zeros((401, 401), bool)
     for low, high in (each.T for each in boxes):
@@ -108,12 +108,12 @@ def test_coupled_joints_become_their_leader() -> None:
         "d": {"follows": Coupling("b", -0.1)},
     }
     space = Space(changed(star(), **follows))
-    way = space.way("b", "d")
-    assert way.variables == ("a", "c")
-    assert [follower.variable for follower in way.followers] == ["a", "c", "a"]
-    assert way.followers[2].ratio == pytest.approx(-0.2)
-    assert way.followers[2].offset == pytest.approx(-0.01)
-    assert way.signs == (-1, 1, 1)
+    joint_path = space.joint_path("b", "d")
+    assert joint_path.variables == ("a", "c")
+    assert [follower.variable for follower in joint_path.followers] == ["a", "c", "a"]
+    assert joint_path.followers[2].ratio == pytest.approx(-0.2)
+    assert joint_path.followers[2].offset == pytest.approx(-0.01)
+    assert joint_path.signs == (-1, 1, 1)
 
 
 def test_unlimited_joints_make_a_full_turn_and_what_follows_them_may_be_anywhere() -> None:
@@ -130,15 +130,15 @@ def test_unlimited_joints_make_a_full_turn_and_what_follows_them_may_be_anywhere
 
 def test_locked_joints_move_nothing() -> None:
     space = Space(changed(star(), a={"limits": (0.3, 0.3)}))
-    assert {way.links for way in space.ways()}.isdisjoint({("hub", "a")})
-    assert space.way("a", "b").variables == ("b",)
+    assert {joint_path.links for joint_path in space.joint_paths()}.isdisjoint({("hub", "a")})
+    assert space.joint_path("a", "b").variables == ("b",)
 
 
 def test_a_way_takes_the_second_link_into_the_frame_of_the_first() -> None:
     asset = star()
     q = {"a": 0.7, "c": -0.3, "d": 0.2}
     pose = asset.pose(q)
-    for way in Space(asset).ways():
-        at = np.array([q.get(name, 0.0) for name in way.variables])
-        first, second = (pose[name] for name in way.links)
-        np.testing.assert_allclose(displacement(way, at), np.linalg.inv(first) @ second, atol=1e-12)
+    for joint_path in Space(asset).joint_paths():
+        at = np.array([q.get(name, 0.0) for name in joint_path.variables])
+        first, second = (pose[name] for name in joint_path.links)
+        np.testing.assert_allclose(displacement(joint_path, at), np.linalg.inv(first) @ second, atol=1e-12)

@@ -355,28 +355,30 @@ def test_the_ways_of_drawn_assets_hold_every_allowed_pose_and_lead_where_it_does
     for seed in range(FIRST, FIRST + 7 * COUNT):
         asset = drawn_asset(seed)
         try:
-            ways = Space(asset).ways()
+            joint_paths = Space(asset).joint_paths()
         except AssetError as error:
             assert "it could never move" in str(error)  # noqa: PT017 - drawn by chance
             continue
         for q in allowed_poses(asset, 12, seed):
             positions, poses = asset.positions(q), asset.pose(q)
-            for way in ways:
-                at = np.array([positions[name] for name in way.variables])
-                expected = np.linalg.inv(poses[way.links[0]]) @ poses[way.links[1]]
-                np.testing.assert_allclose(displacement(way, at), expected, atol=1e-9)
-                if any(asset.joint(name).limits is None for name in way.variables):
+            for joint_path in joint_paths:
+                at = np.array([positions[name] for name in joint_path.variables])
+                expected = np.linalg.inv(poses[joint_path.links[0]]) @ poses[joint_path.links[1]]
+                np.testing.assert_allclose(displacement(joint_path, at), expected, atol=1e-9)
+                if any(asset.joint(name).limits is None for name in joint_path.variables):
                     continue
-                within = [((box[:, 0] <= at + 1e-9) & (at - 1e-9 <= box[:, 1])).all() for box in way.boxes]
-                assert any(within), (seed, way.links, q)
-                allowed = set(allowed_at(way, at))  # at a threshold it may hold on one side only
+                within = [
+                    ((box[:, 0] <= at + 1e-9) & (at - 1e-9 <= box[:, 1])).all() for box in joint_path.boxes
+                ]
+                assert any(within), (seed, joint_path.links, q)
+                allowed = set(allowed_at(joint_path, at))  # at a threshold it may hold on one side only
                 for contact in asset.contacts:
                     if (
                         contact in allowed
                         and contact.when is not None
                         and not touches(contact.when, positions)
                     ):
-                        assert contact.when.holds(positions), (seed, way.links, q)
+                        assert contact.when.holds(positions), (seed, joint_path.links, q)
                 seen += 1
     assert seen > 70 * COUNT
 

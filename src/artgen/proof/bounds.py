@@ -1,9 +1,9 @@
-"""Closed-form bounds on where convex pieces are while joints move through intervals.
+"""Closed-form bounds on the distance of convex pieces while joints move through intervals.
 
-Everything is batched: N items, each with V vertices, joints of one kind per step and an interval
-`center - half .. center + half` for each. The path from link A to link B is a product of joint motions in
-asset coordinates at rest, `E_1(q_1) ... E_m(q_m)`, that takes B's points into A's frame; a joint that is
-crossed against its direction has its axis turned round. Frame k lies behind the first k joints.
+Everything is batched: N items, each with V vertices, joints of one kind per step and an interval `center -
+half .. center + half` for each joint. The path from link A to link B is a product of joint motions in asset
+coordinates at rest, `E_1(q_1) ... E_m(q_m)`, which takes B's points into A's frame; a joint that is crossed
+against its direction has a reversed axis. Frame k lies behind the first k joints.
 
 The gap along a unit normal in frame k is exact in the joints next to frame k (their support is maximised in
 closed form) and over-estimated to second order in the others, whose arcs are replaced by the polygon of their
@@ -20,21 +20,21 @@ from artgen.asset.joint import JointKind
 from artgen.colliders.triangles import cross
 
 WIDEST = 1.2
-"""Half interval up to which an arc is enclosed by its ends and the crossing of their tangents [rad]."""
+"""Half interval up to which the ends and the crossing of the tangents enclose an arc [rad]."""
 
 _OCTAGON = 8
 
 
 @dataclass(frozen=True, eq=False)
 class Motion:
-    """One joint of a path, for each of N items, with the interval that it moves through.
+    """One joint of a path and its interval, for each of N items.
 
     Attributes:
         kind: `revolute` or `prismatic`.
         origin: A point on the axis, shape (N, 3) [m].
         axis: Unit axis, shape (N, 3).
         center: Middle of the interval, shape (N,) [rad or m].
-        half: Half its length, not negative, shape (N,) [rad or m].
+        half: Half the length of the interval, not negative, shape (N,) [rad or m].
     """
 
     kind: JointKind
@@ -44,16 +44,16 @@ class Motion:
     half: Array
 
     def reversed(self) -> "Motion":
-        """Return the motion as it is seen from the other side."""
+        """Return the motion seen from the other side."""
         return Motion(self.kind, self.origin, -self.axis, self.center, self.half)
 
     def still(self) -> "Motion":
-        """Return the motion held at the middle of its interval."""
+        """Return the motion held at the center of its interval."""
         return Motion(self.kind, self.origin, self.axis, self.center, np.zeros_like(self.half))
 
 
 def _about(motion: Motion, points: Array) -> tuple[Array, Array, Array]:
-    """Split points into feet on the axis, arms to them and across, at the center of the interval."""
+    """Split points into feet on the axis, arms, and directions across, at the center of the interval."""
     axis, origin = motion.axis[:, None, :], motion.origin[:, None, :]
     relative = points - origin
     along = np.matmul(relative, motion.axis[:, :, None])
@@ -72,8 +72,8 @@ def enclosing_points(motion: Motion, points: Array) -> Array:
         points: Shape (N, V, 3) [m].
 
     Returns:
-        Shape (N, 2 V, 3) for a slide; (N, 3 V, 3) for a turn, (N, 8 V, 3) where a half interval exceeds
-        `WIDEST`, beyond which tangents no longer cross on the outside [m].
+        Shape (N, 2 V, 3) for a slide and (N, 3 V, 3) for a rotation; (N, 8 V, 3) for a half interval above
+        `WIDEST`, whose tangents do not cross on the outside [m].
     """
     half = motion.half[:, None, None]
     if motion.kind == "prismatic":
@@ -94,7 +94,7 @@ def enclosing_points(motion: Motion, points: Array) -> Array:
         near - far,
         near + far,
         *[crossing] * (_OCTAGON - 2),
-    ]  # of each item by itself, whatever the others
+    ]  # each item separately
     return np.concatenate(
         [np.where(wide, corner, end) for corner, end in zip(corners, ends, strict=True)], axis=1
     )
@@ -121,7 +121,7 @@ def support(motion: Motion, points: Array, normals: Array) -> Array:
     level, towards = np.matmul(feet, columns), np.matmul(arm, columns)
     sideways = np.abs(np.matmul(across, columns))
     cosine, sine = (f(motion.half)[:, None, None] for f in (np.cos, np.sin))
-    # the circle `towards cos t + sideways sin t` peaks within the interval, or at its end
+    # the circle `towards cos t + sideways sin t` has its maximum within the interval or at an end
     swing = np.where(
         (towards * sine > sideways * cosine) | (motion.half[:, None, None] >= np.pi),
         np.sqrt(towards * towards + sideways * sideways),
@@ -132,17 +132,17 @@ def support(motion: Motion, points: Array, normals: Array) -> Array:
 
 
 def gap(first: Array, second: Array, path: Sequence[Motion], frame: int, normals: Array) -> Array:
-    """Return a lower bound of the gap between two pieces along normals, over all positions of the joints.
+    """Return a lower bound of the gap between two pieces along normals, over all joint positions.
 
     Args:
         first: Vertices of the pieces on link A at rest, shape (N, V, 3) [m].
         second: Vertices of the pieces on link B at rest, shape (N, W, 3) [m].
         path: The joints from A to B.
-        frame: How many of the joints lie between A and the frame in which the normals are given.
+        frame: Number of joints between A and the frame of the normals.
         normals: Directions from A to B, shape (N, C, 3).
 
     Returns:
-        `min normal . b - max normal . a` at least, shape (N, C) [m].
+        A lower bound of `min normal . b - max normal . a`, shape (N, C) [m].
     """
     for motion in path[: max(frame - 1, 0)]:
         first = enclosing_points(motion.reversed(), first)
@@ -162,7 +162,7 @@ def gap(first: Array, second: Array, path: Sequence[Motion], frame: int, normals
 
 
 def around_axis(points: Array, origin: Array, axis: Array) -> Array:
-    """Return the heights and distances of convex pieces, which stay constant while they turn about an axis.
+    """Return heights and distances of convex pieces about an axis, which rotation about it does not change.
 
     Args:
         points: Vertices, shape (N, V, 3) [m].
@@ -170,8 +170,8 @@ def around_axis(points: Array, origin: Array, axis: Array) -> Array:
         axis: Unit axis, shape (3,) or (N, 3).
 
     Returns:
-        Lowest and highest coordinate along the axis, a lower bound of the distance from it and the largest
-        distance, shape (N, 4) [m].
+        Lowest and highest coordinate along the axis, a lower bound of the distance from the axis and the
+        largest distance, shape (N, 4) [m].
     """
     count = len(points)
     origin, axis = (np.broadcast_to(each, (count, 3)) for each in (origin, axis))
@@ -183,10 +183,10 @@ def around_axis(points: Array, origin: Array, axis: Array) -> Array:
 
 
 def _nearest(arm: Array, axis: Array) -> Array:
-    """Return a lower bound of the distance of convex pieces from an axis: the best over some directions.
+    """Return a lower bound of the distance of convex pieces from an axis, the best over several directions.
 
-    Any direction across the axis gives a bound: the least projection of the vertices. Tried are those to the
-    middle and across the sides of the piece that start at the vertex which is lowest along the best so far.
+    Any direction across the axis gives a bound: the smallest projection of the vertices. The tried directions
+    point to the center, and across the sides at the vertex with the smallest projection so far.
     """
     rows = np.arange(len(arm))
     directions = (arm.min(axis=1) + arm.max(axis=1)) / 2.0
@@ -210,13 +210,13 @@ def _nearest(arm: Array, axis: Array) -> Array:
 
 
 def axis_gap(first: Array, second: Array, shift: Array, half: Array) -> Array:
-    """Return a lower bound of the gap between pieces that turn about one axis and slide along it.
+    """Return a lower bound of the gap between pieces that rotate about one axis and slide along it.
 
     Args:
-        first: What `around_axis` says of the pieces on link A, shape (N, 4) [m].
-        second: The same of the pieces on link B, about the same axis, shape (N, 4) [m].
-        shift: Middle of the interval by which B slides along the axis, shape (N,) [m].
-        half: Half that interval, shape (N,) [m].
+        first: Result of `around_axis` for the pieces on link A, shape (N, 4) [m].
+        second: Result of `around_axis` for the pieces on link B about the same axis, shape (N, 4) [m].
+        shift: Center of the interval by which B slides along the axis, shape (N,) [m].
+        half: Half the length of that interval, shape (N,) [m].
 
     Returns:
         Shape (N,) [m].

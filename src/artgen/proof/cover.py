@@ -1,4 +1,4 @@
-"""The convex pieces on which joint ranges are proven, and how far a link's solids stick out of them."""
+"""Convex pieces on which joint ranges are proven, and their distance to the solids of a link."""
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -17,24 +17,24 @@ from artgen.colliders import Convex, Exact
 from artgen.colliders.polytope import Polytope
 from artgen.colliders.triangles import hull_of
 
-_ROUNDING = 1e-9  # of the vertices of a solid and the faces of its piece [m]
-_EXACT = 1e-6  # what sticks out of a piece then at most, at edges of a tenth of a degree [m]
-_FILM = 2e-6  # pieces are grown by this at first; films of 1 micrometre between them are usual [m]
-_MORE = (2e-6, 2e-5, 1e-4)  # and then all around by these, which makes more faces and takes longer [m]
-_FARTHEST = 3.0  # corners of sharp edges move no farther than that many growths
-_SLACK = 0.2  # a corner of many faces goes at most that much less far than they do
+_ROUNDING = 1e-9  # tolerance of vertices on faces of their piece [m]
+_EXACT = 1e-6  # largest excess of such a solid at edges of a tenth of a degree [m]
+_FILM = 2e-6  # first growth of pieces: films of 1 micrometre between pieces are common [m]
+_MORE = (2e-6, 2e-5, 1e-4)  # later growths in all directions, which create more faces and take longer [m]
+_FARTHEST = 3.0  # corners of sharp edges move at most this many growths
+_SLACK = 0.2  # a corner of many faces moves at least this share of their growth
 _AROUND = np.concatenate((np.eye(3), -np.eye(3)))
-_DUST = 1e-15  # volume that rounding leaves of a solid [m^3]
-_MOST_WHOLE = 2  # pieces that are tried alone before all of them together
+_DUST = 1e-15  # volume of a solid that rounding may leave uncovered [m^3]
+_MOST_WHOLE = 2  # number of pieces that are tried one by one before all together
 
 
 def excess(link: Link, pieces: Sequence[Polytope], labels: Sequence[str]) -> float | None:
-    """Return a distance within which of some pieces all of a link's solids are; None beyond 0.1 mm [m].
+    """Return a distance from some pieces that contains all solids of a link; None beyond 0.1 mm [m].
 
     Args:
         link: The link.
-        pieces: Convex pieces, at rest in asset coordinates.
-        labels: Label of each: the solids of that label are most likely in it.
+        pieces: Convex pieces in asset coordinates at rest.
+        labels: Label of each piece; it most likely contains the solids with that label.
     """
     around = _Pieces.of(pieces, labels)
     parts = [(label, solid) for label, solid in _parts(link) if not around.enclose(label, solid)]
@@ -50,7 +50,7 @@ def excess(link: Link, pieces: Sequence[Polytope], labels: Sequence[str]) -> flo
 
 
 def _parts(link: Link) -> Iterator[tuple[str, Shape]]:
-    """Yield label and shape of solids whose union is the link, as small as they are known."""
+    """Yield label and shape of solids whose union is the link, the smallest known parts."""
     if not link.pieces:
         yield from ((part.label, Shape(part.solid, Exact(()))) for part in link_parts(link))
     for piece in link.pieces:
@@ -60,12 +60,12 @@ def _parts(link: Link) -> Iterator[tuple[str, Shape]]:
 
 @dataclass(frozen=True, eq=False)
 class _Pieces:
-    """Convex pieces with their boxes, so that few of them are looked at for a solid."""
+    """Convex pieces with their bounding boxes, which limit the pieces to examine for a solid."""
 
     pieces: Sequence[Polytope]  # the pieces
-    labels: NDArray[np.str_]  # label of each, shape (n,)
-    low: Array  # lowest corner of each one's box, shape (n, 3) [m]
-    high: Array  # highest corner, shape (n, 3) [m]
+    labels: NDArray[np.str_]  # label of each piece, shape (n,)
+    low: Array  # lowest corner of each box, shape (n, 3) [m]
+    high: Array  # highest corner of each box, shape (n, 3) [m]
 
     @staticmethod
     def of(pieces: Sequence[Polytope], labels: Sequence[str]) -> "_Pieces":
@@ -85,26 +85,26 @@ class _Pieces:
         )
 
     def around(self, label: str, solid: Shape, length: float) -> Indices:
-        """Return the pieces of a label whose boxes, grown by a length [m], contain that of a solid."""
+        """Return the pieces of a label whose boxes, grown by a length [m], contain the box of a solid."""
         least, most = solid.bounds()
-        # a piece of another label may be allowed to touch what this must not
+        # a piece with another label may have allowed contacts that this solid does not have
         inside = (self.low - length <= least).all(axis=1) & (self.high + length >= most).all(axis=1)
         return np.flatnonzero((self.labels == label) & inside)
 
     def near(self, label: str, solid: Shape, length: float) -> Indices:
-        """Return the pieces of a label whose boxes, grown by a length [m], meet that of a solid."""
+        """Return the pieces of a label whose boxes, grown by a length [m], overlap the box of a solid."""
         least, most = solid.bounds()
         meets = (self.low - length < most).all(axis=1) & (self.high + length > least).all(axis=1)
         return np.flatnonzero((self.labels == label) & meets)
 
 
 class _Grown:
-    """Pieces that are grown when they are needed."""
+    """Pieces that are grown on demand."""
 
     def __init__(
         self, around: _Pieces, grow: Callable[[Polytope, float], tuple[Array, float]], length: float
     ) -> None:
-        # how far a vertex was moved at most so far [m]
+        # largest displacement of a vertex so far [m]
         self.farthest = 0.0
         self._around, self._grow, self._length = around, grow, length
         self._solids: dict[int, Manifold] = {}
@@ -117,10 +117,10 @@ class _Grown:
         return self._cover(solid.manifold, self._around.near(label, solid, _FARTHEST * self._length).tolist())
 
     def _cover(self, solid: Manifold, chosen: Sequence[int]) -> bool:
-        """Tell whether nothing is left of a solid without some of the pieces."""
+        """Tell whether the pieces cover a solid, by subtracting them."""
         rest = solid
         for group in self._apart(chosen):
-            # pieces that are apart need no boolean among themselves
+            # separate pieces need no boolean with each other
             rest -= Manifold.compose([self._solid(index) for index in group])
             if rest.is_empty() or rest.volume() < _DUST:
                 return True
@@ -134,7 +134,7 @@ class _Grown:
         return self._solids[index]
 
     def _apart(self, chosen: Sequence[int]) -> Iterator[list[int]]:
-        """Yield groups of pieces whose boxes do not meet."""
+        """Yield groups of pieces whose boxes do not overlap."""
         margin = _FARTHEST * self._length
         low, high = self._around.low[chosen] - margin, self._around.high[chosen] + margin
         meets: NDArray[np.bool_] = np.all((low[:, None] <= high[None]) & (low[None] <= high[:, None]), axis=2)
@@ -149,18 +149,20 @@ class _Grown:
 
 
 def _with_moved_faces(piece: Polytope, growth: float) -> tuple[Array, float]:
-    """Return the vertices of a piece whose faces moved outwards, shape (n, 3), and their longest way [m].
+    """Return the vertices of a piece with moved faces, shape (n, 3), and their longest displacement [m].
 
     Each vertex moves to the new meeting point of its faces; with more than three faces, by least squares.
     """
     normals = piece.planes[:, :3]
     touching = piece.contact.astype(np.float64)
     products = (normals[:, :, None] * normals[:, None, :]).reshape(-1, 9)
-    way = np.linalg.solve((touching @ products).reshape(-1, 3, 3), (touching @ normals)[:, :, None])[:, :, 0]
-    least = np.where(piece.contact, way @ normals.T, np.inf).min(axis=1)
-    length = np.sqrt(np.sum(way * way, axis=1))
+    shift = np.linalg.solve((touching @ products).reshape(-1, 3, 3), (touching @ normals)[:, :, None])[
+        :, :, 0
+    ]
+    least = np.where(piece.contact, shift @ normals.T, np.inf).min(axis=1)
+    length = np.sqrt(np.sum(shift * shift, axis=1))
     step = np.minimum(growth / np.maximum(least, _SLACK), _FARTHEST * growth / length)
-    return piece.points + step[:, None] * way, float((step * length).max())
+    return piece.points + step[:, None] * shift, float((step * length).max())
 
 
 def _with_margin(piece: Polytope, margin: float) -> tuple[Array, float]:
@@ -169,7 +171,7 @@ def _with_margin(piece: Polytope, margin: float) -> tuple[Array, float]:
 
 
 FINE = 2e-5
-"""How far the polytopes around round pieces may stand off them [m]."""
+"""Largest distance between a round piece and the polytope around it [m]."""
 
 _FILE_DECIMALS = 5e-8  # half the last digit of a mesh file [m]
 _SINGLE = 2.0**-24  # relative error of single precision, in which USD keeps points
@@ -182,9 +184,9 @@ class Cover(FrozenArrays):
     Attributes:
         points: Vertices of each piece in asset coordinates at rest, each shape (n, 3) [m].
         labels: Semantic label of each.
-        excess: How far the solids, as they are written to files, may stick out; None if farther than 0.1 mm
+        excess: Largest distance of the solids, as written to files, outside the pieces; None above 0.1 mm
             [m].
-        colliders: Whether the pieces are the link's colliders.
+        colliders: Whether the pieces are the colliders of the link.
     """
 
     points: tuple[Array, ...]
@@ -194,7 +196,7 @@ class Cover(FrozenArrays):
 
 
 def collider_cover(link: Link) -> Cover:
-    """Return the colliders of a link as polytopes, round ones with facets outside."""
+    """Return the colliders of a link as polytopes that contain them."""
     colliders = link.colliders
     points = tuple(polytope(collider.convex) for collider in colliders)
     labels = tuple(collider.label for collider in colliders)
@@ -206,13 +208,13 @@ def collider_cover(link: Link) -> Cover:
 
 @cached_per_object
 def _collider_excess(link: Link) -> float | None:
-    """Return how far the solids stick out of the colliders; None if farther than 0.1 mm [m]."""
+    """Return the largest distance of the solids outside the colliders; None above 0.1 mm [m]."""
     pieces = [each.convex.outer_polytope(FINE) for each in link.colliders]
     return excess(link, pieces, tuple(each.label for each in link.colliders))
 
 
 def fine_cover(link: Link) -> Cover:
-    """Return pieces that follow the solids closely, however many; for a proof, not for a simulator."""
+    """Return many pieces that follow the solids closely, for proofs rather than simulators."""
     pieces: list[Polytope] = []
     labels: list[str] = []
     for piece in link.pieces:
@@ -226,7 +228,7 @@ def fine_cover(link: Link) -> Cover:
 def stored_cover(link: Link, stored: Mapping[str, Any]) -> Cover:
     """Return pieces that were stored with a proof; they must contain the solids to 0.1 mm.
 
-    What the solids stick out by is what was stored: meshes that were read from files show it less exactly.
+    The stored excess is used: meshes from files represent the solids less exactly.
     """
     if stored["points"] is None:
         cover = collider_cover(link)
@@ -251,7 +253,7 @@ def polytope(convex: Convex) -> Array:
 
 
 def _with_rounding(sticks_out: float | None, points: Sequence[Array]) -> float | None:
-    """Add what writing numbers to files may move a point by."""
+    """Add the largest displacement of a point by the rounding of files."""
     if sticks_out is None:
         return None
     farthest = max(float(np.abs(each).max()) for each in points)

@@ -1,4 +1,4 @@
-"""Convex pieces of several links in one table, each link's in a tree of boxes."""
+"""Convex pieces of several links in one table, with a tree of boxes for each link."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -10,12 +10,12 @@ from manifold3d import Manifold
 from artgen._arrays import Array, Indices, Mask
 from artgen.colliders.triangles import cross, hull_of
 
-_FAN = 4  # children of a box, at most
-_MANY = 12  # vertices from which a piece is looked at in a box at first
+_FAN = 4  # most children of a box
+_MANY = 12  # vertices used for a first look at a piece in a box
 _CORNERS = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)])
 _SQUARE = np.eye(3)
 _NORMAL_DECIMALS = 9
-_PARALLEL = 0.999  # cosine
+_PARALLEL = 0.999  # cosine above which directions count as parallel
 _TOUCHING = 1e-9  # nodes nearer than this have no direction between them [m]
 
 
@@ -23,28 +23,28 @@ _TOUCHING = 1e-9  # nodes nearer than this have no direction between them [m]
 class _Node:
     """A box around a range of pieces, or one piece."""
 
-    first: int  # the first piece of the range, in the link's order
-    last: int  # the piece behind the last
-    vertices: Array  # shape (v, 3) [m]
-    children: tuple[int, ...]  # numbers of the nodes within; none for a piece
+    first: int  # first piece of the range, in the order of the link
+    last: int  # end of the range
+    vertices: Array  # vertices, shape (v, 3) [m]
+    children: tuple[int, ...]  # numbers of the child nodes; none for a piece
     piece: int  # number of the piece in the link; -1 for a box
 
 
 class Hierarchy:
-    """The trees of several links; nodes are numbered through.
+    """Trees of several links; nodes are numbered consecutively.
 
     Attributes:
-        orders: For each link, its pieces in the order in which the nodes of its tree hold ranges of them.
+        orders: For each link, its pieces in the order of the ranges of nodes.
         roots: The root of each link's tree, shape (links,).
         first: First piece of each node's range in its link's order, shape (nodes,).
-        last: The one behind its last piece, shape (nodes,).
-        piece: Number of a leaf's piece in its link, -1 for boxes, shape (nodes,).
+        last: End of each node's range, shape (nodes,).
+        piece: Number of the piece in its link, -1 for boxes, shape (nodes,).
         leaf: Whether the node is a piece, shape (nodes,).
-        center: Middle of the node's box, shape (nodes, 3) [m].
-        radius: Distance of the farthest vertex from the middle, shape (nodes,) [m].
+        center: Center of the node's box, shape (nodes, 3) [m].
+        radius: Distance of the farthest vertex from the center, shape (nodes,) [m].
         half: Half the lengths of the node's box, shape (nodes, 3) [m].
         count: Number of vertices, shape (nodes,).
-        tree: Number of the link that the node belongs to, shape (nodes,).
+        tree: Number of the link of each node, shape (nodes,).
     """
 
     def __init__(self, links: Sequence[Sequence[Array]]) -> None:
@@ -87,13 +87,13 @@ class Hierarchy:
     def _grow(
         self, pieces: Sequence[Array], chosen: Indices, low: Array, high: Array, order: list[int]
     ) -> int:
-        """Add the tree of some pieces of a link and return the number of its root."""
+        """Add the tree of several pieces of a link and return the number of its root."""
         first = len(order)
         if len(chosen) == 1:
             piece = int(chosen[0])
             order.append(piece)
             self._nodes.append(_Node(first, first + 1, pieces[piece], (), piece))
-            if len(pieces[piece]) > _MANY:  # mostly the box around it is enough
+            if len(pieces[piece]) > _MANY:  # usually the box of the children is good enough
                 corners = low[piece] + _CORNERS * (high[piece] - low[piece])
                 self._nodes.append(_Node(first, first + 1, corners, (len(self._nodes) - 1,), -1))
             return len(self._nodes) - 1
@@ -105,14 +105,14 @@ class Hierarchy:
         return len(self._nodes) - 1
 
     def points(self, nodes: Indices) -> Array:
-        """Return the vertices of nodes, the last one repeated to equal numbers, shape (N, V, 3) [m]."""
+        """Return the vertices of nodes, the last vertex repeated to equal counts, shape (N, V, 3) [m]."""
         count = self.count[nodes]
         offset = np.minimum(np.arange(count.max()), count[:, None] - 1)
         found: Array = self._points[self._start[nodes][:, None] + offset]
         return found
 
     def expanded(self, nodes: Indices) -> tuple[Indices, Indices]:
-        """Return the nodes within each node (a piece: itself) with the rows that they belong to."""
+        """Return the children of each node (a piece: itself) with the rows of their parents."""
         table = self._child[nodes]
         rows, columns = np.nonzero(table >= 0)
         return rows, table[rows, columns]
@@ -129,7 +129,7 @@ class Hierarchy:
         return result
 
     def hull(self, node: int) -> Manifold:
-        """Return the piece of a leaf."""
+        """Return the manifold of a piece."""
         if node not in self._hulls:
             self._hulls[node] = hull_of(self._nodes[node].vertices)
         return self._hulls[node]
@@ -160,9 +160,9 @@ class Hierarchy:
         return self._moving[node]
 
     def distance(self, first: int, second: int, rotation: Array, offset: Array) -> tuple[float, Array]:
-        """Return FCL's distance of a node from another one that was moved, and the direction between them.
+        """Return FCL's distance of a node from a moved node, and the direction between them.
 
-        Nodes that touch are -1 apart, and the direction between them is 0 [m].
+        Touching nodes have the distance -1 and the direction 0 [m].
         """
         import fcl
 
@@ -190,7 +190,7 @@ class Hierarchy:
 
 
 def _halves(chosen: Indices, low: Array, high: Array) -> list[Indices]:
-    """Split pieces in the middle of the direction in which they spread most."""
+    """Split pieces at the center of the direction of their largest spread."""
     if len(chosen) == 1:
         return [chosen]
     middle = low[chosen] + high[chosen]

@@ -1,4 +1,4 @@
-"""Open items of a search, and its findings."""
+"""Open items of a search, and the result of a search."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
@@ -9,23 +9,23 @@ from artgen._arrays import Array, Indices, Mask
 from artgen.proof.overlap import PRESSED
 
 NONE = -1
-"""Frame of an item that has no plane."""
+"""Frame of an item without a plane."""
 
 
 @dataclass(frozen=True)
 class Settings:
-    """The limits of a search.
+    """Limits of a search.
 
     Attributes:
         measure: Whether to bracket the clearance, up to `cap`, within `share`.
         cap: Clearances beyond this are not measured [m].
         share: The guaranteed clearance is at least this share of the one found.
-        close: Pieces nearer than this, beyond the tolerance, in the middle of a cell are given up [m].
-        still: A cell in which no point moves farther is given up [m].
-        small: Cells in which pieces move farther are split all the same, in search of a collision [m].
-        most_close: How many such cells are split for a pair.
-        pressed: Depth from which pieces count as overlapping [m].
-        most_items: Items after which what is left stays open.
+        close: Pieces nearer than this, beyond the tolerance, at the center of a cell are given up [m].
+        still: Cells in which no point moves farther than this are given up [m].
+        small: Larger cells are split even for close pieces, to find collisions [m].
+        most_close: Largest number of such cells to split for a pair.
+        pressed: Depth above which pieces count as overlapping [m].
+        most_items: Number of items after which the rest stays open.
     """
 
     measure: bool = False
@@ -41,20 +41,20 @@ class Settings:
 
 @dataclass(eq=False)
 class Items:
-    """Open items, one a row.
+    """Open items, one per row.
 
     Attributes:
-        way: Number of the pair of links.
-        box: Number of the box of its joint space.
+        joint_path: Number of the joint path.
+        box: Number of the box in its joint space.
         first: Node of link A.
         second: Node of link B.
-        low: Lowest positions of the cell; columns beyond the pair's variables are 0 [rad or m].
+        low: Lowest positions of the cell; 0 in columns beyond the variables of the joint path [rad or m].
         high: Highest positions [rad or m].
-        normal: Plane that was best before the last split.
-        frame: Its frame; -1 if there is none.
+        normal: Normal of the best plane before the last split.
+        frame: Frame of that plane; -1 if there is none.
     """
 
-    way: Indices
+    joint_path: Indices
     box: Indices
     first: Indices
     second: Indices
@@ -64,7 +64,7 @@ class Items:
     frame: Indices
 
     def __len__(self) -> int:
-        return len(self.way)
+        return len(self.joint_path)
 
     def __getitem__(self, rows: Indices | Mask) -> "Items":
         return Items(*(column[rows] for column in vars(self).values()))
@@ -78,14 +78,14 @@ class Items:
 
 @dataclass(eq=False)
 class SearchOutcome:
-    """The result of a search for one pair of links.
+    """Result of the search for one pair of links.
 
     Attributes:
-        guaranteed: Smallest bound of what was closed; infinite if nothing was [m].
-        found: Smallest distance of two pieces that FCL found [m].
-        found_at: Positions of the variables there, shape (v,) [rad or m].
+        guaranteed: Smallest bound of the closed items; infinite without closed items [m].
+        found: Smallest distance of two pieces from FCL [m].
+        found_at: Positions of the variables at that distance, shape (v,) [rad or m].
         hit: Node of A, node of B and positions of the variables of a confirmed overlap.
-        collider_hit: The same where only the pieces overlap, not the solids.
+        collider_hit: The same for an overlap of pieces only, not of the solids.
         open: Low and high corner, nodes and distance of each item that was given up.
     """
 
@@ -98,5 +98,5 @@ class SearchOutcome:
 
     @property
     def proven(self) -> bool:
-        """Whether everything was closed."""
+        """Whether all items were closed."""
         return self.hit is None and self.collider_hit is None and not self.open

@@ -1,4 +1,4 @@
-"""The joints between links as batches of motions, and where they take the frames along a path."""
+"""Joints between links as batches of motions, and the frames along a path."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -10,27 +10,27 @@ from artgen.asset.joint import JointKind
 from artgen.colliders.triangles import cross
 from artgen.proof.bounds import Motion
 from artgen.proof.items import NONE, Items
-from artgen.proof.paths import Way
+from artgen.proof.paths import JointPath
 
 BEYOND = 1e-9
-"""By how much the proof goes beyond each end of a range, so that it holds for rounded limits [rad or m]."""
+"""Distance by which the proof extends beyond each end of a range, for rounded limits [rad or m]."""
 
-_WIDEST_START = 1.6  # cells start no wider where arcs have to be enclosed [rad]
-_ROUNDING = 1e-9  # of points on an axis [m]
+_WIDEST_START = 1.6  # widest starting cell where arcs have to be enclosed [rad]
+_ROUNDING = 1e-9  # tolerance of points on an axis [m]
 
 
 @dataclass(eq=False)
 class JointTable:
-    """Ways whose joints are of the same kinds, in the order from A to B.
+    """Joint paths with the same kinds of joints from A to B.
 
     Attributes:
         kinds: Kind of each joint.
-        origin: Pivots, shape (ways, m, 3) [m].
-        axis: Axes, turned round where the joint is crossed towards the root, shape (ways, m, 3).
-        away: Whether the joint leads away from the root, shape (ways, m).
-        variable: Number of the variable, shape (ways, m); -1 for a joint that stands still.
-        ratio: Position over variable, shape (ways, m).
-        offset: Position where the variable is 0, shape (ways, m) [rad or m].
+        origin: Pivots, shape (paths, m, 3) [m].
+        axis: Axes, reversed for joints that are crossed towards the root, shape (paths, m, 3).
+        away: Whether the joint leads away from the root, shape (paths, m).
+        variable: Number of the variable, shape (paths, m); -1 for a joint that stands still.
+        ratio: Ratio of position to variable, shape (paths, m).
+        offset: Position while the variable is 0, shape (paths, m) [rad or m].
     """
 
     kinds: tuple[JointKind, ...]
@@ -42,51 +42,57 @@ class JointTable:
     offset: Array
 
     @staticmethod
-    def of(kinds: tuple[JointKind, ...], ways: Sequence[Way]) -> "JointTable":
-        """Collect the numbers of some ways."""
-        signs = np.array([way.signs for way in ways], float)
+    def of(kinds: tuple[JointKind, ...], joint_paths: Sequence[JointPath]) -> "JointTable":
+        """Collect the numbers of several joint paths."""
+        signs = np.array([joint_path.signs for joint_path in joint_paths], float)
         numbers = [
-            [way.variables.index(each.variable) if each.variable else NONE for each in way.followers]
-            for way in ways
+            [
+                joint_path.variables.index(each.variable) if each.variable else NONE
+                for each in joint_path.followers
+            ]
+            for joint_path in joint_paths
         ]
         return JointTable(
             kinds,
-            np.array([[joint.pivot for joint in way.steps] for way in ways]),
-            np.array([[joint.axis for joint in way.steps] for way in ways]) * signs[:, :, None],
+            np.array([[joint.pivot for joint in joint_path.steps] for joint_path in joint_paths]),
+            np.array([[joint.axis for joint in joint_path.steps] for joint_path in joint_paths])
+            * signs[:, :, None],
             signs > 0.0,
             np.array(numbers),
-            np.array([[each.ratio for each in way.followers] for way in ways]),
-            np.array([[each.offset for each in way.followers] for way in ways]),
+            np.array([[each.ratio for each in joint_path.followers] for joint_path in joint_paths]),
+            np.array([[each.offset for each in joint_path.followers] for joint_path in joint_paths]),
         )
 
-    def path(self, ways: Indices, low: Array, high: Array) -> list[Motion]:
+    def path(self, joint_paths: Indices, low: Array, high: Array) -> list[Motion]:
         """Return the motions of items in their cells."""
         middle, half = (low + high) / 2.0, (high - low) / 2.0
-        rows = np.arange(len(ways))
+        rows = np.arange(len(joint_paths))
         result = []
         for step, kind in enumerate(self.kinds):
-            variable, ratio = self.variable[ways, step], self.ratio[ways, step]
-            center = ratio * middle[rows, variable] + self.offset[ways, step]
+            variable, ratio = self.variable[joint_paths, step], self.ratio[joint_paths, step]
+            center = ratio * middle[rows, variable] + self.offset[joint_paths, step]
             width = np.abs(ratio) * half[rows, variable]
-            result.append(Motion(kind, self.origin[ways, step], self.axis[ways, step], center, width))
+            result.append(
+                Motion(kind, self.origin[joint_paths, step], self.axis[joint_paths, step], center, width)
+            )
         return result
 
     def motion(
-        self, ways: Indices, items: Items, first: tuple[Array, Array], second: tuple[Array, Array]
+        self, joint_paths: Indices, items: Items, first: tuple[Array, Array], second: tuple[Array, Array]
     ) -> Array:
-        """Return how far each variable moves nodes of these middles and radii, shape (N, v) [m]."""
+        """Return the largest motion of nodes with centers and radii by each variable, shape (N, v) [m]."""
         result = np.zeros_like(items.low)
         half = (items.high - items.low) / 2.0
-        rows = np.arange(len(ways))
+        rows = np.arange(len(joint_paths))
         for step, kind in enumerate(self.kinds):
-            variable = self.variable[ways, step]
-            width = np.abs(self.ratio[ways, step]) * half[rows, variable]
+            variable = self.variable[joint_paths, step]
+            width = np.abs(self.ratio[joint_paths, step]) * half[rows, variable]
             if kind == "revolute":
-                away = self.away[ways, step]
+                away = self.away[joint_paths, step]
                 center = np.where(away[:, None], second[0], first[0])
                 radius = np.where(away, second[1], first[1])
-                axis = self.axis[ways, step]
-                arm = cross(axis, center - self.origin[ways, step])
+                axis = self.axis[joint_paths, step]
+                arm = cross(axis, center - self.origin[joint_paths, step])
                 reach = np.sqrt(np.sum(arm * arm, axis=1)) + radius
                 width = 2.0 * np.sin(np.minimum(width, np.pi) / 2.0) * reach
             result[rows, variable] += width
@@ -95,11 +101,11 @@ class JointTable:
 
 @dataclass(eq=False)
 class Frames:
-    """Where the frames along a path are in the middle of the cells.
+    """Frames along a path at the center of the cells.
 
     Attributes:
-        rotations: From each frame to frame 0, m + 1 of shape (N, 3, 3).
-        offset: Of the last frame, shape (N, 3) [m].
+        rotations: Rotations from each frame to frame 0: m + 1 arrays of shape (N, 3, 3).
+        offset: Offset of the last frame, shape (N, 3) [m].
     """
 
     rotations: list[Array]
@@ -120,7 +126,7 @@ class Frames:
 
 
 def frames(path: Sequence[Motion]) -> Frames:
-    """Compose the motions of a path in the middle of the cells."""
+    """Compose the motions of a path at the center of the cells."""
     count = len(path[0].center)
     rotation = np.broadcast_to(np.eye(3), (count, 3, 3))
     rotations, offset = [rotation], np.zeros((count, 3))
@@ -148,13 +154,13 @@ def _rotations(axis: Array, angle: Array) -> Array:
     return result
 
 
-def is_coaxial(way: Way) -> bool:
-    """Tell whether all joints of a way turn about, or slide along, one axis."""
-    first = way.steps[0]
-    turning = [joint for joint in way.steps if joint.kind == "revolute"]
+def is_coaxial(joint_path: JointPath) -> bool:
+    """Tell whether all joints of a path rotate about, or slide along, one axis."""
+    first = joint_path.steps[0]
+    turning = [joint for joint in joint_path.steps if joint.kind == "revolute"]
     if first.kind != "revolute" or not turning:
         return False
-    for joint in way.steps:
+    for joint in joint_path.steps:
         if np.abs(np.cross(joint.axis, first.axis)).max() > _ROUNDING:
             return False
         away = joint.pivot - first.pivot
@@ -164,20 +170,20 @@ def is_coaxial(way: Way) -> bool:
 
 
 def nearest_zero(box: Array) -> Array:
-    """Return the point of a box, shape (v, 2), that is nearest to 0, shape (v,)."""
+    """Return the point of a box, shape (v, 2), nearest to 0, shape (v,)."""
     nearest: Array = np.clip(0.0, box[:, 0], box[:, 1])
     return nearest
 
 
-def starting_cells(way: Way) -> list[tuple[int, tuple[Array, Array]]]:
-    """Return the cells in which the search of a way starts, with the number of their box."""
+def starting_cells(joint_path: JointPath) -> list[tuple[int, tuple[Array, Array]]]:
+    """Return the starting cells of the search for a joint path, with the number of their box."""
     result = []
-    for index, box in enumerate(way.boxes):
+    for index, box in enumerate(joint_path.boxes):
         parts = np.ones(len(box), np.int64)
-        if len(way.steps) > 2:
-            for joint, follower in zip(way.steps, way.followers, strict=True):
+        if len(joint_path.steps) > 2:
+            for joint, follower in zip(joint_path.steps, joint_path.followers, strict=True):
                 if joint.kind == "revolute" and follower.variable:
-                    number = way.variables.index(follower.variable)
+                    number = joint_path.variables.index(follower.variable)
                     width = abs(follower.ratio) * (box[number, 1] - box[number, 0])
                     parts[number] = max(parts[number], int(np.ceil(width / _WIDEST_START)))
         grown = box + (-BEYOND, BEYOND)

@@ -1,4 +1,4 @@
-"""Numbers that help to mend a design: safe joint limits, and clearances at one pose."""
+"""Numbers for the repair of a design: safe joint limits, and clearances at one pose."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
@@ -14,17 +14,17 @@ from artgen.proof.paths import Space
 
 _BISECTIONS = 9
 _BREATH = 1e-6  # [rad or m]
-_FARTHEST = 10.0  # clearances are searched for up to this [m]
+_FARTHEST = 10.0  # largest measured clearance [m]
 
 
 def safe_limits(asset: Asset) -> dict[str, tuple[float, float]]:
     """Return for each free joint the largest range around rest in which no pair that it moves collides.
 
-    The other joints have their whole ranges, or stand at rest where that leaves nothing: a joint that is
-    not to blame keeps its limits. Ends are found by bisection and are proven, to 1/512 of the range.
+    The other joints have their whole ranges. If no range is safe then, they stand at rest, so that a joint
+    that causes no collision keeps its limits. Ends are found by bisection and proven, to 1/512 of the range.
 
     Returns:
-        Lowest and highest position of each free joint [rad or m]; both at rest where the links overlap there.
+        Lowest and highest position of each free joint [rad or m]; both at rest if the links overlap there.
     """
     ranges = Space(asset).ranges
     result = {}
@@ -60,13 +60,19 @@ def _end(asset: Asset, joint: str, rest: float, end: float) -> float:
 
 
 def _is_safe(asset: Asset, joint: str, limits: tuple[float, float]) -> bool:
-    """Tell whether the pairs that a joint moves are proven apart while it stays within limits."""
+    """Tell whether the pairs that a joint moves are proven apart within limits."""
     led = {other.name for other in asset.joints if joint in (other.name, *_leaders(asset, other))}
-    moved = {way.links for way in Space(asset).ways() if not led.isdisjoint(step.name for step in way.steps)}
+    moved = {
+        joint_path.links
+        for joint_path in Space(asset).joint_paths()
+        if not led.isdisjoint(step.name for step in joint_path.steps)
+    }
     low, high = limits
     if low == high:
-        low, high = low - _BREATH, high + _BREATH  # a locked joint would move no pair
-    return certify(_narrowed(asset, {joint: (low, high)}), only=lambda way: way.links in moved).proven
+        low, high = low - _BREATH, high + _BREATH  # a locked joint moves no pair
+    return certify(
+        _narrowed(asset, {joint: (low, high)}), only=lambda joint_path: joint_path.links in moved
+    ).proven
 
 
 def _leaders(asset: Asset, joint: AssetJoint) -> Iterator[str]:
@@ -89,16 +95,16 @@ def _narrowed(asset: Asset, limits: Mapping[str, tuple[float, float]]) -> Asset:
 
 
 def clearance(asset: Asset, q: Mapping[str, float] | None = None) -> dict[tuple[str, str], float]:
-    """Return how far the solids of each pair of links are apart at one pose.
+    """Return the distance between the solids of each pair of links at one pose.
 
     Args:
         asset: The asset.
-        q: Positions by joint name; those not given stand nearest to 0, coupled ones follow [rad or m].
+        q: Positions by joint name, completed as in `Asset.positions` [rad or m].
 
     Returns:
-        The distance by the names of the two links, for links that can move against each other, contacts by
-        design apart [m]. Where two links overlap it is minus the cube root of the volume that they share, a
-        measure of how much they do.
+        The distance by the names of the two links, for links that can move against each other, without pieces
+        that may touch [m]. For two links that overlap, minus the cube root of the common volume, as a measure
+        of the overlap.
 
     Raises:
         AssetError: A joint is unknown, coupled to another, or beyond its limits.
@@ -106,19 +112,19 @@ def clearance(asset: Asset, q: Mapping[str, float] | None = None) -> dict[tuple[
     poses, positions = asset.pose(q), asset.positions(q)
     solids = Links(asset.links)
     result: dict[tuple[str, str], float] = {}
-    for way in Space(asset).ways():
-        at = np.array([positions[name] for name in way.variables])
-        overlap = solids.overlap(way, at, allowed_at(way, at))
+    for joint_path in Space(asset).joint_paths():
+        at = np.array([positions[name] for name in joint_path.variables])
+        overlap = solids.overlap(joint_path, at, allowed_at(joint_path, at))
         if overlap is not None:
-            result[way.links] = -float(np.cbrt(overlap.volume))
+            result[joint_path.links] = -float(np.cbrt(overlap.volume))
             continue
-        a, b = way.links
+        a, b = joint_path.links
         result[a, b] = _distance(solids.parts(a), solids.parts(b), np.linalg.inv(poses[a]) @ poses[b])
     return result
 
 
 def _distance(first: Sequence[SolidPart], second: Sequence[SolidPart], matrix: Array) -> float:
-    """Return the distance between the solids of two links, the second one moved [m]."""
+    """Return the distance between the solids of two links, the second link moved [m]."""
     moved = [part.solid.transform(matrix[:3]) for part in second]
     boxes = [
         np.array([solid.bounding_box() for solid in solids]).reshape(-1, 2, 3)
@@ -130,7 +136,7 @@ def _distance(first: Sequence[SolidPart], second: Sequence[SolidPart], matrix: A
     )
     apart = np.sqrt(np.sum((low + high) ** 2, axis=2))
     best = _FARTHEST
-    for flat in np.argsort(apart, axis=None, kind="stable"):  # the nearest boxes first
+    for flat in np.argsort(apart, axis=None, kind="stable"):  # nearest boxes first
         a, b = np.unravel_index(flat, apart.shape)
         if apart[a, b] >= best:
             break

@@ -12,18 +12,18 @@ from artgen.asset.collision import SolidPart
 from artgen.asset.joint import AllowedContact
 from artgen.asset.stored_solids import link_parts
 from artgen.colliders.triangles import cross
-from artgen.proof.paths import Way
+from artgen.proof.paths import JointPath
 
 LEAST_VOLUME = 1e-13
-"""Volume from which two solids count as overlapping [m^3]."""
+"""Volume above which two solids count as overlapping [m^3]."""
 
 PRESSED = 1e-5
-"""Depth beyond what is allowed from which pieces count as overlapping [m]."""
+"""Depth beyond the allowed depth above which pieces count as overlapping [m]."""
 
-_MARCH = 48  # steps in which the way from rest is searched for a first contact
+_MARCH = 48  # steps of the search for a first contact on the line from rest
 _BISECTIONS = 16
 _PARALLEL = 1e-6
-_MOST_EDGES = 24  # directions of edges of a piece that are crossed with those of the other
+_MOST_EDGES = 24  # edge directions of a piece that are crossed with those of the other piece
 
 
 @dataclass(frozen=True, eq=False)
@@ -31,9 +31,9 @@ class Overlap:
     """The overlap of two links at a pose.
 
     Attributes:
-        volume: [m^3].
-        place: Middle of the largest common part, in link A's frame at rest, shape (3,) [m].
-        labels: Labels of the two solids that share it.
+        volume: Common volume [m^3].
+        place: Center of the largest common part, in link A's frame at rest, shape (3,) [m].
+        labels: Labels of the two solids of that part.
     """
 
     volume: float
@@ -42,7 +42,7 @@ class Overlap:
 
 
 class Links:
-    """The exact solids of links, each made when it is first asked for."""
+    """Exact solids of links, made on first access."""
 
     def __init__(self, links: Sequence[Link]) -> None:
         self._links = {link.name: link for link in links}
@@ -57,9 +57,11 @@ class Links:
             self._boxes[link] = np.array(boxes).reshape(-1, 2, 3)
         return self._parts[link]
 
-    def overlap(self, way: Way, positions: Array, allowed: Sequence[AllowedContact] = ()) -> Overlap | None:
-        """Return the overlap of the links of a path beyond contacts by design, or None."""
-        (a, b), matrix = way.links, displacement(way, positions)
+    def overlap(
+        self, joint_path: JointPath, positions: Array, allowed: Sequence[AllowedContact] = ()
+    ) -> Overlap | None:
+        """Return the overlap of the links of a path beyond allowed contacts, or None."""
+        (a, b), matrix = joint_path.links, displacement(joint_path, positions)
         first, second = self.parts(a), self.parts(b)
         low, high = self._boxes[a][:, 0], self._boxes[a][:, 1]
         volume, largest, result = 0.0, 0.0, None
@@ -75,7 +77,7 @@ class Links:
                 size = common.volume()
                 if size <= LEAST_VOLUME:
                     continue
-                depths = [contact.depth for contact in allowed if allows(contact, way.links, labels)]
+                depths = [contact.depth for contact in allowed if allows(contact, joint_path.links, labels)]
                 if depths:
                     thick = [each for each in common.decompose() if _width(each) > max(depths) + PRESSED]
                     size = sum(each.volume() for each in thick)
@@ -91,34 +93,34 @@ class Links:
 
 
 def allows(contact: AllowedContact, links: tuple[str, str], labels: tuple[str, str]) -> bool:
-    """Tell whether a contact speaks of pieces with these labels on these links."""
+    """Tell whether a contact allows pieces with these labels on these links."""
     (a, b), (first, second) = links, labels
     return (contact.links, contact.labels) in (((a, b), (first, second)), ((b, a), (second, first)))
 
 
-def allowed_at(way: Way, positions: Array) -> tuple[AllowedContact, ...]:
-    """Return the contacts that are allowed at a position of a way's variables, shape (v,)."""
+def allowed_at(joint_path: JointPath, positions: Array) -> tuple[AllowedContact, ...]:
+    """Return the contacts that are allowed at positions of a path's variables, shape (v,)."""
     found = [
         contact
-        for box, contacts in zip(way.boxes, way.allowed, strict=True)
+        for box, contacts in zip(joint_path.boxes, joint_path.allowed, strict=True)
         if (box[:, 0] <= positions).all() and (positions <= box[:, 1]).all()
         for contact in contacts
     ]
     return tuple(dict.fromkeys(found))
 
 
-def displacement(way: Way, positions: Array) -> Array:
+def displacement(joint_path: JointPath, positions: Array) -> Array:
     """Return the transform that takes link B from rest to a pose in link A's frame, shape (4, 4)."""
     matrix = np.eye(4)
-    values = dict(zip(way.variables, positions.tolist(), strict=True))
-    for joint, sign, follower in zip(way.steps, way.signs, way.followers, strict=True):
+    values = dict(zip(joint_path.variables, positions.tolist(), strict=True))
+    for joint, sign, follower in zip(joint_path.steps, joint_path.signs, joint_path.followers, strict=True):
         position = follower.ratio * values.get(follower.variable, 0.0) + follower.offset
         matrix = matrix @ joint.motion(sign * position)
     return matrix
 
 
 def penetration(first: Manifold, second: Manifold) -> float:
-    """Return how far two convex pieces press into each other: the shortest way apart, or a bit more [m]."""
+    """Return the penetration depth of two convex pieces or slightly more: the shortest way apart [m]."""
     (a, faces, edges), (b, more_faces, more_edges) = _features(first), _features(second)
     crossed = cross(edges[:, None, :], more_edges[None, :, :]).reshape(-1, 3)
     length = np.sqrt(np.sum(crossed * crossed, axis=1))
@@ -129,22 +131,22 @@ def penetration(first: Manifold, second: Manifold) -> float:
 
 
 def first_contact(touch: Callable[[Array], bool], start: Array, end: Array) -> float:
-    """Return the share of the straight way from start to end at which links first touch.
+    """Return the share of the straight line from start to end at which links first touch.
 
     Args:
-        touch: Tells of positions, shape (v,), whether they do.
+        touch: Tells whether links touch at positions, shape (v,).
         start: Positions at rest, shape (v,) [rad or m].
-        end: Positions at which they do, shape (v,) [rad or m].
+        end: Touching positions, shape (v,) [rad or m].
     """
     shares = np.linspace(0.0, 1.0, _MARCH + 1)
-    way = end - start
-    high = next((index for index, share in enumerate(shares) if touch(start + share * way)), _MARCH)
+    line = end - start
+    high = next((index for index, share in enumerate(shares) if touch(start + share * line)), _MARCH)
     if high == 0:
         return 0.0
     low, up = float(shares[high - 1]), float(shares[high])
     for _ in range(_BISECTIONS):
         middle = (low + up) / 2.0
-        low, up = (low, middle) if touch(start + middle * way) else (middle, up)
+        low, up = (low, middle) if touch(start + middle * line) else (middle, up)
     return up
 
 
@@ -156,7 +158,7 @@ def _moved_box(box: Array, matrix: Array) -> tuple[Array, Array]:
 
 
 def _features(piece: Manifold) -> tuple[Array, Array, Array]:
-    """Return vertices, unit outward normals of faces and unit directions of edges of a convex piece."""
+    """Return vertices, outward unit normals of faces and unit directions of edges of a convex piece."""
     mesh = piece.to_mesh64()
     corners = np.asarray(mesh.vert_properties)[:, :3]
     triangles = np.asarray(mesh.tri_verts).astype(np.int64)
@@ -170,7 +172,7 @@ def _features(piece: Manifold) -> tuple[Array, Array, Array]:
 
 
 def _width(solid: Manifold) -> float:
-    """Return the least extent of a solid across the faces of its hull [m]."""
+    """Return the smallest extent of a solid across the faces of its hull [m]."""
     corners, normals, _ = _features(solid.hull())
     return float(np.ptp(corners @ normals.T, axis=0).min())
 

@@ -1,7 +1,8 @@
-"""How pairs of links move against each other: the joints between them and the space of their positions.
+"""Joint paths: the joints between pairs of links, and the space of their positions.
 
-Coupled joints are replaced by their leaders, locked ones stand still. Dependencies cut the joint space of a
-pair into boxes. Where they would cut it into very many, some are left out, which can only make it larger.
+Coupled joints are replaced by their leaders; locked joints stand still. Dependencies cut the joint space of a
+pair into boxes. Dependencies that would cut it into very many boxes are left out, which can only enlarge the
+space.
 """
 
 import itertools
@@ -20,24 +21,24 @@ Interval = tuple[float, float]
 Box = Mapping[str, Interval]
 
 FULL_TURN = (-math.pi, math.pi)
-"""Range over which an unlimited rotation is proven [rad]."""
+"""Range in which an unlimited rotation is proven [rad]."""
 
 FULL_SLIDE = (-1000.0, 1000.0)
-"""Range over which an unlimited slide is proven; what the URDF says of it [m]."""
+"""Range in which an unlimited slide is proven, the same as its limits in URDF [m]."""
 
-_CLOSED = 1e-9  # a joint stands closed within this [rad or m]
-_MOST_BOXES = 128  # dependencies that would cut a space into more are left out
-_ROUNDING = 1e-12  # a box that was cut at a threshold may miss it by this much [rad or m]
+_CLOSED = 1e-9  # tolerance of a closed position [rad or m]
+_MOST_BOXES = 128  # dependencies that would cut a space into more boxes are left out
+_ROUNDING = 1e-12  # tolerance of a box that was cut at a threshold [rad or m]
 
 
 @dataclass(frozen=True)
 class Follower:
-    """A joint's position as a function of a free one: ratio * position(variable) + offset.
+    """Position of a joint as a function of a free joint: ratio * position(variable) + offset.
 
     Attributes:
         variable: Name of the free joint; empty for a joint that stands still.
-        ratio: [rad/rad, m/rad, rad/m or m/m].
-        offset: [rad or m].
+        ratio: Transmission ratio [rad/rad, m/rad, rad/m or m/m].
+        offset: Position while the variable is 0 [rad or m].
     """
 
     variable: str
@@ -46,7 +47,7 @@ class Follower:
 
 
 @dataclass(frozen=True, eq=False)
-class Way:
+class JointPath:
     """The joints between two links.
 
     Attributes:
@@ -54,9 +55,9 @@ class Way:
         steps: The joints on the path from A to B.
         signs: 1 for a joint that leads away from the root, -1 for one that leads towards it.
         followers: The position of each joint as a function of a variable.
-        variables: Names of the free joints on which they depend.
-        boxes: The joint space: lowest and highest position of each variable, each shape (v, 2) [rad or m].
-        allowed: For each box the contacts that are allowed everywhere in it.
+        variables: Names of the free joints that move them.
+        boxes: Joint space: lowest and highest position of each variable, each shape (v, 2) [rad or m].
+        allowed: Contacts that are allowed everywhere in each box.
     """
 
     links: tuple[str, str]
@@ -82,14 +83,14 @@ class Space:
         for joint in asset.joints:
             self._resolve(joint)
 
-    def ways(self) -> list[Way]:
-        """Return the way between each pair of links that can move against each other."""
+    def joint_paths(self) -> list[JointPath]:
+        """Return the joint path between each pair of links that can move against each other."""
         names = [link.name for link in self.asset.links]
-        found = (self.way(a, b) for a, b in itertools.combinations(names, 2))
-        return [way for way in found if way.variables and way.boxes]
+        found = (self.joint_path(a, b) for a, b in itertools.combinations(names, 2))
+        return [joint_path for joint_path in found if joint_path.variables and joint_path.boxes]
 
     def check(self) -> None:
-        """Refuse dependencies that nothing meets.
+        """Raise AssetError for dependencies that cannot be satisfied.
 
         Raises:
             AssetError: A joint could never move, or no position of all joints is allowed.
@@ -102,8 +103,8 @@ class Space:
                 "position of its joints; let the joints that need others reach 0, or drop a condition"
             )
 
-    def way(self, a: str, b: str) -> Way:
-        """Return the way from one link to another."""
+    def joint_path(self, a: str, b: str) -> JointPath:
+        """Return the joint path from one link to another."""
         up, down = self._chains[a], self._chains[b]
         shared = sum(
             1 for _ in itertools.takewhile(lambda two: two[0] is two[1], zip(up, down, strict=False))
@@ -120,13 +121,13 @@ class Space:
             for box in boxes
         )
         arrays = tuple(np.array([box[name] for name in variables]).reshape(-1, 2) for box in boxes)
-        return Way((a, b), steps, signs, followers, variables, arrays, allowed)
+        return JointPath((a, b), steps, signs, followers, variables, arrays, allowed)
 
     def boxes(self, variables: Sequence[str]) -> list[Box]:
-        """Return boxes that together hold every position of some variables that dependencies allow.
+        """Return boxes that together contain all positions of variables that dependencies allow.
 
-        They are cut out of the space of these variables and of all others that they need, however far down
-        the chain, and then seen from the front.
+        The boxes are cut in the space of these variables and of all variables that they depend on, and then
+        projected.
         """
         needed = self._needed(variables)
         boxes: list[Box] = [{name: self.ranges[name] for name in needed}]
@@ -139,9 +140,9 @@ class Space:
         return _largest([{name: box[name] for name in variables} for box in boxes])
 
     def _needed(self, variables: Sequence[str]) -> list[str]:
-        """Return variables with those that the joints they move need, and so on."""
+        """Return variables with those that their joints depend on, recursively."""
         result = list(variables)
-        for variable in result:  # it grows while it is looked through
+        for variable in result:  # grows during the iteration
             for joint in self.asset.joints:
                 if joint.needs is None or self.followers[joint.name].variable != variable:
                     continue
@@ -150,7 +151,7 @@ class Space:
         return result
 
     def _resolve(self, joint: AssetJoint) -> None:
-        """Find the variable that a joint's position depends on."""
+        """Find the variable of a joint's position."""
         ratio, offset, leader = 1.0, 0.0, joint
         while leader.follows is not None:
             offset += ratio * leader.follows.offset
@@ -162,14 +163,14 @@ class Space:
             return
         turns = leader.kind == joint.kind == "revolute" and ratio == round(ratio)
         if leader.limits is None and joint is not leader and not turns:
-            # after some turns of the leader the follower may be anywhere
+            # over several turns of the leader, the follower may stand anywhere
             leader, ratio, offset = joint, 1.0, 0.0
         full = FULL_TURN if leader.kind == "revolute" else FULL_SLIDE
         self.followers[joint.name] = Follower(leader.name, ratio, offset)
         self.ranges[leader.name] = full if leader.limits is None else leader.limits
 
     def _check(self, joint: AssetJoint) -> None:
-        """Refuse a dependency that no position of the other joints meets."""
+        """Raise AssetError for a dependency that no position of the other joints satisfies."""
         if joint.needs is None or any(each is not None for each in self._terms(joint.needs.condition)):
             return
         ranges = ", ".join(
@@ -191,7 +192,7 @@ class Space:
         return low, high
 
     def _clauses(self, joint: AssetJoint, variables: Sequence[str]) -> list[Box] | None:
-        """Return the boxes, one of which a joint's dependency asks for; None if it says nothing here."""
+        """Return boxes of which a joint's dependency requires one; None if it requires nothing."""
         if joint.needs is None:
             return None
         free = joint.needs.beyond or _CLOSED
@@ -211,7 +212,7 @@ class Space:
         return clauses
 
     def _where(self, joint: str, low: float, high: float) -> Box | None:
-        """Return where a joint stands within an interval; None if it never does."""
+        """Return the positions of a joint within an interval; None if there are none."""
         follower = self.followers[joint]
         if not follower.variable:
             return {} if low <= follower.offset <= high else None
@@ -223,7 +224,7 @@ class Space:
         return {name: (low, high)} if low <= high else None
 
     def _terms(self, condition: AssetCondition) -> Iterator[Box | None]:
-        """Yield boxes, the union of which a condition describes."""
+        """Yield boxes whose union is the region of a condition."""
         if condition.kind == "above":
             yield self._where(condition.joint, condition.value, math.inf)
         elif condition.kind == "below":
@@ -239,7 +240,7 @@ class Space:
                 yield clause
 
     def _split(self, box: Box, contacts: Sequence[AllowedContact]) -> list[Box]:
-        """Cut a box where the conditions of contacts begin and end."""
+        """Cut a box at the thresholds of the conditions of contacts."""
         boxes = [box]
         for contact in contacts:
             for term in _comparisons(contact.when):
@@ -258,7 +259,7 @@ class Space:
             return all(results) if condition.kind == "all" else any(results)
         where = self.followers[condition.joint]
         if where.variable and self._joints[where.variable].limits is None:
-            return False  # it holds within a turn, perhaps not in the next one
+            return False  # it holds within one turn, but perhaps not in the next
         low, high = box.get(where.variable, (0.0, 0.0))
         if where.variable not in box and where.variable:
             low, high = self.ranges[where.variable]
@@ -269,7 +270,7 @@ class Space:
 
 
 def _common(first: Box, second: Box) -> Box | None:
-    """Return what two boxes share; None if nothing. A joint that one of them does not name is free in it."""
+    """Return the intersection of two boxes, None if it is empty; unnamed joints are free."""
     result = dict(first)
     for name, (low, high) in second.items():
         lowest, highest = result.get(name, (-math.inf, math.inf))
@@ -280,7 +281,7 @@ def _common(first: Box, second: Box) -> Box | None:
 
 
 def _largest(boxes: Sequence[Box]) -> list[Box]:
-    """Return the boxes that lie in no other one."""
+    """Return the boxes that no other box contains."""
     result: list[Box] = []
     for index, box in enumerate(boxes):
         others = [*result, *boxes[index + 1 :]]

@@ -1,8 +1,8 @@
 """Verification of a stored proof, without the search that found it and without FCL.
 
-Each leaf says that a plane keeps some pieces of two links apart in a cell of their joint space. Verified is
-that each plane does so, by the closed-form bounds; that the leaves of a pair cover all pieces and all of its
-joint space; and that the pieces contain the solids.
+Each cell states that a plane separates pieces of two links in a region of their joint space. The check
+verifies that each plane does so, by the closed-form bounds; that the cells of a pair cover all pieces and the
+whole joint space; and that the pieces contain the solids.
 """
 
 from collections.abc import Iterator, Mapping
@@ -18,24 +18,24 @@ from artgen.errors import AssetError
 from artgen.proof.bounds import Motion, around_axis, axis_gap, gap
 from artgen.proof.cover import Cover, stored_cover
 from artgen.proof.overlap import allows
-from artgen.proof.paths import Space, Way
+from artgen.proof.paths import JointPath, Space
 
 _CHECK = "certificate"
-_BEYOND = 2e-9  # by which cells may reach over the ends of a range [rad or m]
-_TOUCHING = 2e-8  # by which pieces that are to touch may miss the depth that is allowed [m]
-_ROUNDING = 1e-9  # what numbers lose in files [m]
+_BEYOND = 2e-9  # distance by which cells may extend beyond the ends of a range [rad or m]
+_TOUCHING = 2e-8  # tolerance of the allowed depth of pieces in contact [m]
+_ROUNDING = 1e-9  # rounding of numbers in files [m]
 _HINT = "certify the asset again and export it"
 
 
 def recheck(asset: Asset, certificate: Certificate) -> list[Finding]:
-    """Verify the proof of a certificate; return a finding for each statement that does not hold.
+    """Verify the proof of a certificate; return a finding for each statement that is wrong.
 
     Raises:
-        AssetError: A dependency of the asset can never be met, or its meshes are missing.
+        AssetError: A dependency of the asset cannot be satisfied, or its meshes are missing.
     """
     space = Space(asset)
     space.check()
-    ways = {way.links: way for way in space.ways()}
+    joint_paths = {joint_path.links: joint_path for joint_path in space.joint_paths()}
     findings = [
         Finding(
             _CHECK,
@@ -43,7 +43,7 @@ def recheck(asset: Asset, certificate: Certificate) -> list[Finding]:
             link=", ".join(links),
             hint=_HINT,
         )
-        for links in ways
+        for links in joint_paths
         if links not in {pair.links for pair in certificate.pairs}
     ]
     proof = certificate.leaves
@@ -56,7 +56,9 @@ def recheck(asset: Asset, certificate: Certificate) -> list[Finding]:
     try:
         for pair in certificate.pairs:
             for stored in _stored(pair, proof):
-                findings += _recheck_pair(asset, certificate.tolerance, pair, ways[pair.links], stored, proof)
+                findings += _recheck_pair(
+                    asset, certificate.tolerance, pair, joint_paths[pair.links], stored, proof
+                )
     except AssetError:
         raise
     except (KeyError, ValueError, TypeError, IndexError) as error:
@@ -65,7 +67,7 @@ def recheck(asset: Asset, certificate: Certificate) -> list[Finding]:
 
 
 def _stored(pair: PairResult, proof: Mapping[str, Any]) -> Iterator[Mapping[str, Any] | None]:
-    """Yield the proofs that a pair needs: of its solids, and of its colliders where those are others."""
+    """Yield the proofs of a pair: of its solids, and of its colliders if they are separate."""
     found = [item for item in proof["pairs"] if tuple(item["links"]) == pair.links]
     of_colliders = [item for item in found if _on_colliders(item, pair, proof)]
     solids = found[0] if found else None
@@ -83,7 +85,7 @@ def _recheck_pair(
     asset: Asset,
     tolerance: float,
     pair: PairResult,
-    way: Way,
+    joint_path: JointPath,
     stored: Mapping[str, Any] | None,
     proof: Mapping[str, Any],
 ) -> Iterator[Finding]:
@@ -100,10 +102,10 @@ def _recheck_pair(
             yield Finding(_CHECK, "its solids stick out of the pieces of the proof", link=name, hint=_HINT)
     least = max(tolerance, pair.guaranteed or 0.0) if solids else tolerance
     wanted = least + sum(cover.excess or 0.0 for cover, _ in covers) - _ROUNDING
-    table = np.array(stored["leaves"], float).reshape(-1, 8 + 2 * len(way.variables))
+    table = np.array(stored["leaves"], float).reshape(-1, 8 + 2 * len(joint_path.variables))
     for row in table:
-        apart = _gap(way, covers, row)
-        limit = _limit(way, covers, row, wanted)
+        apart = _gap(joint_path, covers, row)
+        limit = _limit(joint_path, covers, row, wanted)
         if not apart > limit:
             yield Finding(
                 _CHECK,
@@ -116,10 +118,10 @@ def _recheck_pair(
             return
     cells = np.concatenate((table[:, :4].reshape(-1, 2, 2), table[:, 8:].reshape(len(table), -1, 2)), axis=1)
     pieces = np.array([[0, len(cover.points)] for cover, _ in covers], float)
-    for box in way.boxes:
+    for box in joint_path.boxes:
         missed = uncovered(cells, np.concatenate((pieces, box)))
         if missed is not None:
-            pose = dict(zip(way.variables, missed[2:].mean(axis=1).tolist(), strict=True))
+            pose = dict(zip(joint_path.variables, missed[2:].mean(axis=1).tolist(), strict=True))
             yield Finding(
                 _CHECK, "the proof does not cover all of the joint space", link=links, pose=pose, hint=_HINT
             )
@@ -130,7 +132,7 @@ def _only(pair: PairResult, proof: Mapping[str, Any]) -> bool:
 
 
 def _cover(asset: Asset, link: str, stored: Mapping[str, Any]) -> tuple[Cover, list[int]]:
-    """Return the pieces of a link and the order in which leaves count them."""
+    """Return the pieces of a link and the order in which cells number them."""
     body, order = asset.link(link), [int(index) for index in stored["order"]]
     cover = stored_cover(body, stored)
     if sorted(order) != list(range(len(cover.points))):
@@ -140,25 +142,25 @@ def _cover(asset: Asset, link: str, stored: Mapping[str, Any]) -> tuple[Cover, l
     return cover, order
 
 
-def _gap(way: Way, covers: list[tuple[Cover, list[int]]], row: Array) -> float:
-    """Return the bound of a leaf's gap over its cell [m]."""
+def _gap(joint_path: JointPath, covers: list[tuple[Cover, list[int]]], row: Array) -> float:
+    """Return the bound of a cell's gap [m]."""
     ranges, frame, normal = row[:4].astype(int), int(row[4]), row[5:8]
     low, high = row[8::2], row[9::2]
     first, second = (
         [cover.points[index] for index in order[start:stop]]
         for (cover, order), start, stop in zip(covers, ranges[::2], ranges[1::2], strict=True)
     )
-    if min(ranges) < 0 or (frame != AXIS_FRAME and not 0 <= frame <= len(way.steps)):
+    if min(ranges) < 0 or (frame != AXIS_FRAME and not 0 <= frame <= len(joint_path.steps)):
         raise ValueError(f"the leaf {row.tolist()} counts from below 0 or beyond the joints")
     path = []
-    for joint, sign, follower in zip(way.steps, way.signs, way.followers, strict=True):
-        number = way.variables.index(follower.variable) if follower.variable else 0
+    for joint, sign, follower in zip(joint_path.steps, joint_path.signs, joint_path.followers, strict=True):
+        number = joint_path.variables.index(follower.variable) if follower.variable else 0
         center = follower.ratio * (low[number] + high[number]) / 2.0 + follower.offset
         half = abs(follower.ratio) * (high[number] - low[number]) / 2.0
         axis = (sign * joint.axis)[None]
         path.append(Motion(joint.kind, joint.pivot[None], axis, np.array([center]), np.array([half])))
     if frame == AXIS_FRAME:
-        return _axis_gap(way, first, second, path)
+        return _axis_gap(joint_path, first, second, path)
     length = float(np.sqrt(normal @ normal))
     if not length > _ROUNDING:
         return -np.inf
@@ -166,9 +168,9 @@ def _gap(way: Way, covers: list[tuple[Cover, list[int]]], row: Array) -> float:
     return float(gap(a, b, path, frame, normal[None, None] / length)[0, 0])
 
 
-def _axis_gap(way: Way, first: list[Array], second: list[Array], path: list[Motion]) -> float:
-    axis, origin = way.steps[0].axis, way.steps[0].pivot
-    for joint in way.steps:  # they must have one axis
+def _axis_gap(joint_path: JointPath, first: list[Array], second: list[Array], path: list[Motion]) -> float:
+    axis, origin = joint_path.steps[0].axis, joint_path.steps[0].pivot
+    for joint in joint_path.steps:  # all joints must have this axis
         away = (joint.pivot - origin) if joint.kind == "revolute" else np.zeros(3)
         if max(np.abs(np.cross(joint.axis, axis)).max(), np.abs(np.cross(away, axis)).max()) > _ROUNDING:
             return -np.inf
@@ -179,8 +181,8 @@ def _axis_gap(way: Way, first: list[Array], second: list[Array], path: list[Moti
     return min(float(axis_gap(a, b, shift, half)[0]) for a in about[0] for b in about[1])
 
 
-def _limit(way: Way, covers: list[tuple[Cover, list[int]]], row: Array, wanted: float) -> float:
-    """Return the gap that a leaf has to prove: less than nothing for two pieces that may touch there [m]."""
+def _limit(joint_path: JointPath, covers: list[tuple[Cover, list[int]]], row: Array, wanted: float) -> float:
+    """Return the gap that a cell has to prove, negative for two pieces that may touch [m]."""
     ranges = row[:4].astype(int)
     if ranges[1] - ranges[0] != 1 or ranges[3] - ranges[2] != 1:
         return wanted
@@ -188,13 +190,13 @@ def _limit(way: Way, covers: list[tuple[Cover, list[int]]], row: Array, wanted: 
     cell = row[8:].reshape(-1, 2)
     inside = [
         (box[:, 0] - _BEYOND <= cell[:, 0]).all() and (cell[:, 1] <= box[:, 1] + _BEYOND).all()
-        for box in way.boxes
+        for box in joint_path.boxes
     ]
     depths = [
         contact.depth
-        for within, allowed in zip(inside, way.allowed, strict=True)
+        for within, allowed in zip(inside, joint_path.allowed, strict=True)
         for contact in allowed
-        if within and allows(contact, way.links, (a, b))
+        if within and allows(contact, joint_path.links, (a, b))
     ]
     return -max(depths) - _TOUCHING if depths else wanted
 
@@ -204,7 +206,7 @@ def uncovered(cells: Array, region: Array) -> Array | None:
 
     Args:
         cells: Lowest and highest coordinates of each cell, shape (n, d, 2).
-        region: The same of the region, shape (d, 2).
+        region: Lowest and highest coordinates of the region, shape (d, 2).
     """
     todo = [(np.arange(len(cells)), region)]
     while todo:

@@ -1,11 +1,11 @@
-"""Branch and bound over pairs of pieces and cells of joint space: planes that keep them apart, or a witness.
+"""Branch and bound over pairs of pieces and cells of joint space: separating planes, or a witness.
 
-An item is two nodes (pieces, or boxes around several) and a cell of the joint space of their links. It is
-closed by a plane, in one of the frames along the path, whose bound over the whole cell exceeds the threshold;
-or, for joints about one axis, by heights and distances that turning does not change. What is open is split:
-the larger box if it exceeds the motion in the cell, else the cell. Small cells of pieces that are too close
-are given up, once their corners were tried. FCL proposes directions and says which pieces may overlap;
-nothing that is proven rests on it. All pairs of links are searched side by side.
+An item is two nodes (pieces, or boxes around several pieces) and a cell of the joint space of their links. A
+plane in one of the frames along the path closes it if its bound over the whole cell exceeds the threshold.
+For joints about one axis, heights and distances from the axis close it as well. Open items are split: the
+larger box if it exceeds the motion in the cell, else the cell. Small cells of pieces that are too close are
+given up after their corners were tried. FCL proposes directions and candidates for overlaps; no proof relies
+on it. All pairs of links are searched in one batch.
 """
 
 from collections.abc import Sequence
@@ -20,38 +20,38 @@ from artgen.proof.bounds import Motion
 from artgen.proof.hierarchy import Hierarchy
 from artgen.proof.items import NONE, Items, SearchOutcome, Settings
 from artgen.proof.kinematics import Frames, JointTable, frames, nearest_zero, starting_cells
-from artgen.proof.paths import Way
+from artgen.proof.paths import JointPath
 from artgen.proof.separation import GRAIN, Ahead, Coaxial, Confirm, Depths, Planes, Witnesses, depth_of, taken
 
 MARGIN = 1e-8
-"""By how much a bound must exceed its threshold; float64 errs by 1e-14 at a metre [m]."""
+"""Margin of a bound over its threshold; float64 has errors of 1e-14 at one metre [m]."""
 
-_DECIMALS = 9  # of normals
-_MANY = 24  # vertices from which a node is searched apart from smaller ones
-_FARTHEST = 3  # joints between the frame of a plane and either link, at most
-_MOST_AT_REST = 48  # pairs of pieces whose distance at rest is measured
+_DECIMALS = 9  # decimals of normals
+_MANY = 24  # vertices above which a node is searched separately from smaller nodes
+_FARTHEST = 3  # most joints between the frame of a plane and either link
+_MOST_AT_REST = 48  # most pairs of pieces whose distance at rest is measured
 
 
 class Search:
-    """A search over some pairs of links.
+    """Search for several pairs of links.
 
     Args:
         hierarchy: The pieces of the links.
-        ways: The pairs of links.
-        trees: For each way the numbers of its links' trees.
-        depths: Depth to which two leaves may press into each other, by way, box and leaves; NaN if they may
-            not touch; None where no contact is allowed at all.
-        confirm: Looks closely at a pose in which pieces seem to overlap.
-        tolerances: Clearance to prove of the pieces of each way, shape (ways,) [m].
-        least: Clearance without which the solids may overlap; what is left to prove of a way whose
-            tolerance is refuted, shape (ways,) [m].
-        settings: What to measure, and when to give up.
+        joint_paths: Joint paths of the pairs of links.
+        trees: For each joint path the numbers of the trees of its links.
+        depths: Allowed penetration of two pieces, by joint path, box and pieces; NaN if they may not touch;
+            None if no contact is allowed.
+        confirm: Examines a pose in which pieces seem to overlap.
+        tolerances: Required clearance of the pieces of each joint path, shape (paths,) [m].
+        least: Clearance below which the solids may overlap; the requirement that remains after the tolerance
+            of a joint path is refuted, shape (paths,) [m].
+        settings: Limits of the search.
     """
 
     def __init__(
         self,
         hierarchy: Hierarchy,
-        ways: Sequence[Way],
+        joint_paths: Sequence[JointPath],
         trees: Sequence[tuple[int, int]],
         confirm: Confirm,
         *,
@@ -61,40 +61,40 @@ class Search:
         settings: Settings,
     ) -> None:
         self.nodes = hierarchy
-        self.ways = ways
+        self.joint_paths = joint_paths
         self.trees = trees
         self.depths = depths
         self.tolerances = tolerances.copy()
         self.least = least
         self.settings = settings
-        self.outcomes = [SearchOutcome() for _ in ways]
+        self.outcomes = [SearchOutcome() for _ in joint_paths]
         self.leaves: list[Items] = []
-        self._most = max((len(way.variables) for way in ways), default=0)
-        self._contacts = np.array([any(way.allowed) for way in ways], bool)
-        self._witnesses = Witnesses(ways, self.outcomes, confirm, depths)
+        self._most = max((len(joint_path.variables) for joint_path in joint_paths), default=0)
+        self._contacts = np.array([any(joint_path.allowed) for joint_path in joint_paths], bool)
+        self._witnesses = Witnesses(joint_paths, self.outcomes, confirm, depths)
         self._done = self._witnesses.done
-        self._found = np.full(len(ways), np.inf)
-        self._split_close = np.zeros(len(ways), np.int64)
-        self._guaranteed = np.full(len(ways), np.inf)
+        self._found = np.full(len(joint_paths), np.inf)
+        self._split_close = np.zeros(len(joint_paths), np.int64)
+        self._guaranteed = np.full(len(joint_paths), np.inf)
         self._layouts: list[JointTable] = []
-        self._layout = np.zeros(len(ways), np.int64)
-        self._row = np.zeros(len(ways), np.int64)
+        self._layout = np.zeros(len(joint_paths), np.int64)
+        self._row = np.zeros(len(joint_paths), np.int64)
         kinds: dict[tuple[JointKind, ...], list[int]] = {}
-        for number, way in enumerate(ways):
-            kinds.setdefault(tuple(joint.kind for joint in way.steps), []).append(number)
+        for number, joint_path in enumerate(joint_paths):
+            kinds.setdefault(tuple(joint.kind for joint in joint_path.steps), []).append(number)
         for number, (of_kind, members) in enumerate(kinds.items()):
-            self._layouts.append(JointTable.of(of_kind, [ways[member] for member in members]))
+            self._layouts.append(JointTable.of(of_kind, [joint_paths[member] for member in members]))
             self._layout[members] = number
             self._row[members] = np.arange(len(members))
-        self._coaxial = Coaxial(hierarchy, ways)
+        self._coaxial = Coaxial(hierarchy, joint_paths)
 
     def run(self) -> list[SearchOutcome]:
-        """Search until everything is closed, refuted or given up, and return the outcome of each way."""
-        if not self.ways:
+        """Search until all items are closed, refuted or given up; return the outcome of each joint path."""
+        if not self.joint_paths:
             return []
         items, seen = self._start(), 0
         if self.settings.measure:
-            for number in range(len(self.ways)):
+            for number in range(len(self.joint_paths)):
                 self._measure_near_rest(number)
         while len(items):
             seen += len(items)
@@ -103,39 +103,44 @@ class Search:
                 break
             nodes = self.nodes
             big = 2 * (nodes.count[items.first] > _MANY) + (nodes.count[items.second] > _MANY)
-            group = 4 * self._layout[items.way] + big
+            group = 4 * self._layout[items.joint_path] + big
             parts: list[Items] = []
             for key in np.unique(group):
                 parts += self._examine(items[group == key], self._layouts[key // 4])
             if not parts:
                 break
             items = Items.join(parts)
-            items = items[~self._done[items.way]]
+            items = items[~self._done[items.joint_path]]
         for number, outcome in enumerate(self.outcomes):
             outcome.guaranteed = float(self._guaranteed[number])
             outcome.found = float(self._found[number])
         return self.outcomes
 
     def _start(self) -> Items:
-        """Make the first items: the whole of both links over each box."""
-        cells = [(number, *cell) for number, way in enumerate(self.ways) for cell in starting_cells(way)]
-        way, box = (np.array([cell[column] for cell in cells], np.int64) for column in (0, 1))
+        """Return the first items: both whole links in each box."""
+        cells = [
+            (number, *cell)
+            for number, joint_path in enumerate(self.joint_paths)
+            for cell in starting_cells(joint_path)
+        ]
+        joint_path, box = (np.array([cell[column] for cell in cells], np.int64) for column in (0, 1))
         corners = np.zeros((2, len(cells), self._most))
         for row, (_, _, (low, high)) in enumerate(cells):
             corners[0, row, : len(low)], corners[1, row, : len(high)] = low, high
         roots = self.nodes.roots[np.array(self.trees)]
-        first, second = roots[way].T
+        first, second = roots[joint_path].T
         frame = np.full(len(cells), NONE, np.int64)
         normal = np.zeros((len(cells), 3))
-        return Items(way, box, first, second, corners[0], corners[1], normal, frame)
+        return Items(joint_path, box, first, second, corners[0], corners[1], normal, frame)
 
     def _measure_near_rest(self, number: int) -> None:
-        """Find the distance of a way's links near rest, so that less is left to measure."""
-        way, nodes = self.ways[number], self.nodes
+        """Measure the distance of links near rest, which leaves less to measure later."""
+        joint_path, nodes = self.joint_paths[number], self.nodes
         box = min(
-            range(len(way.boxes)), key=lambda index: float(np.abs(nearest_zero(way.boxes[index])).sum())
+            range(len(joint_path.boxes)),
+            key=lambda index: float(np.abs(nearest_zero(joint_path.boxes[index])).sum()),
         )
-        at = nearest_zero(way.boxes[box])
+        at = nearest_zero(joint_path.boxes[box])
         corner = np.zeros((1, self._most))
         corner[0, : len(at)] = at
         layout = self._layouts[self._layout[number]]
@@ -158,26 +163,26 @@ class Search:
     def _threshold(self, items: Items) -> Array:
         """Return the gap that closes each item [m]."""
         settings = self.settings
-        threshold = self.tolerances[items.way]
+        threshold = self.tolerances[items.joint_path]
         if settings.measure:
-            wanted = settings.share * np.minimum(self._found[items.way], settings.cap)
+            wanted = settings.share * np.minimum(self._found[items.joint_path], settings.cap)
             threshold = np.maximum(threshold, wanted)
-        for row in np.flatnonzero(self._contacts[items.way]):
+        for row in np.flatnonzero(self._contacts[items.joint_path]):
             depth = self._depth(items, int(row))
             if not np.isnan(depth):
-                threshold[row] = -depth - 2.0 * MARGIN  # pieces that are to touch do so to rounding
+                threshold[row] = -depth - 2.0 * MARGIN  # contact is exact to rounding only
         return threshold + MARGIN
 
     def _depth(self, items: Items, row: int) -> float:
-        """Return how deep the pieces of an item may press into each other; NaN if they may not touch."""
+        """Return the allowed penetration of the pieces of an item; NaN if they may not touch."""
         leaf = self.nodes.leaf
         if not (leaf[items.first[row]] and leaf[items.second[row]]):
             return float("nan")
         return depth_of(self.depths, items, row)
 
     def _examine(self, items: Items, layout: JointTable) -> list[Items]:
-        """Close what can be closed of some items of one layout, and return what the others split into."""
-        path = layout.path(self._row[items.way], items.low, items.high)
+        """Close items of one layout if possible, and return the items into which the others are split."""
+        path = layout.path(self._row[items.joint_path], items.low, items.high)
         threshold = self._threshold(items)
         planes = Planes(self.nodes.points(items.first), self.nodes.points(items.second), path)
         place = frames(path)
@@ -202,7 +207,7 @@ class Search:
         return self._split(opened, distance, threshold[rows], layout, ahead)
 
     def _try_known(self, planes: Planes, items: Items, place: Frames) -> None:
-        """Try the plane from before the split, the direction between the middles and the main faces."""
+        """Try the plane from before the split, the direction between the centers and the main faces."""
         nodes, last = self.nodes, len(planes.path)
         for frame in range(1, last):
             rows = np.flatnonzero(items.frame == frame)
@@ -223,7 +228,7 @@ class Search:
             planes.attempt(rows, np.concatenate(candidates, axis=1), frame)
 
     def _try_axis(self, items: Items, rows: Indices, path: list[Motion], threshold: Array) -> Indices:
-        """Close pieces that turn about one axis by what turning does not change; return what stays open."""
+        """Close pieces on one axis by heights and distances from it; return the items that stay open."""
         about, apart = self._coaxial.apart(items, rows[threshold[rows] > 0.0], path)
         closed = apart > threshold[about]
         if closed.any():
@@ -235,7 +240,7 @@ class Search:
     def _try_distance(
         self, planes: Planes, items: Items, place: Frames, rows: Indices, threshold: Array
     ) -> tuple[Array, Array, Indices]:
-        """Try the directions that FCL proposes in the middle of the cells."""
+        """Try the directions that FCL proposes at the center of the cells."""
         distance, direction = self._distances(items, place, rows)
         separated = np.any(direction != 0.0, axis=1)
         best = np.full(len(rows), -np.inf)
@@ -255,7 +260,7 @@ class Search:
         return distance, towards, of_frame
 
     def _distances(self, items: Items, place: Frames, rows: Indices) -> tuple[Array, Array]:
-        """Ask FCL for the distance of each pair of nodes and the direction between their nearest points."""
+        """Return FCL's distance of each pair of nodes and the direction between their nearest points."""
         rotations, offsets = place.rotations[-1], place.offset
         distances, directions = np.full(len(rows), -1.0), np.zeros((len(rows), 3))
         leaf = self.nodes.leaf
@@ -264,17 +269,17 @@ class Search:
             distances[index], directions[index] = self.nodes.distance(
                 first, second, rotations[row], offsets[row]
             )
-            way = items.way[row]
-            if leaf[first] and leaf[second] and 0.0 < distances[index] < self._found[way]:
-                if self._contacts[way] and not np.isnan(self._depth(items, row)):
+            joint_path = items.joint_path[row]
+            if leaf[first] and leaf[second] and 0.0 < distances[index] < self._found[joint_path]:
+                if self._contacts[joint_path] and not np.isnan(self._depth(items, row)):
                     continue
-                self._found[way] = distances[index]
-                count = len(self.ways[way].variables)
-                self.outcomes[way].found_at = ((items.low[row] + items.high[row]) / 2.0)[:count]
+                self._found[joint_path] = distances[index]
+                count = len(self.joint_paths[joint_path].variables)
+                self.outcomes[joint_path].found_at = ((items.low[row] + items.high[row]) / 2.0)[:count]
         return distances, directions
 
     def _record(self, items: Items, planes: Planes, threshold: Array, rows: Indices | None = None) -> None:
-        """Close the items (of some rows) whose best plane exceeds its threshold."""
+        """Close the items (in given rows) whose best plane exceeds the threshold."""
         chosen = np.arange(len(items)) if rows is None else rows
         chosen = chosen[planes.best[chosen] > threshold[chosen]]
         if len(chosen):
@@ -283,52 +288,54 @@ class Search:
 
     def _close(self, items: Items, apart: Array) -> None:
         self.leaves.append(items)
-        free = ~self._contacts[items.way]
+        free = ~self._contacts[items.joint_path]
         for row in np.flatnonzero(~free):
             free[row] = np.isnan(self._depth(items, int(row)))
-        np.minimum.at(self._guaranteed, items.way[free], apart[free])
+        np.minimum.at(self._guaranteed, items.joint_path[free], apart[free])
 
     def _are_pieces(self, items: Items) -> Mask:
-        """Tell which items are pieces, not boxes around several."""
+        """Tell which items are pairs of pieces, not boxes around several pieces."""
         return self.nodes.leaf[items.first] & self.nodes.leaf[items.second]
 
     def _judge(self, items: Items, distance: Array) -> Mask:
-        """Look for witnesses among open pieces that seem to touch, and return what to go on with."""
+        """Look for witnesses among open pieces that seem to touch, and return the remaining items."""
         touching = self._are_pieces(items) & ~(distance > self.settings.pressed)
         self._witnesses.in_middles(items, np.flatnonzero(touching))
-        return ~self._done[items.way]
+        return ~self._done[items.joint_path]
 
     def _refute(self, items: Items, distance: Array, threshold: Array) -> bool:
-        """Note which ways keep less than their tolerance, and go on in search of collisions only."""
+        """Mark joint paths with less clearance than their tolerance; search them for collisions only."""
         leaf = self._are_pieces(items)
-        ways = items.way
-        close = leaf & (threshold > 0.0) & (distance > 0.0) & (distance < self.tolerances[ways])
-        refuted = np.flatnonzero(close & (self.tolerances[ways] > self.least[ways]))
+        joint_paths = items.joint_path
+        close = leaf & (threshold > 0.0) & (distance > 0.0) & (distance < self.tolerances[joint_paths])
+        refuted = np.flatnonzero(close & (self.tolerances[joint_paths] > self.least[joint_paths]))
         for row in refuted:
-            way = int(ways[row])
-            if self.tolerances[way] > self.least[way]:
+            joint_path = int(joint_paths[row])
+            if self.tolerances[joint_path] > self.least[joint_path]:
                 self._give_up(items[np.array([row])], distance[[row]])
-                self.tolerances[way] = self.least[way]
+                self.tolerances[joint_path] = self.least[joint_path]
         return bool(len(refuted))
 
     def _hopeless(self, items: Items, distance: Array, threshold: Array, motion: Array) -> Mask:
         """Tell which items to give up: pieces that hardly move, or that are too close in a small cell.
 
-        A large cell may hide a collision: it is split further, as long as that leads to few cells.
+        A large cell may hide a collision: it is split further as long as the number of cells stays small.
         """
         leaf = self._are_pieces(items)
         still = leaf & (motion < self.settings.still)
-        close = leaf & (distance < self.tolerances[items.way] + self.settings.close) & (threshold > 0.0)
+        close = (
+            leaf & (distance < self.tolerances[items.joint_path] + self.settings.close) & (threshold > 0.0)
+        )
         large = close & (motion > self.settings.small)
-        np.add.at(self._split_close, items.way[large], 1)
-        return still | (close & ~(large & (self._split_close[items.way] < self.settings.most_close)))
+        np.add.at(self._split_close, items.joint_path[large], 1)
+        return still | (close & ~(large & (self._split_close[items.joint_path] < self.settings.most_close)))
 
     def _give_up(self, items: Items, distance: Array) -> None:
-        for row, way in enumerate(items.way.tolist()):
-            count = len(self.ways[way].variables)
+        for row, joint_path in enumerate(items.joint_path.tolist()):
+            count = len(self.joint_paths[joint_path].variables)
             low, high = items.low[row, :count], items.high[row, :count]
             nodes = int(items.first[row]), int(items.second[row])
-            self.outcomes[way].open.append((low, high, *nodes, float(distance[row])))
+            self.outcomes[joint_path].open.append((low, high, *nodes, float(distance[row])))
 
     def _split(
         self, items: Items, distance: Array, threshold: Array, layout: JointTable, ahead: Ahead
@@ -336,7 +343,7 @@ class Search:
         """Split the larger box of each item, or its cell."""
         nodes = self.nodes
         motion = layout.motion(
-            self._row[items.way],
+            self._row[items.joint_path],
             items,
             (nodes.center[items.first], nodes.radius[items.first]),
             (nodes.center[items.second], nodes.radius[items.second]),
@@ -354,7 +361,9 @@ class Search:
         result = []
         halve = np.flatnonzero(~divide & ~stuck)
         if len(halve):
-            result += _halved(items[halve], ahead.dimension(layout, self._row[items.way], halve, motion))
+            result += _halved(
+                items[halve], ahead.dimension(layout, self._row[items.joint_path], halve, motion)
+            )
         if divide.any():
             chosen, limit = items[divide], 0.5 * larger[divide]
             rows, first = np.arange(len(chosen)), chosen.first
@@ -367,7 +376,7 @@ class Search:
 
 
 def _halved(items: Items, variable: Indices) -> list[Items]:
-    """Split the cells of items in two along a variable each."""
+    """Split the cells of items in two, each along one variable."""
     rows = np.arange(len(items))
     middle = (items.low[rows, variable] + items.high[rows, variable]) / 2.0
     low, high = items.low.copy(), items.high.copy()
@@ -376,7 +385,7 @@ def _halved(items: Items, variable: Indices) -> list[Items]:
 
 
 def _expanded(nodes: Hierarchy, chosen: Indices, wanted: Mask) -> tuple[Indices, Indices]:
-    """Replace some of the nodes by those within; return the rows they come from and the nodes."""
+    """Replace nodes by their children; return the rows of the parents and the nodes."""
     rows, within = nodes.expanded(chosen)
     first = np.ones(len(rows), bool)
     first[1:] = rows[1:] != rows[:-1]

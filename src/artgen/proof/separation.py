@@ -11,113 +11,120 @@ from artgen.proof.bounds import Motion, around_axis, axis_gap, gap
 from artgen.proof.hierarchy import Hierarchy
 from artgen.proof.items import NONE, Items, SearchOutcome
 from artgen.proof.kinematics import JointTable, is_coaxial
-from artgen.proof.paths import Way
+from artgen.proof.paths import JointPath
 
 Confirm = Callable[[int, int, int, Array, float], str]
-"""Tells what overlaps, `solids`, `pieces` or nothing (an empty text).
+"""Function that says what overlaps: `solids`, `pieces` or an empty text.
 
-Its arguments are the way's number, a leaf of each link, the variables' positions and an allowed depth [m].
+Its arguments are the number of the joint path, a piece of each link, the positions of the variables and an
+allowed depth [m].
 """
 
 Depths = Callable[[int, int, int, int], float]
-"""Tells how deep two leaves may press into each other, by way, box and leaves; NaN if they may not [m]."""
+"""Function for the allowed penetration of two pieces, by joint path, box and pieces; NaN if none [m]."""
 
-_FEW = 4  # candidates for a witness that are looked at for a pair and level
-_MOST_CORNERS = 256  # corners of cells that are looked at for a pair
+_FEW = 4  # most candidates for a witness of a pair and level
+_MOST_CORNERS = 256  # most corners of cells that are examined for a pair
 
 
 class Witnesses:
-    """The search for witnesses.
+    """Search for witnesses.
 
     Args:
-        ways: The pairs of links.
-        outcomes: What was found about each; witnesses are noted there.
-        confirm: Looks closely at a pose in which pieces seem to overlap.
-        depths: Depth to which two leaves may press into each other; None where no contact is allowed at all.
+        joint_paths: Joint paths of the pairs of links.
+        outcomes: Outcome of each joint path; witnesses are stored there.
+        confirm: Examines a pose in which pieces seem to overlap.
+        depths: Allowed penetration of two pieces; None if no contact is allowed.
     """
 
     def __init__(
-        self, ways: Sequence[Way], outcomes: Sequence[SearchOutcome], confirm: Confirm, depths: Depths | None
+        self,
+        joint_paths: Sequence[JointPath],
+        outcomes: Sequence[SearchOutcome],
+        confirm: Confirm,
+        depths: Depths | None,
     ) -> None:
-        self.ways = ways
+        self.joint_paths = joint_paths
         self.outcomes = outcomes
         self.confirm = confirm
         self.depths = depths
-        self.done = np.zeros(len(ways), bool)
-        self._corners = np.zeros(len(ways), np.int64)
+        self.done = np.zeros(len(joint_paths), bool)
+        self._corners = np.zeros(len(joint_paths), np.int64)
 
     def in_middles(self, items: Items, rows: Indices) -> None:
-        """Look at the middles of the cells of some items, a few for each way."""
+        """Examine the centers of the cells of several items, a few for each joint path."""
         looked: dict[int, int] = {}
         for row in rows.tolist():
-            way = int(items.way[row])
-            if self.done[way] or looked.get(way, 0) >= _FEW:
+            joint_path = int(items.joint_path[row])
+            if self.done[joint_path] or looked.get(joint_path, 0) >= _FEW:
                 continue
-            looked[way] = looked.get(way, 0) + 1
-            count = len(self.ways[way].variables)
+            looked[joint_path] = looked.get(joint_path, 0) + 1
+            count = len(self.joint_paths[joint_path].variables)
             self._look(items, row, ((items.low[row] + items.high[row]) / 2.0)[:count])
-        for way in looked:
-            self._finish(way)
+        for joint_path in looked:
+            self._finish(joint_path)
 
     def in_corners(self, items: Items, rows: Indices) -> None:
-        """Look at the corners of small cells: how deep pieces press there is all but linear in the positions.
+        """Examine the corners of small cells, where depths are nearly linear in the positions.
 
-        Pieces that graze each other in the middle of such a cell are deepest in one of its corners.
+        Pieces that touch slightly at the center of such a cell overlap most in one of its corners.
         """
         for row in rows.tolist():
-            way = int(items.way[row])
-            box = self.ways[way].boxes[items.box[row]]
+            joint_path = int(items.joint_path[row])
+            box = self.joint_paths[joint_path].boxes[items.box[row]]
             low, high = (np.clip(end[row, : len(box)], *box.T) for end in (items.low, items.high))
             ends = [(a, b) if a < b else (a,) for a, b in zip(low.tolist(), high.tolist(), strict=True)]
             for corner in itertools.product(*ends):
-                if self.done[way] or self._corners[way] >= _MOST_CORNERS:
+                if self.done[joint_path] or self._corners[joint_path] >= _MOST_CORNERS:
                     break
-                self._corners[way] += 1
+                self._corners[joint_path] += 1
                 self._look(items, row, np.array(corner))
-                self.done[way] = self.outcomes[way].hit is not None
-            self._finish(way)
+                self.done[joint_path] = self.outcomes[joint_path].hit is not None
+            self._finish(joint_path)
 
     def _look(self, items: Items, row: int, positions: Array) -> None:
-        """Look closely at one pose of an item's pieces."""
-        way, outcome = int(items.way[row]), self.outcomes[items.way[row]]
+        """Examine one pose of the pieces of an item."""
+        joint_path, outcome = int(items.joint_path[row]), self.outcomes[items.joint_path[row]]
         depth = depth_of(self.depths, items, row)
         first, second = int(items.first[row]), int(items.second[row])
-        overlap = self.confirm(way, first, second, positions, 0.0 if np.isnan(depth) else depth)
+        overlap = self.confirm(joint_path, first, second, positions, 0.0 if np.isnan(depth) else depth)
         if overlap == "solids" and outcome.hit is None:
             outcome.hit = (first, second, positions)
         elif overlap == "pieces" and outcome.collider_hit is None:
             outcome.collider_hit = (first, second, positions)
 
-    def _finish(self, way: int) -> None:
-        outcome = self.outcomes[way]
-        self.done[way] = outcome.hit is not None or outcome.collider_hit is not None
+    def _finish(self, joint_path: int) -> None:
+        outcome = self.outcomes[joint_path]
+        self.done[joint_path] = outcome.hit is not None or outcome.collider_hit is not None
 
 
 def depth_of(depths: Depths | None, items: Items, row: int) -> float:
-    """Return how deep the leaves of an item may press into each other; NaN if they may not touch [m]."""
+    """Return the allowed penetration of the pieces of an item; NaN if they may not touch [m]."""
     if depths is None:
         return float("nan")
-    return depths(int(items.way[row]), int(items.box[row]), int(items.first[row]), int(items.second[row]))
+    return depths(
+        int(items.joint_path[row]), int(items.box[row]), int(items.first[row]), int(items.second[row])
+    )
 
 
 GRAIN = 1e9
-"""Steps per metre in which gaps are compared, so that ties fall alike on every machine."""
+"""Steps per metre in which gaps are compared, so that all machines break ties alike."""
 
-_UNIT = 0.99  # least square of the length of a normal
-_HARDLY = 0.02  # variables that move the pieces by less than this share of the largest motion stay whole
+_UNIT = 0.99  # smallest squared length of a normal
+_HARDLY = 0.02  # variables that move the pieces by less than this share of the largest motion are not split
 
 
 @dataclass(eq=False)
 class Planes:
-    """The best plane of each item so far.
+    """Best plane of each item so far.
 
     Attributes:
         first: Vertices of the nodes of link A, shape (N, V, 3) [m].
         second: Vertices of the nodes of link B, shape (N, W, 3) [m].
         path: The joints between them.
-        best: The bound of the best plane, shape (N,) [m].
-        normal: Its normal, shape (N, 3).
-        frame: Its frame, shape (N,).
+        best: Bound of the best plane, shape (N,) [m].
+        normal: Normal of the best plane, shape (N, 3).
+        frame: Frame of the best plane, shape (N,).
     """
 
     first: Array
@@ -134,14 +141,14 @@ class Planes:
         self.frame = np.full(count, NONE, np.int64)
 
     def attempt(self, rows: Indices, normals: Array, frame: int) -> Array:
-        """Try directions, shape (n, C, 3), for some items in a frame; return the best gap of each [m]."""
+        """Try directions, shape (n, C, 3), for several items in a frame; return the best gap of each [m]."""
         if not len(rows):
             return np.zeros(0)
         whole = len(rows) == len(self.best)
         path = self.path if whole else [taken(motion, rows) for motion in self.path]
         first, second = (self.first, self.second) if whole else (self.first[rows], self.second[rows])
         gaps = gap(first, second, path, frame, normals)
-        gaps[np.sum(normals * normals, axis=2) < _UNIT] = -np.inf  # no direction: that keeps nothing apart
+        gaps[np.sum(normals * normals, axis=2) < _UNIT] = -np.inf  # a zero direction separates nothing
         choice = np.round(gaps * GRAIN).argmax(axis=1)
         line = np.arange(len(rows))
         reached: Array = gaps[line, choice]
@@ -155,7 +162,7 @@ class Planes:
 
 @dataclass(eq=False)
 class Ahead:
-    """What splitting each variable of open items would gain, along the direction that FCL proposed."""
+    """Gain of a split of each variable of open items, along the direction that FCL proposed."""
 
     first: Array
     second: Array
@@ -163,8 +170,8 @@ class Ahead:
     normal: Array
     frame: Indices
 
-    def dimension(self, layout: JointTable, ways: Indices, rows: Indices, motion: Array) -> Indices:
-        """Return the variable to split for some items: the one that would raise the bound most."""
+    def dimension(self, layout: JointTable, joint_paths: Indices, rows: Indices, motion: Array) -> Indices:
+        """Return the variable to split for several items: the one that raises the bound most."""
         motion = motion[rows]
         if motion.shape[1] == 1:
             return np.zeros(len(rows), np.int64)
@@ -181,7 +188,8 @@ class Ahead:
             for variable in range(motion.shape[1]):
                 held = [
                     replace(
-                        each, half=np.where(layout.variable[ways[chosen], step] == variable, 0.0, each.half)
+                        each,
+                        half=np.where(layout.variable[joint_paths[chosen], step] == variable, 0.0, each.half),
                     )
                     for step, each in enumerate(path)
                 ]
@@ -193,52 +201,54 @@ class Ahead:
 
 
 def taken(motion: Motion, rows: Indices) -> Motion:
-    """Return the motion of some of its items."""
+    """Return the motion of several items."""
     return Motion(
         motion.kind, *(each[rows] for each in (motion.origin, motion.axis, motion.center, motion.half))
     )
 
 
 class Coaxial:
-    """The ways whose joints are all about one axis, and what their pieces are about it.
+    """Joint paths whose joints share one axis, with heights and distances of their pieces.
 
     Args:
         hierarchy: The pieces of the links.
-        ways: The pairs of links.
+        joint_paths: Joint paths of the pairs of links.
     """
 
-    def __init__(self, hierarchy: Hierarchy, ways: Sequence[Way]) -> None:
+    def __init__(self, hierarchy: Hierarchy, joint_paths: Sequence[JointPath]) -> None:
         self.nodes = hierarchy
-        self.ways = ways
-        self._axes = np.array([way.steps[0].axis for way in ways]).reshape(-1, 3)
-        self._coaxial = np.array([is_coaxial(way) for way in ways], bool)
-        self._profiles: list[dict[int, Array]] = [{} for _ in ways]
+        self.joint_paths = joint_paths
+        self._axes = np.array([joint_path.steps[0].axis for joint_path in joint_paths]).reshape(-1, 3)
+        self._coaxial = np.array([is_coaxial(joint_path) for joint_path in joint_paths], bool)
+        self._profiles: list[dict[int, Array]] = [{} for _ in joint_paths]
 
     def apart(self, items: Items, rows: Indices, path: Sequence[Motion]) -> tuple[Indices, Array]:
-        """Return those rows whose items are pieces about one axis, and how far they are apart there [m]."""
+        """Return the rows with pieces on one axis, and their gap [m]."""
         leaf = self.nodes.leaf
-        chosen = rows[self._coaxial[items.way[rows]] & leaf[items.first[rows]] & leaf[items.second[rows]]]
+        chosen = rows[
+            self._coaxial[items.joint_path[rows]] & leaf[items.first[rows]] & leaf[items.second[rows]]
+        ]
         if not len(chosen):
             return chosen, np.zeros(0)
         shift, half = np.zeros(len(chosen)), np.zeros(len(chosen))
         for motion in path:
             if motion.kind == "prismatic":
-                along = np.sum(motion.axis[chosen] * self._axes[items.way[chosen]], axis=1)
+                along = np.sum(motion.axis[chosen] * self._axes[items.joint_path[chosen]], axis=1)
                 shift += along * motion.center[chosen]
                 half += np.abs(along) * motion.half[chosen]
         first, second = (
-            self._profile(items.way[chosen], nodes[chosen]) for nodes in (items.first, items.second)
+            self._profile(items.joint_path[chosen], nodes[chosen]) for nodes in (items.first, items.second)
         )
         return chosen, axis_gap(first, second, shift, half)
 
-    def _profile(self, ways: Indices, nodes: Indices) -> Array:
-        """Return what `around_axis` says of pieces about the axis of their way, shape (N, 4)."""
+    def _profile(self, joint_paths: Indices, nodes: Indices) -> Array:
+        """Return the result of `around_axis` for pieces about the axis of their joint path, shape (N, 4)."""
         result = np.empty((len(nodes), 4))
-        for way in np.unique(ways):
-            known, rows = self._profiles[way], np.flatnonzero(ways == way)
+        for joint_path in np.unique(joint_paths):
+            known, rows = self._profiles[joint_path], np.flatnonzero(joint_paths == joint_path)
             fresh = np.array([node for node in np.unique(nodes[rows]) if node not in known], np.int64)
             if len(fresh):
-                joint = self.ways[way].steps[0]
+                joint = self.joint_paths[joint_path].steps[0]
                 found = around_axis(self.nodes.points(fresh), joint.pivot, joint.axis)
                 known.update(zip(fresh.tolist(), found, strict=True))
             result[rows] = [known[node] for node in nodes[rows].tolist()]

@@ -1,12 +1,12 @@
-"""Checks for the test suites of authors of categories.
+"""Checks for the test suites of category authors.
 
     from artgen.testing import check_category
 
     def test_nightstand():
         check_category("nightstand", seeds=range(20))
 
-`artgen.testing.strategies` has hypothesis strategies for the parameters of any generator. With
-`pytest --artgen DIRECTORY` each exported asset and check becomes a test.
+`artgen.testing.strategies` has hypothesis strategies for the parameters of any generator. With `pytest
+--artgen DIRECTORY`, each check of each exported asset becomes a test.
 """
 
 from artgen.testing.category import check_category

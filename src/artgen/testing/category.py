@@ -1,4 +1,4 @@
-"""The check of a category: sound assets over some seeds, and the promises of every category."""
+"""Check of a category: it generates sound assets and keeps the promises of every category."""
 
 from collections.abc import Collection, Iterable, Mapping
 from typing import Any, Literal
@@ -20,23 +20,24 @@ def check_category(
     on_collision: Literal["keep", "redraw"] = "keep",
     overrides: Mapping[str, Any] | None = None,
 ) -> None:
-    """Check that a category gives sound assets.
+    """Check that a category generates sound assets.
 
-    For each seed the asset is generated and certified; it must be the same when generated again; its graph
-    must survive a round trip through JSON; and every check of `artgen validate` must pass on its files, which
-    are written to a temporary directory.
+    For each seed, the asset is generated and certified. Generating it again must give the same asset, its
+    graph must survive a round trip through JSON, and every check of `artgen validate` must pass on its files,
+    which are written to a temporary directory.
 
     Args:
-        generator: A category or generator, the name of a category, or a file that defines one: `stool.py`.
+        generator: A category or generator, the name of a category, or a file that defines one, such as
+            `stool.py`.
         seeds: The seeds.
-        checks: Names of the checks to run; all of them by default.
-        behavior: Whether to simulate each asset in MuJoCo as well, which takes seconds.
-        on_collision: `keep` fails for a sample whose parts collide. `redraw` judges what is drawn in its
-            place, as users of the category get it.
+        checks: Names of the checks to run; all by default.
+        behavior: Whether to simulate each asset in MuJoCo, which takes seconds.
+        on_collision: `keep` fails for a sample with colliding parts. `redraw` checks the sample that is drawn
+            instead, as users of the category get it.
         overrides: Values or distributions by parameter name.
 
     Raises:
-        AssertionError: An asset is at fault; the text has its seed, parameters and every finding.
+        AssertionError: An asset has faults; the text has its seed, parameters and findings.
         ParameterError: A category, check or override is unknown, or there are no seeds.
     """
     __tracebackhide__ = True
@@ -81,7 +82,7 @@ def _faults(
     except BuildError as error:
         if error.__cause__ is None or isinstance(error.__cause__, ArtgenError):
             return _drawn(generator, seed, overrides, error), [f"generate: {error}"]
-        raise error.__cause__ from None  # a mistake of the author, whose traceback shows it best
+        raise error.__cause__ from None  # a mistake of the author: its traceback explains it best
     except ArtgenError as error:
         return _drawn(generator, seed, overrides, error), [f"generate: {error}"]
     faults = []
@@ -105,7 +106,7 @@ def _faults(
 def _drawn(
     generator: Generator, seed: int, overrides: Mapping[str, Any], error: ArtgenError
 ) -> Mapping[str, Any]:
-    """Return the parameters that were drawn first; nothing if none of many draws was feasible."""
+    """Return the first draw of the parameters; empty if no draw was feasible."""
     if isinstance(error, InfeasibleError):
         return {}
     return _plain(generator.sample(seed, overrides=overrides))
@@ -123,7 +124,7 @@ def _round_trip(generator: Generator, asset: Asset, overrides: Mapping[str, Any]
 
 
 def _plain(values: Mapping[str, Any]) -> dict[str, Any]:
-    """Return generators and materials as their names."""
+    """Return values with generators and materials replaced by their names."""
     return {name: getattr(value, "name", value) for name, value in values.items()}
 
 

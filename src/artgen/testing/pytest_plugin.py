@@ -1,10 +1,11 @@
-"""The pytest plugin: `pytest --artgen DIRECTORY` makes a test of each exported asset and check.
+"""Pytest plugin: `pytest --artgen DIRECTORY` makes a test of each check of each exported asset.
 
-A directory is one that an asset was exported to, or one that holds some; the option may be given several
-times. Alone it runs these tests only, as a path would; with paths it runs both. The tests are named
-`door_7::certificate`, so `-k certificate` or `-k "not behavior"` choose among them.
+The directory holds one exported asset or several; the option may be repeated. Without paths, only these tests
+run; with paths, both run. The tests have names such as `door_7::certificate`, so `-k certificate` or `-k "not
+behavior"` select among them.
 
-Every run of pytest loads `pytest_artgen`, which has the option and loads this module where it is given.
+Every run of pytest loads `pytest_artgen`, which defines the option and loads this module if the option is
+given.
 """
 
 from __future__ import annotations
@@ -15,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 
 import pytest
 
-if TYPE_CHECKING:  # pytest loads plugins always: nothing else of artgen before `--artgen` is given
+if TYPE_CHECKING:  # pytest always loads plugins: load nothing else of artgen without `--artgen`
     from collections.abc import Iterator
 
     from artgen.asset.report import CheckResult
@@ -29,7 +30,7 @@ def pytest_configure(config: pytest.Config) -> None:
     """Find the assets.
 
     Raises:
-        UsageError: A directory holds none.
+        UsageError: A directory holds no exported asset.
     """
     start = config.invocation_params.dir
     given = [Path(os.path.normpath(start / each)) for each in config.getoption("artgen")]
@@ -55,7 +56,7 @@ def _exports_in(directories: list[Path]) -> list[Path]:
         inside = [directory]
         if not (directory / _ASSET_FILE).is_file():
             children = sorted(directory.iterdir()) if directory.is_dir() else []
-            # an export in progress, or one that it replaces, begins with a dot
+            # names of unfinished and replaced exports begin with a dot
             inside = [
                 child
                 for child in children
@@ -72,10 +73,10 @@ def _exports_in(directories: list[Path]) -> list[Path]:
 
 
 class AssetDirectory(pytest.Collector):
-    """An exported asset, whose checks are tests."""
+    """An exported asset with its checks as tests."""
 
     def collect(self) -> Iterator[pytest.Item]:
-        """Make a test of each check that the export has something for."""
+        """Make a test of each check that applies to the export."""
         from artgen.validate import Examination
 
         examination = Examination(self.path)
@@ -84,7 +85,7 @@ class AssetDirectory(pytest.Collector):
 
 
 class FaultsFoundError(Exception):
-    """A check found faults; the text has all of them."""
+    """A check found faults; the text lists all of them."""
 
 
 class CheckItem(pytest.Item):
@@ -98,7 +99,7 @@ class CheckItem(pytest.Item):
         """Run the check.
 
         Raises:
-            FaultsFoundError: It found faults.
+            FaultsFoundError: The check found faults.
         """
         result = self._examination.result(self.name)
         if result.skipped:
@@ -110,7 +111,7 @@ class CheckItem(pytest.Item):
             raise FaultsFoundError(_described(self._examination.name, result))
 
     def repr_failure(self, excinfo: pytest.ExceptionInfo[BaseException], style: Any = None) -> Any:
-        """Show the faults alone; of an unexpected exception also where it came from."""
+        """Show only the faults; for an unexpected exception, also its traceback."""
         if isinstance(excinfo.value, FaultsFoundError):
             return str(excinfo.value)
         return super().repr_failure(excinfo, style)

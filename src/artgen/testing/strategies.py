@@ -7,7 +7,7 @@
     def test_the_drawer_fits(overrides):
         stand = nightstand.generate(**overrides)
 
-An example that fails shrinks towards the middle of each range and the first of each choice.
+Failing examples shrink towards the center of each range and the first option of each choice.
 """
 
 import math
@@ -38,21 +38,21 @@ def parameters(
     hard_limits: bool = False,
     overrides: Mapping[str, Any] | None = None,
 ) -> st.SearchStrategy[dict[str, Any]]:
-    """Return a strategy of overrides that are valid for a generator: `generator.generate(**overrides)`.
+    """Return a strategy of valid overrides for a generator: `generator.generate(**overrides)`.
 
-    Numbers lie between the ends of their distribution, the ends included; choices are among the options that
-    may be drawn. What depends on another parameter is drawn to suit it. Fixed parameters keep their value.
+    Numbers lie within the range of their distribution, ends included. Choices are options with a positive
+    weight. Parameters that depend on others are drawn accordingly. Fixed parameters keep their value.
 
     Args:
         generator: A generator, or the name of a category.
-        structural: Whether to choose the structural parameters as well: if not, they and what depends on
-            them are left to the seed.
-        hard_limits: Whether numbers may lie anywhere within their hard limits, if they have some, fixed
-            parameters included.
-        overrides: Values or other distributions by parameter name; part of each result.
+        structural: Whether to choose structural parameters as well; otherwise they and everything that
+            depends on them are left to the seed.
+        hard_limits: Whether numbers, including fixed parameters, may lie anywhere within their hard limits,
+            if they have such limits.
+        overrides: Values or distributions by parameter name; part of each result.
 
     Raises:
-        ParameterError: There is no category of that name, it is no generator, or an override is unknown or
+        ParameterError: There is no category of that name, it is not a generator, or an override is unknown or
             not allowed.
     """
     chosen = _generator(generator)
@@ -76,14 +76,15 @@ def assets(
     overrides: Mapping[str, Any] | None = None,
     certify: bool = False,
 ) -> st.SearchStrategy[Asset]:
-    """Return a strategy of the assets of a generator; infeasible samples are rejected.
+    """Return a strategy of assets of a generator; infeasible samples are rejected.
 
     Args:
         generator: A generator, or the name of a category.
         structural: As for `parameters`.
         hard_limits: As for `parameters`.
         overrides: As for `parameters`.
-        certify: Whether to certify each asset; one whose parts collide is kept, its certificate tells.
+        certify: Whether to certify each asset; an asset with colliding parts is kept, with a certificate that
+            says so.
 
     Raises:
         ParameterError: As for `parameters`.
@@ -109,10 +110,10 @@ def _generator(generator: Generator | str) -> Generator:
 
 
 class _Drawing:
-    """One drawing of overrides.
+    """One draw of overrides.
 
-    The parameters of generators that are not chosen are drawn as well and left out. So each example takes
-    as many draws as another, and hypothesis shrinks to the first generator, not to the one that takes fewest.
+    Parameters of unselected generators are drawn as well and discarded: all examples use equally many draws,
+    so that hypothesis shrinks to the first generator instead of the one with the fewest draws.
     """
 
     def __init__(self, draw: st.DrawFn, overrides: Overrides, *, structural: bool, hard_limits: bool) -> None:
@@ -120,23 +121,23 @@ class _Drawing:
         self._overrides = overrides
         self._structural = structural
         self._hard_limits = hard_limits
-        # what was drawn, by full name
+        # drawn values by full name
         self.result: dict[str, Any] = {}
 
     def add(self, variant: Variant, prefix: str = "", *, used: bool = True) -> None:
-        """Draw the parameters of a generator and of those that it chooses, in the order of dependence."""
+        """Draw the parameters of a generator and of the generators that it selects, in dependence order."""
         parameters = {
             name: Parameter(prefix + name, own.kind, own.distribution) for name, own in variant.own.items()
         }
         distributions = {name: self._overrides.distribution(each) for name, each in parameters.items()}
-        known: dict[str, Any] = {}  # the values that this drawing decides
+        known: dict[str, Any] = {}  # values that this draw decides
         for name in drawing_order(distributions, variant.name):
             parameter, distribution = parameters[name], distributions[name]
             self._add_own(parameter, name, distribution, known, used=used)
             if is_variant(parameter.kind):
                 possible = [option for leaf in distribution.leaves() for option in leaf.support()]
                 for option in dict.fromkeys(map(parameter.accept, possible)):
-                    # where the seed will choose, all may be used
+                    # the seed will choose: any generator may be used
                     chosen = known.get(name, option) is option
                     self.add(option, f"{parameter.name}.{option.name}.", used=used and chosen)
 
@@ -162,7 +163,7 @@ class _Drawing:
                 distribution.case(known[distribution.parameter]) if distribution.parameter in known else None
             )
             if case is None:
-                return  # the seed decides, or `generate` tells what is wrong with the override
+                return  # the seed decides, or `generate` reports the error of the override
             distribution = case
         if within is not None and distribution.numeric:
             value = _number(share, *within, _middle(distribution, *within))
@@ -174,11 +175,12 @@ class _Drawing:
 
 
 _INSIDE = st.floats(-1.0, 1.0, allow_subnormal=False)
-_SHARES = st.one_of(_INSIDE, _INSIDE, _INSIDE, st.sampled_from([-1.0, 1.0]))  # a quarter at the ends
+# a quarter of the values lies at the ends
+_SHARES = st.one_of(_INSIDE, _INSIDE, _INSIDE, st.sampled_from([-1.0, 1.0]))
 
 
 def _shares(distribution: Distribution, within: tuple[float, float] | None) -> st.SearchStrategy[float]:
-    """Return a strategy of what `_placed` turns into values: 0 is the plainest, -1 and 1 are the farthest."""
+    """Return a strategy of shares for `_placed`: 0 is the simplest value, -1 and 1 are the extremes."""
     leaves = distribution.leaves()
     if within is not None or not all(leaf.discrete for leaf in leaves):
         return _SHARES
@@ -187,17 +189,17 @@ def _shares(distribution: Distribution, within: tuple[float, float] | None) -> s
 
 
 def _placed(distribution: Distribution, share: float) -> Any:
-    """Return the value of a distribution, which depends on nothing, at a share of its range."""
+    """Return the value of a distribution, which depends on no parameter, at a share of its range."""
     if distribution.discrete:
         options = _options(distribution)
-        # the indices of `_shares` over as many options, or over more
+        # indices of `_shares` over as many options or more
         return options[min(int(abs(share) * len(options) + 1e-9), len(options) - 1)]
     low, high = distribution.support()
     return _number(share, low, high, _middle(distribution, low, high))
 
 
 def _options(distribution: Distribution) -> list[Any]:
-    """Return the values that a discrete distribution may give."""
+    """Return the possible values of a discrete distribution."""
     if isinstance(distribution, Choice) and distribution.weights is not None:
         pairs = zip(distribution.options, distribution.weights, strict=True)
         return [option for option, weight in pairs if weight > 0.0]
@@ -205,7 +207,7 @@ def _options(distribution: Distribution) -> list[Any]:
 
 
 def _middle(distribution: Distribution, low: float, high: float) -> float:
-    """Return the number between two ends that a distribution is centered on."""
+    """Return the center of a distribution between two ends."""
     if isinstance(distribution, Normal):
         middle = distribution.mean
     elif isinstance(distribution, Fixed):
@@ -218,15 +220,15 @@ def _middle(distribution: Distribution, low: float, high: float) -> float:
 
 
 def _number(share: float, low: float, high: float, middle: float) -> float:
-    """Return the number at a share of the way from the middle to an end: -1 is `low`, 1 is `high`."""
+    """Return the number at a share of the way from the center to an end: -1 is `low`, 1 is `high`."""
     if abs(share) == 1.0:
-        return high if share > 0.0 else low  # without rounding
+        return high if share > 0.0 else low  # exactly, without rounding
     number = middle + share * ((high - middle) if share > 0.0 else (middle - low))
     return min(max(number, low), high)
 
 
 def _spelled(value: Any) -> Any:
-    """Return what stands for a value in an override and can be read: a name, where a name is enough."""
+    """Return a readable override for a value: its name if a name is enough."""
     if isinstance(value, Variant) or (isinstance(value, Material) and MATERIALS.get(value.name) == value):
         return value.name
     return value

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 CHECKS = ("files", "solids", "tree", "colliders", *FORMAT_CHECKS, "certificate", "grasps", "behavior")
-"""The checks, in the order in which they run."""
+"""Names of the checks, in the order in which they run."""
 
 _MESH_CHECKS = ("solids", "colliders", "grasps")
 
@@ -24,7 +24,7 @@ _MESH_CHECKS = ("solids", "colliders", "grasps")
 def validate(
     target: Asset | str | Path, *, behavior: bool = True, checks: Collection[str] | None = None
 ) -> Report:
-    """Run the checks of an asset on its exported files, read back."""
+    """Run the checks of an asset on its exported files."""
     for name in checks or ():
         if name not in CHECKS:
             raise ParameterError(f"there is no check {name!r}.{nearest(name, CHECKS)}")
@@ -36,7 +36,7 @@ def validate(
 
 
 class Examination:
-    """The checks of one exported asset; each runs when its result is first asked for."""
+    """Checks of one exported asset; each runs on first request."""
 
     def __init__(self, directory: str | Path, *, behavior: bool = True) -> None:
         self.directory = Path(directory)
@@ -46,13 +46,13 @@ class Examination:
 
     @property
     def name(self) -> str:
-        """Name of the asset; of its directory where the asset cannot be read."""
+        """Name of the asset, or of its directory if the asset cannot be read."""
         asset = self._exported.asset
         return self.directory.resolve().name if asset is None else asset.name
 
     @property
     def checks(self) -> tuple[str, ...]:
-        """Names of the checks that the export has something for, in order."""
+        """Names of the checks that apply to the export, in order."""
         formats = self._exported.formats
         return tuple(name for name in CHECKS if name not in FORMAT_CHECKS or name in formats)
 
@@ -62,14 +62,14 @@ class Examination:
         return Report(self.name, tuple(self.result(name) for name in chosen))
 
     def result(self, check: str) -> CheckResult:
-        """Run one check, unless it has run before, and return its result."""
+        """Return the result of a check; it runs on first request."""
         if check not in self._results:
             reason = self._why_not(check)
             self._results[check] = CheckResult(check, skipped=reason) if reason else self._run(check)
         return self._results[check]
 
     def _why_not(self, check: str) -> str:
-        """Say why a check cannot run; nothing if it can."""
+        """Return the reason why a check cannot run; empty if it can."""
         formats = self._exported.formats
         if self._exported.asset is None:
             return "the asset cannot be read"
@@ -132,7 +132,7 @@ class Examination:
 
 
 def guarded(check: str, run: Callable[[], CheckResult]) -> CheckResult:
-    """Run a check; if it raises, that is a fault and the other checks still run."""
+    """Run a check; an exception becomes a fault, and the other checks still run."""
     try:
         return run()
     except Exception as error:  # noqa: BLE001 - a damaged file may make a check raise anything

@@ -1,4 +1,4 @@
-"""Check of the certificate of an exported asset: it is there, all is proven, and the proof holds."""
+"""Check of the certificate of an exported asset: it exists, proves all pairs, and its proof is valid."""
 
 from collections.abc import Iterator
 
@@ -33,9 +33,9 @@ _COARSE = Finding(
 
 
 def check_certificate(asset: Asset, *, meshes: bool = True) -> CheckResult:
-    """Check that an asset carries a certificate, that it proves all pairs, and that its proof holds.
+    """Check that an asset has a certificate for all pairs and that its proof is valid.
 
-    The stored proof is verified by `artgen.proof.recheck`, which knows nothing of how it was found.
+    `artgen.proof.recheck` verifies the stored proof independently of the search.
     """
     certificate = asset.certificate
     if certificate is None:

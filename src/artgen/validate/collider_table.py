@@ -1,4 +1,4 @@
-"""The colliders of an asset beside those that other ways would give it: how faithful, and how fast."""
+"""Comparison of the colliders of an asset with other kinds of colliders: fidelity and speed."""
 
 import time
 from collections.abc import Mapping, Sequence
@@ -14,39 +14,39 @@ from artgen.asset.stored_solids import link_parts
 from artgen.export.mjcf import write_mjcf
 from artgen.validate.fidelity import Fidelity, fidelity
 
-_SETTLE = 1.0  # [s] of simulation before the clock starts
-_TIMED = 0.3  # [s] of wall clock, at least
-_BATCH = 50  # steps between two looks at the clock
-_DIGITS = 6  # significant digits of numbers in the table's data
+_SETTLE = 1.0  # simulated time before the measurement [s]
+_TIMED = 0.3  # least measured wall-clock time [s]
+_BATCH = 50  # steps between two readings of the clock
+_DIGITS = 6  # significant digits of numbers in the data
 
 
 @dataclass(frozen=True)
 class ColliderRow:
-    """One way to make the colliders of an asset."""
+    """Colliders of one kind."""
 
     kind: str  # `exact`, `coacd` or `hull`
-    # whether these are the colliders that the asset has; the others were made for the comparison
+    # whether the asset has these colliders; the others were made for the comparison
     stored: bool
-    links: Mapping[str, Fidelity]  # how its colliders differ from the solids, by the link's name
-    volume_error: float  # volume that is in colliders or solids only, as a share of the solids'
-    surface_error: float  # largest distance between the surfaces of a link's solids and of its colliders [m]
+    links: Mapping[str, Fidelity]  # difference between colliders and solids, by link name
+    volume_error: float  # volume in colliders or solids only, as a share of the volume of the solids
+    surface_error: float  # largest distance between the surfaces of solids and colliders of a link [m]
     interior_kept: float  # share of the empty volume inside the convex hulls of the links that stays empty
-    # steps of MuJoCo in a second of wall clock, at the time step of the file, with the asset at rest; None
-    # without MuJoCo
+    # MuJoCo steps per second of wall-clock time at the file's time step, with the asset at rest; None without
+    # MuJoCo
     steps_per_second: float | None = None
 
     @property
     def pieces(self) -> int:
-        """How many colliders there are."""
+        """Number of colliders."""
         return sum(link.pieces for link in self.links.values())
 
     @property
     def vertices(self) -> int:
-        """How many corners they have; a round one has none."""
+        """Number of their corners; round colliders have none."""
         return sum(link.vertices for link in self.links.values())
 
     def to_data(self) -> dict[str, Any]:
-        """Return the row as JSON data; of a link the same numbers."""
+        """Return the row as JSON data, with the same numbers for each link."""
         speed = self.steps_per_second
         return {
             "kind": self.kind,
@@ -71,11 +71,11 @@ class ColliderRow:
 
 
 def compare_colliders(asset: Asset, *, speed: bool = True) -> tuple[ColliderRow, ...]:
-    """Compare the colliders of an asset with those that CoACD and plain convex hulls would give it.
+    """Compare the colliders of an asset with CoACD's and with plain convex hulls.
 
-    They are measured against the solids; of an asset that was read from files, which keep none, against the
-    closed parts of its visible meshes. Exact colliders are known where an asset is made, so they are compared
-    only where it has them.
+    They are compared with the solids, or for an asset that was read from files with the closed parts of its
+    visible meshes. Exact colliders are known at construction only, so they are compared only if the asset has
+    them.
     """
     parts = {link.name: link_parts(link) for link in asset.links}
     solids = {name: _united(of_link) for name, of_link in parts.items()}
@@ -111,9 +111,10 @@ def _row(
 
 
 def steps_per_second(asset: Asset) -> float | None:
-    """Return how many steps MuJoCo makes in a second of wall clock, or None where it is not installed.
+    """Return MuJoCo's steps per second of wall-clock time, or None if it is not installed.
 
-    The asset first moves from its initial state for a second. The number is of this machine at this moment.
+    The asset first moves from its initial state for one second. The number depends on the machine and its
+    load.
     """
     try:
         import mujoco
@@ -136,6 +137,6 @@ def _united(parts: Sequence[SolidPart]) -> Manifold:
 
 
 def _mean(values: Mapping[str, float], weights: Mapping[str, float]) -> float:
-    """Return the mean of the links' values; without any weight nothing was lost: 1."""
+    """Return the mean of the values of the links; 1 if all weights are 0, as nothing was lost."""
     total = sum(weights.values())
     return sum(values[name] * weight for name, weight in weights.items()) / total if total else 1.0

@@ -1,4 +1,4 @@
-"""Check of colliders: accepted by simulators, around the solids, and close to them."""
+"""Check of colliders: simulators accept them, and they contain the solids closely."""
 
 from collections.abc import Iterator, Sequence
 
@@ -18,29 +18,29 @@ from artgen.validate.fidelity import Fidelity, fidelity
 CHECK = "colliders"
 
 MOST_VERTICES = 64
-"""Vertices that a hull may have; the budget of GPU simulators."""
+"""Most vertices of a hull; a common limit of GPU simulators."""
 
 STICKS_OUT = 0.05e-3
-"""How far a solid may stick out of its colliders [m]."""
+"""Largest distance of a solid outside its colliders [m]."""
 
 STANDS_OFF = 4.0e-3
-"""How far colliders may stand off the solid: over a rounded edge, not across a hollow [m]."""
+"""Largest distance between colliders and solid, as over a rounded edge, not across a hollow [m]."""
 
 STANDS_OFF_MUCH = 1.0e-3
-"""The same where they add more than `ADDED` [m]."""
+"""The same for colliders that add more volume than `ADDED` [m]."""
 
 ADDED = 0.03
-"""Volume that colliders may add, as a share of the solid's, before they must keep closer to it."""
+"""Added volume, as a share of the solid, above which colliders must follow it more closely."""
 
 KEPT = 0.8
-"""Share of the empty volume inside a link's convex hull that colliders must leave empty."""
+"""Share of the empty volume inside a link's convex hull that colliders must keep empty."""
 
-_RIGID = 1e-9  # error of a pose's axes
-_INSIDE = 1e-7  # [m] by which a vertex may lie inside the hull of the others
+_RIGID = 1e-9  # tolerance of a pose's axes
+_INSIDE = 1e-7  # tolerance of vertices inside the hull of the others [m]
 
 
 def check_colliders(asset: Asset) -> CheckResult:
-    """Check the colliders of every link against its solids; of an asset read from files, its meshes."""
+    """Check the colliders of every link against its solids; for a loaded asset, against its meshes."""
     findings: list[Finding] = []
     measured: list[tuple[float, Fidelity]] = []
     for link in asset.links:
@@ -65,10 +65,10 @@ def check_colliders(asset: Asset) -> CheckResult:
 
 
 def solid_of(link: Link) -> Manifold:
-    """Return the union of a link's solids, without visual details; empty if no surface closes.
+    """Return the union of a link's solids without visual details; empty if no surface closes.
 
-    Of a link that was read from files, the closed parts of its meshes; those are left out that its file
-    records as only seen, or that have a label that no collider has.
+    For a link that was read from files, the closed parts of its meshes, without those that the file records
+    as visual details or whose label no collider has.
     """
     if link.pieces:
         parts = [piece.shape.manifold for piece in link.pieces if not piece.visual]
@@ -103,7 +103,7 @@ def _budget_findings(link: Link) -> Iterator[Finding]:
 
 
 def _piece_findings(link: Link) -> Iterator[Finding]:
-    """Yield the colliders that a simulator would refuse, or take the hull of."""
+    """Yield the colliders that a simulator would refuse or replace by their hull."""
     for number, collider in enumerate(link.colliders):
         convex = collider.convex
         name = f"collider {number} ({convex.kind} of {collider.label!r})"
@@ -125,7 +125,7 @@ def _piece_findings(link: Link) -> Iterator[Finding]:
 
 
 def _hull_fault(name: str, points: Array) -> tuple[str, float | None]:
-    """Return the fault of the points of a hull, and its number; an empty text if there is no fault."""
+    """Return the fault of the points of a hull and its number; an empty text if there is none."""
     if not 4 <= len(points) <= MOST_VERTICES:
         return f"{name} has {len(points)} vertices; 4 to {MOST_VERTICES} are taken", float(len(points))
     try:
@@ -173,7 +173,7 @@ def _fidelity_findings(link: Link, found: Fidelity) -> Iterator[Finding]:
 
 
 def _kind(link: Link) -> str:
-    """Tell how the colliders of a link were made."""
+    """Return the kind of the colliders of a link."""
     known = getattr(link, "collision", None)
     return str(known or ("exact" if link.pieces else link.to_data().get("collision", "exact")))
 

@@ -1,4 +1,4 @@
-"""How faithfully convex pieces stand for a solid."""
+"""Fidelity of convex pieces as a representation of a solid."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -12,33 +12,33 @@ from artgen.colliders import Convex
 from artgen.colliders.polytope import Polytope
 from artgen.colliders.triangles import hull_of
 
-_FINE = 2.0e-5  # [m] to which round pieces are faceted around
-_SPREAD = 300  # points spread over the surfaces that differ, beside their corners
-_DOUBTED = 1.0e-5  # [m] by which points of a difference may miss the solids that they are of
-_EMPTY = 0.03  # of a hull's volume: less are its rounded edges, not an empty space
+_FINE = 2.0e-5  # tolerance of the facets of round pieces [m]
+_SPREAD = 300  # points on the surfaces of a difference, in addition to its corners
+_DOUBTED = 1.0e-5  # tolerance of points of a difference on the solids [m]
+_EMPTY = 0.03  # share of a hull's volume; smaller differences are rounded edges, not empty space
 
 
 @dataclass(frozen=True)
 class Fidelity:
-    """How convex pieces differ from the solid that they stand for."""
+    """Differences between convex pieces and their solid."""
 
-    volume_error: float  # volume that is in one but not in the other, as a share of the solid's
-    # how far the pieces stand off the solid, or the solid sticks out of them: the largest distance found at
-    # corners and at a few hundred points between them [m]
+    volume_error: float  # volume that only one of them has, as a share of the solid's
+    # largest distance between the surfaces of pieces and solid, measured at corners and at several hundred
+    # points between them [m]
     surface_error: float
     # share of the empty volume inside the solid's convex hull that the pieces leave empty
     interior_kept: float
-    pieces: int  # how many pieces there are
-    vertices: int  # how many corners they have; a round piece has none
+    pieces: int  # number of pieces
+    vertices: int  # number of their corners; a round piece has none
     added: float = 0.0  # volume that the pieces add, as a share of the solid's
-    sticks_out: float = 0.0  # how far the solid sticks out of the pieces [m]
-    place: tuple[float, float, float] = (0.0, 0.0, 0.0)  # where it does so the most, shape (3,) [m]
-    # where the surfaces differ the most, shape (3,) [m]
+    sticks_out: float = 0.0  # largest distance of the solid outside the pieces [m]
+    place: tuple[float, float, float] = (0.0, 0.0, 0.0)  # place of that distance, shape (3,) [m]
+    # place of the largest difference of the surfaces, shape (3,) [m]
     surface_place: tuple[float, float, float] = (0.0, 0.0, 0.0)
 
 
 def fidelity(solid: Manifold, convexes: Sequence[Convex]) -> Fidelity:
-    """Compare convex pieces with the solid that they stand for."""
+    """Compare convex pieces with their solid."""
     polytopes = [convex.outer_polytope(_FINE) for convex in convexes]
     cover = Manifold.batch_boolean([hull_of(polytope.points) for polytope in polytopes], OpType.Add)
     excess, missing = cover - solid, solid - cover
@@ -46,7 +46,7 @@ def fidelity(solid: Manifold, convexes: Sequence[Convex]) -> Fidelity:
     outside, place = _sticking_out(missing, polytopes, faces)
     error, surface_place = outside, place
     if not excess.is_empty():
-        # films along faces that solids share are excess by rounding only, and within the solid
+        # films along shared faces exceed the solid by rounding only
         points = TriangleSet.of(excess).spread(_SPREAD)
         points = points[_outside(polytopes, points) < _DOUBTED]
         apart, at = faces.farthest(points, outside=True) if len(points) else (0.0, place)
@@ -70,16 +70,16 @@ def fidelity(solid: Manifold, convexes: Sequence[Convex]) -> Fidelity:
 def _sticking_out(
     missing: Manifold, polytopes: Sequence[Polytope], faces: TriangleSet
 ) -> tuple[float, Array]:
-    """Return the largest distance of a solid to its pieces, and its place.
+    """Return the largest distance of a solid outside its pieces, and its place.
 
-    Measured along the normals of their faces; films between pieces that share a face count as nothing.
+    Distances are measured along face normals; films between pieces with a common face do not count.
     """
     if missing.is_empty():
         return 0.0, np.zeros(3)
     points, _, _ = distinct_rows(np.round(TriangleSet.of(missing).spread(_SPREAD), 8))
     outside = _outside(polytopes, points)
     worst = int(np.argmax(outside))
-    # where many faces coincide, manifold3d may add to a difference what is in neither solid
+    # where many faces coincide, manifold3d may add volume to a difference that is in neither solid
     while outside[worst] > _DOUBTED and faces.farthest(points[[worst]], outside=True)[0] > _DOUBTED:
         outside[worst] = 0.0
         worst = int(np.argmax(outside))
@@ -87,7 +87,7 @@ def _sticking_out(
 
 
 def _outside(polytopes: Sequence[Polytope], points: Array) -> Array:
-    """Return how high points are above the faces of the nearest polytope, shape (n,) [m]."""
+    """Return the height of points above the faces of the nearest polytope, shape (n,) [m]."""
     outside = np.full(len(points), np.inf)
     for polytope in polytopes:
         near = np.flatnonzero(_least_height(polytope, points) < outside)
@@ -98,10 +98,10 @@ def _outside(polytopes: Sequence[Polytope], points: Array) -> Array:
 
 
 def _least_height(polytope: Polytope, points: Array) -> Array:
-    """Return a height above the faces that points outside a polytope have at least, shape (n,) [m].
+    """Return a lower bound of the height above faces for points outside a polytope, shape (n,) [m].
 
-    A ray from the middle to a point leaves the polytope within the ball around it, through a face that is
-    no nearer to the middle than the ball within it. Of points inside it is 0 at most.
+    A ray from the center to a point leaves the polytope within the circumscribed ball, through a face that is
+    no nearer to the center than the inscribed ball. The bound is at most 0 for points inside.
     """
     middle = polytope.points.mean(axis=0)
     within = (polytope.planes[:, 3] - polytope.planes[:, :3] @ middle).min()

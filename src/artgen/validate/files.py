@@ -98,7 +98,7 @@ def _fault_of_image(path: str, content: bytes) -> str:
     try:
         with Image.open(BytesIO(content)) as image:
             image.load()
-    except (OSError, SyntaxError, ValueError):  # what Pillow raises at damaged PNG
+    except (OSError, SyntaxError, ValueError):  # errors of Pillow for damaged PNG
         return f"{path} is not a readable image"
     return ""
 

@@ -1,4 +1,4 @@
-"""Whether joints make sense: their numbers, couplings, dependencies and pivots."""
+"""Check of joints: their numbers, couplings, dependencies and pivots."""
 
 import itertools
 import math
@@ -10,10 +10,10 @@ from artgen.asset import Asset, AssetCondition, AssetDependency, AssetJoint
 from artgen.asset.report import Finding
 from artgen.errors import ArtgenError, nearest
 
-_LEAST_RANGE = 1e-6  # [rad or m]: a range below this is a locked joint that is not said to be one
-_UNIT = 1e-6  # error of an axis's length
-_FOLLOWS = 1e-6  # error of a coupled range, relative to its size
-_MOST_TERMS = 256  # alternatives of a condition that are looked at
+_LEAST_RANGE = 1e-6  # smaller ranges count as locked joints that are not declared so [rad or m]
+_UNIT = 1e-6  # tolerance of an axis's length
+_FOLLOWS = 1e-6  # relative tolerance of a coupled range
+_MOST_TERMS = 256  # most examined alternatives of a condition
 _NOT_NEGATIVE = ("stiffness", "damping", "friction", "armature")
 _POSITIVE = ("effort", "velocity")
 
@@ -73,7 +73,7 @@ def _number_findings(joint: AssetJoint) -> Iterator[Finding]:
 
 
 def _spring_findings(joint: AssetJoint) -> Iterator[Finding]:
-    """Yield springs under tension everywhere in the range, as faults where they beat the effort."""
+    """Yield springs under tension in the whole range; a spring stronger than the effort is a fault."""
     if joint.stiffness <= 0.0 or joint.limits is None or joint.locked:
         return
     low, high = joint.limits
@@ -139,7 +139,7 @@ def _span(limits: Interval | None) -> str:
 
 
 def _pivot_findings(asset: Asset, joint: AssetJoint) -> Iterator[Finding]:
-    """Yield axes that pass both links by more than the links' size."""
+    """Yield axes farther from both links than the size of the links."""
     if joint.kind != "revolute" or not np.isfinite(joint.pivot).all():
         return
     by_name = {link.name: link for link in asset.links}
@@ -148,7 +148,7 @@ def _pivot_findings(asset: Asset, joint: AssetJoint) -> Iterator[Finding]:
     try:
         boxes = [by_name[name].bounds() for name in (joint.parent, joint.child)]
     except ArtgenError:
-        return  # the check of solids tells which files are missing
+        return  # the check of solids reports missing files
     gaps, sizes = [], []
     for low, high in boxes:
         center, size = (low + high) / 2.0, float(np.linalg.norm(high - low))
@@ -163,7 +163,7 @@ def _pivot_findings(asset: Asset, joint: AssetJoint) -> Iterator[Finding]:
 
 
 def _dependency_findings(joints: Mapping[str, AssetJoint]) -> Iterator[Finding]:
-    """Yield dependencies that can never be satisfied, and those that forbid nothing."""
+    """Yield dependencies that cannot be satisfied, and those that forbid nothing."""
     dependent = []
     for joint in joints.values():
         if joint.needs is None:
@@ -197,7 +197,7 @@ def _dependency_findings(joints: Mapping[str, AssetJoint]) -> Iterator[Finding]:
 
 
 def _slack_findings(joint: AssetJoint, needs: AssetDependency, limits: Interval) -> Iterator[Finding]:
-    """Yield why the positions between which a joint needs its condition make no sense."""
+    """Yield impossible ranges of a dependency."""
     low, high = needs.beyond, needs.until
     first, last = 0.0 if low is None else low, math.inf if high is None else high
     bounds = f"it needs {needs.condition} beyond {first:.6g} and until {last:.6g} {_unit(joint)}"
@@ -212,7 +212,7 @@ def _slack_findings(joint: AssetJoint, needs: AssetDependency, limits: Interval)
 def _stuck(
     dependent: list[AssetJoint], joints: Mapping[str, AssetJoint], ranges: Mapping[str, Interval]
 ) -> list[AssetJoint]:
-    """Return the joints that can never leave their closed position or slack, started with all closed."""
+    """Return the joints that can never leave their closed position or slack, from all joints closed."""
     waiting = list(dependent)
     while True:
         held: dict[str, Interval] = {}
@@ -231,7 +231,7 @@ def _stuck(
 
 
 def _slack(joint: AssetJoint, joints: Mapping[str, AssetJoint]) -> tuple[str, float, float]:
-    """Return the joint that leads a joint, and between where it may move while the joint needs nothing."""
+    """Return the leader of a joint, and its range without the dependency."""
     head, ratio, offset = _led(joint.name, joints)
     closed = joints[head].closed
     if joint.needs is None or joint.needs.beyond is None or not ratio:
@@ -249,7 +249,7 @@ def _limits(interval: Interval) -> str:
 
 
 def _negated(condition: AssetCondition) -> AssetCondition:
-    """Return the region outside a region, but for its border."""
+    """Return the complement of a region, without its border."""
     other = {"above": "below", "below": "above", "all": "any", "any": "all"}
     return AssetCondition(
         other[condition.kind],  # type: ignore[arg-type]
@@ -262,10 +262,10 @@ def _negated(condition: AssetCondition) -> AssetCondition:
 def _possible(
     condition: AssetCondition, joints: Mapping[str, AssetJoint], ranges: Mapping[str, Interval]
 ) -> bool:
-    """Tell whether a region has an inside within the ranges of the joints, couplings obeyed."""
+    """Tell whether a region has an interior within joint limits and couplings."""
     for number, terms in enumerate(_alternatives(condition)):
         if number >= _MOST_TERMS or _fits(terms, joints, ranges):
-            return True  # too many to look at are taken to be possible
+            return True  # too many alternatives: assume that it is possible
     return False
 
 
@@ -284,7 +284,7 @@ def _alternatives(condition: AssetCondition) -> Iterator[tuple[AssetCondition, .
 def _fits(
     terms: tuple[AssetCondition, ...], joints: Mapping[str, AssetJoint], ranges: Mapping[str, Interval]
 ) -> bool:
-    """Tell whether comparisons can hold at once: each narrows what is left to the joint that leads."""
+    """Tell whether comparisons can hold together: each narrows the range of the leader."""
     left: dict[str, Interval] = {}
     for term in terms:
         name, ratio, offset = _led(term.joint, joints)
@@ -303,7 +303,7 @@ def _fits(
 
 
 def _led(name: str, joints: Mapping[str, AssetJoint]) -> tuple[str, float, float]:
-    """Return the joint at the head of a chain of couplings, and ratio and offset of its follower."""
+    """Return the leader at the head of a chain of couplings, with ratio and offset of its follower."""
     ratio, offset = 1.0, 0.0
     for _ in joints:
         follows = joints[name].follows

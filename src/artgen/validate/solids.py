@@ -1,4 +1,4 @@
-"""Check of solids and masses: closed, oriented outwards, no slivers, no duplicates, plausible weight."""
+"""Check of solids and masses: closed surfaces, orientation, slivers, duplicates, plausible weight."""
 
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
@@ -15,13 +15,13 @@ from artgen.asset.stored_solids import link_parts
 from artgen.errors import ArtgenError
 
 _CHECK = "solids"
-_ROUNDING = 1e-3  # relative; meshes in files are rounded to 0.1 micrometre
+_ROUNDING = 1e-3  # relative tolerance; meshes in files are rounded to 0.1 micrometre
 
 
 def weight_findings(link: Link) -> Iterator[Finding]:
-    """Yield a mass that is more or less than any share of the link's materials gives its volume.
+    """Yield a mass outside the range of the densities of the link's materials.
 
-    Where all solids of a link have one density there is no leeway.
+    If all solids of a link have the same density, the range is one value.
     """
     parts = link_parts(link)
     if not parts:
@@ -46,14 +46,14 @@ THINNEST = 0.05e-3
 SMALLEST = 1e-11
 """Volume below which a solid is a sliver [m^3]."""
 
-_MANY_FLAT = 0.25  # share of triangles without area that a clean boolean never leaves
-_SAME_PLACE = 1e-6  # [m] between the centers of two solids that may be one
-_SAME_VOLUME = 1e-3  # of the volume: what two solids that are one may differ by
-_INSIDE = 0.5  # turns around a point: 1 inside, 0 outside
+_MANY_FLAT = 0.25  # share of flat triangles that clean booleans never exceed
+_SAME_PLACE = 1e-6  # distance between the centers of possible duplicates [m]
+_SAME_VOLUME = 1e-3  # relative volume difference of duplicates
+_INSIDE = 0.5  # winding number around a point: 1 inside, 0 outside
 
 
 def check_solids(asset: Asset) -> CheckResult:
-    """Check the solids of every link; of an asset that was read from files, its visible meshes."""
+    """Check the solids of every link, or its visible meshes if it was read from files."""
     findings: list[Finding] = []
     solids = triangles = absent = 0
     for link in asset.links:
@@ -66,7 +66,8 @@ def check_solids(asset: Asset) -> CheckResult:
             continue
         wrong = list(link_findings(link, found))
         if not wrong:
-            with suppress(ArtgenError):  # labels whose meshes do not close: the check of colliders tells
+            # labels whose meshes do not close, which the check of colliders reports
+            with suppress(ArtgenError):
                 wrong = list(weight_findings(link))
         findings += wrong
         solids += sum(len(skin.shells) for skin in found)
@@ -121,7 +122,7 @@ def _surface_findings(link: Link, skin: LinkShells) -> Iterator[Finding]:
 
 
 def _orientation_findings(link: Link, shells: Sequence[Shell]) -> Iterator[Finding]:
-    """Yield the shells that are turned inside out; a hollow is turned so by right."""
+    """Yield inverted shells, except for the walls of hollows."""
     for shell in shells:
         if shell.volume > 0.0 or not shell.area:
             continue

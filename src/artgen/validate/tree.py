@@ -1,4 +1,4 @@
-"""Check of the tree of links: connected solids, joints and masses that make sense."""
+"""Check of the tree of links: connected solids, joints and masses."""
 
 from collections import Counter
 from collections.abc import Iterator, Sequence
@@ -15,9 +15,9 @@ from artgen.errors import ArtgenError, nearest
 from artgen.validate.joints import joint_findings
 
 JOINED = 0.5e-3
-"""Gap up to which two solids of a link count as joined [m]."""
+"""Largest gap between connected solids of a link [m]."""
 
-_FAR = 10.0  # [m]: gaps are measured up to here
+_FAR = 10.0  # largest measured gap [m]
 
 
 def floating_findings(link: Link) -> Iterator[Finding]:
@@ -48,7 +48,7 @@ def floating_findings(link: Link) -> Iterator[Finding]:
 
 
 def _groups(shells: Sequence[Shell]) -> list[list[int]]:
-    """Return the numbers of the solids that hang together."""
+    """Return the numbers of connected solids."""
     count = len(shells)
     group = list(range(count))
 
@@ -60,7 +60,7 @@ def _groups(shells: Sequence[Shell]) -> list[list[int]]:
 
     apart = _box_gaps(shells, shells)
     first, second = np.nonzero(np.triu(apart <= JOINED, 1))
-    # the nearest boxes first: most of them overlap, and every pair that is joined already costs nothing
+    # nearest boxes first: most overlap, and pairs that are already connected cost nothing
     for index in np.argsort(apart[first, second], kind="stable"):
         a, b = leader(int(first[index])), leader(int(second[index]))
         if a != b and _joined(shells[first[index]], shells[second[index]]):
@@ -72,7 +72,7 @@ def _groups(shells: Sequence[Shell]) -> list[list[int]]:
 
 
 def _box_gaps(a: Sequence[Shell], b: Sequence[Shell]) -> Array:
-    """Return the distance between the bounding boxes of each two solids, shape (n, m) [m]."""
+    """Return the distances between bounding boxes, shape (n, m) [m]."""
     if not a or not b:
         return np.zeros((len(a), len(b)))
     first, second = (np.array([shell.bounds for shell in shells]) for shells in (a, b))
@@ -101,14 +101,14 @@ def _nearest(group: Sequence[Shell], others: Sequence[Shell]) -> tuple[float, Sh
 CHECK = "tree"
 
 LIGHTEST, HEAVIEST = 5.0, 20000.0
-"""Mean densities between which a link is plausible: foam to tungsten [kg/m^3]."""
+"""Range of plausible mean densities of a link: foam to tungsten [kg/m^3]."""
 
-_ROUNDING = 1e-9  # relative error of moments of inertia
-_GRASP = 1e-6  # error of a grasp's axes
+_ROUNDING = 1e-9  # relative tolerance of moments of inertia
+_GRASP = 1e-6  # tolerance of a grasp's axes
 
 
 def check_tree(asset: Asset) -> CheckResult:
-    """Check how an asset hangs together: its tree, names, labels, joints, masses, and that no part floats."""
+    """Check the tree of an asset: names, labels, joints, masses, and floating parts."""
     if not asset.links:
         finding = Finding(CHECK, "the asset has no links", hint="generate it again")
         return CheckResult(CHECK, (finding,))
@@ -120,7 +120,7 @@ def check_tree(asset: Asset) -> CheckResult:
             findings += () if mesh_precision(link) else floating_findings(link)
             findings += _mass_findings(link)
         except ArtgenError as error:
-            # the check of solids tells which files are missing
+            # the check of solids reports missing files
             message = f"its connection and mass cannot be judged: {error}"
             findings.append(Finding(CHECK, message, link.name, severity="note"))
     return CheckResult(CHECK, tuple(findings), f"{len(asset.links)} links, {len(asset.joints)} joints")
@@ -204,7 +204,7 @@ def _grasp_findings(link: Link) -> Iterator[Finding]:
 
 
 def _mass_findings(link: Link) -> Iterator[Finding]:
-    """Yield mass, center or inertia that no solid within the link's bounds can have."""
+    """Yield impossible mass, center or inertia for the bounds of a link."""
     properties = link.mass_properties
     mass, inertia = properties.mass, properties.inertia
     finite = np.isfinite(mass) and np.isfinite(properties.center).all() and np.isfinite(inertia).all()
@@ -239,11 +239,11 @@ def _mass_findings(link: Link) -> Iterator[Finding]:
 
 
 def _density_findings(link: Link, mass: float, room: float) -> Iterator[Finding]:
-    """Yield a mean density that no material has; of the bounding box where the solids are not known."""
+    """Yield implausible mean densities; of the bounding box if the solids are unknown."""
     volume = sum(piece.shape.manifold.volume() for piece in link.pieces if not piece.visual)
     what, size, least = ("solids", volume, LIGHTEST) if volume > 0.0 else ("bounding box", room, 0.0)
     density = mass / size if size > 0.0 else np.inf
-    # solids that overlap are counted twice in the volume: that makes the density too low by half at most
+    # overlapping solids count twice in the volume, which makes the density too low by at most half
     if not 0.5 * least <= density <= HEAVIEST:
         yield Finding(
             CHECK,

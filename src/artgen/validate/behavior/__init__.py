@@ -1,4 +1,4 @@
-"""Whether an asset stays, moves, springs back and is blocked in MuJoCo as it says that it does."""
+"""Check of the behavior of an asset in MuJoCo: it stays, moves, springs back and blocks as declared."""
 
 import math
 from pathlib import Path
@@ -16,18 +16,19 @@ from artgen.validate.behavior.settle import Settled, settle
 
 
 def check_behavior(asset: Asset, directory: str | Path | None = None) -> CheckResult:
-    """Simulate an asset's MJCF in MuJoCo, and compare its motion with the asset.
+    """Simulate the MJCF of an asset in MuJoCo and compare its motion with the asset.
 
-    It is let go when it is closed, halfway and open; each free joint is driven from end to end by its own
-    effort; sprung joints are let go at both ends; and joints that depend on others are pushed while the
-    condition does not hold. A free base stands on a floor while it settles, and is fixed while joints move.
+    The asset is released when it is closed, halfway open and open. Each free joint is driven from end to end
+    by its own effort. Joints with springs are released at both ends. Joints with dependencies are pushed
+    while their condition does not hold. A free base stands on a floor while it settles, and is fixed while
+    joints move.
 
     Args:
         asset: The asset.
-        directory: Where it was exported to; None exports it to a temporary directory.
+        directory: Directory of the export; None exports to a temporary directory.
 
     Returns:
-        The findings; skipped where MuJoCo is not installed, or where the directory has no MJCF.
+        The findings; skipped if MuJoCo is not installed or the directory has no MJCF.
     """
     try:
         import mujoco  # noqa: F401 - only whether it is there
@@ -48,7 +49,7 @@ def _check(asset: Asset, directory: Path) -> CheckResult:
             simulation = Simulation(asset, fixed_model(path), warnings)
             standing = Simulation(asset, standing_model(path), warnings) if asset.base == "free" else None
         except (KeyError, ValueError) as error:
-            # MuJoCo names the element at fault; a joint or link that is not in the file is a KeyError
+            # MuJoCo names the faulty element; a joint or link that is missing in the file is a KeyError
             reason = " ".join(str(error.args[0] if error.args else error).split())
             return CheckResult(
                 CHECK, (Finding(CHECK, f"MuJoCo cannot use {path.name}: {reason}", hint="export it again"),)
@@ -58,7 +59,7 @@ def _check(asset: Asset, directory: Path) -> CheckResult:
 
 
 def _disagreements(simulation: Simulation) -> tuple[Finding, ...]:
-    """Return the joints to which the file gives other limits than the asset does."""
+    """Return the joints whose limits differ between the file and the asset."""
     findings = []
     model = simulation.model
     for joint in simulation.asset.joints:

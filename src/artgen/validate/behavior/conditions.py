@@ -1,4 +1,4 @@
-"""Finding joint positions in which conditions of dependencies hold, or in which one part of them fails."""
+"""Search for joint positions in which conditions of dependencies hold, or in which one part of them fails."""
 
 import math
 from collections.abc import Collection, Iterable, Iterator, Mapping
@@ -8,7 +8,7 @@ from typing import Literal
 from artgen.asset import Asset, AssetCondition, AssetJoint
 from artgen.export.frames import BORDER, intersection, leader_of, regions
 
-_OPEN_TRAVEL = 0.5  # how far inside a region that has no end a position is chosen [rad or m]
+_OPEN_TRAVEL = 0.5  # distance of a chosen position from the border of an unbounded region [rad or m]
 
 
 def state_for(
@@ -30,7 +30,7 @@ def state_for(
 
 
 def isolated(condition: AssetCondition) -> Iterator[tuple[AssetCondition, AssetCondition]]:
-    """Yield each comparison in a condition, with the region where that comparison alone makes it fail."""
+    """Yield each comparison in a condition, with the region in which only this comparison fails."""
     if condition.kind in ("above", "below"):
         yield condition, negation(condition)
         return
@@ -43,7 +43,7 @@ def isolated(condition: AssetCondition) -> Iterator[tuple[AssetCondition, AssetC
 
 
 def negation(condition: AssetCondition) -> AssetCondition:
-    """Return the region in which a condition does not hold, its borders included."""
+    """Return the region in which a condition does not hold, including its border."""
     kinds: Mapping[str, Literal["above", "below", "all", "any"]] = {
         "above": "below",
         "below": "above",
@@ -70,7 +70,7 @@ def _states(
 
 
 def _choose(joint: AssetJoint, interval: tuple[float, float], *, extreme: bool) -> float | None:
-    """Choose where a joint stands: closed if it may, else in the middle or at the far end."""
+    """Choose the position of a joint: closed if possible, else the center or the far end."""
     if interval[0] < joint.closed < interval[1]:
         return joint.closed
     low, high = joint.limits or (-math.inf, math.inf)

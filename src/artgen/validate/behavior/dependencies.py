@@ -1,4 +1,4 @@
-"""Dependencies: while its condition does not hold, a part has to stand in the way of a joint."""
+"""Check of dependencies: while a condition does not hold, a part has to block the joint."""
 
 import math
 from collections.abc import Iterator, Mapping
@@ -11,15 +11,15 @@ from artgen.validate.behavior.drive import Held
 from artgen.validate.behavior.model import CHECK, Simulation, UnstableError
 from artgen.validate.behavior.motion import JointMotion, force, length, place, unit
 
-_PUSHES = {"revolute": 20.0, "prismatic": 50.0}  # [N m or N]
-_PUSH_TIME, _RAMP_TIME = 1.0, 0.25  # of the whole push, and in which it grows [s]
+_PUSHES = {"revolute": 20.0, "prismatic": 50.0}  # pushing force [N m or N]
+_PUSH_TIME, _RAMP_TIME = 1.0, 0.25  # duration of a push, and of its growth [s]
 _GIVES = 0.02  # share of the range by which a blocked joint may move
-_PLAYS = {"revolute": math.radians(1.0), "prismatic": 0.003}  # that every lock has [rad or m]
-_MOST_PLAY = 0.1  # share of the range that is no longer play
+_PLAYS = {"revolute": math.radians(1.0), "prismatic": 0.003}  # play of every lock [rad or m]
+_MOST_PLAY = 0.1  # share of the range that exceeds play
 
 
 def block(simulation: Simulation, motion: JointMotion) -> list[Finding]:
-    """Push a joint and its followers where each part of its condition fails."""
+    """Push a joint and its followers wherever a part of its condition fails."""
     findings = []
     for member in motion.members:
         if member.needs is not None:
@@ -63,7 +63,7 @@ def _ways(motion: JointMotion) -> list[int]:
 def _states(
     simulation: Simulation, motion: JointMotion, condition: AssetCondition
 ) -> Iterator[tuple[dict[str, float], frozenset[str]]]:
-    """Yield where a condition fails, and the joints to blame: all closed, then one part at a time."""
+    """Yield positions that break a condition, with the responsible joints: all closed, then part by part."""
     seen = []
     closed = simulation.asset.positions()
     if not condition.holds(closed):
@@ -83,20 +83,20 @@ def _states(
 
 @dataclass(frozen=True)
 class _Push:
-    """One push, where a condition fails."""
+    """One push at positions where a condition fails."""
 
     simulation: Simulation  # the asset
     motion: JointMotion  # the free joint that is pushed
-    joint: AssetJoint  # the joint that depends: the same, or one that follows it
-    needs: AssetDependency  # on what it depends
-    state: Mapping[str, float]  # where the other joints stand
-    # the joints for which the condition fails: nothing but the asset itself holds them
+    joint: AssetJoint  # the dependent joint: the same, or one that follows it
+    needs: AssetDependency  # the dependency
+    state: Mapping[str, float]  # positions of the other joints
+    # joints for which the condition fails; nothing but the asset itself holds them
     broken: frozenset[str]
 
     def run(self, way: int) -> Finding | None:
-        """Push in one direction; return by how much the joint gives way, if it is too much."""
+        """Push in one direction; return the motion of the joint if it is too large."""
         allowed = self._play()
-        # springs have to hold what blocks by themselves; for what has none, that it gives way is worth a note
+        # parts with springs have to hold by themselves; a part without a spring that gives way is only a note
         loose = self._loose()
         try:
             furthest = self._pushed(way, {})
@@ -111,7 +111,7 @@ class _Push:
         return finding
 
     def _loose(self) -> dict[str, float]:
-        """Return where the joints stand that the condition is broken by, and that no spring holds there."""
+        """Return the joints that break the condition and have no spring that holds them."""
         positions = self.simulation.asset.positions(self.state)
         return {
             name: positions[name]
@@ -120,15 +120,15 @@ class _Push:
         }
 
     def _returns(self, motion: JointMotion, position: float) -> bool:
-        """Tell whether a spring brings a joint back to a position from all of its range, as that of a latch.
+        """Tell whether a spring returns a joint to a position from its whole range, like that of a latch.
 
-        One that only balances the weight of a door does not.
+        A spring that only balances the weight of a door does not.
         """
         if motion.stiffness == 0.0:
             return False
         low, high = motion.limits
         if abs(min(max(motion.rest, low), high) - position) > _GIVES * motion.range:
-            return False  # it is at ease elsewhere, as a flap that springs half open
+            return False  # it rests elsewhere, like a flap that springs half open
         far = high if high - position >= position - low else low
         for share in (0.5, 1.0):
             away = position + share * (far - position)
@@ -148,7 +148,7 @@ class _Push:
         )
 
     def _pushed(self, way: int, loose: Mapping[str, float]) -> float:
-        """Return how far the joint moves at most [rad or m]."""
+        """Return the largest motion of the joint [rad or m]."""
         simulation, motions = self.simulation, self.simulation.motions
         begun = {**self.state, **self._end_of_slack(way)}
         simulation.begin(begun, f"{self.joint.name} is pushed", jammed=True)
@@ -156,7 +156,7 @@ class _Push:
         held = Held(simulation, {**kept, **loose})
         at = simulation.model.joint(self.joint.name).qposadr[0]
         start, furthest = float(simulation.data.qpos[at]), 0.0
-        # from the end of its slack a joint may first fall back, while the push grows
+        # at the end of its slack, a joint may first fall back while the force grows
         sense = math.copysign(way, way * float(self.motion.ratios[self.motion.members.index(self.joint)]))
         low, high = self.joint.limits or (-math.inf, math.inf)
         for _ in range(round(_PUSH_TIME / simulation.step_time)):
@@ -169,7 +169,7 @@ class _Push:
         return furthest
 
     def _end_of_slack(self, way: int) -> dict[str, float]:
-        """Return where the free joint is pushed from: where its slack ends, if it has some [rad or m]."""
+        """Return the start of the push: the end of the free joint's slack, if it has some [rad or m]."""
         motion, slack = self.motion, self.needs.beyond
         if slack is None:
             return {}
@@ -186,7 +186,7 @@ class _Push:
         return min(self.motion.joint.effort, _PUSHES[self.motion.joint.kind])
 
     def _play(self) -> float:
-        """Return how far a blocked joint may move, from the end of its slack on [rad or m]."""
+        """Return the allowed motion of a blocked joint beyond the end of its slack [rad or m]."""
         joint = self.joint
         if joint.limits is None:
             return _PLAYS[joint.kind]

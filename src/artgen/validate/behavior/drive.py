@@ -1,4 +1,4 @@
-"""Driving: a bounded force takes each joint from end to end, and springs bring it back."""
+"""Check of driven joints: a bounded force moves each joint from end to end, and springs return it."""
 
 import math
 from collections.abc import Mapping
@@ -11,26 +11,26 @@ from artgen.validate.behavior.model import CHECK, Simulation, UnstableError
 from artgen.validate.behavior.motion import JointMotion, force, length, place, unit
 from artgen.validate.behavior.settle import REST_SPEED, REST_TIME, SETTLE_TIME
 
-_TRAVEL_TIME = 1.5  # for the whole range [s]
-_STUCK_TIME = 0.4  # without progress under full force [s]
-_MOST_TIME = 12.0  # for the whole range, where damping makes it slow [s]
-_RAMP_TIME = 0.4  # in which a force grows by as much as it is while nothing moves [s]
-_FAINT = 1e-3  # share of its bound that a force grows by in that time at least
-_REACHED = 0.01  # share of the range by which an end may be missed
-_RETURNED = 0.02  # share of the range by which a spring may miss its rest
+_TRAVEL_TIME = 1.5  # time for the whole range [s]
+_STUCK_TIME = 0.4  # time without progress at full force before giving up [s]
+_MOST_TIME = 12.0  # time for the whole range of strongly damped joints [s]
+_RAMP_TIME = 0.4  # time in which the force on a stuck joint doubles [s]
+_FAINT = 1e-3  # least growth of a force in that time, as a share of its bound
+_REACHED = 0.01  # tolerance of an end, as a share of the range
+_RETURNED = 0.02  # tolerance of a spring's rest position, as a share of the range
 _PROGRESS = 0.002  # share of the range that counts as progress
-_HOLD_RATE = 10.0  # how quickly what is held returns to its place [1/s]
-_FIRM, _QUICK = 0.1, 0.6  # gains of the servo on the error of speed and on its change
+_HOLD_RATE = 10.0  # rate at which a held joint returns to its position [1/s]
+_FIRM, _QUICK = 0.1, 0.6  # gains of the servo on the speed error and its derivative
 _REFRESH = 50  # steps between two computations of the inertia
 
 
 class Servo:
-    """A force at a free joint that makes it move at a speed, or stay in a place, within a bound.
+    """Bounded force on a free joint that makes it move at a speed or hold a position.
 
     Attributes:
         motion: The joint.
         bound: Largest force [N m or N].
-        force: What acts now [N m or N].
+        force: Current force [N m or N].
     """
 
     def __init__(self, simulation: Simulation, motion: JointMotion, bound: float) -> None:
@@ -42,7 +42,7 @@ class Servo:
         self._inertia, self._steps = 0.0, 0
 
     def move(self, speed: float) -> None:
-        """Set the force of the next time step so that the joint comes to a speed [rad/s or m/s]."""
+        """Set the force of the next time step so that the joint approaches a speed [rad/s or m/s]."""
         simulation, motion = self._simulation, self.motion
         if self._steps % _REFRESH == 0:
             self._inertia = simulation.inertia(motion)
@@ -54,17 +54,17 @@ class Servo:
         if abs(moving) < 0.05 * abs(speed):
             change = math.copysign(max(abs(change), self._growth(speed)), speed)
         self._error = error
-        # what springs and gravity change on the way is known; a light thing would wait long for the gains
+        # the known change of springs and gravity is fed forward; light joints would wait long for the gains
         load = simulation.load(motion)
         change, self._load = change + self._load - load, load
         self.force = self._bounded(self.force + change)
         simulation.applied[motion.dof] = self.force
 
     def _growth(self, speed: float) -> float:
-        """Return by how much the force grows in a time step while nothing moves [N m or N].
+        """Return the growth of the force in a time step without motion [N m or N].
 
-        It grows by a share of itself: a small part would fly off once a large force that grows evenly
-        overcomes its friction.
+        The growth is proportional to the force: with constant growth, a small part would fly off once the
+        force overcomes its friction.
         """
         motion, step = self.motion, self._simulation.step_time
         needed = motion.friction + self._inertia * abs(speed) / step
@@ -75,7 +75,7 @@ class Servo:
         """Set the force of the next time step so that the joint stays at a position [rad or m]."""
         off = position - self._simulation.position(self.motion)
         most = self.motion.range / _TRAVEL_TIME
-        # what is as good as in place needs no more force
+        # a joint in place needs no more force
         speed = max(-most, min(most, _HOLD_RATE * off)) if abs(off) > 1e-4 * self.motion.range else 0.0
         self.move(speed)
 
@@ -84,7 +84,7 @@ class Servo:
 
 
 class Held:
-    """Joints that are held where the conditions of another one are satisfied."""
+    """Joints that are held where the conditions of another joint are satisfied."""
 
     def __init__(self, simulation: Simulation, q: Mapping[str, float]) -> None:
         self._servos = [
@@ -99,7 +99,7 @@ class Held:
 
 
 def needed_state(simulation: Simulation, motion: JointMotion) -> dict[str, float] | None:
-    """Find where other joints have to stand so that a joint may move; None if there is no such place."""
+    """Find positions of other joints at which a joint may move; None if there are none."""
     return state_for(simulation.asset, conditions(motion), ignore=motion.name)
 
 
@@ -109,7 +109,7 @@ def conditions(motion: JointMotion) -> list[AssetCondition]:
 
 
 def drive(simulation: Simulation, motion: JointMotion) -> list[Finding]:
-    """Take a joint from where it is closed to both its ends by its own effort."""
+    """Drive a joint from its closed position to both ends by its own effort."""
     state = needed_state(simulation, motion)
     if state is None:
         needs = " and ".join(str(condition) for condition in conditions(motion))
@@ -138,7 +138,7 @@ def drive(simulation: Simulation, motion: JointMotion) -> list[Finding]:
 
 @dataclass
 class _Travel:
-    """One way to one end."""
+    """Motion to one end."""
 
     simulation: Simulation
     motion: JointMotion
@@ -146,7 +146,7 @@ class _Travel:
     end: float
 
     def run(self) -> Finding | None:
-        """Drive to the end; return the fault if it is not reached."""
+        """Drive to the end; return the fault if the end is not reached."""
         simulation, motion = self.simulation, self.motion
         joint = motion.joint
         servo = Servo(simulation, motion, joint.effort)
@@ -208,7 +208,7 @@ class _Travel:
 
 
 def release(simulation: Simulation, motion: JointMotion) -> list[Finding]:
-    """Let a sprung joint go at both ends of its range, and watch it return."""
+    """Release a sprung joint at both ends of its range and check that it returns."""
     state = needed_state(simulation, motion)
     if motion.stiffness <= 0.0 or state is None:
         return []
@@ -234,7 +234,7 @@ def _around(rest: float) -> tuple[float, float]:
 
 @dataclass
 class _Return:
-    """One way back to the rest of a spring."""
+    """Return to the rest position of a spring."""
 
     simulation: Simulation
     motion: JointMotion
@@ -244,7 +244,7 @@ class _Return:
     width: float
 
     def run(self) -> Finding | None:
-        """Let go at the end of the range; return the contact that keeps the joint from its rest."""
+        """Release at the end of the range; return the contact that blocks the return."""
         simulation, motion = self.simulation, self.motion
         quiet, latest = 0.0, [math.inf, -math.inf]
         for _ in range(round(SETTLE_TIME / simulation.step_time)):
@@ -279,7 +279,7 @@ class _Return:
         weight = simulation.weight(motion)
         carried = -weight * math.copysign(1.0, spring)
         if abs(spring + weight) <= motion.friction and carried > 0.5 * abs(spring):
-            return None  # it balances the weight, as that of a door which stays where it is left
+            return None  # the spring balances the weight, like that of a door that stays in place
         towards = math.copysign(1.0, spring) * (spring + weight)
         if towards <= motion.friction + 0.02 * abs(spring) and abs(spring) > motion.friction:
             finding = self._finding(

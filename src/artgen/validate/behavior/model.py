@@ -17,7 +17,7 @@ from artgen.validate.behavior.motion import JointMotion, length, motions_of, uni
 
 @contextmanager
 def collected_warnings() -> Iterator[list[str]]:
-    """Collect the warnings of MuJoCo, which it would otherwise print and write to a file."""
+    """Collect the warnings of MuJoCo, which it would print and write to a file."""
     import mujoco
 
     before = mujoco.get_mju_user_warning()
@@ -30,7 +30,7 @@ def collected_warnings() -> Iterator[list[str]]:
 
 
 def fixed_model(path: Path) -> Any:
-    """Read a file with the base fixed to the world."""
+    """Load a file with the base fixed to the world."""
     import mujoco
 
     spec = mujoco.MjSpec.from_file(str(path))
@@ -41,7 +41,7 @@ def fixed_model(path: Path) -> Any:
 
 
 def standing_model(path: Path) -> Any:
-    """Read a file and put a floor under its base, as hard as the colliders."""
+    """Load a file with a floor under its base, as hard as the colliders."""
     import mujoco
 
     spec = mujoco.MjSpec.from_file(str(path))
@@ -57,9 +57,9 @@ CHECK = "behavior"
 Pieces = tuple[tuple[str, str], tuple[str, str]]
 """Link and label of the two pieces of a contact."""
 
-_COUPLING_SHARE = 0.01  # how far a follower may be off, as a share of its range
-_BRIEF = 0.05  # a blow may push it off farther for less than this [s]
-_BLOW = 5.0  # and by so many times as much at most
+_COUPLING_SHARE = 0.01  # tolerance of a follower, as a share of its range
+_BRIEF = 0.05  # duration of impacts, during which the tolerance is larger [s]
+_BLOW = 5.0  # factor of the tolerance during impacts
 _FLOOR = "the floor"
 
 
@@ -68,17 +68,17 @@ class UnstableError(Exception):
 
 
 class Simulation:
-    """A model of an asset with its state, and the findings while it moved.
+    """A model of an asset with its state, and the findings during its motion.
 
     Attributes:
         asset: The asset.
         model: MuJoCo's model.
         data: MuJoCo's state.
         motions: The free joints by name.
-        doing: What is being tried, for messages.
+        doing: Description of the current test, for messages.
         step_time: Length of a time step [s].
         applied: Forces that act in the next time step, shape (nv,) [N m or N].
-        warnings: What MuJoCo has warned of since `collected_warnings` began.
+        warnings: Warnings of MuJoCo since `collected_warnings` began.
     """
 
     def __init__(self, asset: Asset, model: Any, warnings: list[str]) -> None:
@@ -91,7 +91,7 @@ class Simulation:
         self._step = mujoco.mj_step
         self._mujoco = mujoco
         self.step_time = float(model.opt.timestep)
-        # views of the state, which stay: asking for them takes as long as a small asset's time step
+        # views of the state: accessing them takes as long as a time step of a small asset
         self._qpos, self._qvel = self.data.qpos, self.data.qvel
         self._passive, self._bias = self.data.qfrc_passive, self.data.qfrc_bias
         self.applied = self.data.qfrc_applied
@@ -103,9 +103,9 @@ class Simulation:
         self._start: dict[str, float] = {}
 
     def begin(self, q: Mapping[str, float], doing: str, *, jammed: bool = False) -> None:
-        """Put all at rest at positions of free joints; those not given are closed.
+        """Set all joints to rest at positions of free joints; joints without a position are closed.
 
-        Where parts are jammed on purpose, couplings are not watched: one of them may be what gives way.
+        For intentionally jammed parts, couplings are not checked: one of them may give way.
         """
         self._watching = not jammed
         self._mujoco.mj_resetData(self.model, self.data)
@@ -142,19 +142,19 @@ class Simulation:
                 self._notice_couplings(off, worse)
 
     def position(self, motion: JointMotion) -> float:
-        """Return where a free joint stands [rad or m]."""
+        """Return the position of a free joint [rad or m]."""
         return float(self._qpos[motion.at])
 
     def speed(self, motion: JointMotion) -> float:
-        """Return how fast a free joint moves [rad/s or m/s]."""
+        """Return the speed of a free joint [rad/s or m/s]."""
         return float(self._qvel[motion.dof])
 
     def pose(self) -> dict[str, float]:
-        """Return where the free joints stand [rad or m]."""
+        """Return the positions of the free joints [rad or m]."""
         return {name: self.position(motion) for name, motion in self.motions.items()}
 
     def all_positions(self) -> dict[str, float]:
-        """Return where every joint stands [rad or m]."""
+        """Return the positions of all joints [rad or m]."""
         return {
             joint.name: joint.closed
             if joint.locked
@@ -163,7 +163,7 @@ class Simulation:
         }
 
     def holds(self, condition: AssetCondition) -> bool:
-        """Tell whether the joints stand in a region."""
+        """Tell whether the joint positions lie in a region."""
         return condition.holds(self.all_positions())
 
     def load(self, motion: JointMotion) -> float:
@@ -185,7 +185,7 @@ class Simulation:
         return self.load(motion) - float(motion.ratios @ result[motion.speeds])
 
     def inertia(self, motion: JointMotion) -> float:
-        """Return the inertia that a force at a free joint moves while the others are free [kg m^2 or kg]."""
+        """Return the inertia of a free joint while all others are free [kg m^2 or kg]."""
         full, columns = np.zeros((self.model.nv, self.model.nv)), self._columns
         self._mujoco.mj_fullM(self.model, self.data, full)
         index = list(self.motions).index(motion.name)
@@ -195,7 +195,7 @@ class Simulation:
 
     @cached_property
     def _columns(self) -> Array:
-        """What moves with each free joint, and then with each other degree of freedom, shape (nv, n)."""
+        """Motion by each free joint, and by each other degree of freedom, shape (nv, n)."""
         free = list(self.motions.values())
         moved = {int(dof) for motion in free for dof in motion.speeds}
         fixed = [dof for dof in range(self.model.nv) if dof not in moved]
@@ -206,7 +206,7 @@ class Simulation:
         return columns
 
     def geom(self, number: int) -> tuple[str, str]:
-        """Return link and label of a collider; the label is empty where the file says nothing of it."""
+        """Return link and label of a collider; the label is empty if the file does not say it."""
         name = self.model.geom(number).name
         body = int(self.model.geom_bodyid[number])
         if body == 0:
@@ -221,7 +221,7 @@ class Simulation:
         return link, ""
 
     def depths(self) -> Array:
-        """Return how deep each contact is, shape (n,) [m]."""
+        """Return the depth of each contact, shape (n,) [m]."""
         return -np.asarray(self.data.contact.dist) if self.data.ncon else np.zeros(0)
 
     def contact(self, number: int) -> Pieces:
@@ -230,11 +230,11 @@ class Simulation:
         return self.geom(int(first)), self.geom(int(second))
 
     def touching(self, motion: JointMotion, others: frozenset[int] | None = None) -> list[str]:
-        """Name the links that press on the links of a joint, the strongest contact first.
+        """Return the names of the links that press on the links of a joint, the strongest contact first.
 
         Args:
             motion: The joint.
-            others: Only contacts with these bodies; any if None.
+            others: Only contacts with these bodies; all if None.
         """
         forces: dict[str, float] = {}
         for number in range(self.data.ncon):
@@ -252,7 +252,7 @@ class Simulation:
         return sorted(forces, key=lambda text: -forces[text])[:3]
 
     def findings(self) -> list[Finding]:
-        """Return the warnings and loose couplings that were noticed."""
+        """Return the findings about warnings and loose couplings."""
         return list(self._findings.values())
 
     def _notice_warnings(self) -> None:
@@ -297,7 +297,7 @@ class Simulation:
 
 @dataclass
 class _Followers:
-    """The coupled joints, as arrays with one row for each."""
+    """The coupled joints as arrays, one row each."""
 
     names: list[str] = field(default_factory=list)
     at: NDArray[np.int64] = field(default_factory=lambda: np.zeros(0, np.int64))
@@ -328,5 +328,5 @@ class _Followers:
 
 
 def piece(link: str, label: str) -> str:
-    """Spell a piece by its link and label."""
+    """Format a piece by its link and label."""
     return f"{link}/{label}" if label else link

@@ -11,20 +11,20 @@ from artgen._arrays import Array, cached_property
 from artgen.asset import Asset, AssetJoint
 from artgen.export.frames import coupling
 
-_TRAVEL = 1.0  # what is looked at of a slide without limits [m]
+_TRAVEL = 1.0  # examined length of a slide without limits [m]
 
 
 @dataclass(frozen=True, eq=False)
 class JointMotion:
-    """A free joint with all that moves with it."""
+    """A free joint with its followers."""
 
     joint: AssetJoint  # the free joint
     members: tuple[AssetJoint, ...]  # the joint itself and those that follow it
-    ratios: Array  # how far each member moves with the joint, shape (n,)
-    offsets: Array  # where each member stands when the joint is at 0, shape (n,)
+    ratios: Array  # motion of each member per motion of the joint, shape (n,)
+    offsets: Array  # position of each member while the joint is at 0, shape (n,)
     positions: NDArray[np.int64]  # indices of the members in MuJoCo's positions, shape (n,)
     speeds: NDArray[np.int64]  # indices of the members in MuJoCo's velocities and forces, shape (n,)
-    bodies: frozenset[int]  # muJoCo's bodies that move with the joint
+    bodies: frozenset[int]  # MuJoCo's bodies that move with the joint
 
     @property
     def name(self) -> str:
@@ -43,14 +43,14 @@ class JointMotion:
 
     @property
     def limits(self) -> tuple[float, float]:
-        """The range to be looked at: without limits, a full turn or a metre [rad or m]."""
+        """The examined range: without limits, a full turn or one metre [rad or m]."""
         if self.joint.limits is not None:
             return self.joint.limits
         return (0.0, 2.0 * math.pi if self.joint.kind == "revolute" else _TRAVEL)
 
     @cached_property
     def range(self) -> float:
-        """Length of the range to be looked at [rad or m]."""
+        """Length of the examined range [rad or m]."""
         low, high = self.limits
         return high - low
 
@@ -72,14 +72,14 @@ class JointMotion:
 
     @cached_property
     def rest(self) -> float:
-        """Where the springs are at ease; only where there are some [rad or m]."""
+        """Rest position of the springs; valid only if there are springs [rad or m]."""
         pulls = [member.stiffness * member.rest for member in self.members]
         stiffness = np.array([member.stiffness for member in self.members])
         return float(self.ratios @ (np.array(pulls) - stiffness * self.offsets)) / self.stiffness
 
 
 def motions_of(asset: Asset, model: Any) -> dict[str, JointMotion]:
-    """Return the free joints of an asset by name, as they are in MuJoCo's model of it."""
+    """Return the free joints of an asset by name, with their indices in MuJoCo's model."""
     for link in asset.links:
         model.body(link.name)
     return {joint.name: _motion(asset, model, joint) for joint in asset.free_joints}
@@ -114,19 +114,19 @@ def _subtree(model: Any, link: str) -> set[int]:
 
 
 def length(joint: AssetJoint, distance: float) -> str:
-    """Spell a distance along a joint in degrees or millimetres."""
+    """Format a distance along a joint in degrees or millimetres."""
     if joint.kind == "revolute":
         return f"{math.degrees(distance):.3g} degrees"
     return f"{1e3 * distance:.3g} mm"
 
 
 def place(joint: AssetJoint, position: float) -> str:
-    """Spell a position of a joint in radians or metres."""
+    """Format a position of a joint in radians or metres."""
     return f"{position + 0.0:.4g} {'rad' if joint.kind == 'revolute' else 'm'}"
 
 
 def force(joint: AssetJoint, amount: float) -> str:
-    """Spell a torque or a force at a joint."""
+    """Format a torque or a force at a joint."""
     return f"{amount + 0.0:.3g} {'N m' if joint.kind == 'revolute' else 'N'}"
 
 

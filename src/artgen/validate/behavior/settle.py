@@ -1,4 +1,4 @@
-"""Settling: an asset that is let go stays as it is, unless gravity or a spring moves it."""
+"""Check of settling: a released asset keeps its state unless gravity or a spring moves it."""
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
@@ -13,30 +13,30 @@ from artgen.validate.behavior.model import CHECK, Pieces, Simulation, UnstableEr
 from artgen.validate.behavior.motion import JointMotion, force, length, unit
 
 SETTLE_TIME = 5.0
-"""How long an asset is watched after it was let go [s]."""
+"""Duration of the observation after the release [s]."""
 
 REST_SPEED = 1e-5
-"""Speed below which nothing moves by a visible amount within `SETTLE_TIME` [rad/s or m/s]."""
+"""Speed below which nothing moves visibly within `SETTLE_TIME` [rad/s or m/s]."""
 
 REST_TIME = 0.25
-"""How long everything has to be at rest to be taken as settled [s]."""
+"""Time at rest after which the asset counts as settled [s]."""
 
-_BEGUN = 0.05  # share of a drift that is no more the give of contacts
-_STILL = 1e-3  # speed below which a blow is over [rad/s or m/s]
-_DRIFTS = {"revolute": math.radians(0.5), "prismatic": 0.0005}  # that need a cause [rad or m]
-_DEPTH = 0.0005  # of contacts, beyond what the asset allows [m]
-_IMPACT_TIME = 0.05  # a contact that is deep for less is that of a part which falls shut [s]
-_TILT = math.radians(2.0)  # of a base that stands on the floor
+_BEGUN = 0.05  # share of a drift that exceeds the compliance of contacts
+_STILL = 1e-3  # speed below which an impact is over [rad/s or m/s]
+_DRIFTS = {"revolute": math.radians(0.5), "prismatic": 0.0005}  # drift that needs a cause [rad or m]
+_DEPTH = 0.0005  # depth of contacts beyond what the asset allows [m]
+_IMPACT_TIME = 0.05  # shorter deep contacts are impacts of falling parts [s]
+_TILT = math.radians(2.0)  # drift of a base on the floor [m]
 
 
 @dataclass
 class Settled:
-    """The observations while an asset settled.
+    """Observations while an asset settles.
 
     Attributes:
-        findings: The worst of each kind, by kind and place.
+        findings: The worst finding of each kind and place.
         movers: Names of the joints that gravity or a spring moves.
-        poses: How many poses it was let go from.
+        poses: Number of poses from which it was released.
     """
 
     findings: dict[tuple[str, ...], Finding] = field(default_factory=dict)
@@ -51,11 +51,11 @@ class Settled:
 
 
 def settle(simulation: Simulation, *, stands: bool = False) -> Settled:
-    """Let go of an asset when it is closed, halfway and open, and watch it.
+    """Release an asset when it is closed, halfway open and open, and observe it.
 
     Args:
         simulation: The asset.
-        stands: Whether its base stands free on a floor, which is part of the simulation.
+        stands: Whether its base stands free on a floor in the simulation.
     """
     result = Settled()
     seen: list[dict[str, float]] = []
@@ -72,10 +72,10 @@ def settle(simulation: Simulation, *, stands: bool = False) -> Settled:
 
 
 def start_poses(asset: Asset, motions: Mapping[str, JointMotion]) -> Iterator[dict[str, float]]:
-    """Yield where an asset is let go: closed, halfway and open.
+    """Yield the poses of the release: closed, halfway open and open.
 
-    What is blocked halfway or open stays closed; then it is also let go where that may stand there, such as
-    with racks halfway out over an open door.
+    Joints that are blocked halfway or open stay closed; a further pose opens what they depend on, such as
+    racks halfway out over an open door.
     """
     for share in (0.0, 0.5, 1.0):
         q = start_pose(asset, motions, share)
@@ -87,7 +87,7 @@ def start_poses(asset: Asset, motions: Mapping[str, JointMotion]) -> Iterator[di
 
 
 def _freed(asset: Asset, motions: Sequence[JointMotion]) -> dict[str, float]:
-    """Return where others have to stand so that as many as possible of some joints may leave 0."""
+    """Return positions of other joints at which as many of some joints as possible may leave 0."""
     found: dict[str, float] = {}
     conditions: list[AssetCondition] = []
     for member in (member for motion in motions for member in motion.members):
@@ -102,7 +102,7 @@ def _freed(asset: Asset, motions: Sequence[JointMotion]) -> dict[str, float]:
 def start_pose(
     asset: Asset, motions: Mapping[str, JointMotion], share: float, given: Mapping[str, float] | None = None
 ) -> dict[str, float]:
-    """Put each free joint at a share of its way from closed to open, but those that are blocked there."""
+    """Put each free joint at a share of its range from closed to open, except for blocked joints."""
     q = {}
     for name, motion in motions.items():
         low, high = motion.limits
@@ -120,22 +120,22 @@ def start_pose(
 
 @dataclass
 class _Drift:
-    """How one joint drifts."""
+    """Drift of one joint."""
 
     motion: JointMotion  # the joint
-    start: float  # where it was let go [rad or m]
-    causes: set[int]  # directions in which gravity or a spring moves it, of -1 and 1
-    why: str  # what moves it, or holds it
-    furthest: float = 0.0  # how far it has moved at most [rad or m]
-    since: float | None = None  # when it had moved too far without a cause; None if it has not [s]
-    # what pushes it, or has since it lay still, of what gravity or a spring moves: a blow may be over when
-    # the joint has come that far
+    start: float  # position at the release [rad or m]
+    causes: set[int]  # directions in which gravity or a spring moves it: -1 and 1
+    why: str  # cause of its motion, or of its rest
+    furthest: float = 0.0  # largest motion [rad or m]
+    since: float | None = None  # time at which it had moved too far without a cause; None if it has not [s]
+    # bodies in motion that have touched it since it was at rest: an impact may be over when the joint has
+    # moved that far
     pushed: list[str] = field(default_factory=list)
-    touching: list[str] = field(default_factory=list)  # what presses on it then
+    touching: list[str] = field(default_factory=list)  # bodies that press on it then
 
     @property
     def moved(self) -> bool:
-        """Whether it has moved by more than may go unexplained."""
+        """Whether it has moved farther than allowed without a cause."""
         return abs(self.furthest) > _DRIFTS[self.motion.joint.kind]
 
 
@@ -147,10 +147,10 @@ class _Run:
     q: dict[str, float]
     stands: bool
     result: Settled
-    deep: dict[Pieces, float] = field(default_factory=dict)  # since when contacts are too deep [s]
+    deep: dict[Pieces, float] = field(default_factory=dict)  # time since contacts are too deep [s]
 
     def watch(self) -> None:
-        """Step until all is at rest, or the time is over."""
+        """Step until everything is at rest or the time is over."""
         simulation = self.simulation
         simulation.begin(self.q, "it settles")
         drifts = [self._drift(motion) for motion in simulation.motions.values()]
@@ -182,7 +182,7 @@ class _Run:
         return _Drift(motion, self.simulation.position(motion), self._directions(motion, load), why)
 
     def _directions(self, motion: JointMotion, load: float) -> set[int]:
-        """Return the direction in which a load could move a joint by more than may go unexplained."""
+        """Return the direction in which a load could move a joint farther than allowed without a cause."""
         excess = abs(load) - motion.friction
         if excess <= 0.0:
             return set()
@@ -190,7 +190,7 @@ class _Run:
         return {int(math.copysign(1, load))} if way > _DRIFTS[motion.joint.kind] else set()
 
     def _judge(self, drift: _Drift, drifts: list[_Drift], *, carried: bool) -> None:
-        """Notice whether a joint moves without a cause."""
+        """Record whether a joint moves without a cause."""
         simulation, motion = self.simulation, drift.motion
         way = simulation.position(motion) - drift.start
         if abs(way) > abs(drift.furthest):
@@ -198,12 +198,12 @@ class _Run:
         if drift.since is not None:
             return
         if carried and len(drift.causes) < 2 and (not drift.causes or motion.friction):
-            # what moves elsewhere changes how gravity pulls, and carries this joint along
+            # other motion changes gravity on this joint, or carries it along
             pull = simulation.pull(motion)
             if abs(pull) > motion.friction and int(math.copysign(1, pull)) not in drift.causes:
                 drift.causes |= self._directions(motion, pull)
         if drift.pushed and abs(simulation.speed(motion)) < _STILL:
-            drift.pushed = []  # what moves on from here was not thrown by that
+            drift.pushed = []  # later motion has another cause
         if abs(way) > _BEGUN * _DRIFTS[motion.joint.kind] and not drift.pushed and simulation.data.ncon:
             moving = frozenset[int]().union(*(other.motion.bodies for other in drifts if other.causes))
             drift.pushed = simulation.touching(motion, moving - motion.bodies)
@@ -234,7 +234,7 @@ class _Run:
         self.result.add(finding, "drift", joint.name, finding.severity)
 
     def _judge_contacts(self) -> None:
-        """Keep the deepest of the contacts that are too deep from the start, or for longer than an impact."""
+        """Keep the deepest contacts that are too deep from the start or for longer than an impact."""
         simulation = self.simulation
         depths = simulation.depths()
         if not self.deep and not (depths.size and depths.max() > _DEPTH):
@@ -262,7 +262,7 @@ class _Run:
         self.deep = deep
 
     def _allowed(self, pieces: Pieces) -> float:
-        """Return how deep two pieces may press into each other [m]."""
+        """Return the allowed penetration of two pieces [m]."""
         allowed = 0.0
         for contact in self.simulation.asset.contacts:
             named = tuple(zip(contact.links, contact.labels, strict=True))

@@ -1,1 +1,1 @@
-"""Clients: simulators, validators and converters that people read assets with, each in its own process."""
+"""Clients: simulators, validators and converters for assets, each in its own process."""

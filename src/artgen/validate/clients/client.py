@@ -1,4 +1,4 @@
-"""The description of a client, and the environments that clients run in."""
+"""Description of a client, and the environments of clients."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -26,24 +26,24 @@ REQUIREMENTS: Mapping[str, tuple[str, ...]] = {
     "urchin": ("urchin>=0.0.30",),
     "usd_converters": ("mujoco-usd-converter>=0.8", "urdf-usd-converter>=0.3.4"),
 }
-"""What is installed in each environment. `light` is what `artgen[test]` brings into artgen's own."""
+"""Packages in each environment. `artgen[test]` installs those of `light` into artgen's own environment."""
 
 
 FormatName = Literal["urdf", "mjcf", "usd", "glb"]
 
 READ = ("links", "joints", "poses")
-"""What a client tells of a model that it read, see `Client.tells`."""
+"""Parts that a reading client tells, see `Client.tells`."""
 
 MOVED = ("moved", "steps", "finite")
-"""What a client tells that simulates the model as well."""
+"""Parts that a simulating client tells in addition."""
 
 
 @dataclass(frozen=True)
 class Unavoidable:
-    """A message that a client prints at every asset of a kind, whatever is written."""
+    """A message that a client prints for every asset of a kind."""
 
     pattern: str  # regular expression that matches the whole of one line of its output
-    reason: str  # why no asset can avoid it
+    reason: str  # reason why no asset can avoid it
 
 
 MACHINE = (
@@ -52,7 +52,7 @@ MACHINE = (
         "Warp says so on every machine without a GPU",
     ),
 )
-"""Messages of any client about the machine, not about what it reads."""
+"""Messages of any client about the machine instead of the asset."""
 
 
 @dataclass(frozen=True)
@@ -60,21 +60,21 @@ class Client:
     """A program that reads exported assets, and its driver."""
 
     name: str  # identifier, such as `pybullet` or `newton_usd`
-    format: FormatName  # the format that it reads
-    distribution: str  # python distribution whose version is shown; empty for a program of the system
-    environment: str  # name of its environment, see `artgen.validate.clients.client`
+    format: FormatName  # format that it reads
+    distribution: str  # Python distribution whose version is shown; empty for a system program
+    environment: str  # name of its environment in `REQUIREMENTS`
     driver: str  # name of its script in `artgen/validate/clients/drivers`, which runs in that environment
-    layouts: tuple[str, ...] = ("flat",)  # layouts of exports whose main file of that format it reads
-    seconds: float = 120.0  # how long one asset may take
-    length_tolerance: float = 1e-6  # by how much positions of links and limits may differ [m or rad]
-    relative_tolerance: float = 1e-6  # by which share masses, moments and gains may differ
-    unavoidable: tuple[Unavoidable, ...] = ()  # messages that are no fault
-    light: bool = False  # whether it comes with `artgen[test]`; others need an environment of their own
-    # keys that its answer must have, so that a reader that falls silent is noticed; such as `links`, or
-    # `joints.damping` for a quantity of each joint
+    layouts: tuple[str, ...] = ("flat",)  # layouts of exports that it reads
+    seconds: float = 120.0  # time limit for one asset [s]
+    length_tolerance: float = 1e-6  # tolerance of link positions and limits [m or rad]
+    relative_tolerance: float = 1e-6  # relative tolerance of masses, moments and gains
+    unavoidable: tuple[Unavoidable, ...] = ()  # messages that are not faults
+    light: bool = False  # whether `artgen[test]` installs it; other clients need their own environment
+    # keys that its answer must have, such as `links`, or `joints.damping` for a quantity of each joint: a
+    # reader that becomes silent is noticed
     tells: tuple[str, ...] = ()
-    # what it has no words for, of what others have to tell, such as `joints.kind`
+    # required keys that it cannot tell, such as `joints.kind`
     withholds: tuple[str, ...] = ()
-    obtain: str = ""  # how to get it, where no environment of artgen's brings it
-    # whether it places a link wrongly that moves by several joints, whatever is written
+    obtain: str = ""  # how to obtain it if no environment of artgen has it
+    # whether it always misplaces links with several joints
     misplaces: bool = False

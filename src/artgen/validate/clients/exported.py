@@ -26,24 +26,24 @@ _POSES = 4  # number of random poses, in addition to the rest pose
 
 @dataclass(frozen=True)
 class ClientExport:
-    """An asset with the directory that it was exported to."""
+    """An export directory with its asset."""
 
     directory: Path  # the directory
-    asset: Asset  # what `asset.json` says
-    layout: str  # how the files lie
+    asset: Asset  # the asset in `asset.json`
+    layout: str  # layout of the files
     mains: Mapping[str, Path]  # main file of each format
 
     @cached_property
     def expected(self) -> Expected:
-        """The values that clients should find."""
+        """Values that clients should find."""
         return Expected(self.asset, _POSES)
 
     def is_read_by(self, client: Client) -> bool:
-        """Return whether there is something for a client: a file of its format, in a layout that it reads."""
+        """Return whether the export has a file of the client's format in a layout that it reads."""
         return client.format in self.mains and self.layout in client.layouts
 
     def is_blocked(self, joint: AssetJoint) -> bool:
-        """Return whether a dependency keeps a joint from moving alone while the asset is closed."""
+        """Return whether a dependency blocks a joint while the asset is closed."""
         return joint.needs is not None and not joint.needs.condition.holds(self.asset.positions())
 
     def poses(self) -> list[dict[str, float]]:
@@ -52,7 +52,7 @@ class ClientExport:
         return [{name: positions[name] for name in moving} for _, positions, _ in self.expected.poses]
 
     def request(self, client: Client) -> dict[str, Any]:
-        """Return the request for a client's driver; see `drivers/README.md`."""
+        """Return the request to a client's driver; see `drivers/README.md`."""
         return {
             "file": os.path.abspath(self.mains[client.format]),  # noqa: PTH100 - a link stays a link
             "format": client.format,

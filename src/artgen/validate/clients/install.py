@@ -1,4 +1,4 @@
-"""Making the environments that clients run in."""
+"""Installation of the environments of clients."""
 
 import os
 import shutil
@@ -18,8 +18,8 @@ if TYPE_CHECKING:
 
 Done = Literal["made", "there already", "made by hand"]
 
-_RECORD = ".artgen-requirements"  # what artgen installed in an environment
-_SHOWN = 300  # characters of pip's complaint
+_RECORD = ".artgen-requirements"  # packages that artgen installed in an environment
+_SHOWN = 300  # most characters of pip's error message
 
 
 def install(
@@ -29,9 +29,9 @@ def install(
     python: str = "",
     requirements: Mapping[str, Sequence[str]] = REQUIREMENTS,
 ) -> Done:
-    """Make the environment of some clients, unless it is there already.
+    """Create the environment of clients, unless it exists.
 
-    It counts as there only when pip is through, so an interrupted install starts again.
+    An environment exists once pip has finished, so an interrupted installation starts again.
     """
     if environment not in requirements:
         raise ClientError(f"there is no environment {environment!r}.{nearest(environment, requirements)}")
@@ -82,10 +82,10 @@ def _run(command: Sequence[str], target: Path) -> None:
 
 @contextmanager
 def _only_one(lock: Path, environment: str) -> "Iterator[None]":
-    """Keep other processes from making the same environment meanwhile."""
+    """Keep other processes from creating the same environment."""
     try:
         import fcntl
-    except ImportError:  # Windows has none
+    except ImportError:  # missing on Windows
         yield
         return
     with lock.open("w") as file:

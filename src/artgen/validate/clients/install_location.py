@@ -1,4 +1,4 @@
-"""Where clients are installed: in artgen's own environment, or in one of their own."""
+"""Locations of clients: artgen's own environment, or an environment of their own."""
 
 import importlib.metadata
 import os
@@ -14,7 +14,7 @@ VARIABLE = "ARTGEN_CLIENTS"
 """Environment variable that names the folder of the clients' environments."""
 
 UNFINISHED = ".artgen-unfinished"
-"""File in an environment that is being made; while it is there, the environment is none."""
+"""File in an unfinished environment; while it exists, the environment is not used."""
 
 
 def environments_directory() -> Path:
@@ -30,7 +30,7 @@ def environments_directory() -> Path:
 
 
 def interpreters(client: Client | None) -> list[Path]:
-    """Return the Python programs that may have a client, the likeliest first; without one, artgen's own."""
+    """Return the Python programs that may have a client, the likeliest first; for None, artgen's own."""
     own = [Path(sys.executable)] if sys.executable else []
     if client is None:
         return own
@@ -46,17 +46,17 @@ def interpreters(client: Client | None) -> list[Path]:
 
 
 def python_of(environment: Path) -> Path | None:
-    """Return the Python program of an environment; None if it is not there, or not made to its end."""
+    """Return the Python program of an environment; None if it is missing or unfinished."""
     program = environment / ("Scripts/python.exe" if os.name == "nt" else "bin/python")
-    # a relative path would be looked for in the working directory of the client
+    # a relative path would be resolved in the working directory of the client
     program = Path(os.path.abspath(program))  # noqa: PTH100 - the link of an environment says which one it is
     return program if program.is_file() and not (environment / UNFINISHED).exists() else None
 
 
 def installed(client: Client) -> tuple[str, str]:
-    """Return the version of a client and where it is: `artgen's own`, or the folder of its environment.
+    """Return the version of a client and its location: `artgen's own`, or the folder of its environment.
 
-    Both are empty if it is not there, or if it is a program of the system, which only its driver finds.
+    Both are empty for a missing client, and for a system program, which only its driver finds.
     """
     if not client.distribution:
         return "", ""
@@ -71,7 +71,7 @@ def installed(client: Client) -> tuple[str, str]:
 
 
 def how_to_get(client: Client) -> str:
-    """Say how to get a client."""
+    """Return how to get a client."""
     if client.obtain:
         return client.obtain
     if client.environment in REQUIREMENTS:

@@ -1,4 +1,4 @@
-"""The result of a client that read an export, and the report of all clients."""
+"""Result of a client that read an export, and the report of all clients."""
 
 import re
 from collections.abc import Sequence
@@ -13,11 +13,11 @@ State = Literal["passed", "failed", "timed out", "absent", "nothing to read"]
 
 @dataclass(frozen=True)
 class Tolerated:
-    """Messages of a client that are no fault."""
+    """Messages of a client that are not faults."""
 
-    message: str  # the first of them
-    count: int  # how many there were
-    reason: str  # why no asset can avoid it
+    message: str  # first of these messages
+    count: int  # number of these messages
+    reason: str  # reason why no asset can avoid it
 
 
 @dataclass(frozen=True)
@@ -25,17 +25,17 @@ class Outcome:
     """The result of a client for an export."""
 
     client: str  # name of the client
-    format: str  # the format that it reads
+    format: str  # format that it reads
     version: str  # the client's version; empty if it is absent
     state: State  # only `passed` is a pass
-    findings: tuple[Finding, ...] = ()  # what is wrong, or for an absent client how to get it
-    note: str = ""  # a few words of the client, or of what it told
-    seconds: float = 0.0  # how long it took
-    tolerated: tuple[Tolerated, ...] = ()  # its messages that are no fault
+    findings: tuple[Finding, ...] = ()  # faults, or how to get an absent client
+    note: str = ""  # short note about the client or its answer
+    seconds: float = 0.0  # duration [s]
+    tolerated: tuple[Tolerated, ...] = ()  # messages that are not faults
 
     @property
     def fault(self) -> bool:
-        """Whether something is wrong."""
+        """Whether there is a fault."""
         return any(finding.severity == "fault" for finding in self.findings)
 
     @property
@@ -46,7 +46,7 @@ class Outcome:
         return self.note if found is None else str(found)
 
     def to_data(self) -> dict[str, Any]:
-        """Return it as JSON data."""
+        """Return the outcome as JSON data."""
         return {
             "client": self.client,
             "format": self.format,
@@ -64,7 +64,7 @@ class Outcome:
 
 @dataclass(frozen=True)
 class ClientReport(Report):
-    """The results of all checks and some clients for one asset."""
+    """Results of all checks and several clients for one asset."""
 
     outcomes: tuple[Outcome, ...] = ()  # one for each client
 
@@ -74,7 +74,7 @@ class ClientReport(Report):
         return super().passed and not any(outcome.fault for outcome in self.outcomes)
 
     def __str__(self) -> str:
-        """Tell the result of each check and client in one line, and each finding in one more."""
+        """Return one line for each check and client, and one line for each finding."""
         lines = [super().__str__()]
         for outcome in self.outcomes:
             name = f"{outcome.client} {outcome.version}".strip()
@@ -95,7 +95,7 @@ _SERIOUS = re.compile(
 
 
 def joined_lines(output: str) -> list[str]:
-    """Return the messages of an output: an indented line belongs to the one before it."""
+    """Return the messages of an output; an indented line belongs to the message before it."""
     result: list[str] = []
     for line in _COLOURS.sub("", output).replace("\r", "\n").splitlines():
         if not line.strip():
@@ -110,8 +110,8 @@ def joined_lines(output: str) -> list[str]:
 def sorted_messages(client: Client, messages: Sequence[str]) -> tuple[tuple[str, ...], tuple[Tolerated, ...]]:
     """Return the messages that are faults, and those that no asset can avoid.
 
-    A pattern has to match all of a message, or the beginning of it; what follows, such as a line of the
-    source that warns, must not speak of an error itself.
+    A pattern has to match the whole message or its beginning; the rest, such as a line of source code, must
+    not mention an error.
     """
     faults: list[str] = []
     tolerated: dict[str, Tolerated] = {}

@@ -18,7 +18,7 @@ SAPIEN: tuple[Client, ...] = (
         layouts=_LAYOUTS,
         seconds=300.0,
         length_tolerance=1e-5,
-        relative_tolerance=1e-5,  # it computes in single precision
+        relative_tolerance=1e-5,  # single precision
         tells=_SAPIEN_TELLS,
     ),
     Client(
@@ -39,7 +39,7 @@ SAPIEN: tuple[Client, ...] = (
 
 _USD = ("flat", "simready")
 
-# USD and these simulators hold single precision: seven digits of metres, and of sums of a few such numbers
+# USD and these simulators use single precision: seven digits of metres and of sums of a few numbers
 _LENGTH, _RELATIVE = 3e-6, 1e-6
 
 _MAPS = Unavoidable(
@@ -69,7 +69,7 @@ def _newton(form: FormatName, *layouts: str) -> Client:
         "newton",
         "newton_model",
         layouts=layouts,
-        seconds=300.0,  # the first time on a machine it compiles its kernels
+        seconds=300.0,  # its first run on a machine compiles kernels
         length_tolerance=_LENGTH,
         relative_tolerance=_RELATIVE,
         unavoidable=(_MAPS,),
@@ -84,7 +84,7 @@ def _genesis(form: FormatName) -> Client:
         "genesis-world",
         "genesis",
         "genesis_model",
-        seconds=900.0,  # the first time on a machine it compiles its kernels for seven minutes
+        seconds=900.0,  # its first run on a machine compiles kernels for seven minutes
         length_tolerance=_LENGTH,
         relative_tolerance=_RELATIVE,
         unavoidable=(
@@ -106,7 +106,7 @@ _OVPHYSX = Client(
     "ovphysx",
     "physx_model",
     layouts=_USD,
-    seconds=300.0,  # dials that must be pushed before they turn are tried in many poses
+    seconds=300.0,  # dials that have to be pushed before they turn are tested in many poses
     length_tolerance=_LENGTH,
     relative_tolerance=_RELATIVE,
     unavoidable=(
@@ -126,7 +126,7 @@ _OVPHYSX = Client(
         ),
     ),
     tells=(*READ, *MOVED, "joints.stiffness", "joints.damping"),
-    withholds=("joints.kind",),  # a wrong one shows in the poses
+    withholds=("joints.kind",),  # wrong values show in the poses
 )
 
 _VALIDATORS = (
@@ -353,13 +353,13 @@ URDF: tuple[Client, ...] = (
         "drake",
         tells=(*READ, *MOVED, _DAMPED),
         unavoidable=_DRAKE_MJCF,
-        misplaces=True,  # it turns such a body about its parent's origin
+        misplaces=True,  # it turns such a body about the origin of its parent
     ),
 )
 """In the order of the table."""
 
 
-_SINGLE = 1e-5  # what is left of numbers in single precision
+_SINGLE = 1e-5  # precision of single-precision numbers
 _GAINS = ("joints.damping", "joints.friction", "joints.stiffness", "joints.armature")
 _TELLS = (*READ, "couplings", "steps", *_GAINS)
 _ADVICE = "advice on the installation of robosuite, whatever is loaded"
@@ -404,24 +404,24 @@ ROBOSUITE: tuple[Client, ...] = (
         distribution="mujoco-warp",
         environment="newton",
         driver="mujoco_warp_model",
-        seconds=600.0,  # the first time on a machine it compiles its kernels
+        seconds=600.0,  # its first run on a machine compiles kernels
         tells=_TELLS,
         length_tolerance=_SINGLE,
         relative_tolerance=_SINGLE,
     ),
 )
-"""Clients that read MJCF beside MuJoCo itself."""
+"""Clients that read MJCF, except for MuJoCo itself."""
 
 
 CLIENTS: Mapping[str, Client] = {client.name: client for client in (*URDF, *SAPIEN, *ROBOSUITE, *USD)}
 """Every client by its name."""
 
 ALL = "all"
-"""The word for all of them."""
+"""Name that selects all clients."""
 
 
 def chosen_clients(names: str) -> tuple[Sequence[Client], bool]:
-    """Return the clients that a text names, such as `all` or `pybullet,drake_urdf`, each once."""
+    """Return the clients in a text such as `all` or `pybullet,drake_urdf`, each once."""
     words = list(dict.fromkeys(word for part in names.split(",") if (word := part.strip())))
     if not words:
         raise ParameterError(f"{names!r} names no client; give {ALL!r} or some of: {', '.join(CLIENTS)}")

@@ -1,4 +1,4 @@
-"""Running clients on an export, each in a process of its own with a time limit."""
+"""Running of clients on an export, each in its own process with a time limit."""
 
 import json
 import os
@@ -21,23 +21,23 @@ from artgen.validate.clients.exported import ClientExport, differences, read_exp
 from artgen.validate.clients.install_location import how_to_get, interpreters
 from artgen.validate.clients.outcome import Outcome, State, Tolerated, joined_lines, sorted_messages
 
-_KEPT = 400_000  # bytes of output that are looked at
+_KEPT = 400_000  # most bytes of output that are kept
 _RUNNING: "set[subprocess.Popen[bytes]]" = set()
-_PATIENCE = 5.0  # how long to wait for output after the group was killed [s]
+_PATIENCE = 5.0  # time to wait for output after the group was killed [s]
 
 
 @dataclass(frozen=True)
 class Finished:
-    """How a program ended."""
+    """Result of a finished program."""
 
-    code: int  # its exit code, or minus the number of the signal that ended it
-    output: str  # what it and its children printed to stdout and stderr, in order, the first part of it
-    seconds: float  # how long it ran
-    timed_out: bool  # whether it was killed because its time was over
+    code: int  # exit code, or minus the number of the signal that ended it
+    output: str  # output of the program and its children to stdout and stderr, the first part
+    seconds: float  # duration [s]
+    timed_out: bool  # whether it was killed at the time limit
 
     @property
     def ending(self) -> str:
-        """How it ended, in words; empty if all was well."""
+        """The exit in words; empty for success."""
         if self.timed_out:
             return f"it was killed after {self.seconds:.0f} s"
         if self.code < 0:
@@ -49,7 +49,7 @@ class Finished:
 def run_process(
     command: Sequence[str | Path], directory: Path, environment: Mapping[str, str], seconds: float
 ) -> Finished:
-    """Run a program to its end, or until its time is over; then nothing that it started is left."""
+    """Run a program until it ends or reaches its time limit, and end all its children."""
     start = time.monotonic()
     process = subprocess.Popen(  # noqa: S603 - the command is artgen's own
         list(command),
@@ -80,20 +80,20 @@ def run_process(
 
 
 def stop_running() -> None:
-    """Kill all programs that `run_process` runs now, in any thread: nobody waits for them any more."""
+    """Kill all programs that `run_process` runs in any thread."""
     for process in tuple(_RUNNING):
         _kill_group(process)
 
 
 def _read(stream: IO[bytes], kept: bytearray) -> None:
-    """Read a stream to its end, so that its writer never waits, and keep the first part."""
+    """Read a stream to its end, so that the writer never blocks, and keep the first part."""
     with stream:
         while chunk := stream.read1(65536):  # type: ignore[attr-defined]
             kept += chunk[: _KEPT - len(kept)]
 
 
 def _kill_group(process: "subprocess.Popen[bytes]") -> None:
-    """Kill a program with everything that it started; its group outlives it while a child does."""
+    """Kill a program with all its children; its group outlives it while a child runs."""
     if hasattr(os, "killpg"):
         with suppress(ProcessLookupError, PermissionError):
             os.killpg(process.pid, signal.SIGKILL)
@@ -102,31 +102,31 @@ def _kill_group(process: "subprocess.Popen[bytes]") -> None:
 
 
 DRIVERS = Path(__file__).parent / "drivers"
-"""Where the drivers are."""
+"""Folder of the drivers."""
 
-_ABSENT = 3  # exit code of a driver whose client is not there
-_SHOWN = 5  # messages of one client
-# The folder of the drivers comes last: `newton.py` there must not hide the package. The alarm ends a driver
-# whose parent was killed before it could kill the driver.
+_ABSENT = 3  # exit code of a driver whose client is missing
+_SHOWN = 5  # most messages of one client
+# The folder of the drivers comes last, because `newton.py` there must not hide the package. The alarm ends a
+# driver whose parent was killed first.
 _START = (
     "import os, runpy, signal, sys; getattr(signal, 'alarm', int)(int(sys.argv[1])); "
     "sys.argv = sys.argv[2:]; sys.path[0] = os.path.dirname(sys.argv[0]); sys.path.append(sys.path.pop(0)); "
     "runpy.run_path(sys.argv[0], run_name='__main__')"
 )
-_GLANCE = 0.1  # between two looks at what was stopped [s]
-_AFTER = 30.0  # when the alarm rings after the time is over [s]
+_GLANCE = 0.1  # interval between two checks for stopped programs [s]
+_AFTER = 30.0  # time after the limit at which the alarm rings [s]
 
 
 def ask_all(clients: Sequence[Client], exported: ClientExport) -> list[Outcome]:
-    """Return the results of clients for an export in their order; several clients run at a time."""
+    """Return the results of clients for an export, in their order; several clients run in parallel."""
     workers = max(1, (os.cpu_count() or 2) // 2)
     with ThreadPoolExecutor(workers) as pool:
         started = [pool.submit(ask, client, [exported]) for client in clients]
         try:
             return [each.result()[0] for each in started]
-        except BaseException:  # such as Ctrl-C: leaving the pool waits for clients, which may take minutes
+        except BaseException:  # such as Ctrl-C: leaving the pool would wait for clients, possibly minutes
             pool.shutdown(wait=False, cancel_futures=True)
-            while not all(each.done() for each in started):  # one may be about to start its client
+            while not all(each.done() for each in started):  # a thread may be about to start its client
                 stop_running()
                 time.sleep(_GLANCE)
             raise
@@ -135,8 +135,8 @@ def ask_all(clients: Sequence[Client], exported: ClientExport) -> list[Outcome]:
 def ask(client: Client, exports: Sequence[ClientExport]) -> list[Outcome]:
     """Return the result of a client for each export.
 
-    All are read by one process, which pays for a slow start once. Where that says something that may be of
-    any of them, or does not answer for all, halves of them are read again, until it is known of which.
+    One process reads all exports, which pays for a slow start once. If its messages may belong to any of
+    them, or answers are missing, halves are read again until the export is known.
     """
     outcomes: list[Outcome | None] = [
         None if each.is_read_by(client) else _nothing_to_read(client, each) for each in exports
@@ -148,7 +148,7 @@ def ask(client: Client, exports: Sequence[ClientExport]) -> list[Outcome]:
 
 
 def absent(client: Client, *, severity: str = "note") -> Outcome:
-    """Return the outcome of a client that is not there; where it was asked for by name, that is a fault."""
+    """Return the outcome of a missing client; it is a fault if the client was requested by name."""
     finding = Finding(client.name, "it is not installed", hint=how_to_get(client))
     if severity == "note":
         finding = replace(finding, severity="note")
@@ -170,7 +170,7 @@ def _ask(client: Client, exports: Sequence[ClientExport]) -> list[Outcome]:
     for program in interpreters(client):
         session = _session(client, program, exports)
         if session.finished.code == _ABSENT and not any(session.answers) and not session.messages:
-            continue  # a client that is there and ends so by itself says why
+            continue  # an existing client that exits this way prints the reason
         if len(exports) == 1:
             return [_outcome(client, exports[0], session)]
         if session.messages or session.finished.ending or None in session.answers:
@@ -191,14 +191,14 @@ class _Session:
     """One process of a client."""
 
     finished: Finished  # how it ended
-    # its answer to each request; None where there is none, a text where it cannot be read
+    # answer to each request; None if it is missing, a text if it cannot be read
     answers: Sequence[Mapping[str, Any] | str | None]
-    messages: tuple[str, ...] = ()  # what it printed that is a fault
-    tolerated: tuple[Tolerated, ...] = field(default=())  # what it printed that is none
+    messages: tuple[str, ...] = ()  # messages that are faults
+    tolerated: tuple[Tolerated, ...] = field(default=())  # messages that are not faults
 
 
 def _session(client: Client, program: Path, exports: Sequence[ClientExport]) -> _Session:
-    """Let a client's driver answer one request for each export."""
+    """Let the driver of a client answer one request per export."""
     with tempfile.TemporaryDirectory(prefix="artgen_client_") as folder:
         place = Path(folder)
         work = place / "work"
@@ -231,7 +231,7 @@ def _session(client: Client, program: Path, exports: Sequence[ClientExport]) -> 
 
 
 def _environment(program: Path) -> dict[str, str]:
-    """Return the environment variables of a driver: those of artgen's own packages are not for others."""
+    """Return the environment variables of a driver, without variables for artgen's own packages."""
     result = {**os.environ, "PYTHONUNBUFFERED": "1", "PYTHONUTF8": "1"}
     for name in ("PYTHONHOME", "PYTHONWARNINGS", "PYTHONSTARTUP"):
         result.pop(name, None)
@@ -241,7 +241,7 @@ def _environment(program: Path) -> dict[str, str]:
 
 
 def _answer(path: Path) -> Mapping[str, Any] | str | None:
-    """Read a response: None if there is none, and why it cannot be read if it is damaged."""
+    """Read a response: None if it is missing, the error if it is damaged."""
     try:
         data = json.loads(path.read_text(encoding="utf-8"))
     except FileNotFoundError:
@@ -275,7 +275,7 @@ def _outcome(client: Client, exported: ClientExport, session: _Session) -> Outco
         except Exception as error:  # noqa: BLE001 - a damaged answer may hold anything
             findings.append(Finding(client.name, f"its answer is damaged: {type(error).__name__}: {error}"))
     if finished.ending:
-        # the end of a traceback tells the rest of it
+        # the end of a traceback contains its start
         messages = tuple(text for text in messages[:-1] if not text.startswith("Traceback "))
     findings += _said(client, messages)
     state: State = "timed out" if finished.timed_out else "failed" if findings else "passed"

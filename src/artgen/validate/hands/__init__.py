@@ -1,4 +1,4 @@
-"""Check of grasps and pushes: a hand can approach, take hold, and move the joints."""
+"""Check of grasps and pushes: a hand can approach, grasp, and move the joints."""
 
 from collections.abc import Collection, Iterator, Mapping
 
@@ -17,38 +17,38 @@ from artgen.validate.hands.states import Opened, openable, standing
 CHECK = "grasps"
 
 Faults = tuple[list[Finding], str]
-"""What keeps a hand from coming, and the link that it strikes; empty where it strikes none but its own."""
+"""Obstacles of a hand, and the link that it strikes; empty if that is its own link."""
 
 COMES_FROM = 0.100
-"""How far away the hand starts [m]."""
+"""Distance from which the hand approaches [m]."""
 
-_PAD_GIVES = 0.0005  # rubber pads and finger tips yield by this much [m]
-_LEAST_ROOM = 0.003  # between an open finger and what it closes on [m]
-_MOST_ROOM = 0.010  # [m]
-_OFF_CENTRE = 0.002  # of what is held, along the closing direction [m]
+_PAD_GIVES = 0.0005  # compliance of rubber pads and finger tips [m]
+_LEAST_ROOM = 0.003  # distance between an open finger and the object [m]
+_MOST_ROOM = 0.010  # tolerance of the grasp [m]
+_OFF_CENTRE = 0.002  # thickness of the held object along the closing direction [m]
 _HELD = 0.002  # least length of contact on a pad, along the approach and across [m]
-_FRICTION = 0.5  # rubber on metal or wood, on the safe side
-_OFF_SURFACE = 0.001  # of the point where a finger pushes [m]
+_FRICTION = 0.5  # friction of rubber on metal or wood, conservative
+_OFF_SURFACE = 0.001  # tolerance of the point at which a finger pushes [m]
 _FOOTHOLD = 0.002  # least width of contact under a pushing finger [m]
-_ALONG = 0.5  # least cosine between a push and the way that its point can go
-_LEAST_SHARE = 0.2  # of the range of a joint that a hand has to be able to move it through
+_ALONG = 0.5  # least cosine between a push and the motion of its point
+_LEAST_SHARE = 0.2  # share of the range through which a hand has to move a joint
 _NEARLY_ALL = 0.999
-_GRAZES = 1e-4  # how far a hand may reach below the ground [m]
+_GRAZES = 1e-4  # largest reach of a hand below the ground [m]
 
 
 def check_grasps(asset: Asset) -> CheckResult:
-    """Check every grasp with a parallel gripper and every push with a finger, coming and as joints move.
+    """Check every grasp with a parallel gripper and every push with a finger, at the approach and in motion.
 
-    A hand comes where its joint may move: to a drawer behind a door, when the door is open.
+    A hand approaches where its joint may move: a drawer behind a door is approached with the door open.
 
     Args:
-        asset: The asset, in memory or read back.
+        asset: The asset, in memory or loaded.
 
     Returns:
-        A fault for each grasp that a gripper cannot take, each push that does not push, and each free joint
-        that no hand can move, or not with `MOST_FORCE`; a note where each hand strikes something before a
-        joint is at its end, and where something has to be opened first without being needed. An asset
-        without grasps and pushes has one note.
+        A fault for each impossible grasp, each ineffective push, and each free joint that no hand can move
+        with at most `MOST_FORCE`. A note if each hand strikes something before the end of a range, and if
+        something has to be opened first without a dependency. An asset without grasps and pushes has one
+        note.
     """
     free = [joint.name for joint in asset.free_joints if not joint.driven]
     found = asset.affordances
@@ -83,7 +83,7 @@ def check_grasps(asset: Asset) -> CheckResult:
 
 
 def _in_vain(finding: Finding, best: Mapping[str, float]) -> bool:
-    """Tell whether a note says of a hand what is no matter: another one moves that joint all the way."""
+    """Tell whether a note about a hand is irrelevant: another hand moves the joint all the way."""
     return finding.severity == "note" and best.get(finding.joint, 0.0) >= _NEARLY_ALL
 
 
@@ -109,7 +109,7 @@ def _force_findings(asset: Asset, forces: Mapping[str, float], faulty: Collectio
 
 
 def _come(space: HandSpace, affordance: Affordance) -> tuple[Opened, list[Finding]]:
-    """Bring a hand where its joint may move, and open what it strikes there, if it can be opened."""
+    """Approach with a hand where its joint may move, and open obstacles if possible."""
     opened: dict[str, AssetCondition] = {}
     faults, struck = _faults(space, affordance, opened)
     first = faults
@@ -132,7 +132,7 @@ def _faults(space: HandSpace, affordance: Affordance, opened: Opened) -> Faults:
 
 
 def _pose(asset: Asset, affordance: Affordance, opened: Opened) -> dict[str, Array] | None:
-    """Return how links are displaced as a hand comes; None where what was opened cannot be."""
+    """Return the displacements of links during the approach; None without a valid position."""
     q = standing(asset, affordance.joints[0] if affordance.joints else "", opened)
     if q is None and opened:
         return None
@@ -165,7 +165,7 @@ def _mm(length: float) -> str:
 
 
 def _grasp_faults(space: HandSpace, grasp: Affordance, pose: Mapping[str, Array]) -> Faults:
-    """Return the first obstacle for an open gripper that approaches and closes on the link."""
+    """Return the first obstacle of an open gripper that approaches and closes on the link."""
     if not 0.0 < grasp.width <= GRIPPER.stroke + 1e-9:
         message = f"its width is {_mm(grasp.width)}, and the gripper opens to {_mm(GRIPPER.stroke)}"
         hint = "grip it where it is thinner, or along another direction"
@@ -192,9 +192,9 @@ def _grasp_faults(space: HandSpace, grasp: Affordance, pose: Mapping[str, Array]
 
 
 def _floor_findings(space: HandSpace, grasp: Affordance, opened: Opened) -> Iterator[Finding]:
-    """Yield how deep the hand reaches below the ground that the asset stands on, if it stands on any.
+    """Yield the depth of the hand below the ground, if the asset stands on the ground.
 
-    Whether it does is up to its user, so this is a note.
+    This is a note: the user decides whether there is a ground.
     """
     pose = _pose(space.asset, grasp, opened)
     if grasp.kind == "push" or pose is None:
@@ -263,7 +263,7 @@ def _contact_faults(space: HandSpace, grasp: Affordance, low: float, high: float
 
 
 def _push_faults(space: HandSpace, push: Affordance, pose: Mapping[str, Array]) -> Faults:
-    """Return the obstacle for a finger on its straight way to the point of a push."""
+    """Return the obstacle of a finger on its straight path to the point of a push."""
     depths = space.finger_depths(pose[push.link] @ push.frame, pose, COMES_FROM)
     own = depths.pop(push.link, None)
     if own is None:
@@ -290,7 +290,7 @@ def _push_faults(space: HandSpace, push: Affordance, pose: Mapping[str, Array]) 
 def _motion_findings(
     space: HandSpace, affordance: Affordance, opened: Opened, best: dict[str, float]
 ) -> Iterator[Finding]:
-    """Yield what happens when the hand moves each joint; `best` keeps how far some hand moves it."""
+    """Yield the obstacles of the hand in motion; `best` collects the largest share of each joint."""
     asset = space.asset
     for number, name in enumerate(affordance.joints):
         if affordance.kind == "push":
@@ -326,7 +326,7 @@ def _reach_finding(affordance: Affordance, joint: str, reach: Reach, *, first: b
 
 
 def _joint_findings(asset: Asset, best: dict[str, float], faulty: Collection[str]) -> Iterator[Finding]:
-    """Yield the free joints that no hand moves, but for those whose grasps and pushes have faults already."""
+    """Yield the free joints that no hand moves, except for those whose grasps and pushes have faults."""
     for name, share in best.items():
         if asset.joint(name).driven:
             continue

@@ -1,7 +1,7 @@
-"""With which force a hand moves each joint from end to end, computed from the asset without a simulator.
+"""Force with which a hand moves each joint from end to end, computed without a simulator.
 
-A hand that moves a joint slowly works against dry friction, springs and weight. Damping and inertia, which
-depend on its haste, are left out.
+A slow hand works against dry friction, springs and weight. Damping and inertia depend on its speed and are
+left out.
 """
 
 import math
@@ -18,30 +18,31 @@ from artgen.export.frames import coupling
 from artgen.validate.hands.states import standing
 
 MOST_FORCE = 60.0
-"""What a hand, a finger or a foot is asked for at most [N].
+"""Largest force of a hand, a finger or a foot [N].
 
-Two pads of rubber (friction 0.5) that a Franka hand closes with 70 N slip at about as much.
+Two rubber pads (friction 0.5) that a Franka hand closes with 70 N slip at about this force.
 """
 
-_GRAVITY = 9.81  # [m/s^2]
-_STEPS = 16  # parts of a range at whose ends the force is computed
-_STEP = 1e-5  # by which a joint is moved to see where things go [rad or m]
-_SHORTEST = 1e-4  # lever arm with which a hand cannot move anything [m/rad or m/m]
-_LOOKED_AT = {"revolute": math.pi, "prismatic": 0.5}  # either way of a joint without limits [rad or m]
+_GRAVITY = 9.81  # gravity [m/s^2]
+_STEPS = 16  # number of parts of a range at whose ends the force is computed
+_STEP = 1e-5  # step by which a joint is moved to measure lever arms [rad or m]
+_SHORTEST = 1e-4  # least lever arm of an effective hand [m/rad or m/m]
+# examined range of a joint without limits, in each direction [rad or m]
+_LOOKED_AT = {"revolute": math.pi, "prismatic": 0.5}
 
 
 def hand_forces(asset: Asset) -> dict[str, float]:
     """Return the force with which a hand starts each joint and moves it from end to end [N].
 
-    Of all grasps and pushes that move a joint, the one that asks for least counts, for each way by itself;
-    a way in which none can move the joint, such as that back of a button, is left to its spring. At each
-    place the hand needs what friction, springs and weight ask for, divided by its lever arm there.
+    The grasp or push with the smallest force counts, separately for each direction. A direction in which no
+    hand can move the joint, such as the return of a button, is left to its spring. At each position, the hand
+    needs the force of friction, springs and weight divided by its lever arm.
 
     Args:
-        asset: The asset, in memory or read back.
+        asset: The asset, in memory or loaded.
 
     Returns:
-        The force by name, for the free joints that some grasp or push moves and that nothing else drives.
+        The force by name, for free joints that a grasp or push moves and no motor drives.
     """
     result = {}
     for joint in asset.free_joints:
@@ -58,17 +59,17 @@ def hand_forces(asset: Asset) -> dict[str, float]:
 
 @dataclass(frozen=True)
 class _Place:
-    """A joint at one place of its range."""
+    """A joint at one position of its range."""
 
-    load: float  # with what springs and weight push it on, towards larger positions [N m or N]
-    friction: float  # dry friction of the joint and of those that follow it [N m or N]
-    # how links are displaced a step before and a step behind that place
+    load: float  # load of springs and weight towards larger positions [N m or N]
+    friction: float  # dry friction of the joint and its followers [N m or N]
+    # displacements of links one step before and behind the position
     poses: tuple[Mapping[str, Array], Mapping[str, Array]]
-    apart: float  # the way of the joint between these poses [rad or m]
+    apart: float  # motion of the joint between these poses [rad or m]
 
 
 def _places(asset: Asset, joint: AssetJoint) -> list[_Place]:
-    """Return places along the range of a joint; the others stand where it may move."""
+    """Return positions along the range of a joint; other joints stand where it may move."""
     held = standing(asset, joint.name, {}) or {}
     most = _LOOKED_AT[joint.kind]
     low, high = joint.limits or (-most, most)
@@ -87,7 +88,7 @@ def _places(asset: Asset, joint: AssetJoint) -> list[_Place]:
 
 
 def _followers(asset: Asset, joint: AssetJoint) -> Sequence[tuple[AssetJoint, float, float]]:
-    """Return a free joint and those that follow it, with the ratio and the offset of each."""
+    """Return a free joint and its followers, with ratio and offset of each."""
     found = [(joint, 1.0, 0.0)]
     for each in asset.joints:
         law = coupling(asset, each)
@@ -97,7 +98,7 @@ def _followers(asset: Asset, joint: AssetJoint) -> Sequence[tuple[AssetJoint, fl
 
 
 def _potential(asset: Asset, pose: Mapping[str, Array]) -> float:
-    """Return the energy of the links' weight [J]."""
+    """Return the potential energy of the links [J]."""
     heights = (
         (
             link.mass_properties.mass,
@@ -109,7 +110,7 @@ def _potential(asset: Asset, pose: Mapping[str, Array]) -> float:
 
 
 def _force(hand: Affordance, places: Sequence[_Place], way: float) -> float:
-    """Return the force that a hand needs at most; infinite where it cannot move the joint that way [N]."""
+    """Return the largest force that a hand needs; infinite if it cannot move the joint that way [N]."""
     return max(_force_at(hand, place, way) for place in places)
 
 
@@ -122,13 +123,14 @@ def _force_at(hand: Affordance, place: _Place, way: float) -> float:
 
 
 def _arm(hand: Affordance, before: Array, behind: Array, way: float) -> float:
-    """Return how far a hand moves along its force as its frame goes from one pose to the next [m].
+    """Return the motion of a hand along its force between two poses of its frame [m].
 
-    A finger pushes along its frame. A gripper pulls where its link goes, or turns it by a force of each pad.
+    A finger pushes along its frame. A gripper pulls along the motion of its link, or turns it by opposite
+    forces of its pads.
     """
     moved = behind[:3, 3] - before[:3, 3]
     if hand.kind == "push":
         return way * float(moved @ before[:3, 2])
     held = max(hand.width - 2.0 * GRIPPER.clearance, 0.0)
-    turned = behind[:3, 0] - before[:3, 0]  # of the direction from pad to pad
+    turned = behind[:3, 0] - before[:3, 0]  # cosine to the direction between the pads
     return max(float(np.linalg.norm(moved)), float(np.linalg.norm(turned)) * held)

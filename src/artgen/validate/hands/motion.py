@@ -1,4 +1,4 @@
-"""How far a hand that holds or pushes a link can move a joint before it strikes something."""
+"""Range of a joint through which a hand that grasps or pushes a link can move before it strikes something."""
 
 import math
 from collections.abc import Iterator, Mapping
@@ -13,21 +13,21 @@ from artgen.asset.gripper import GRIPPER
 from artgen.validate.hands.space import HandSpace, Touch
 from artgen.validate.hands.states import Opened, standing
 
-_STEPS = 16  # positions from rest to either end of a range at which the hand is tried
-_TURN = math.pi  # how far a joint without limits is moved either way [rad or m]
-_STEP = 1e-3  # share of the range over which the way of a point is looked at
-_BACK = 0.100  # length of the finger that pushes [m]
+_STEPS = 16  # positions from rest to either end of a range at which the hand is tested
+_TURN = math.pi  # range of a joint without limits, in each direction [rad or m]
+_STEP = 1e-3  # share of the range over which the motion of a point is measured
+_BACK = 0.100  # length of the pushing finger [m]
 
 
 @dataclass(frozen=True)
 class Reach:
-    """How far a hand moves a joint.
+    """Range through which a hand moves a joint.
 
     Attributes:
-        share: Share of the range through which the hand moves it, 0-1.
-        part: What of the hand strikes something: a finger or the hand behind it.
-        touch: What it strikes.
-        pose: Joint positions at which it does [rad or m].
+        share: Share of the range, 0-1.
+        part: Striking part of the hand: a finger or the hand behind it.
+        touch: The obstacle.
+        pose: Joint positions at the contact [rad or m].
     """
 
     share: float
@@ -37,13 +37,13 @@ class Reach:
 
 
 def reach_of(space: HandSpace, affordance: Affordance, joint: str, opened: Opened) -> Reach:
-    """Return how far a hand moves a joint, its other joints held where it is free to move.
+    """Return how far a hand moves a joint while the other joints stand where it is free to move.
 
     Args:
         space: The solids.
-        affordance: What the hand does; it moves along with the link.
+        affordance: The grasp or push; the hand moves with the link.
         joint: Name of a free joint.
-        opened: What was opened for the hand to come.
+        opened: Joints that were opened for the approach.
     """
     asset = space.asset
     held = standing(asset, joint, opened)
@@ -67,9 +67,9 @@ def reach_of(space: HandSpace, affordance: Affordance, joint: str, opened: Opene
 
 
 def tendency(asset: Asset, push: Affordance, joint: str) -> float:
-    """Return the cosine between a push and the way that its point goes as a joint leaves its closed position.
+    """Return the cosine between a push and the motion of its point when a joint leaves its closed position.
 
-    The better of both ways counts, where the joint can go both ways.
+    If the joint can move in both directions, the better one counts.
     """
     closed = asset.joint(joint).closed
     low, high = _range(asset, joint)
@@ -92,7 +92,7 @@ def _range(asset: Asset, joint: str) -> tuple[float, float]:
 
 
 def _closed_hand(space: HandSpace, affordance: Affordance) -> dict[str, Array]:
-    """Return the corners of the boxes of a gripper that has closed on its link; none for a finger."""
+    """Return the boxes of a gripper closed on its link as corners; none for a finger."""
     if affordance.kind == "push":
         return {}
     points = space.inside(GRIPPER.between(affordance.width / 2.0), affordance.frame, affordance.link)

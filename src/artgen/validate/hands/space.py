@@ -13,14 +13,14 @@ from artgen.asset.gripper import GRIPPER, block, clipped
 from artgen.asset.stored_solids import link_parts
 from artgen.proof.overlap import LEAST_VOLUME
 
-_BEHIND = 0.020  # how deep behind the point of a push its surface is looked for [m]
-_SEGMENTS = 32  # of the circle around a finger
-_SLACK = 1e-5  # a hand may graze what it passes by this much [m]
+_BEHIND = 0.020  # search depth for the surface behind the point of a push [m]
+_SEGMENTS = 32  # sides of the polygon around a finger
+_SLACK = 1e-5  # tolerance of contact along the path of a hand [m]
 
 
 @dataclass(frozen=True)
 class Touch:
-    """The contact of a hand.
+    """Contact of a hand.
 
     Attributes:
         link: Name of the link.
@@ -32,10 +32,10 @@ class Touch:
 
 
 class HandSpace:
-    """The solids of an asset as hands meet them; details, which have no collider, are no obstacles.
+    """Solids of an asset as obstacles of hands, without visual details.
 
     Args:
-        asset: The asset, in memory or read back.
+        asset: The asset, in memory or loaded.
     """
 
     def __init__(self, asset: Asset) -> None:
@@ -48,7 +48,7 @@ class HandSpace:
 
     @property
     def lowest(self) -> float:
-        """Height of the lowest solid at rest, where the asset stands [m]."""
+        """Height of the lowest solid at rest [m]."""
         return min(float(boxes[:, 0, 2].min()) for boxes in self._boxes.values() if len(boxes))
 
     def first_touch(
@@ -58,13 +58,13 @@ class HandSpace:
         pose: Mapping[str, Array],
         ignore: str = "",
     ) -> Touch | None:
-        """Return something that a box overlaps; None if it is free.
+        """Return a solid that a box overlaps; None if the box is free.
 
         Args:
             corners: Opposite corners of the box in the frame, shape (2, 3) [m].
             frame: Pose of the box in asset coordinates, shape (4, 4).
             pose: Displacement of each link from rest, shape (4, 4) each.
-            ignore: Name of a link that it may overlap.
+            ignore: Name of a link whose overlap is ignored.
         """
         shrunk = np.array([corners[0] + _SLACK, corners[1] - _SLACK])
         return self._touch(block(shrunk, np.eye(4)), shrunk, frame, pose, ignore)
@@ -72,7 +72,7 @@ class HandSpace:
     def finger_touch(
         self, back: float, frame: Array, pose: Mapping[str, Array], ignore: str = ""
     ) -> Touch | None:
-        """Return something that a finger with its tip at the origin overlaps; None if it is free."""
+        """Return a solid that a finger with its tip at the origin overlaps; None if the finger is free."""
         radius = GRIPPER.finger / 2.0 - _SLACK
         corners = np.array([[-radius, -radius, -back], [radius, radius, -_SLACK]])
         return self._touch(_rod(radius, -back, -_SLACK), corners, frame, pose, ignore)
@@ -99,7 +99,7 @@ class HandSpace:
         return None
 
     def _near(self, link: str, corners: Array, frame: Array) -> list[SolidPart]:
-        """Return the parts of a link whose bounding boxes overlap a box, along its and along our axes."""
+        """Return the parts of a link whose bounding boxes overlap a box, in both coordinate systems."""
         turn, half = frame[:3, :3], (corners[1] - corners[0]) / 2.0
         middle = turn @ corners.mean(axis=0) + frame[:3, 3]
         boxes = self._boxes[link]
@@ -111,20 +111,20 @@ class HandSpace:
         return [self._parts[link][index] for index in np.flatnonzero(close)]
 
     def inside(self, corners: Array, frame: Array, link: str) -> Array:
-        """Return the corners of what a link at rest has inside a box, in the frame, shape (n, 3) [m]."""
+        """Return the corners of a link's solids at rest inside a box, in the frame, shape (n, 3) [m]."""
         near = self._near(link, corners, frame)
         return clipped([part.solid for part in near], block(corners, frame), frame)
 
     def others_inside(
         self, corners: Array, frame: Array, pose: Mapping[str, Array], link: str
     ) -> Iterator[tuple[Touch, Array]]:
-        """Yield what links but one have inside a box: corners in its frame, shape (n, 3) [m].
+        """Yield for all links but one the corners of solids inside a box, in its frame, shape (n, 3) [m].
 
         Args:
             corners: Opposite corners of the box in the frame, shape (2, 3) [m].
             frame: Pose of the box in asset coordinates, shape (4, 4).
             pose: Displacement of each link from rest, shape (4, 4) each.
-            link: Name of the link that is left out.
+            link: Name of the excluded link.
         """
         for other in self._parts:
             if other == link:
@@ -136,12 +136,12 @@ class HandSpace:
                     yield Touch(other, part.label), points
 
     def finger_depths(self, frame: Array, pose: Mapping[str, Array], back: float) -> dict[str, float]:
-        """Return where a finger that comes along z first touches each link that it would touch, z [m].
+        """Return the depth at which a finger that moves along z first touches each link [m].
 
         Args:
             frame: Frame of the push in asset coordinates, shape (4, 4).
             pose: Displacement of each link from rest, shape (4, 4) each.
-            back: How far away the finger starts [m].
+            back: Distance from which the finger starts [m].
         """
         radius = GRIPPER.finger / 2.0
         corners = np.array([[-radius, -radius, -back], [radius, radius, _BEHIND]])
@@ -158,12 +158,12 @@ class HandSpace:
         return found
 
     def finger_patch(self, frame: Array, depth: float, gives: float, link: str) -> Array:
-        """Return the bounding rectangle of what a finger touches of a link, x and y, shape (2, 2) [m].
+        """Return the bounding rectangle of the contact of a finger with a link, in x and y, shape (2, 2) [m].
 
         Args:
             frame: Frame of the push, shape (4, 4).
-            depth: Where it first touches, z [m].
-            gives: How far the tip of the finger yields [m].
+            depth: Depth of the first contact along z [m].
+            gives: Compliance of the finger tip [m].
             link: Name of the link.
         """
         radius = GRIPPER.finger / 2.0

@@ -1,4 +1,4 @@
-"""Joint positions for the approach of a hand: covers of its target are open."""
+"""Joint positions for the approach of a hand, with covers of its target open."""
 
 from collections.abc import Iterator, Mapping
 
@@ -7,19 +7,19 @@ from artgen.asset.affordance import Affordance, moved_joints
 from artgen.export.frames import leader_of
 from artgen.validate.behavior.conditions import state_for
 
-_WIDE = 0.98  # share of its way from which a joint is open
+_WIDE = 0.98  # share of its range from which a joint counts as open
 
 Opened = Mapping[str, AssetCondition]
-"""For each joint that was opened so that a hand can come, the region in which it is open."""
+"""Regions in which joints are open that were opened for the approach of a hand."""
 
 
 def standing(asset: Asset, joint: str, opened: Opened) -> dict[str, float] | None:
-    """Return where the other joints stand for a hand to move a joint; None if there is no such place.
+    """Return positions of the other joints at which a hand can move a joint; None if there are none.
 
     Args:
         asset: The asset.
         joint: Name of a free joint; empty for none.
-        opened: What has to be open besides what the joint itself needs.
+        opened: Regions that have to be open in addition to the joint's own dependencies.
     """
     conditions = [
         each.needs.condition
@@ -32,16 +32,16 @@ def standing(asset: Asset, joint: str, opened: Opened) -> dict[str, float] | Non
 
 
 def openable(asset: Asset, affordance: Affordance, struck: str) -> Iterator[tuple[str, AssetCondition]]:
-    """Yield joints whose opening may clear the way of a hand, with the regions in which they are open.
+    """Yield joints whose opening may clear the path of a hand, with the regions in which they are open.
 
-    These are the joints that move what the hand struck, and those that move the thing itself after its own
-    joint, such as the door in whose inner side a flap sits. A joint that needs the one which the hand is to
-    move can be opened only afterwards.
+    These are the joints that move the obstacle, and the joints behind the joint itself, such as the door of a
+    flap in its inner side. Joints that depend on the joint of the hand are excluded: they can be opened only
+    afterwards.
 
     Args:
         asset: The asset.
-        affordance: What the hand does.
-        struck: The link that it strikes.
+        affordance: The grasp or push.
+        struck: The link that the hand strikes.
     """
     own, *others = affordance.joints or ("",)
     for name in dict.fromkeys((*moved_joints(asset, struck), *others)):
@@ -56,7 +56,7 @@ def openable(asset: Asset, affordance: Affordance, struck: str) -> Iterator[tupl
 
 
 def _awaited(asset: Asset, joint: str) -> set[str]:
-    """Return the free joints that a joint waits for, those that they wait for in turn, and so on."""
+    """Return the free joints that a joint depends on, recursively."""
     found: set[str] = set()
     todo = [joint]
     while todo:
