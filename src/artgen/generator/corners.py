@@ -1,4 +1,4 @@
-"""Corners of the parameter ranges of a category: every number at the lowest or highest value it may take."""
+"""Corners of the parameter ranges of a category: every number at its lowest or highest value."""
 
 import itertools
 from collections.abc import Iterator, Mapping, Sequence
@@ -13,18 +13,18 @@ from artgen.sampling.choices import By
 from artgen.sampling.distributions import shown
 
 MOST_CORNERS = 256
-_MOST_EXACT = 8  # numbers that vary; up to here every combination of their ends is a corner
-_DRAWS = 64  # seeds whose options are tried
+_MOST_EXACT = 8  # most varying numbers for which all combinations of their ends are corners
+_DRAWS = 64  # seeds whose options are used
 
 Pattern = Mapping[str, int]
-"""By the name of a parameter: 0 for the low end of its range, 1 for the high one."""
+"""0 for the low end and 1 for the high end of the range, by parameter name."""
 
 
 @dataclass(frozen=True)
 class _Options:
     """One draw of the options of a category."""
 
-    values: Mapping[str, Any]  # all parameters as they were drawn
+    values: Mapping[str, Any]  # all drawn parameters
     # lowest and highest value of each number that varies with these options
     ranges: Mapping[str, tuple[float, float]]
 
@@ -32,9 +32,9 @@ class _Options:
 def corners(category: Generator, seed: int, overrides: Mapping[str, Any]) -> list[dict[str, Any]]:
     """Return the parameters of the corners of a category, at most about `MOST_CORNERS`.
 
-    With up to 8 numbers that vary these are all combinations of their ends. With more of them they are each
-    number alone at either end, the others as drawn, and combinations from a stream that is always the same.
-    Options, such as a layout or a sub-generator, are in turn those drawn from `seed` and the next seeds.
+    With up to 8 varying numbers, the corners are all combinations of their ends. With more numbers, they are
+    each number alone at either end with the others as drawn, and combinations from a fixed random stream.
+    Options, such as a layout or a sub-generator, are drawn from `seed` and the following seeds.
     """
     options = _drawn_options(category, seed, overrides)
     names = sorted({name for each in options for name in each.ranges})
@@ -51,7 +51,7 @@ def corners(category: Generator, seed: int, overrides: Mapping[str, Any]) -> lis
 
 
 def _drawn_options(category: Generator, seed: int, overrides: Mapping[str, Any]) -> list[_Options]:
-    """Return the different draws of options of some seeds, in their order."""
+    """Return the different draws of options of several seeds, in order."""
     given = Overrides(category, overrides)
     found: dict[tuple[str, ...], _Options] = {}
     for number in range(seed, seed + _DRAWS):
@@ -65,7 +65,7 @@ def _drawn_options(category: Generator, seed: int, overrides: Mapping[str, Any])
 def in_use(
     own: Mapping[str, Parameter], values: Mapping[str, Any], given: Overrides, short: str = "", full: str = ""
 ) -> Iterator[tuple[str, Parameter, Distribution]]:
-    """Yield each parameter in use with its name in `values`, and how it is drawn with the options drawn."""
+    """Yield each used parameter with its name in `values` and its distribution for the drawn options."""
     for name, declared in own.items():
         value = values[short + name]
         parameter = Parameter(full + name, declared.kind, declared.distribution)
@@ -82,7 +82,7 @@ def in_use(
 def _ranges(
     own: Mapping[str, Parameter], values: Mapping[str, Any], given: Overrides
 ) -> Iterator[tuple[str, tuple[float, float]]]:
-    """Yield the range of each number that varies, with the options that were drawn."""
+    """Yield the range of each number that varies, for the drawn options."""
     for name, _, distribution in in_use(own, values, given):
         if not distribution.discrete:
             low, high = distribution.support()
@@ -91,7 +91,7 @@ def _ranges(
 
 
 def _patterns(names: Sequence[str], category: str) -> list[Pattern]:
-    """Return which end each number takes; those that a pattern leaves out are as drawn."""
+    """Return the end of each number by pattern; numbers without an end stay as drawn."""
     if len(names) <= _MOST_EXACT:
         ends = itertools.product((0, 1), repeat=len(names))
         return [dict(zip(names, each, strict=True)) for each in ends]
@@ -104,7 +104,7 @@ def _patterns(names: Sequence[str], category: str) -> list[Pattern]:
 
 
 def _with_one_of(pattern: Pattern, options: Sequence[_Options], first: int) -> Iterator[_Options]:
-    """Yield the options, from one of them on, with which a number of the pattern varies."""
+    """Yield the options in which a number of the pattern varies, starting with one of them."""
     for index in range(len(options)):
         each = options[(first + index) % len(options)]
         if any(name in each.ranges for name in pattern):

@@ -1,4 +1,4 @@
-"""Decorators that make generators, and the categories by name."""
+"""Decorators that make generators, and the registry of categories."""
 
 import typing
 from collections.abc import Callable, Iterator
@@ -14,7 +14,7 @@ from artgen.nodes.handles import Body
 from artgen.sampling import choice
 
 CATEGORIES: dict[str, Generator] = {}
-"""The categories by name, filled when the modules that define them are imported."""
+"""Categories by name, filled when the modules that define them are imported."""
 
 _COLLECTED: ContextVar[tuple[str, dict[str, Generator]]] = ContextVar("collected", default=("", {}))
 
@@ -23,10 +23,10 @@ _COLLECTED: ContextVar[tuple[str, dict[str, Generator]]] = ContextVar("collected
 def collected(module: str) -> Iterator[dict[str, Generator]]:
     """Collect the categories of a module while it runs, and keep them out of the catalog.
 
-    A file that is run by its path may be a copy of an installed module, so its names may be taken.
+    A file that is run by path may be a copy of an installed module, so its category names may be taken.
 
     Args:
-        module: Its `__name__`; the categories of others that it imports enter the catalog as ever.
+        module: `__name__` of the module; categories that it imports enter the catalog as usual.
     """
     found: dict[str, Generator] = {}
     token = _COLLECTED.set((module, found))
@@ -37,7 +37,7 @@ def collected(module: str) -> Iterator[dict[str, Generator]]:
 
 
 def generator(function: Callable[..., Any]) -> Generator:
-    """Make a generator of a function: its signature declares the parameters.
+    """Make a generator of a function; its signature declares the parameters.
 
     Raises:
         BuildError: A parameter has no annotation, or its default does not fit its annotation.
@@ -51,12 +51,12 @@ def category(
     """Make a category of a function and enter it in the catalog under its name.
 
     Args:
-        labels: Every semantic label that its parts may carry.
+        labels: All semantic labels of its parts.
         joints: Minimum and maximum joint count, shown by `artgen list`.
 
     Raises:
         BuildError: Another category has that name, a parameter has no distribution or value, the function
-            does not return a Body, or `joints` is no range.
+            does not return a Body, or `joints` is not a range.
     """
     if joints is not None and not 0 <= joints[0] <= joints[1]:
         raise BuildError(
@@ -94,10 +94,10 @@ def category(
 
 
 def one_of(*generators: Generator, weights: tuple[float, ...] | None = None, doc: str = "") -> Any:
-    """Draw one of some generators, whose parameters become parameters of the caller.
+    """Draw one of several generators; its parameters become parameters of the caller.
 
     Raises:
-        ParameterError: There are none, something else than a generator is among them, or two share a name.
+        ParameterError: The list is empty, an option is not a generator, or two generators share a name.
     """
     names = []
     for option in generators:

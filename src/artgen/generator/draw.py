@@ -1,4 +1,4 @@
-"""Drawing: overrides by name, and one pass over the parameters in the order of their dependence."""
+"""Drawing of parameters: overrides by name, and one pass in the order of dependence."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -10,7 +10,7 @@ from artgen.sampling import Distribution, Fixed, stream
 
 
 class Overrides:
-    """Overrides by name, checked against the parameters that there are."""
+    """Overrides by name, checked against the existing parameters."""
 
     def __init__(self, category: Variant, overrides: Mapping[str, Any]) -> None:
         self._values: dict[str, Any] = {}
@@ -22,8 +22,8 @@ class Overrides:
                 raise ParameterError(f"the parameter {dotted!r} is given twice")
             given[dotted] = value
         known = every = category.parameters()
-        # outer names first: the choice of a generator decides which parameters inner names may mean;
-        # longer names last: they say more precisely which parameter they mean
+        # outer names first: the choice of a generator decides which parameters inner names can mean; longer
+        # names last: they are more specific
         for dotted in sorted(given, key=lambda name: (name.count("."), name)):
             matching = [parameter for parameter in known.values() if _means(dotted, parameter.name)]
             if not matching:
@@ -45,13 +45,14 @@ class Overrides:
                     continue
                 if is_variant(parameter.kind):
                     known = _with_variants(known, parameter, value)
-            # `handle.length` may suit the lever and not the pull: it is a fault if the pull is drawn
+            # `handle.length` may be valid for the lever and not for the pull; it is an error if the pull is
+            # drawn
             if len(faults) == len(matching):
                 raise next(iter(faults.values()))
             self._faults |= faults
 
     def distribution(self, parameter: Parameter) -> Distribution:
-        """Return how the parameter of that full name is drawn."""
+        """Return the distribution of a parameter by its full name."""
         if parameter.name not in self._values:
             return parameter.distribution
         if parameter.name in self._faults:
@@ -72,7 +73,7 @@ def _check_needs(parameter: Parameter, dotted: str, value: Any, known: Mapping[s
 
 
 def _with_variants(known: Mapping[str, Parameter], parameter: Parameter, value: Any) -> dict[str, Parameter]:
-    """Return the parameters that there are when a generator is chosen by an override."""
+    """Return the parameters that exist if an override chooses a generator."""
     inner = f"{parameter.name}."
     result = {name: other for name, other in known.items() if not name.startswith(inner)}
     for leaf in value.leaves() if isinstance(value, Distribution) else (Fixed(value=value),):
@@ -83,7 +84,7 @@ def _with_variants(known: Mapping[str, Parameter], parameter: Parameter, value: 
 
 
 def _means(dotted: str, full: str) -> bool:
-    """Tell whether an override's name means a parameter, generators on the way named or left out."""
+    """Tell whether an override's name refers to a parameter; the name may omit generators."""
     return _parts_mean(dotted.split("."), full.split("."))
 
 
@@ -100,15 +101,15 @@ def _parts_mean(dotted: list[str], full: list[str]) -> bool:
 class Draw:
     """One draw of all parameters."""
 
-    category: str  # name of the category, which begins the name of every random stream
+    category: str  # name of the category, the first part of the name of every random stream
     seed: int  # seed of the asset
-    attempt: int  # number of infeasible draws before
-    overrides: Overrides  # what is given instead of drawn
-    # what has been drawn, by names without generators: `handle.length`
+    attempt: int  # number of infeasible draws before this one
+    overrides: Overrides  # values and distributions that replace the drawn ones
+    # drawn values by names without generators, such as `handle.length`
     values: dict[str, Any] = field(default_factory=dict)
 
     def sample(self, own: Mapping[str, Parameter], short: str = "", full: str = "") -> None:
-        """Draw the parameters of one generator, and those of the generators that they choose."""
+        """Draw the parameters of a generator and of the generators that it chooses."""
         parameters = {
             name: Parameter(full + name, parameter.kind, parameter.distribution)
             for name, parameter in own.items()
@@ -127,7 +128,7 @@ class Draw:
 
 
 def drawing_order(distributions: Mapping[str, Distribution], owner: str) -> list[str]:
-    """Return the names, those that others depend on before them."""
+    """Return the names in an order in which parameters follow those they depend on."""
     remaining = dict(distributions)
     order: list[str] = []
     while remaining:

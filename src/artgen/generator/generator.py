@@ -1,4 +1,4 @@
-"""The generator: it samples parameters, builds and caches graphs, and evaluates them to proven assets."""
+"""The generator: it samples parameters, builds and caches graphs, and evaluates them to assets."""
 
 import atexit
 import functools
@@ -33,7 +33,7 @@ from artgen.sampling.distributions import is_number
 from artgen.version import __version__
 
 OnCollision = Literal["redraw", "fail", "keep"]
-"""What becomes of a sample whose links are not proven apart."""
+"""Treatment of samples with links that are not proven apart."""
 
 
 _REMEDY = (
@@ -67,15 +67,15 @@ def certify_sample(asset: Asset, tolerance: float, on_collision: OnCollision) ->
 
 
 SHARED = Cache()
-"""Values of the subgraphs of all generators that were given no cache of their own."""
+"""Values of the subgraphs of all generators without a cache of their own."""
 
 
 @atexit.register
 def _let_go() -> None:
-    """Forget all solids while manifold3d is still there.
+    """Release all solids before manifold3d is unloaded.
 
-    Where torch is loaded, modules outlive the interpreter; the solids that they remember would, too, and
-    manifold3d would complain of each.
+    If torch is loaded, modules outlive the interpreter, and manifold3d would report a leak for each cached
+    solid.
     """
     SHARED.clear()
     for name, module in list(sys.modules.items()):
@@ -85,11 +85,11 @@ def _let_go() -> None:
                     value.cache_clear()
 
 
-_MOST = 4  # bodies that are kept
+_MOST = 4  # most bodies in the cache
 
 
 class Built:
-    """Builds the graphs of a generator, and keeps the last few: no value of a socket matters to them."""
+    """Builds the graphs of a generator and keeps the last ones, which do not depend on socket values."""
 
     def __init__(self, own: Mapping[str, Parameter], build: Callable[[Mapping[str, Any]], Any]) -> None:
         self._own = own
@@ -97,7 +97,7 @@ class Built:
         self._bodies: OrderedDict[tuple[Any, ...], Any] = OrderedDict()
 
     def of(self, values: Mapping[str, Any]) -> Any:
-        """Return the handle of the result; errors of the function pass through."""
+        """Return the handle of the result; exceptions of the function pass through."""
         key = tuple(_structural(self._own, values, ""))
         body = self._bodies.get(key)
         if body is None:
@@ -110,7 +110,7 @@ class Built:
 def _structural(
     own: Mapping[str, Parameter], values: Mapping[str, Any], prefix: str
 ) -> Iterator[tuple[str, Any]]:
-    """Yield the structural values by name, those of the chosen sub-generators included."""
+    """Yield the structural values by name, including those of chosen sub-generators."""
     for name, parameter in own.items():
         value = values[prefix + name]
         if parameter.structural:
@@ -136,17 +136,17 @@ def call_author(name: str, function: Callable[..., Any], arguments: Mapping[str,
 class Generator(Variant):
     """A function that builds a graph, with the distributions of its parameters.
 
-    What stands in the function's signature is a parameter if its default is a distribution or a plain value.
-    It is an input, which callers give, if it has no default, or a handle, None or `given(...)` as default.
+    An argument with a distribution or a plain value as its default is a parameter. An argument without
+    default, or with a handle, None or `given(...)` as its default, is an input that callers provide.
 
     Attributes:
         function: The author's function.
-        name: Its name.
-        labels: Semantic labels of the parts that it may make; empty for sub-generators.
-        joints: How many joints its assets have, least and most; None where it is not said.
+        name: Name of the function.
+        labels: Semantic labels of the parts that it can make; empty for sub-generators.
+        joints: Minimum and maximum joint count; None if it is not declared.
         where: File and line of the function.
         signature: The function's signature.
-        own: Its own parameters by name, without those of the generators that they choose.
+        own: Its own parameters by name, without those of sub-generators.
     """
 
     def __init__(
@@ -166,7 +166,7 @@ class Generator(Variant):
         self._built = Built(self.own, self.build)
 
     def parameters(self, prefix: str = "") -> dict[str, Parameter]:
-        """Return every parameter by its full dotted name, those of all sub-generators included."""
+        """Return every parameter by its full dotted name, including those of all sub-generators."""
         result: dict[str, Parameter] = {}
         for name, own in self.own.items():
             full = prefix + name
@@ -182,11 +182,12 @@ class Generator(Variant):
 
         Args:
             seed: Seed of the asset.
-            attempt: Number of infeasible draws before.
+            attempt: Number of infeasible draws before this one.
             overrides: Values or other distributions by name.
 
         Returns:
-            The value of each parameter in use. Those of a chosen sub-generator are named `handle.length`.
+            The value of each used parameter. Parameters of a chosen sub-generator have names such as
+            `handle.length`.
 
         Raises:
             ParameterError: The seed is negative, or an override is unknown or not allowed.
@@ -199,12 +200,12 @@ class Generator(Variant):
         """Call the function with sockets for its parameters and return the handle of the result.
 
         Args:
-            values: The value of each parameter, as `sample` gives them.
-            prefix: What stands before this generator's parameters in `values`.
-            **inputs: What the caller gives; takes the place of parameters of the same name.
+            values: The value of each parameter, as returned by `sample`.
+            prefix: Prefix of this generator's parameters in `values`.
+            **inputs: Inputs of the function; they replace parameters of the same name.
 
         Raises:
-            BuildError: An input is unknown or missing, or the function fails or returns no handle.
+            BuildError: An input is unknown or missing, the function fails, or it does not return a handle.
         """
 
         def given(parameter: Parameter) -> Any:
@@ -216,11 +217,10 @@ class Generator(Variant):
         return self._called(inputs, given)
 
     def __call__(self, /, **inputs: Any) -> Any:
-        """Build the graph with every parameter given by the caller.
+        """Build the graph with all parameters given by the caller.
 
         Raises:
-            BuildError: A parameter that is drawn is not given: its draw would be hidden from the caller's
-                signature.
+            BuildError: A drawn parameter is not given: its draw would be missing in the caller's signature.
         """
 
         def given(parameter: Parameter) -> Any:
@@ -236,7 +236,7 @@ class Generator(Variant):
         return self._called(inputs, given)
 
     def _called(self, inputs: Mapping[str, Any], given: Callable[[Parameter], Any]) -> Any:
-        """Call the function with the caller's inputs, and with what is `given` for its other parameters."""
+        """Call the function with the caller's inputs and the `given` values of its other parameters."""
         for name in inputs:
             if name not in self.signature.parameters:
                 raise BuildError(
@@ -260,11 +260,11 @@ class Generator(Variant):
         return result
 
     def graph(self, /, seed: int = 0, **overrides: Any) -> Graph:
-        """Draw the parameters and return the graph that they build.
+        """Draw the parameters and return the graph that the function builds.
 
         Raises:
             ParameterError: The seed is negative, or an override is unknown or not allowed.
-            InfeasibleError: A structural requirement rules the sample out.
+            InfeasibleError: A structural requirement excludes the sample.
         """
         return Graph(self.build(self.sample(seed, overrides=overrides)))
 
@@ -284,29 +284,29 @@ class Generator(Variant):
     ) -> Asset:
         """Draw the parameters, build and evaluate the graph, certify the asset and return it.
 
-        The certificate, which says that no two links collide anywhere in the joint ranges, is then the
-        asset's `certificate`.
+        Its certificate states that no two links collide anywhere in the joint ranges.
 
         Args:
-            seed: Decides every draw.
+            seed: Seed of all draws.
             name: Name of the asset; by default the category and the seed.
             base: Whether the base is fixed to the world or free.
-            cache: Values known from earlier evaluations; by default one that the process shares.
-            attempts: How many draws are made before a category counts as infeasible.
-            certify: Whether to prove that no two links collide; without it, `certificate` is None.
-            tolerance: Clearance that has to be proven [m].
-            on_collision: What to do if that is not proven: `redraw` as if the sample were infeasible, `fail`,
-                or `keep` the asset with its certificate, which says where its links collide.
-            **overrides: A value or a distribution by parameter name; `handle__length` stands for
+            cache: Values from earlier evaluations; by default a cache shared by the process.
+            attempts: Number of draws before a category counts as infeasible.
+            certify: Whether to prove that no two links collide; otherwise `certificate` is None.
+            tolerance: Clearance to prove [m].
+            on_collision: Treatment of a sample without a proof: `redraw` draws again, `fail` raises an error,
+                `keep` returns the asset with a certificate of its collisions.
+            **overrides: A value or a distribution by parameter name; write `handle__length` for
                 `handle.length`.
 
         Raises:
-            ParameterError: The seed, the name, the base, the tolerance or another option is not allowed, or
-                an override is unknown or not allowed.
+            ParameterError: The seed, name, base, tolerance or another option is not allowed, or an override
+                is unknown or not allowed.
             EvaluationError: A kernel failed.
-            InfeasibleError: No draw met the category's requirements, or none is proven free of collisions.
+            InfeasibleError: No draw met the requirements of the category, or none is proven free of
+                collisions.
             CheckError: The links are not proven apart, and `on_collision` is `fail`.
-            AssetError: The parts do not make an asset: a joint refers to an unknown one, say.
+            AssetError: The parts do not form an asset; for example, a joint refers to an unknown joint.
         """
         asset, _ = self.evaluate(
             seed,
@@ -334,7 +334,7 @@ class Generator(Variant):
         on_collision: OnCollision = "redraw",
         overrides: Mapping[str, Any] | None = None,
     ) -> tuple[Asset, Evaluation]:
-        """Generate like `generate`, and return the asset with the cost of its evaluation."""
+        """Generate an asset like `generate`, and return it with the cost of its evaluation."""
         seed = checked_count("seed", seed)
         name = name or f"{self.name}_{seed}"
         _check_options(name, base, attempts)
@@ -343,7 +343,7 @@ class Generator(Variant):
         refused: list[Mapping[str, Any]] = []
         for attempt in range(attempts):
             values = self.sample(seed, attempt=attempt, overrides=overrides)
-            if values in refused:  # few parameters, or few values of them, give the same sample again
+            if values in refused:  # few parameters, or few values of them, repeat the same sample
                 continue
             try:
                 # reuse built bodies only if the caller passed a cache
@@ -412,11 +412,11 @@ class Generator(Variant):
 
 @dataclass(frozen=True, eq=False)
 class Chosen:
-    """A sub-generator with the parameters that were drawn for it, as its caller's function gets it."""
+    """A sub-generator with its drawn parameters, as an argument of the caller's function."""
 
     generator: Generator  # the generator
     values: Mapping[str, Any]  # the value of each parameter of the category
-    prefix: str  # what stands before the generator's parameters in `values`
+    prefix: str  # prefix of the generator's parameters in `values`
 
     @property
     def name(self) -> str:
@@ -457,9 +457,9 @@ def _check_options(name: str, base: Any, attempts: int) -> None:
 
 
 def _place(body: Handle, error: AssetError) -> str:
-    """Return the author's line of the joint, the part or the contact that an error is about.
+    """Return the author's line of the joint, part or contact of an error.
 
-    Names of copies begin with the name that the author gave.
+    Names of copies begin with the name in the author's code.
     """
     about, found, place = error.joint or error.link, "", ""
     for node in Graph(body).nodes:
@@ -471,7 +471,7 @@ def _place(body: Handle, error: AssetError) -> str:
 
 def _names_given(node: Node, error: AssetError) -> list[str]:
     """Return the parameter names that an error message should mention."""
-    if error.joint and error.link:  # a contact between links, which is allowed where a joint stands
+    if error.joint and error.link:  # a contact between links that depends on a joint
         when = node.inputs["when"] if node.op == "allow_contact" else None
         below = topological(when) if isinstance(when, Node) else []
         return [other.inputs["joint"] for other in below if "joint" in other.inputs]

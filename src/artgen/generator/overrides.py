@@ -1,6 +1,6 @@
-"""Overrides written as text, such as `handle_height=1.05` or `width=uniform(0.8, 0.9)`.
+"""Overrides as text, such as `handle_height=1.05` or `width=uniform(0.8, 0.9)`.
 
-The text is read as data: nothing in it is ever run.
+The text is data and is never executed.
 """
 
 import ast
@@ -17,13 +17,13 @@ DISTRIBUTIONS: Mapping[str, Callable[..., Any]] = {
     "normal": normal,
     "uniform": uniform,
 }
-"""The distributions that text may spell, by name."""
+"""Distributions that text may use, by name."""
 
 _WORDS = {"true": True, "false": False}
 
 
 def parse_overrides(texts: Iterable[str]) -> dict[str, Any]:
-    """Read overrides of the form `NAME=VALUE`."""
+    """Parse overrides of the form `NAME=VALUE`."""
     result: dict[str, Any] = {}
     for text in texts:
         name, equals, value = (piece.strip() for piece in text.partition("="))
@@ -37,7 +37,7 @@ def parse_overrides(texts: Iterable[str]) -> dict[str, Any]:
 
 
 def parse_value(text: str, name: str = "value") -> Any:
-    """Read a number, True or False, a string (quoted or not), or a distribution."""
+    """Parse a number, True or False, a string (quoted or not), or a distribution."""
     try:
         tree = ast.parse(text, mode="eval").body
     except (SyntaxError, ValueError, RecursionError, MemoryError):
@@ -51,12 +51,12 @@ def parse_value(text: str, name: str = "value") -> Any:
 
 
 def spelled(overrides: Mapping[str, Any]) -> list[str]:
-    """Write values as `NAME=VALUE`, so that `parse_overrides` reads the same ones."""
+    """Format values as `NAME=VALUE`, so that `parse_overrides` returns the same values."""
     return [f"{name}={_spelled(value)}" for name, value in overrides.items()]
 
 
 def _spelled(value: Any) -> str:
-    """Write a value; a string without quotes where it is read as that string all the same."""
+    """Format a value; a string needs no quotes if it is read as the same string without them."""
     if not isinstance(value, str) or not value or value != value.strip():
         return repr(value)
     try:
@@ -66,7 +66,7 @@ def _spelled(value: Any) -> str:
 
 
 def _literal(tree: ast.expr) -> Any:
-    """Return the value of a literal, or a bare word as a string."""
+    """Return the value of a literal; a bare word is a string."""
     if isinstance(tree, ast.Name):
         return _WORDS.get(tree.id, tree.id)
     try:

@@ -1,4 +1,4 @@
-"""Parameters: the values that an annotation accepts, and the check of distributions against it."""
+"""Parameters: the values of an annotation, and the check of distributions against it."""
 
 import types
 import typing
@@ -18,7 +18,7 @@ from artgen.sampling import Distribution
 from artgen.sampling.distributions import is_number
 
 SOCKETS = (Float, Bool, Vector)
-"""Handles whose values may be drawn."""
+"""Handles whose values can be drawn."""
 
 _WORDS = {
     Float: "a number",
@@ -32,15 +32,15 @@ _WORDS = {
 
 
 class Variant(ABC):
-    """A value of a parameter that has parameters of its own: a generator."""
+    """A parameter value with parameters of its own: a generator."""
 
     name: str  # its name
-    # its own parameters by name, without those of the generators that they choose
+    # its own parameters by name, without those of sub-generators
     own: "Mapping[str, Parameter]"
 
     @abstractmethod
     def parameters(self, prefix: str = "") -> "dict[str, Parameter]":
-        """Return its parameters by full dotted name after the prefix."""
+        """Return its parameters by full dotted name with a prefix."""
 
 
 @dataclass(frozen=True)
@@ -48,10 +48,10 @@ class Parameter:
     """One parameter of a generator.
 
     Attributes:
-        name: Full name: the parameters and generators on the way to it, in turn, as in
-            `handle.lever_handle.length`. Overrides may leave the generators out.
+        name: Full name: the path of parameters and generators, such as `handle.lever_handle.length`.
+            Overrides may omit the generators.
         kind: The annotation: a socket (Float, Bool, Vector) or a structural type.
-        distribution: How it is drawn.
+        distribution: Distribution of its values.
     """
 
     name: str
@@ -65,18 +65,18 @@ class Parameter:
 
     @cached_property
     def variants(self) -> tuple[Variant, ...]:
-        """The generators that it chooses between."""
+        """Generators among its values."""
         return variants_in(self.distribution)
 
     def accept(self, value: Any, name: str = "") -> Any:
-        """Return a value in the parameter's type.
+        """Return a value converted to the type of the parameter.
 
         Args:
-            value: The value of an override, or one that was drawn.
-            name: Name of the parameter as the author of the override wrote it.
+            value: The value of an override, or a drawn value.
+            name: Name of the parameter in the override.
 
         Raises:
-            ParameterError: It is of another type or no option.
+            ParameterError: The value has another type or is not an option.
         """
         accepted = accept(self.kind, value, self.variants)
         if accepted is NotImplemented:
@@ -86,10 +86,10 @@ class Parameter:
         return accepted
 
     def check_override(self, value: Any, name: str) -> None:
-        """Check an overriding value or distribution against the type and the hard limits.
+        """Check a value or distribution of an override against the type and the hard limits.
 
         Raises:
-            ParameterError: It is of another type, no option, or out of range.
+            ParameterError: It has another type, is not an option, or is out of range.
         """
         if isinstance(value, Distribution):
             if not self.fits(value):
@@ -99,7 +99,7 @@ class Parameter:
         self.distribution.check(name, value)
 
     def fits(self, distribution: Distribution) -> bool:
-        """Tell whether every value that a distribution may give is of the parameter's type."""
+        """Tell whether all values of a distribution have the parameter's type."""
         return all(
             all(accept(self.kind, value, self.variants) is not NotImplemented for value in leaf.support())
             if leaf.discrete
@@ -129,7 +129,7 @@ def is_variant(kind: Any) -> bool:
 
 
 def is_socket(kind: Any) -> bool:
-    """Tell whether a type's values are known at evaluation only."""
+    """Tell whether values of a type are known at evaluation only."""
     return isinstance(kind, type) and issubclass(kind, Handle)
 
 
@@ -140,17 +140,17 @@ def is_optional(kind: Any) -> bool:
 
 
 def spelled(kind: Any) -> str:
-    """Spell a type as authors write it."""
+    """Format a type as authors write it."""
     return kind.__name__ if isinstance(kind, type) else str(kind).replace("typing.", "")
 
 
 def shown(value: Any) -> str:
-    """Spell a value: generators and materials by their names."""
+    """Format a value: generators and materials by name."""
     return repr(value.name) if isinstance(value, Material | Variant) else repr(value)
 
 
 def variants_in(value: Any) -> tuple[Variant, ...]:
-    """Return the generators that a value is, or that a distribution may give."""
+    """Return the generators in a value or among the values of a distribution."""
     if isinstance(value, Variant):
         return (value,)
     if not isinstance(value, Distribution):
@@ -165,12 +165,12 @@ def variants_in(value: Any) -> tuple[Variant, ...]:
 
 
 def accept(kind: Any, value: Any, variants: Sequence[Variant] = ()) -> Any:
-    """Return the value in the type `kind`, or NotImplemented if it is of another.
+    """Return the value converted to the type `kind`, or NotImplemented if it has another type.
 
     Args:
         kind: An annotation.
         value: Anything.
-        variants: The generators that may be given by name.
+        variants: Generators that names may refer to.
     """
     if isinstance(value, Handle):
         return NotImplemented

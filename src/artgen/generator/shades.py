@@ -1,4 +1,4 @@
-"""Materials that vary from one asset to the next, as batches of paint and boards of one species do."""
+"""Materials that vary between assets, like batches of paint and boards of one species."""
 
 import zlib
 from collections.abc import Mapping, Sequence
@@ -14,14 +14,14 @@ from artgen.sampling import choice
 from artgen.sampling.choices import Choice
 from artgen.sampling.distributions import as_number, shown
 
-_DIGITS = 4  # of a color or roughness
-_WARMTH = 0.25  # how much of the spread of the lightness the hue has
-_BRIGHTEST = 0.9  # no paint reflects more
+_DIGITS = 4  # largest changes of a color and a roughness
+_WARMTH = 0.25  # change of hue relative to the change of lightness
+_BRIGHTEST = 0.9  # largest reflectance of paints
 
 
 @dataclass(frozen=True)
 class Shades(Choice):
-    """One of some materials, in a shade of its own; `support` lists the materials themselves."""
+    """A shade of one of several materials; `support` lists the materials themselves."""
 
     color: float = 0.0
     roughness: float = 0.0
@@ -60,20 +60,20 @@ def shades(
     roughness: float = 0.03,
     doc: str = "",
 ) -> Any:
-    """Draw one of some materials in a shade of its own: lighter or darker, warmer or cooler, rougher or not.
+    """Draw one of several materials in an own shade: lighter or darker, warmer or cooler, more or less rough.
 
-    The pattern of its texture is drawn as well. The name of what is drawn ends in a tag, `oak_3fa2c1`, so
-    that an asset may have several shades of one material.
+    The texture pattern is drawn as well. The name of the drawn material ends in a tag, such as `oak_3fa2c1`,
+    so that an asset can have several shades of one material.
 
     Args:
-        *materials: Materials, or names of the table's.
-        weights: Their chances; equal ones by default.
+        *materials: Materials, or names in the table of materials.
+        weights: Their weights; equal by default.
         color: Largest relative change of the base color.
         roughness: Largest change of the roughness.
-        doc: What the parameter is.
+        doc: Description of the parameter.
 
     Raises:
-        ParameterError: There are no materials, one is unknown, or a spread is not in 0..1.
+        ParameterError: There are no materials, a material is unknown, or a spread is not in 0..1.
     """
     options = tuple(each if isinstance(each, Material) else material(each) for each in materials)
     plain = choice(*options, weights=weights, doc=doc)

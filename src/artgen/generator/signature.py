@@ -1,4 +1,4 @@
-"""Signatures: the parameters that a function declares, checked when it is decorated."""
+"""Signatures: the parameters that a function declares, checked at decoration."""
 
 import inspect
 import typing
@@ -24,13 +24,13 @@ RESERVED = (
     "on_collision",
     "overrides",
 )
-"""Names that parameters cannot have: generating takes options by them."""
+"""Names that parameters cannot have: options of `generate`."""
 
 
 def read_parameters(function: Callable[..., Any], where: str) -> dict[str, Parameter]:
     """Return the parameters that a function's signature declares, by name.
 
-    What has no default, or a handle, None or `given(...)` as its default, is an input: callers give it.
+    An argument without default, or with a handle, None or `given(...)` as its default, is an input.
     """
     hints = typing.get_type_hints(function)
     parameters: dict[str, Parameter] = {}
@@ -51,7 +51,7 @@ def read_parameters(function: Callable[..., Any], where: str) -> dict[str, Param
 def _parameter(
     declared: inspect.Parameter, hints: Mapping[str, Any], place: str, where: str
 ) -> Parameter | None:
-    """Check annotation against default; None for an input that callers give."""
+    """Check an annotation against its default; return None for an input."""
     name, default = declared.name, declared.default
     if declared.kind in (declared.VAR_POSITIONAL, declared.VAR_KEYWORD, declared.POSITIONAL_ONLY):
         raise BuildError(f"{place} cannot be given by keyword; name every parameter\n  at {where}")
@@ -80,7 +80,7 @@ def _parameter(
 
 
 def _check_type(parameter: Parameter, place: str, where: str) -> None:
-    """Check that the distribution gives values of the annotated type only."""
+    """Check that all values of a distribution have the annotated type."""
     kind, distribution = parameter.kind, parameter.distribution
     if parameter.fits(distribution):
         return
@@ -97,7 +97,7 @@ def _check_type(parameter: Parameter, place: str, where: str) -> None:
 
 
 def _check_needs(parameter: Parameter, parameters: Mapping[str, Parameter], place: str, where: str) -> None:
-    """Check that what a distribution depends on exists, is structural, and has a case for each value."""
+    """Check that a dependency of a distribution exists, is structural, and has a case for each value."""
     for needed in parameter.distribution.needs():
         other = parameters.get(needed)
         if other is None or not other.structural:

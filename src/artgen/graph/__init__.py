@@ -1,4 +1,4 @@
-"""The graph: immutable nodes, the handles that authors hold, evaluation, JSON, source and drawings."""
+"""The graph: immutable nodes, handles for authors, evaluation, JSON, source and drawings."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -15,10 +15,10 @@ from artgen.graph.source import to_python
 
 @dataclass(frozen=True, eq=False)
 class Graph:
-    """Everything that a handle reaches.
+    """All nodes that a handle reaches.
 
     Attributes:
-        result: The handle of the root.
+        result: Handle of the root.
     """
 
     result: Handle
@@ -48,10 +48,10 @@ class Graph:
 
     @staticmethod
     def from_json(text: str) -> "Graph":
-        """Read a graph that `to_json` wrote; runs no code of the text.
+        """Read a graph from the text of `to_json`; executes no code of the text.
 
         Raises:
-            GraphError: The text is no valid graph.
+            GraphError: The text is not a valid graph.
         """
         return Graph(from_json(text))
 
@@ -64,7 +64,7 @@ class Graph:
         return to_mermaid(self.result)
 
     def table(self, evaluation: Evaluation | None = None) -> str:
-        """Return the nodes, and the costs of an evaluation, as a text table."""
+        """Return the nodes, with the costs of an evaluation, as a text table."""
         return table(self.result, evaluation)
 
 

@@ -1,4 +1,4 @@
-"""Graphs for the eye: a Mermaid flow chart and a table."""
+"""Drawings of graphs: a Mermaid flow chart and a table."""
 
 from collections import Counter
 from collections.abc import Sequence

@@ -1,4 +1,4 @@
-"""Evaluation: each distinct subgraph is computed once, and remembered by its content."""
+"""Evaluation: each distinct subgraph is computed once and cached by its content."""
 
 import hashlib
 import math
@@ -21,10 +21,10 @@ _ABSENT = object()
 
 
 class Cache:
-    """Values of subgraphs by content; the least recently used are forgotten first.
+    """Values of subgraphs by content; the least recently used values are dropped first.
 
     Args:
-        capacity: How many values are kept.
+        capacity: Largest number of values.
     """
 
     def __init__(self, capacity: int = 4096) -> None:
@@ -39,14 +39,14 @@ class Cache:
         return len(self._values)
 
     def get(self, key: str, default: Any = None) -> Any:
-        """Return the value kept under a key, or the default."""
+        """Return the value of a key, or the default."""
         with self._lock:
             if key in self._values:
                 self._values.move_to_end(key)
             return self._values.get(key, default)
 
     def put(self, key: str, value: Any) -> None:
-        """Keep a value."""
+        """Store a value."""
         with self._lock:
             self._values[key] = value
             self._values.move_to_end(key)
@@ -54,7 +54,7 @@ class Cache:
                 self._values.popitem(last=False)
 
     def clear(self) -> None:
-        """Forget all values."""
+        """Remove all values."""
         self._values.clear()
 
 
@@ -64,8 +64,8 @@ class Evaluation:
 
     Attributes:
         value: The value of the root.
-        runs: How often each operation's kernel ran.
-        hits: How many values came from the cache.
+        runs: Number of runs of each operation's kernel.
+        hits: Number of values from the cache.
         seconds: Time spent in each operation's kernel [s].
         keys: The content key of each node, by the node's own key.
         node_seconds: Time spent in the kernel of each node that ran, by the node's own key [s].
@@ -87,11 +87,11 @@ def evaluate(
     Args:
         handle: Root of the graph.
         parameters: The value of each parameter that the graph reaches.
-        cache: Values known from earlier evaluations; more are added.
+        cache: Values from earlier evaluations; new values are added.
 
     Raises:
-        EvaluationError: A kernel failed, or a parameter has no value or one of the wrong type; names the
-            operation, the reason, and the author's line.
+        EvaluationError: A kernel failed, or a parameter has no value or a value of the wrong type; the
+            message names the operation, the reason, and the author's line.
         InfeasibleError: A requirement is violated.
     """
     cache = Cache() if cache is None else cache
@@ -126,7 +126,7 @@ def evaluate(
 
 
 def _content_keys(order: list[Node], given: Mapping[str, Any], values: dict[str, Any]) -> dict[str, str]:
-    """Hash every node with the values of its parameters in their places, and enter those values."""
+    """Hash every node with the values of its parameters inserted, and store those values."""
     keys: dict[str, str] = {}
     for node in order:
         if node.op == PARAMETER:
@@ -141,7 +141,7 @@ def _content_keys(order: list[Node], given: Mapping[str, Any], values: dict[str,
 
 
 def _parameter_value(node: Node, given: Mapping[str, Any]) -> tuple[Any, Any]:
-    """Return the value of a parameter as a literal, and in the form that kernels take."""
+    """Return the value of a parameter as a literal, and in the form for kernels."""
     name, kind = node.inputs["name"], handle_type(node.inputs["kind"])
     if name not in given:
         raise EvaluationError(f"parameter {name!r} has no value\n  at {node.where}")
@@ -154,7 +154,7 @@ def _parameter_value(node: Node, given: Mapping[str, Any]) -> tuple[Any, Any]:
 
 
 def _needed(node: Node, known: Operation, values: Mapping[str, Any]) -> Sequence[Node]:
-    """Return the inputs that must be computed next: all, or for a switch the chosen branch only."""
+    """Return the inputs that must be computed next: all of them, or for a switch only the chosen branch."""
     if not known.lazy:
         return node.children
     condition = node.inputs["condition"]
@@ -183,17 +183,17 @@ def _run(node: Node, known: Operation, values: Mapping[str, Any]) -> Any:
     if isinstance(value, np.ndarray):
         if not np.isfinite(value).all():
             raise EvaluationError(f"{node.op} gives {value}, which is not finite\n  at {node.where}")
-        value.setflags(write=False)  # it is shared by every node that uses it
+        value.setflags(write=False)  # every node that uses it shares it
     return value
 
 
 def _resolve(value: Any, hint: Any, values: Mapping[str, Any], *, lazy: bool = False) -> Any:
-    """Put values in the place of nodes, and decode literals."""
+    """Replace nodes by their values, and decode literals."""
     kind = type(value)
     if kind is Node:
         return values.get(value.key) if lazy else values[value.key]
     if kind is float and hint is float:
-        return value  # literals of numbers stand for themselves
+        return value  # literals of numbers are their own values
     if kind is tuple:
         for option in alternatives(hint):
             if typing.get_origin(option) is tuple:

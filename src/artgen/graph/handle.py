@@ -15,23 +15,23 @@ from artgen.graph.node import PARAMETER, Data, Node, authors_line
 
 
 class Handle:
-    """A value that will be known when the graph is evaluated.
+    """A value that is known when the graph is evaluated.
 
-    Subclasses name the type of that value in `value_type` and say in `lift` which Python values may stand
-    for it. Anything that would need the value now is refused with the two remedies.
+    Subclasses name the type of that value in `value_type`; their `lift` accepts Python values that may
+    replace a handle. Operations that need the value while building raise an error with the remedies.
     """
 
     __slots__ = ("node",)
-    __array_ufunc__ = None  # numpy's numbers leave arithmetic with a handle to the handle
+    __array_ufunc__ = None  # numpy's numbers leave arithmetic with handles to the handle
     value_type: ClassVar[Any] = None
     HANDLES: ClassVar[dict[Any, type["Handle"]]] = {}
 
     def __init__(self, node: Node) -> None:
-        """Wrap a node whose operation gives this handle's type."""
+        """Wrap a node with a result of this handle's type."""
         self.node = node
 
     def __init_subclass__(cls) -> None:
-        """Make the handle known as the one for its value type, unless that is the type of its base."""
+        """Register the handle class for its value type, unless it is that of its base."""
         if vars(cls).get("value_type") is not None:
             Handle.HANDLES[cls.value_type] = cls
 
@@ -41,10 +41,10 @@ class Handle:
 
         Args:
             kernel: The kernel, or the name of its operation.
-            **inputs: Handles, or Python values that may stand for them.
+            **inputs: Handles, or Python values that may replace them.
 
         Raises:
-            BuildError: An input is unknown, missing, or of another type than the kernel's.
+            BuildError: An input is unknown, missing, or has another type than the kernel's.
         """
         known = operation(kernel if isinstance(kernel, str) else kernel.__name__.lstrip("_"))
         where = authors_line()
@@ -52,29 +52,29 @@ class Handle:
 
     @classmethod
     def parameter(cls, name: str, where: str = "") -> Self:
-        """Return the handle of a value that is drawn when an asset is generated.
+        """Return the handle of a parameter, which is drawn at generation.
 
         Args:
-            name: Name by which evaluation is given the value.
+            name: Name of the value at evaluation.
             where: File and line of the author; by default the caller's.
         """
         return cls(Node(PARAMETER, {"name": name, "kind": cls.__name__}, where or authors_line()))
 
     @classmethod
     def lift(cls, value: Any) -> Any:
-        """Return the node or literal that a Python value stands for, or NotImplemented."""
+        """Return the node or literal of a Python value, or NotImplemented."""
         return value.node if isinstance(value, cls) else NotImplemented
 
     @classmethod
     def decode(cls, literal: Any) -> Any:
-        """Return the value that a literal of this type stands for when kernels run."""
+        """Return the value of a literal of this type for kernels."""
         return literal
 
     def require(self, condition: "Handle | bool", message: str) -> Self:
-        """Return this value, on condition: a sample that violates the condition is drawn again.
+        """Return this value under a condition: a sample that violates the condition is drawn again.
 
         Raises:
-            BuildError: Nothing can be required of values of this type.
+            BuildError: Values of this type cannot have requirements.
         """
         name = f"require_{type(self).__name__.lower()}"
         if name not in OPERATIONS:
@@ -94,7 +94,7 @@ class Handle:
         )
 
     def __bool__(self) -> bool:
-        """Refuse: a handle is neither true nor false."""
+        """Raise BuildError: a handle is neither true nor false."""
         self._refuse(
             "a handle used as a condition",
             "Use switch(condition, a, b) instead of if; a & b, a | b, ~a instead of and, or, not; "
@@ -102,7 +102,7 @@ class Handle:
         )
 
     def __eq__(self, other: object) -> bool:
-        """Refuse: comparing handles does not compare their values."""
+        """Raise BuildError: comparing handles does not compare their values."""
         self._refuse(
             "== or != on a handle",
             "Use switch(abs(a - b) < tolerance, ...) for numbers; a.node.key == b.node.key tells whether two "
@@ -110,18 +110,18 @@ class Handle:
         )
 
     def __ne__(self, other: object) -> bool:
-        """Refuse: comparing handles does not compare their values."""
+        """Raise BuildError: comparing handles does not compare their values."""
         return not self.__eq__(other)
 
     def __hash__(self) -> int:
-        """Refuse: a handle cannot be compared, so it cannot be a key."""
+        """Raise BuildError: a handle cannot be compared, so it cannot be a key."""
         self._refuse(
             "a handle as a key of a dict or a member of a set",
             "Use switch(condition, a, b) instead of a look-up, or handle.node.key as the key.",
         )
 
     def __len__(self) -> int:
-        """Refuse: the length is not known."""
+        """Raise BuildError: the length is not known."""
         self._refuse(
             "len() of a handle",
             "Use body.repeat(child, joint, at=points) for copies, switch(condition, points, others) where "
@@ -129,7 +129,7 @@ class Handle:
         )
 
     def __iter__(self) -> Iterator[Any]:
-        """Refuse: the members are not known."""
+        """Raise BuildError: the members are not known."""
         self._refuse(
             "iteration over a handle",
             "Use .x, .y and .z of a Vector, body.repeat(child, joint, at=points) for copies, or "
@@ -137,7 +137,7 @@ class Handle:
         )
 
     def __float__(self) -> float:
-        """Refuse: the number is not known."""
+        """Raise BuildError: the number is not known."""
         self._refuse(
             "a handle used as a plain number, as float(), round() or the functions of math do",
             "Keep it a handle: arithmetic, switch(condition, a, b) and artgen's sin, sqrt, min_, round_, ... "
@@ -145,38 +145,38 @@ class Handle:
         )
 
     def __int__(self) -> int:
-        """Refuse: the number is not known."""
+        """Raise BuildError: the number is not known."""
         return int(self.__float__())
 
     def __index__(self) -> int:
-        """Refuse: the number is not known."""
+        """Raise BuildError: the number is not known."""
         return int(self.__float__())
 
     def __round__(self, digits: int | None = None) -> float:
-        """Refuse: the number is not known."""
+        """Raise BuildError: the number is not known."""
         return self.__float__()
 
     def __floor__(self) -> float:
-        """Refuse: the number is not known."""
+        """Raise BuildError: the number is not known."""
         return self.__float__()
 
     def __ceil__(self) -> float:
-        """Refuse: the number is not known."""
+        """Raise BuildError: the number is not known."""
         return self.__float__()
 
     def __repr__(self) -> str:
-        """Name the type, the operation and its place."""
+        """Return the type, the operation and its place."""
         return f"<{type(self).__name__} {self.node.op} at {self.node.where}>"
 
 
 @dataclass(frozen=True)
 class LiteralType:
-    """A Python class whose instances nodes hold as data.
+    """A Python class whose instances are literals of nodes.
 
     Attributes:
-        tag: Marks the data, as in `{"$material": {...}}`.
-        encode: Gives the data of an instance.
-        decode: Gives the instance of the data.
+        tag: Key of the data, as in `{"$material": {...}}`.
+        encode: Function from an instance to its data.
+        decode: Function from data to the instance.
     """
 
     tag: str
@@ -185,18 +185,18 @@ class LiteralType:
 
 
 LITERAL_TYPES: dict[type, LiteralType] = {}
-"""Classes beside numbers and strings that nodes may hold, by class; instances are hashable."""
+"""Literal classes in addition to numbers and strings; instances are hashable."""
 
 
 @lru_cache(maxsize=4096)
 def _literal(kind: type, value: Any) -> Data:
-    """Return the data that stand for an instance of a literal type: one object for equal instances."""
+    """Return the data of an instance of a literal type: the same object for equal instances."""
     known = LITERAL_TYPES[kind]
     return Data({"$" + known.tag: known.encode(value)}, value)
 
 
 def lift_all(known: Operation, inputs: Mapping[str, Any], where: str) -> dict[str, Any]:
-    """Turn an author's values into the inputs of a node of an operation."""
+    """Convert an author's values to the inputs of a node of an operation."""
     lifted = {}
     for name, hint, lifters in _lifters_of(known):
         if name not in inputs:
@@ -215,7 +215,7 @@ def lift_all(known: Operation, inputs: Mapping[str, Any], where: str) -> dict[st
 
 
 def lift(value: Any, hint: Any, what: str, where: str) -> Any:
-    """Turn an author's value into a node or literal of the type that a kernel expects."""
+    """Convert an author's value to a node or literal of the type that a kernel expects."""
     for option in alternatives(hint):
         lifted = _lifter(option)(value, what, where)
         if lifted is not NotImplemented:
@@ -237,10 +237,10 @@ def _lifters_of(known: Operation) -> tuple[tuple[str, Any, tuple[Lifter, ...]], 
 
 @cache
 def _lifter(hint: Any, operation: str = "") -> Lifter:
-    """Return what turns an author's value into a node or literal of one type, or NotImplemented.
+    """Return a function that converts an author's value to a node or literal of a type, or to NotImplemented.
 
-    It takes the value, what it is given for, and the author's line. Members of tuples that are refused are
-    named with the input of the operation.
+    Its arguments are the value, the name of the input, and the author's line. Errors about members of tuples
+    name the input of the operation.
     """
     if hint is NoneType:
         return lambda value, what, where: None if value is None else NotImplemented
@@ -292,7 +292,7 @@ def _lift_literal(value: Any, hint: Any) -> Any:
 
 
 def is_sequence(value: Any) -> bool:
-    """Tell whether a value is a sequence of values; a text and a handle are one value each."""
+    """Tell whether a value is a sequence of values; strings and handles are single values."""
     kind = type(value)
     if kind is tuple or kind is list:
         return True
@@ -310,7 +310,7 @@ def _lift_tuple(value: Any, members: tuple[Any, ...], what: str, where: str) -> 
 
 
 def _name(hint: Any) -> str:
-    """Spell a kernel's type as authors know it."""
+    """Format a kernel's type in the terms of authors."""
     if hint is NoneType:
         return "None"
     if hint in Handle.HANDLES:
@@ -327,7 +327,7 @@ def _name(hint: Any) -> str:
 
 
 def decode(value: Any, hint: Any) -> Any:
-    """Turn the literal of a node's input into the value that its kernel takes."""
+    """Convert the literal of a node's input to the value for its kernel."""
     if type(value) is Data:
         return value.value
     for applies, decoded in _decoders(hint):
@@ -338,7 +338,7 @@ def decode(value: Any, hint: Any) -> Any:
 
 @cache
 def _decoders(hint: Any) -> tuple[tuple[Callable[[Any], bool], Callable[[Any], Any]], ...]:
-    """Return for the literals of a type which of them are decoded, and how."""
+    """Return for a type the predicates of literals that need decoding, with their decoders."""
     found: list[tuple[Callable[[Any], bool], Callable[[Any], Any]]] = []
     for option in alternatives(hint):
         if option in Handle.HANDLES:
@@ -363,12 +363,12 @@ def _decode_literal(kind: type, value: Mapping[str, Any]) -> Any:
 
 
 def handle_type(name: str) -> type[Handle]:
-    """Return the handle class of that name; it is known to exist."""
+    """Return the handle class of an existing name."""
     return next(handle for handle in Handle.HANDLES.values() if handle.__name__ == name)
 
 
 def handle_of(node: Node) -> Handle:
-    """Wrap a node in the handle of its result's type."""
+    """Return a node as a handle of its result's type."""
     if node.op == PARAMETER:
         return handle_type(node.inputs["kind"])(node)
     known: Operation = operation(node.op)

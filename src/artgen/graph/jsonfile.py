@@ -1,4 +1,4 @@
-"""Graphs as JSON: data only, so that reading a graph from a file runs no code of the file."""
+"""Graphs as JSON data: reading a graph executes no code of the file."""
 
 import json
 from collections.abc import Mapping

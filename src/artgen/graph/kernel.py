@@ -18,13 +18,13 @@ class Operation:
     """A registered operation.
 
     Attributes:
-        name: The kernel's name without leading underscores; also its constructor's name.
-        kernel: Computes the result from the inputs' values, passed by keyword.
+        name: Name of the kernel without leading underscores, and of its constructor.
+        kernel: Function that computes the result from the values of the inputs, passed by keyword.
         inputs: The type of each input's value, from the kernel's annotations.
         result: The type of the result's value.
-        spelling: How Python source spells it, such as `({a} + {b})`; empty: a call of the constructor.
-        lazy: Whether only one of the inputs `a` and `b` is evaluated, as the input `condition` tells.
-        constructor: Name of the function beside the kernel that records the operation.
+        spelling: Python source of the operation, such as `({a} + {b})`; empty for a call of the constructor.
+        lazy: Whether the input `condition` selects which of the inputs `a` and `b` is evaluated.
+        constructor: Name of the function next to the kernel that records the operation.
     """
 
     name: str
@@ -37,12 +37,12 @@ class Operation:
 
     @property
     def module(self) -> str:
-        """The module that holds the kernel and, beside it, the constructor."""
+        """Module of the kernel and the constructor."""
         return self.kernel.__module__
 
 
 OPERATIONS: dict[str, Operation] = {}
-"""Every operation by name, filled when the modules that define them are imported."""
+"""All operations by name, filled when the modules that define them are imported."""
 
 
 @overload
@@ -59,15 +59,14 @@ def kernel(
     lazy: bool = False,
     constructor: str = "",
 ) -> F | Callable[[F], F]:
-    """Register a function as the kernel of the operation that bears its name.
+    """Register a function as the kernel of the operation with its name.
 
     Args:
-        function: Computes on values; its annotations tell the constructor what to accept.
+        function: Function on values; its annotations define the accepted inputs.
         name: Name of the operation; by default the function's name without leading underscores.
-        spelling: How Python source spells the operation, e.g. `({a} + {b})`.
-        lazy: Evaluate only that one of the inputs `a` and `b` which the input `condition` chooses.
-        constructor: Name of the function beside the kernel that records the operation, where it is not the
-            operation's own name.
+        spelling: Python source of the operation, e.g. `({a} + {b})`.
+        lazy: Whether the input `condition` selects which of the inputs `a` and `b` is evaluated.
+        constructor: Name of the function that records the operation, if it differs from the operation's name.
 
     Raises:
         GraphError: Another kernel has that name.
@@ -99,7 +98,7 @@ def operation(name: str) -> Operation:
     """Return the operation of that name.
 
     Raises:
-        GraphError: There is none; the message has the nearest name.
+        GraphError: There is no such operation; the message suggests the nearest name.
     """
     if name not in OPERATIONS:
         raise GraphError(f"there is no operation {name!r}.{nearest(name, OPERATIONS)}")

@@ -1,4 +1,4 @@
-"""The node: an operation on other nodes and literals, and the author's line that asked for it."""
+"""The node: an operation on other nodes and literals, with the author's line that recorded it."""
 
 import hashlib
 import sys
@@ -10,7 +10,7 @@ from types import FrameType, MappingProxyType
 from typing import Any
 
 PARAMETER = "parameter"
-"""The operation that stands for a value which is drawn when an asset is generated."""
+"""The operation of a value that is drawn at generation."""
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -20,11 +20,11 @@ class Node:
     Attributes:
         op: Name of a registered operation.
         inputs: For each input of the operation a node, a literal (a string, a number, a truth value, None, or
-            a dictionary of JSON data), or a tuple of them; lists that are given become tuples.
-        where: File and line of the author's code that made the node; no part of the key.
+            a dictionary of JSON data), or a tuple of these; lists become tuples.
+        where: File and line of the author's code; not part of the key.
         key: Hash of the operation and everything below it.
-        varies: Whether a parameter is among the nodes below (or is this node).
-        children: The nodes among the inputs, in order, repeats included.
+        varies: Whether a parameter is among the nodes below, or is this node.
+        children: The nodes among the inputs, in order, including repeats.
     """
 
     op: str
@@ -33,7 +33,7 @@ class Node:
     key: str = field(init=False)
     varies: bool = field(init=False)
     children: tuple["Node", ...] = field(init=False)
-    _spelling: str = field(init=False)  # with %s where the keys of its children stand
+    _spelling: str = field(init=False)  # with %s in place of the keys of its children
 
     def __post_init__(self) -> None:
         """Compute the key from the inputs' keys."""
@@ -42,7 +42,7 @@ class Node:
         for name, value in frozen.items():
             spelling.append(name)
             kind = type(value)
-            if kind is Node:  # nodes and numbers come by the thousand
+            if kind is Node:  # fast path: there are thousands of nodes and numbers
                 spelling.append(value)
             elif kind is float:
                 spelling.append(repr(value))
@@ -59,23 +59,23 @@ class Node:
         own["key"] = self._digest(tuple([node.key for node in children]))
 
     def digest(self, keys: Mapping[str, str]) -> str:
-        """Hash the operation, its literals, and what stands in `keys` for the keys of its children."""
+        """Hash the operation, its literals, and `keys` as the keys of its children."""
         return self._digest(tuple([keys[child.key] for child in self.children]))
 
     def _digest(self, keys: tuple[str, ...]) -> str:
         return hashlib.blake2b((self._spelling % keys).encode(), digest_size=12).hexdigest()
 
     def __repr__(self) -> str:
-        """Name the operation and its place, but not what lies below: that may be thousands of nodes."""
+        """Return the operation and its place, without the possibly thousands of nodes below."""
         return f"<node {self.op} at {self.where}>"
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """Rebuild the node when it is pickled or copied; the key is computed again."""
+        """Rebuild the node when it is pickled or copied, which computes the key again."""
         return Node, (self.op, dict(self.inputs), self.where)
 
 
 class Data(dict[str, Any]):
-    """JSON data that stand for an object, which they keep; never changed, so that they are spelled once."""
+    """Immutable JSON data of an object, together with the object, so that it is encoded only once."""
 
     def __init__(self, data: Mapping[str, Any], value: Any) -> None:
         super().__init__(data)
@@ -85,7 +85,7 @@ class Data(dict[str, Any]):
         self.spelling = tuple(spelling)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """Construct it again when it is pickled or copied."""
+        """Rebuild the data when they are pickled or copied."""
         return Data, (dict(self), self.value)
 
 
@@ -94,7 +94,7 @@ def _frozen(value: Any) -> Any:
 
 
 def nodes_in(value: Any) -> Iterator[Node]:
-    """Yield the nodes in the value of one input, in order, repeats included."""
+    """Yield the nodes in the value of one input, in order, including repeats."""
     if isinstance(value, Node):
         yield value
     elif isinstance(value, tuple):
@@ -103,13 +103,13 @@ def nodes_in(value: Any) -> Iterator[Node]:
 
 
 def _spell(value: Any, text: list[str | Node]) -> None:
-    """Append the value of one input to a spelling, in which nodes stand for themselves."""
+    """Append the value of one input to a list of text and nodes."""
     kind = type(value)
     if kind is Node:
         text.append(value)
     elif kind is Data:
         text.extend(value.spelling)
-    elif kind is tuple or kind is list:  # a list only within JSON data
+    elif kind is tuple or kind is list:  # lists occur only in JSON data
         text.append("[")
         for item in value:
             _spell(item, text)
@@ -125,7 +125,7 @@ def _spell(value: Any, text: list[str | Node]) -> None:
 
 
 def topological(root: Node) -> list[Node]:
-    """Return every node that the root reaches once, inputs before the nodes that use them."""
+    """Return every node that the root reaches once, inputs before their users."""
     order: list[Node] = []
     seen: set[str] = set()
     stack: list[tuple[Node, bool]] = [(root, False)]
@@ -141,13 +141,13 @@ def topological(root: Node) -> list[Node]:
 
 
 _LANGUAGE = ("artgen.graph", "artgen.nodes", "artgen.sampling", "artgen.generator")
-"""Modules that stand between an author and the nodes: never the place to blame."""
+"""Modules of the language between an author and the nodes; errors never point to them."""
 
 
 def authors_line() -> str:
-    """Return `file:line` of the innermost caller outside the language itself.
+    """Return `file:line` of the innermost caller outside the language.
 
-    Constants that the language itself makes while it is imported are its own doing.
+    Constants that the language creates during its import have a line of the language.
     """
     frame: FrameType | None = sys._getframe(1)
     inner = frame
@@ -159,7 +159,7 @@ def authors_line() -> str:
 
 
 def line_in(path: str, error: BaseException) -> str:
-    """Return `file:line` of the innermost line of a file that an error went through; the file if none did."""
+    """Return `file:line` of the innermost line of a file in a traceback; the file without such a line."""
     if isinstance(error, SyntaxError) and error.filename == path:
         return f"{path}:{error.lineno}"
     lines = [line for frame, line in walk_tb(error.__traceback__) if frame.f_code.co_filename == path]

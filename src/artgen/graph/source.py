@@ -19,7 +19,7 @@ _LONGEST_LINE = 100
 def to_python(handle: Handle, name: str = "build") -> str:
     """Return Python source of a function that builds the graph which a handle reaches.
 
-    Running the source and calling the function gives a handle whose node has the same key.
+    Executing the source and calling the function returns a handle whose node has the same key.
     """
     if not name.isidentifier() or keyword.iskeyword(name):
         raise GraphError(f"{name!r} is no name of a Python function")
@@ -35,7 +35,7 @@ def to_python(handle: Handle, name: str = "build") -> str:
 
 
 class _Writer:
-    """Names the shared nodes and spells the others where they are used."""
+    """Writes shared nodes as variables and other nodes in place."""
 
     def __init__(self, handle: Handle) -> None:
         order = topological(handle.node)
@@ -54,7 +54,7 @@ class _Writer:
             self._spelled[node.key] = text
 
     def expression(self, node: Node) -> str:
-        """Return the text that stands for a node."""
+        """Return the source of a node."""
         return self._spelled[node.key]
 
     def _import(self, made: Any) -> str:
@@ -67,7 +67,7 @@ class _Writer:
         wanted = re.sub(r"\W", "_", wanted)
         if not wanted.isidentifier() or keyword.iskeyword(wanted):
             wanted = f"_{wanted}"
-        # a suffix keeps variables apart from the functions that the source imports
+        # the suffix distinguishes variables from imported functions
         self._taken[wanted] += 1
         return f"{wanted}_{self._taken[wanted]}"
 
@@ -91,7 +91,7 @@ class _Writer:
         arguments: list[str] = []
         positional = True
         for name, parameter in inspect.signature(constructor).parameters.items():
-            if name not in remaining:  # fixed by the kind of value, as in `switch`
+            if name not in remaining:  # determined by the kind of value, as in `switch`
                 positional = False
             elif parameter.kind is parameter.VAR_POSITIONAL:
                 arguments += [self._value(item) for item in remaining.pop(name)]
@@ -122,9 +122,9 @@ class _Writer:
 
 
 def _is_infix(known: Operation, node: Node) -> bool:
-    """Tell whether the operation's spelling gives this very node.
+    """Tell whether the operation's spelling reproduces this node.
 
-    Python needs a handle among the operands, and turns `2 < a` with a handle `a` into `a > 2`.
+    Python needs a handle among the operands, and evaluates `2 < a` with a handle `a` as `a > 2`.
     """
     values = list(node.inputs.values())
     if not known.spelling or not any(isinstance(value, Node) for value in values):
@@ -133,12 +133,12 @@ def _is_infix(known: Operation, node: Node) -> bool:
 
 
 def _operand(text: str) -> str:
-    """Put a negative number in brackets: `-2.0 ** a` would be `-(2.0 ** a)`."""
+    """Put a negative number in parentheses: `-2.0 ** a` means `-(2.0 ** a)`."""
     return f"({text})" if text.startswith("-") else text
 
 
 def _is_default(value: Any, default: Any, hint: Any) -> bool:
-    """Tell whether leaving an argument out gives the same literal."""
+    """Tell whether omitting an argument gives the same literal."""
     if default is inspect.Parameter.empty or isinstance(default, Handle) or isinstance(value, Node):
         return False
     try:

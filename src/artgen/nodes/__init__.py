@@ -1,6 +1,6 @@
 """The language: handles, and the operations that authors combine.
 
-Importing the package registers every operation, so that handles' operators and methods find theirs.
+Importing the package registers every operation for the operators and methods of handles.
 """
 
 from artgen.nodes import (

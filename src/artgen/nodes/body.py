@@ -54,7 +54,7 @@ def _part(
 
 
 def _opening(solid: Shape, pose: Array4x4) -> float:
-    """Return the opening that fingers need around a solid; all that a gripper has if nothing is there."""
+    """Return the opening of the fingers around a solid; the full opening if there is none."""
     reach = held([solid.manifold], pose)
     return GRIPPER.stroke if reach is None else GRIPPER.opening(reach[1] - reach[0])
 
@@ -75,16 +75,16 @@ def part(
     Args:
         solid: The solid in asset coordinates.
         label: Semantic label.
-        material: What it is made of.
+        material: Its material.
         name: Name of the link; by default its label.
-        grasp: Frames at which a hand takes hold, in asset coordinates: of `frame`, or of `grasp_on`, which
+        grasp: Frames at which a hand grasps, in asset coordinates: from `frame`, or from `grasp_on`, which
             finds them.
-        grasp_width: Opening that the fingers need, at most 0.08; by default what is between the fingers there
-            and 5 mm at either side, measured [m].
-        separate: Why the solids of the link do not all hang together; checks take a gap of more than
-            0.5 mm between them for a fault unless it is said.
-        push: Frames at which a finger pushes: on the surface, `approach` in the direction of the push, as
-            `push_on` finds them.
+        grasp_width: Opening of the fingers, at most 0.08; by default the measured width between the fingers
+            plus 5 mm on either side [m].
+        separate: Reason why the solids of the link are not all connected; without a reason, checks report
+            gaps above 0.5 mm as a fault.
+        push: Frames at which a finger pushes: on the surface, with `approach` in the direction of the push,
+            as `push_on` finds them.
 
     Examples:
         >>> part(box(0.3, 0.2, 0.018, bevel=0.002), "shelf", material("oak"))
@@ -122,16 +122,16 @@ def detail(
     reads: VectorLike | None = None,
     about: VectorLike | None = None,
 ) -> Body:
-    """Make something that is only seen, such as print or a screw's head: no mass, no collider.
+    """Make a visual detail, such as print or the head of a screw: without mass and collider.
 
-    It has to be welded to a part.
+    It must be welded to a part.
 
     Args:
         solid: The solid in asset coordinates.
         label: Semantic label.
         material: What it is made of.
-        reads: For print, the direction of its lines: where the body is mirrored, the print stays readable.
-        about: The middle of the print [m]; by default that of its bounding box.
+        reads: Direction of the lines of print, which stays readable if the body is mirrored.
+        about: Center of the print [m]; by default the center of its bounding box.
 
     Examples:
         >>> plate = part(box(0.06, 0.004, 0.04), "plate", material("abs"))
@@ -160,9 +160,9 @@ def _weld(bodies: tuple[Tree, ...]) -> Tree:
 
 
 def weld(*bodies: Body) -> Body:
-    """Join bodies rigidly: one link with the name of the first, each solid keeping its label and material.
+    """Join bodies rigidly to one link, named like the first body; solids keep their labels and materials.
 
-    Where the solids overlap, the volume counts once, with the density of the first.
+    A volume in several solids counts once, with the density of the first.
 
     Examples:
         >>> head = part(box(0.1, 0.03, 0.03).at(z=0.15), "head", material("steel"))
@@ -183,7 +183,7 @@ def attach(parent: Body, child: Body, joints: Sequence[Joint]) -> Body:
     return Body.record(_attach, parent=parent, child=child, joints=joints)
 
 
-_NOWHERE = Link("nowhere", "nowhere")  # stands for the parent while a branch is copied
+_NOWHERE = Link("nowhere", "nowhere")  # placeholder for the parent while a branch is copied
 
 
 @kernel
@@ -200,7 +200,7 @@ def _repeat(parent: Tree, child: Tree, joints: tuple[values.AssetJoint, ...], at
 
 
 def repeat(parent: Body, child: Body, joints: Sequence[Joint], at: PointsLike) -> Body:
-    """Join a copy of a child, moved to each point, with copies of its joints; suffixed `_0`, `_1`, ..."""
+    """Join a copy of a child at each point, with copies of its joints, suffixed `_0`, `_1`, ..."""
     return Body.record(_repeat, parent=parent, child=child, joints=joints, at=at)
 
 
@@ -225,7 +225,7 @@ def _rotate_body(body: Tree, axis: Array3, angle: float, about: Array3) -> Tree:
 
 
 def rotate_body(body: Body, axis: VectorLike, angle: Scalar, about: VectorLike) -> Body:
-    """Turn a body with its joints about an axis through a point by an angle [rad]."""
+    """Rotate a body with its joints about an axis through a point by an angle [rad]."""
     return Body.record(_rotate_body, body=body, axis=axis, angle=angle, about=about)
 
 
@@ -238,7 +238,7 @@ def _mirror_body(body: Tree, normal: Array3) -> Tree:
 
 
 def mirror_body(body: Body, normal: VectorLike) -> Body:
-    """Reflect a body with its joints in the plane through the origin with that normal."""
+    """Reflect a body with its joints in the plane through the origin with a normal."""
     return Body.record(_mirror_body, body=body, normal=normal)
 
 

@@ -1,4 +1,4 @@
-"""Choosing between values by a condition, and conditions that a sample must meet."""
+"""Choice between values by a condition, and requirements on samples."""
 
 from collections.abc import Callable
 from typing import Any, TypeVar, overload
@@ -27,7 +27,7 @@ H = TypeVar("H", bound=Handle)
 
 
 def _typed(function: Callable[..., Any], value_type: Any, **others: Any) -> Callable[..., Any]:
-    """Annotate a kernel that works on values of any one type."""
+    """Annotate a kernel that accepts values of any single type."""
     function.__annotations__ = {"return": value_type, **others}
     return function
 
@@ -58,7 +58,7 @@ for _handle in _CHOOSABLE:
 
 
 def _common_type(a: Any, b: Any) -> type[Handle]:
-    """Return the handle type that two values are of; plain values count as what they may stand for."""
+    """Return the common handle type of two values; plain values count as their handle type."""
     for value in (a, b):
         if isinstance(value, Handle):
             return type(value)
@@ -80,7 +80,7 @@ def switch(condition: Condition_, a: VectorLike, b: VectorLike) -> Vector: ...  
 @overload
 def switch(condition: Condition_, a: PointsLike, b: PointsLike) -> Points: ...
 def switch(condition: Any, a: Any, b: Any) -> Any:
-    """Return `a` where the condition holds and `b` elsewhere; only the chosen one is computed.
+    """Return `a` if the condition holds and `b` otherwise; only the chosen one is computed.
 
     Args:
         condition: A Bool, or a Python bool.
@@ -88,7 +88,7 @@ def switch(condition: Any, a: Any, b: Any) -> Any:
         b: The same kind of value.
 
     Raises:
-        BuildError: `a` and `b` are of different types, or of one that cannot be chosen.
+        BuildError: `a` and `b` have different types, or a type without choice.
 
     Examples:
         >>> block = box(0.3, 0.2, 0.1)
@@ -110,17 +110,17 @@ def require(value: bool, condition: str) -> None: ...
 @overload
 def require(value: Scalar, condition: Condition_, message: str) -> Float: ...
 def require(value: Any, condition: Any, message: str = "") -> Any:
-    """Demand that a condition holds; a sample that violates it is infeasible and drawn again.
+    """Require a condition; a sample that violates it is infeasible and drawn again.
 
-    `require(condition, message)` checks a condition that is known while building (of structural
-    parameters). `require(value, condition, message)`, like `value.require(condition, message)`, returns
-    the value on a condition that is known at evaluation: it must be part of what the category returns,
-    since a graph is what the returned handle reaches.
+    `require(condition, message)` checks a condition on structural parameters at once. `require(value,
+    condition, message)`, like `value.require(condition, message)`, returns the value with a condition that is
+    checked at evaluation; the value must be part of the result of the category, because a graph consists of
+    the nodes that its result reaches.
 
     Raises:
-        InfeasibleError: The condition is known and does not hold.
-        BuildError: A condition that is known at evaluation came without a value, or the first argument is
-            neither a condition nor a value.
+        InfeasibleError: The condition is known while building and does not hold.
+        BuildError: A condition that is known at evaluation has no value, or the first argument is neither a
+            condition nor a value.
 
     Examples:
         >>> block = box(0.3, 0.2, 0.1)

@@ -1,4 +1,4 @@
-"""Conditions on where joints stand, and dependencies of joints on them."""
+"""Conditions on joint positions, and dependencies of joints on them."""
 
 from dataclasses import replace
 from typing import Any, ClassVar
@@ -32,7 +32,7 @@ class Condition(Handle):
         return Condition.record("condition_any", a=self, b=other)
 
     def until(self, position: Scalar) -> "Dependency":
-        """Ask for the condition only while the dependent joint stands below a position [rad or m].
+        """Limit the dependency to positions of the dependent joint below a value [rad or m].
 
         Examples:
             >>> case = part(box(0.3, 0.1, 0.02), "case", material("walnut"))
@@ -45,9 +45,9 @@ class Condition(Handle):
         return Dependency.record("dependency", condition=self, until=position)
 
     def beyond(self, position: Scalar) -> "Dependency":
-        """Ask for the condition only while the dependent joint stands beyond a position [rad or m].
+        """Limit the dependency to positions of the dependent joint beyond a value [rad or m].
 
-        Up to there it is free, as a drawer behind a door that stands a finger's breadth before it.
+        Up to the value the joint is free, like a drawer that stands slightly behind a door.
 
         Examples:
             >>> case = part(box(0.3, 0.1, 0.02), "case", material("walnut"))
@@ -61,7 +61,7 @@ class Condition(Handle):
 
 
 class Dependency(Handle):
-    """Where a joint may leave its closed position.
+    """Condition under which a joint may leave its closed position.
 
     Examples:
         >>> case = part(box(0.3, 0.1, 0.02), "case", material("walnut"))
@@ -76,7 +76,7 @@ class Dependency(Handle):
     value_type: ClassVar[Any] = values.AssetDependency
 
     def until(self, position: Scalar) -> "Dependency":
-        """Ask for the condition only while the dependent joint stands below a position [rad or m].
+        """Limit the dependency to positions of the dependent joint below a value [rad or m].
 
         Examples:
             >>> case = part(box(0.3, 0.1, 0.02), "case", material("walnut"))
@@ -90,7 +90,7 @@ class Dependency(Handle):
         return Dependency.record("dependency_until", needs=self, position=position)
 
     def beyond(self, position: Scalar) -> "Dependency":
-        """Ask for the condition only while the dependent joint stands beyond a position [rad or m].
+        """Limit the dependency to positions of the dependent joint beyond a value [rad or m].
 
         Examples:
             >>> case = part(box(0.3, 0.1, 0.02), "case", material("walnut"))
@@ -105,7 +105,7 @@ class Dependency(Handle):
 
     @classmethod
     def lift(cls, value: Any) -> Any:
-        """Accept a Dependency, or a Condition that is always needed."""
+        """Accept a Dependency, or a Condition that is always required."""
         if isinstance(value, Condition):
             return Dependency.record("dependency", condition=value, until=None).node
         return super().lift(value)
@@ -151,7 +151,7 @@ def _dependency_beyond(needs: values.AssetDependency, position: float) -> values
 
 
 def _checked(needs: values.AssetDependency) -> values.AssetDependency:
-    """Return a dependency whose positions make sense."""
+    """Return a dependency with checked positions."""
     if needs.until is not None and needs.until <= 0.0:
         raise ValueError(f"until must be positive, got {needs.until:.6g}: a joint needs nothing at 0")
     if needs.beyond is not None and needs.beyond <= 0.0:

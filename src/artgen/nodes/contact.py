@@ -1,4 +1,4 @@
-"""Contacts by design: which pieces may touch."""
+"""Allowed contacts between pieces."""
 
 from dataclasses import replace
 
@@ -42,12 +42,12 @@ def _allow_contact(
 def allow_contact(
     body: Body, a: str, b: str, *, depth: Scalar, reason: str = "", when: Condition | None = None
 ) -> Body:
-    """Allow pieces of two links of a body to touch by design; see `Body.allow_contact`."""
+    """Allow contact between pieces of two links of a body; see `Body.allow_contact`."""
     return body.allow_contact(a, b, depth=depth, reason=reason, when=when)
 
 
 def _places(body: Tree, name: str) -> list[Place]:
-    """Return where a label, or `link/label`, stands in a body; one place at least."""
+    """Return the links and labels of `label` or `link/label` in a body, at least one."""
     labels = {link.name: _solid_labels(link) for link in body.links()}
     link, slash, label = name.rpartition("/")
     if slash:
@@ -70,7 +70,7 @@ def _places(body: Tree, name: str) -> list[Place]:
 
 
 def _solid_labels(link: Link) -> tuple[str, ...]:
-    """Return the labels of a link's solids: details touch nothing."""
-    while isinstance(link, MovedLink):  # a look at its own pieces would move them all
+    """Return the labels of a link's solids, without visual details."""
+    while isinstance(link, MovedLink):  # accessing its own pieces would move them all
         link = link.source
     return tuple(dict.fromkeys(piece.label for piece in link.pieces if not piece.visual))

@@ -1,4 +1,4 @@
-"""Closed curves of the plane as points with analytic normals, and regions made of them."""
+"""Closed plane curves as points with analytic normals, and regions made of them."""
 
 import math
 from collections.abc import Sequence
@@ -11,9 +11,9 @@ from artgen.asset.shape import Contour, Outline
 from artgen.nodes.surfaces import arc_steps, sides_of
 
 CREASE = math.radians(35.0)
-"""A turn below this is taken for the sampling of a smooth curve."""
+"""Smaller turns count as samples of a smooth curve."""
 
-_SAME = 1e-7  # [m]: points of a contour closer than this are one
+_SAME = 1e-7  # points of a contour closer than this are one [m]
 
 
 def side_normals(points: Array) -> Array:
@@ -35,10 +35,10 @@ def smooth(points: Array, normals: Array) -> Contour:
 
 
 def estimated(points: Array) -> Contour:
-    """Return a contour of points alone, shape (n, 2): turns below `CREASE` are smooth, others corners.
+    """Return a contour of points, shape (n, 2): turns below `CREASE` are smooth, larger turns are corners.
 
-    A smooth vertex takes its normal from the adjacent sides weighted by length, so a long straight side
-    beside an arc stays flat.
+    A smooth vertex has the mean normal of its sides, weighted by length, so that a long straight side next to
+    an arc stays flat.
     """
     leaving = side_normals(points)
     arriving = predecessors(leaving)
@@ -51,7 +51,7 @@ def estimated(points: Array) -> Contour:
 
 
 def reversed_contour(contour: Contour) -> Contour:
-    """Return the contour run through the other way, which turns a border into a hole."""
+    """Return the reversed contour, which turns a border into a hole."""
     return Contour(
         np.ascontiguousarray(contour.points[::-1]),
         np.ascontiguousarray(-contour.normals_out[::-1]),
@@ -76,8 +76,8 @@ def circle_contour(radius: float, sides: int | None = None) -> Contour:
 def ellipse_contour(radius_x: float, radius_y: float) -> Contour:
     """Return an ellipse about the origin with its half axes [m] along x and y."""
     sides = sides_of(max(radius_x, radius_y))
-    # Half of the spacing follows the ellipse's parameter and half the turn of its normal, so that the
-    # pointed ends get more vertices than the flat sides.
+    # half of the spacing follows the ellipse's parameter, half the turn of its normal: pointed ends get more
+    # vertices than flat sides
     fine = math.tau * np.arange(16 * sides + 1) / (16 * sides)
     turn = np.unwrap(np.arctan2(np.sin(fine) / radius_y, np.cos(fine) / radius_x))
     angle = np.interp(math.tau * np.arange(sides) / sides, 0.5 * (fine + turn), fine)
@@ -126,11 +126,11 @@ def rounded_polygon(corners: Array, radii: Sequence[float] | Array) -> Contour:
 
 
 def without_repeats(contour: Contour) -> Contour:
-    """Return the contour with neighboring points at one place joined."""
+    """Return the contour with coincident neighboring points joined."""
     gap = np.linalg.norm(contour.points - predecessors(contour.points), axis=1)
     if gap.min() > _SAME:
         return contour
-    kept = np.flatnonzero(gap > _SAME)  # each keeps its own place and takes the repeats that follow it
+    kept = np.flatnonzero(gap > _SAME)  # each point absorbs the repeats that follow it
     last = successors(kept) - 1
     return Contour(contour.points[kept], contour.normals_in[kept], contour.normals_out[last])
 
@@ -147,12 +147,12 @@ def outline_area(contours: Sequence[Contour]) -> float:
 
 
 def section(contours: Sequence[Contour]) -> CrossSection:
-    """Return the region as manifold3d knows it, overlaps resolved."""
+    """Return the region as a manifold3d cross-section, with overlaps resolved."""
     return CrossSection([contour.points for contour in contours], FillRule.Positive)
 
 
 _ROUNDED = 1e-8
-"""By how much a boolean of borders may move them [m]."""
+"""Displacement of borders by rounding in booleans [m]."""
 
 
 def is_disjoint(rings: Sequence[Array]) -> bool:
@@ -160,7 +160,7 @@ def is_disjoint(rings: Sequence[Array]) -> bool:
     area = sum(signed_area(ring) for ring in rings)
     around = sum(float(np.linalg.norm(successors(ring) - ring, axis=1).sum()) for ring in rings)
     covered = CrossSection(list(rings), FillRule.Positive).area()
-    # the covering rounds every border by some nanometres
+    # the union rounds every border by some nanometres
     return bool(area > 0.0 and abs(covered - area) <= 1e-6 * area + _ROUNDED * around)
 
 
@@ -180,7 +180,7 @@ def outline_of(region: CrossSection, what: str) -> Outline:
 def moved_outline(outline: Outline, matrix: Array, offset: Array) -> Outline:
     """Return the outline with each point p at matrix @ p + offset, shapes (2, 2) and (2,)."""
     scale = float(matrix[0, 0])
-    if scale > 0.0 and matrix.tolist() == [[scale, 0.0], [0.0, scale]]:  # most are not turned
+    if scale > 0.0 and matrix.tolist() == [[scale, 0.0], [0.0, scale]]:  # most outlines are not rotated
         return _placed(outline, scale, offset)
     determinant = float(np.linalg.det(matrix))
     if abs(determinant) < 1e-12:
@@ -194,7 +194,7 @@ def moved_outline(outline: Outline, matrix: Array, offset: Array) -> Outline:
         points = contour.points @ matrix.T + offset
         if determinant > 0.0:
             return Contour(points, arriving, leaving)
-        # A mirrored contour is run through the other way, so that its outside stays on the right.
+        # a mirrored contour is reversed, so that its outside stays on the right
         return Contour(*(np.ascontiguousarray(part[::-1]) for part in (points, leaving, arriving)))
 
     def moved_polygon(points: Array) -> Array:
@@ -206,7 +206,7 @@ def moved_outline(outline: Outline, matrix: Array, offset: Array) -> Outline:
 
 
 def _placed(outline: Outline, scale: float, offset: Array) -> Outline:
-    """Return the outline with each point p at scale * p + offset: its normals stay."""
+    """Return the outline with each point p at scale * p + offset, without a change of normals."""
     contours = tuple(
         Contour(contour.points * scale + offset, contour.normals_in, contour.normals_out)
         for contour in outline.contours
@@ -216,7 +216,7 @@ def _placed(outline: Outline, scale: float, offset: Array) -> Outline:
 
 
 def refined(outline: Outline, longest: float) -> Outline:
-    """Return the outline with vertices added on sides longer than `longest` [m], so that they can bend."""
+    """Return the outline with extra vertices on sides longer than `longest` [m], so that they can bend."""
     return Outline(tuple(_refined(contour, longest) for contour in outline.contours), outline.convex)
 
 

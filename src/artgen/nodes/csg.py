@@ -1,7 +1,6 @@
-"""Combining solids: union, difference, intersection, hull, split and shell, and paint.
+"""Combination of solids: union, difference, intersection, hull, split and shell, and paint.
 
-Surfaces keep their normals, texture coordinates and paint through all of them; a cut face has those of the
-solid that cut it.
+Surfaces keep their normals, texture coordinates and paint; a cut face has those of the cutting solid.
 """
 
 from collections.abc import Callable, Mapping, Sequence
@@ -29,11 +28,11 @@ from artgen.nodes.unwrap import boxed_uvs
 from artgen.nodes.validators import between
 
 MOST = 0.001
-"""How far coarse colliders may stand off a solid [m]: what checks allow."""
+"""Largest distance between coarse colliders and their solid, equal to that of the checks [m]."""
 
 
 class _Coarse(Pieces):
-    """Pieces that follow a solid no closer than to a distance."""
+    """Pieces that follow a solid up to a distance."""
 
     def __init__(self, base: Pieces, least: float) -> None:
         super().__init__()
@@ -58,14 +57,14 @@ def _coarse(solid: Shape, within: float) -> Shape:
 
 
 def coarse(solid: Solid, within: Scalar = MOST) -> Solid:
-    """Let the colliders of a round solid stand off it; appearance and mass stay the same.
+    """Simplify the colliders of a round solid; appearance and mass stay the same.
 
-    A thin round shell, such as the wall of a bin, collides as one piece for each of its facets; with 1 mm to
-    spare it needs less than half as many. What is proven of it holds for the coarser pieces.
+    A thin round shell, such as the wall of a bin, collides as one piece per facet; with a tolerance of 1 mm
+    it needs less than half as many. The certificate holds for the coarser pieces.
 
     Args:
-        solid: What collides coarsely, before anything is cut out of it.
-        within: How far its colliders may stand off, at most 1 mm [m].
+        solid: A solid before anything is cut out of it.
+        within: Largest distance of its colliders from the solid, at most 1 mm [m].
 
     Examples:
         >>> coarse(tube(0.1, 0.098, 0.2))
@@ -74,7 +73,7 @@ def coarse(solid: Solid, within: Scalar = MOST) -> Solid:
 
 
 def with_properties(manifold: Manifold, change: Callable[[Array], None]) -> Manifold:
-    """Return the manifold after `change` wrote into its vertices: x y z and the channels, shape (n, 9)."""
+    """Return the manifold after `change` wrote to its vertices: x y z and the channels, shape (n, 9)."""
     raw = manifold.to_mesh64()
     table = np.array(raw.vert_properties)
     change(table)
@@ -82,7 +81,7 @@ def with_properties(manifold: Manifold, change: Callable[[Array], None]) -> Mani
 
 
 def faceted_shape(solid: Manifold, pieces: Pieces) -> Shape:
-    """Return the shape of a bare manifold: normals split at creases, texture projected along them."""
+    """Return the shape of a plain manifold: normals split at creases, texture projected along them."""
     if solid.is_empty():
         raise ValueError("the result is empty")
     raw = solid.to_mesh64()
@@ -118,8 +117,8 @@ def faceted_shape(solid: Manifold, pieces: Pieces) -> Shape:
 
 
 _PAINT = 8  # column of the paint number in the vertex table
-_PLANE_DECIMALS = 9  # of normals and distances [m]
-_FULL = 0.999  # share of its hull that a convex solid fills
+_PLANE_DECIMALS = 9  # decimals of normals and distances [m]
+_FULL = 0.999  # least share of its hull that a convex solid fills
 
 
 def _paints(shapes: Sequence[Shape]) -> Mapping[int, Material]:
@@ -133,7 +132,7 @@ def _paints(shapes: Sequence[Shape]) -> Mapping[int, Material]:
 
 
 def _combined(manifold: Manifold, pieces: colliders.Pieces, shapes: Sequence[Shape], what: str) -> Shape:
-    """Return a checked result; `what` is the reason for an empty one."""
+    """Return a checked result; `what` is the message for an empty result."""
     if manifold.is_empty():
         raise ValueError(what)
     return Shape(manifold, pieces, _paints(shapes)).checked()
@@ -160,7 +159,7 @@ def _union(solids: tuple[Shape, ...]) -> Shape:
 
 
 def union(*solids: Solid) -> Solid:
-    """Unite solids; two are also written `a | b`. Overlaps count once.
+    """Unite solids; also written `a | b`. Overlaps count once.
 
     Examples:
         >>> union(box(0.3, 0.02, 0.02), box(0.02, 0.3, 0.02), sphere(0.04))
@@ -215,7 +214,7 @@ def _hull(solids: tuple[Shape, ...]) -> Shape:
 
 
 def hull(*solids: Solid) -> Solid:
-    """Make the convex hull of solids: the least convex solid that contains them all.
+    """Return the convex hull of solids.
 
     Examples:
         >>> hull(cylinder(0.05, 0.03), cylinder(0.02, 0.03).at(0.15))
@@ -224,7 +223,7 @@ def hull(*solids: Solid) -> Solid:
 
 
 def half_space(shape: Shape, point: Array, normal: Array) -> Shape:
-    """Return a box that covers what a shape has behind a plane, its top face on the plane."""
+    """Return a box that covers the part of a shape behind a plane; its top face lies on the plane."""
     low, high = shape.bounds()
     middle = 0.5 * (low + high)
     reach = 1.1 * float(np.linalg.norm(high - low)) + abs(float((middle - point) @ normal))
@@ -250,12 +249,12 @@ def _split(solid: Shape, point: Array3, normal: Array3) -> Shape:
 
 
 def split(solid: Solid, *, point: VectorLike, normal: VectorLike) -> Solid:
-    """Keep the part of a solid on the side of a plane to which its normal points.
+    """Keep the part of a solid on the side of a plane to which the normal points.
 
     Args:
-        solid: What to cut.
+        solid: The solid.
         point: A point on the plane [m].
-        normal: Square to the plane, towards the part to keep.
+        normal: Normal of the plane, towards the remaining part.
 
     Examples:
         >>> split(sphere(0.1), point=(0, 0, 0.03), normal=-Z)
@@ -276,7 +275,7 @@ def _shell(solid: Shape, thickness: float, open: Array3 | None) -> Shape:
     inner = _inset(around, thickness)
     if open is not None:
         out = inputs.direction("open", open)
-        # far enough that rounded edges of the cavity end outside of the solid
+        # far enough that rounded edges of the cavity end outside the solid
         inner = np.concatenate([inner, inner + out * (thickness + float(np.ptp(solid.mesh.vertices @ out)))])
     cavity = faceted_shape(hull_of(inner), around_hull(inner))
     return _combined(
@@ -288,10 +287,10 @@ def _shell(solid: Shape, thickness: float, open: Array3 | None) -> Shape:
 
 
 def _inset(solid: Manifold, distance: float) -> Array:
-    """Return the corners of a convex solid whose faces all moved inward, shape (n, 3) [m].
+    """Return the corners of a convex solid with all faces moved inward, shape (n, 3) [m].
 
-    A face n.x <= d about an inner point becomes the point n / d; the hull of these has one face for each
-    corner of the solid.
+    A face n.x <= d about an inner point becomes the point n / d; the hull of these points has one face for
+    each corner of the solid.
     """
     mesh = solid.to_mesh64()
     corners = np.array(mesh.vert_properties)[:, :3][triangles_of(mesh)]
@@ -301,7 +300,7 @@ def _inset(solid: Manifold, distance: float) -> Array:
     sound = size > 1e-6 * longest**2
     normals = across[sound] / size[sound, None]
     reach = np.einsum("ij,ij->i", normals, corners[sound, 0]) - distance
-    # triangles of one face have one plane: nearly equal ones would make slivers
+    # triangles of one face share a plane: nearly equal planes would make slivers
     planes = np.unique(np.round(np.column_stack([normals, reach]), _PLANE_DECIMALS), axis=0)
     normals, reach = planes[:, :3], planes[:, 3]
     center = corners.reshape(-1, 3).mean(axis=0)
@@ -325,7 +324,7 @@ def _inset(solid: Manifold, distance: float) -> Array:
 
 
 def _deepest(normals: Array, reach: Array) -> Array:
-    """Return a point far from all planes n.x <= d, by steps away from the nearest ones, shape (3,)."""
+    """Return a point far from all planes n.x <= d, by steps away from the nearest planes, shape (3,)."""
     point: Array = np.asarray(np.linalg.lstsq(normals, reach, rcond=None)[0], np.float64)
     step = float(np.abs(reach - normals @ point).max())
     best, best_depth = point, float((reach - normals @ point).min())
@@ -340,12 +339,12 @@ def _deepest(normals: Array, reach: Array) -> Array:
 
 
 def shell(solid: Solid, thickness: Scalar, *, open: VectorLike | None = None) -> Solid:
-    """Hollow a convex solid out, leaving walls.
+    """Hollow a convex solid, leaving walls.
 
     Args:
         solid: A convex solid.
         thickness: Thickness of the walls [m].
-        open: The side without a wall, as a direction; all sides have walls by default.
+        open: Direction of the side without a wall; by default all sides have walls.
 
     Examples:
         >>> shell(box(0.3, 0.2, 0.1, bevel=0.01), 0.008, open=Z)
@@ -364,9 +363,9 @@ def _paint(solid: Shape, material: Material) -> Shape:
 
 
 def paint(solid: Solid, material: Material) -> Solid:
-    """Give all faces of a solid a material of their own, whatever part they end up in.
+    """Give all faces of a solid a material that they keep in any part.
 
-    The paint stays on the faces through booleans: a painted tool leaves painted cuts.
+    Paint stays on faces through booleans: a painted tool leaves painted cuts.
     """
     return Solid.record(_paint, solid=solid, material=material)
 
@@ -378,13 +377,13 @@ def _enclosed(solid: Shape) -> Shape:
 
 
 def enclosed(solid: Solid) -> Solid:
-    """Let a solid collide as its convex hull; appearance and mass stay the same.
+    """Use the convex hull of a solid as its collider; appearance and mass stay the same.
 
-    For things that are finer than what touches them, such as slats, grilles and knurls. What is joined to the
-    solid afterwards has its own colliders.
+    Suitable for things with fine structure, such as slats, grilles and knurls. Solids that are united with it
+    later have their own colliders.
 
     Args:
-        solid: What to enclose.
+        solid: The solid.
 
     Examples:
         >>> slats = array(box(0.01, 0.1, 0.02), at=row((0, 0, 0), (0.02, 0, 0), 10))
@@ -406,7 +405,7 @@ def _array(solid: Shape, at: ArrayN3) -> Shape:
 
 
 def _are_apart(places: Array, size: Array) -> bool:
-    """Tell whether boxes of one size at all places are free of each other."""
+    """Tell whether boxes of one size at several places are disjoint."""
     gap = np.abs(places[:, None, :] - places[None, :, :]) - size
     apart = gap.max(axis=2) > 1e-9
     np.fill_diagonal(apart, True)
@@ -414,11 +413,11 @@ def _are_apart(places: Array, size: Array) -> bool:
 
 
 def array(solid: Solid, *, at: PointsLike) -> Solid:
-    """Make copies of a solid as one solid; copies that touch or overlap are united.
+    """Copy a solid to several places as one solid; touching and overlapping copies are united.
 
     Args:
-        solid: What to copy.
-        at: By how much each copy is moved [m].
+        solid: The solid.
+        at: Offset of each copy [m].
 
     Examples:
         >>> array(box(0.02, 0.1, 0.05), at=row((0, 0, 0), (0.04, 0, 0), 5))

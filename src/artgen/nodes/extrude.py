@@ -1,4 +1,4 @@
-"""Extrusions and revolutions: a profile drawn out along an axis, or turned about it."""
+"""Extrusion of a profile along an axis, and revolution about an axis."""
 
 import math
 from collections.abc import Callable, Sequence
@@ -14,7 +14,7 @@ from artgen.nodes.handles import Array3, Profile, Scalar, Solid, VectorLike
 from artgen.nodes.primitive_colliders import around_extrusion, around_lathe, moved
 from artgen.nodes.surfaces import extrusion, lathe, mitres
 
-_ON_AXIS = 1e-7  # [m]: points nearer to the axis lie on it
+_ON_AXIS = 1e-7  # points nearer to the axis than this lie on it [m]
 _FEWEST, _MOST = 3, 128  # sides of a full turn
 
 
@@ -45,14 +45,15 @@ def _revolve(profile: Outline, angle: float, axis: Array3, sides: int = 0) -> Sh
 def revolve(
     profile: Profile, *, angle: Scalar = math.tau, axis: VectorLike = (0.0, 0.0, 1.0), sides: int = 0
 ) -> Solid:
-    """Turn a profile about an axis through the origin: its x is the radius, its y runs along the axis.
+    """Revolve a profile about an axis through the origin: its x is the radius, its y runs along the axis.
 
     Args:
-        profile: What to turn, all of it at x >= 0.
-        angle: How far [rad], right-handed about the axis from X on (from Y on for an axis along X).
+        profile: The profile, at x >= 0.
+        angle: Angle [rad], right-handed about the axis, starting at X (at Y for an axis along X).
         axis: Direction of the axis.
-        sides: Facets of the full circle; 0 for as many as look round. A hollow thing collides as one piece
-            for each of them and for each bend of the profile, so a thin shell wants few.
+        sides: Number of facets of the full circle; 0 chooses a number that looks round. A hollow solid
+            collides as one piece for each facet and each bend of the profile, so a thin shell should have
+            few.
 
     Examples:
         >>> revolve(rectangle(0.04, 0.1, radius=0.01).at(0.08), angle=4.5)
@@ -78,7 +79,7 @@ def _extrude(
         _check_bevel(profile.contours, bevel)
     stations = max(1, math.ceil(abs(twist) / _TWIST_STEP - 1e-9))
     warp = _warp(length, taper, twist) if taper != 0.0 or twist != 0.0 else None
-    # long sides get more vertices, to bend; the pieces are bounded by the hulls of the few
+    # long sides get more vertices for bending; the hulls of the original vertices bound the pieces
     contours = refined(profile, 2.0 * length / stations).contours if twist != 0.0 else profile.contours
     scales = (1.0, 1.0 - taper)
     skin = extrusion(contours, length, bevel=bevel, stations=stations, warp=warp, scales=scales).turned(turn)
@@ -95,19 +96,19 @@ def extrude(
     taper: Scalar = 0.0,
     twist: Scalar = 0.0,
 ) -> Solid:
-    """Draw a profile out along an axis, centered on the origin.
+    """Extrude a profile along an axis, centered on the origin.
 
-    The profile's x and y run along the two other asset axes, in the order X, Y, Z: along Z it lies in
-    (X, Y), along Y (or -Y, the front) in (X, Z), and along X in (Y, Z). Reversing the axis does not mirror
-    the profile; it only swaps the ends, which matters for taper and twist.
+    The profile's x and y run along the two other asset axes, in the order X, Y, Z: along Z the profile lies
+    in (X, Y), along Y (or -Y, the front) in (X, Z), and along X in (Y, Z). Reversing the axis does not mirror
+    the profile; it swaps the ends, which matters for taper and twist.
 
     Args:
-        profile: What to draw out.
+        profile: The profile.
         length: Length along the axis [m].
         axis: Direction of the axis.
-        bevel: Radius to which the edges of both ends are rounded [m].
-        taper: By what share of its size the profile is smaller where the axis ends (-1 doubles it).
-        twist: How far the end of the axis is turned about it, right-handed [rad].
+        bevel: Radius of the rounded edges at both ends [m].
+        taper: Share by which the profile shrinks towards the end of the axis (-1 doubles it).
+        twist: Rotation of the end about the axis, right-handed [rad].
 
     Examples:
         >>> extrude(regular_polygon(6, 0.05), 0.15, bevel=0.004, taper=0.3, twist=0.5)
@@ -153,7 +154,7 @@ def _warp(length: float, taper: float, twist: float) -> Callable[[Array, Array],
         moved_vertices = np.column_stack(
             [scale * (cosine * x - sine * y), scale * (sine * x + cosine * y), z]
         )
-        # The normals go with the inverse transpose of the map's derivative, here times the scale.
+        # normals are multiplied by the inverse transpose of the map's derivative, here times the scale
         nx, ny, nz = normals.T
         rise = scale * nz + taper / length * (x * nx + y * ny) - twist / length * scale * (x * ny - y * nx)
         turned = np.column_stack([cosine * nx - sine * ny, sine * nx + cosine * ny, rise])

@@ -1,4 +1,4 @@
-"""Frames at which hands act: written down, or found on a solid."""
+"""Frames at which hands act, given by the author or found on a solid."""
 
 from typing import Annotated, Any, ClassVar
 
@@ -14,11 +14,11 @@ from artgen.nodes.vector import unit
 Array4x4 = Annotated[NDArray[np.float64], "frame"]
 """The value of a `Frame`, shape (4, 4)."""
 
-_DEEPEST = 0.030  # how far finger tips reach past the front of a deep thing, if nobody says [m]
-_FAR = 10.0  # beyond any solid [m]
-_PARALLEL = 1e-6  # sine of the angle between approach and closing below which they are one direction
-_RAY = 0.001  # half the width of the column in which a surface is looked for [m]
-_ROUNDED = 6  # decimals of what was measured [m]
+_DEEPEST = 0.030  # default reach of finger tips behind the front of a deep solid [m]
+_FAR = 10.0  # distance beyond any solid [m]
+_PARALLEL = 1e-6  # sine of the angle between approach and closing below which they count as parallel
+_RAY = 0.001  # half the width of the column in which a surface is searched [m]
+_ROUNDED = 6  # decimals of measured lengths [m]
 
 
 class Frame(Handle):
@@ -51,11 +51,11 @@ def _posed(at: Array3, approach: Array3, closing: Array3) -> Array4x4:
 def frame(
     at: VectorLike, *, approach: VectorLike = (0.0, 1.0, 0.0), closing: VectorLike = (0.0, 0.0, 1.0)
 ) -> Frame:
-    """Make the frame at which a hand takes hold or pushes.
+    """Make a frame at which a hand grasps or pushes.
 
     Args:
-        at: The point between the fingers, or under the finger that pushes, in asset coordinates [m].
-        approach: Direction in which the hand comes.
+        at: Point between the fingers, or under the pushing finger, in asset coordinates [m].
+        approach: Direction of approach of the hand.
         closing: Direction along which the fingers close; made perpendicular to `approach`.
 
     Examples:
@@ -95,19 +95,19 @@ def grasp_on(
     at: VectorLike | None = None,
     depth: Scalar | None = None,
 ) -> Frame:
-    """Find the frame at which a parallel gripper takes hold of a solid, for `part(..., grasp=...)`.
+    """Find the frame at which a parallel gripper grasps a solid, for `part(..., grasp=...)`.
 
-    The fingers close on the middle of what is between them, and their pads come to the middle of its depth.
-    An upright handle bar on a front wants `closing=X`, a level one `closing=Z`, a lever what lies across it.
-    A dial or a knob on a panel wants `depth`, a little less than it stands out, as does the edge of a lid.
+    The fingers close on the center of the solid between them, at the middle of its depth. An upright handle
+    bar on a front needs `closing=X`, a horizontal bar `closing=Z`, a lever the direction across it. A dial or
+    a knob on a panel, or the edge of a lid, needs a `depth` slightly below its height.
 
     Args:
-        solid: What is held: the bar without its feet will do.
-        approach: Direction in which the hand comes.
+        solid: The solid to hold: for a handle, the bar without its feet is enough.
+        approach: Direction of approach of the hand.
         closing: Direction along which the fingers close, over at most 74 mm.
-        at: A point at which to take hold; by default the middle of the bounding box [m].
-        depth: How far the tips of the fingers reach past the front of the solid; by default 9 mm past its
-            middle, at most 30 mm [m].
+        at: A point of the grasp; by default the center of the bounding box [m].
+        depth: Reach of the finger tips behind the front of the solid; by default 9 mm behind its center, at
+            most 30 mm [m].
 
     Examples:
         >>> bar = box(0.2, 0.012, 0.012)
@@ -131,12 +131,12 @@ def _push_on(solid: Shape, direction: Array3, at: Array3 | None) -> Array4x4:
 
 
 def push_on(solid: Solid, *, direction: VectorLike = (0.0, 1.0, 0.0), at: VectorLike | None = None) -> Frame:
-    """Find the point at which a finger pushes a solid, for `part(..., push=...)`: where it first meets it.
+    """Find the point at which a finger first touches a solid to push it, for `part(..., push=...)`.
 
     Args:
-        solid: What is pushed: a button, a flap, a bar, the leaf of a door.
+        solid: The solid to push: a button, a flap, a bar, the leaf of a door.
         direction: Direction of the push.
-        at: A point on the way of the finger; by default the middle of the bounding box [m].
+        at: A point on the path of the finger; by default the center of the bounding box [m].
 
     Examples:
         >>> cap = cylinder(0.01, 0.006, axis=Y, bevel=0.001)

@@ -1,4 +1,4 @@
-"""Half sections of turned solids, drawn as the line of their outside."""
+"""Half sections of turned solids from the line of their outside."""
 
 from collections.abc import Sequence
 
@@ -11,8 +11,8 @@ from artgen.nodes import validators as inputs
 from artgen.nodes.contours import estimated, faceted, is_disjoint, side_normals, without_repeats
 from artgen.nodes.handles import Path, Profile, Scalar
 
-_ON_AXIS = 1e-6  # [m]: points nearer to the axis lie on it
-_FLAT = 0.01  # [m]: how far a line runs off the plane before it is no half section
+_ON_AXIS = 1e-6  # points nearer to the axis than this lie on it [m]
+_FLAT = 0.01  # largest deviation of a line from the plane of a half section [m]
 
 
 @kernel
@@ -35,7 +35,7 @@ def _half_section(
         inset = inset + 0.5 * within
     outward, corners = _normals(path, line)
     outer = _on_axis(line - inputs.finite("inset", inset) * corners)
-    if within > 0.0:  # slanted ends moved along their normals, off the heights where the line ends
+    if within > 0.0:  # slanted ends move along their normals, off the heights at which the line ends
         outer[:, 1] = np.clip(outer[:, 1], low, high)
         ends = [end for end in (0, -1) if outer[end, 0] > 0.0]
         outer[ends, 1] = line[ends, 1]
@@ -58,17 +58,17 @@ def half_section(
     bore: Scalar = 0.0,
     within: Scalar = 0.0,
 ) -> Profile:
-    """Make the profile that `revolve` turns, from the line of its outside.
+    """Make the profile for `revolve` from the line of its outside.
 
     Args:
-        path: The outside from the lower end to the upper one, in the plane y = 0: x is the radius, z becomes
-            the profile's y. A spline makes a smooth thing; several paths make one with sharp knees between
-            them, and steps where they are apart.
-        wall: Thickness of a shell inside of the line, open at both ends; a solid by default [m].
-        inset: How far the outside is moved inward [m].
-        bore: Radius of the hole along the axis of a thing without wall [m].
-        within: How deep below the line straight runs may lie that stand for it; 0 follows the line [m].
-            They nowhere stand out of it: a core of few facets hides within a smooth skin.
+        path: The outside from the lower end to the upper end, in the plane y = 0: x is the radius, z becomes
+            the profile's y. A spline makes a smooth outside; several paths meet at sharp edges, or at steps
+            where they are apart.
+        wall: Thickness of a shell inside the line, open at both ends; a solid by default [m].
+        inset: Distance by which the outside moves inward [m].
+        bore: Radius of the hole along the axis of a solid without wall [m].
+        within: Largest depth below the line at which straight segments replace it; 0 follows the line [m].
+            They never lie outside the line: a core with few facets fits inside a smooth skin.
 
     Examples:
         >>> outside = spline([(0.03, 0, 0), (0.05, 0, 0.05), (0.02, 0, 0.1), (0.03, 0, 0.14)])
@@ -78,7 +78,7 @@ def half_section(
 
 
 def _chords(line: Array, off: float) -> Array:
-    """Return those points of a line between which straight runs stay within a distance of it [m]."""
+    """Return the points of a line between which straight segments stay within a distance of it [m]."""
     first, last = line[0], line[-1]
     along = last - first
     length = float(np.hypot(*along))
@@ -95,7 +95,7 @@ def _chords(line: Array, off: float) -> Array:
 
 
 def _joined(paths: Sequence[Curve]) -> Curve:
-    """Return the paths from end to end as one, whose points where they meet are there twice."""
+    """Return paths as one from end to end; points at which they meet appear twice."""
     points: list[Array] = []
     tangents: list[Array] = []
     for path in paths:
@@ -113,18 +113,18 @@ def _joined(paths: Sequence[Curve]) -> Curve:
 
 
 def _normals(path: Curve, line: Array) -> tuple[Array, Array]:
-    """Return the unit normals of the outside, and how its points move for 1 m of inset, both shape (n, 2)."""
+    """Return the unit normals of the outside, and the motion of its points per metre of inset."""
     if path.tangents is not None:
         along = path.tangents[:, [0, 2]]
         outward = np.column_stack([along[:, 1], -along[:, 0]])
         outward /= np.linalg.norm(outward, axis=1, keepdims=True)
         for end in (0, -1):
-            if line[end, 0] <= _ON_AXIS:  # a pole looks along the axis
+            if line[end, 0] <= _ON_AXIS:  # a pole has a normal along the axis
                 outward[end] = (0.0, np.sign(outward[end, 1]) or 1.0)
         return outward, outward
     sides = side_normals(line)[:-1]
     before, after = np.vstack([sides[:1], sides]), np.vstack([sides, sides[-1:]])
-    # the corner between two sides moves along their bisector, farther than the sides do
+    # the corner between two sides moves along their bisector, farther than the sides
     mitred = (before + after) / (1.0 + np.einsum("ij,ij->i", before, after))[:, None]
     return mitred / np.linalg.norm(mitred, axis=1, keepdims=True), mitred
 
@@ -149,7 +149,7 @@ def _shell(outer: Array, inner: Array, outward: Array, *, smooth: bool) -> Conto
 
 
 def _with_normals(points: Array, outward: Array, start: int, rest: Contour | None = None) -> Contour:
-    """Return a contour whose points from `start` on have those normals; the others are estimated."""
+    """Return a contour with given normals for the points from `start` on; the others are estimated."""
     known = rest or estimated(points)
     arriving, leaving = known.normals_in.copy(), known.normals_out.copy()
     end = start + len(outward)

@@ -1,4 +1,4 @@
-"""The typed handles that authors combine: profiles, paths, solids, bodies (scalars: `scalar_handles`)."""
+"""Typed handles for authors: profiles, paths, solids, bodies (scalars are in `scalar_handles`)."""
 
 from collections.abc import Sequence
 from typing import Any, ClassVar
@@ -183,7 +183,7 @@ class Solid(Handle):
         return Solid.record("align", solid=self, to=to, x=x, y=y, z=z)
 
     def paint(self, material: Material) -> "Solid":
-        """Give all faces a material of their own; it stays on them through booleans.
+        """Give all faces their own material, which stays on them through booleans.
 
         Examples:
             >>> box(0.2, 0.1, 0.05) - cylinder(0.03, 0.1).paint(material("copper"))
@@ -247,7 +247,7 @@ class Solid(Handle):
 
 
 class Body(Handle):
-    """A link with everything that is joined to it.
+    """A link with all links joined to it.
 
     Examples:
         >>> lid = part(box(0.3, 0.2, 0.01), "lid", material("oak"))
@@ -269,7 +269,7 @@ class Body(Handle):
         return Body.record("attach", parent=self, child=child, joints=joints)
 
     def repeat(self, child: "Body", *joints: Any, at: PointsLike) -> "Body":
-        """Join a copy of a child, moved to each point, with copies of its joints; suffixed `_0`, `_1`, ...
+        """Join a copy of a child at each point, with copies of its joints, suffixed `_0`, `_1`, ...
 
         Examples:
             >>> panel = part(box(0.2, 0.02, 0.05), "panel", material("abs"))
@@ -280,18 +280,18 @@ class Body(Handle):
         return Body.record("repeat", parent=self, child=child, joints=joints, at=at)
 
     def allow_contact(self, a: str, b: str, *, depth: Scalar, reason: str = "", when: Any = None) -> "Body":
-        """Allow pieces of two links to touch or to press into each other by design, as a gasket does.
+        """Allow pieces of two links to touch or to penetrate each other, like a gasket and its frame.
 
         Args:
-            a: Label of the pieces on one link, such as `"gasket"`; `"door/gasket"` where other links carry
-                that label too.
+            a: Label of the pieces on one link, such as `"gasket"`; `"door/gasket"` if other links have that
+                label too.
             b: Label of the pieces on the other link.
-            depth: How far they may press into each other; 0 where they only touch [m].
-            reason: Why they do; the certificate lists it.
-            when: Where they may, such as `hinge < 0.02`; by default everywhere.
+            depth: Largest allowed penetration; 0 for contact only [m].
+            reason: Reason for the contact, listed in the certificate.
+            when: Condition under which the contact is allowed, such as `hinge < 0.02`; by default always.
 
         Raises:
-            BuildError: There is no reason.
+            BuildError: The reason is missing.
 
         Examples:
             >>> base = part(box(0.1, 0.1, 0.02), "base", material("steel"))
@@ -348,7 +348,7 @@ class Body(Handle):
 
 
 def offset_of(x: Any, y: Scalar, z: Scalar) -> VectorLike:
-    """Return the vector that `.at(vector)` or `.at(x, y, z)` was given."""
+    """Return the vector of the arguments of `.at(vector)` or `.at(x, y, z)`."""
     if not isinstance(x, Vector | Sequence | np.ndarray):
         return (x, y, z)
     if any(isinstance(item, Handle) or item != 0.0 for item in (y, z)):

@@ -18,7 +18,7 @@ Limits = tuple[Scalar, Scalar] | None
 
 
 class Coupling(Handle):
-    """The law by which a joint follows another: `ratio * leader + offset`.
+    """Law of a joint that follows another: `ratio * leader + offset`.
 
     Examples:
         >>> case = part(box(0.3, 0.1, 0.02), "case", material("walnut"))
@@ -33,7 +33,7 @@ class Coupling(Handle):
 
     @classmethod
     def lift(cls, value: Any) -> Any:
-        """Accept a Coupling, or a Joint that is followed one to one."""
+        """Accept a Coupling, or a Joint that is followed with ratio 1."""
         return (1.0 * value).node if isinstance(value, Joint) else super().lift(value)
 
     def __add__(self, offset: Scalar) -> "Coupling":
@@ -45,26 +45,26 @@ class Coupling(Handle):
         return self + (-offset)
 
     def __mul__(self, factor: Scalar) -> "Coupling":
-        """Gear the follower."""
+        """Multiply the ratio of the follower."""
         return Coupling.record("coupling_scale", coupling=self, factor=factor)
 
     def __rsub__(self, offset: Scalar) -> "Coupling":
-        """Turn the follower round and shift it [rad or m]."""
+        """Reverse the follower and shift it [rad or m]."""
         return -self + offset
 
     def __truediv__(self, divisor: Scalar) -> "Coupling":
-        """Gear the follower down."""
+        """Divide the ratio of the follower."""
         return self * Float.record("divide", a=1.0, b=divisor)
 
     def __neg__(self) -> "Coupling":
-        """Turn the follower round."""
+        """Reverse the follower."""
         return self * -1.0
 
     __radd__, __rmul__ = __add__, __mul__
 
 
 class Joint(Handle):
-    """A joint to attach a child with. Its arithmetic makes couplings, its comparisons conditions.
+    """A joint for `attach`. Its arithmetic makes couplings, its comparisons make conditions.
 
     Examples:
         >>> case = part(box(0.3, 0.1, 0.02), "case", material("walnut"))
@@ -84,27 +84,27 @@ class Joint(Handle):
         return name
 
     def __mul__(self, ratio: Scalar) -> Coupling:
-        """Make a coupling that gears this joint."""
+        """Make a coupling with a ratio to this joint."""
         return Coupling.record("coupling", leader=self.name, ratio=ratio, offset=0.0)
 
     def __add__(self, offset: Scalar) -> Coupling:
-        """Make a coupling that shifts this joint [rad or m]."""
+        """Make a coupling with an offset to this joint [rad or m]."""
         return self * 1.0 + offset
 
     def __sub__(self, offset: Scalar) -> Coupling:
-        """Make a coupling that shifts this joint back [rad or m]."""
+        """Make a coupling with a negative offset to this joint [rad or m]."""
         return self * 1.0 - offset
 
     def __rsub__(self, offset: Scalar) -> Coupling:
-        """Make a coupling that turns this joint round and shifts it [rad or m]."""
+        """Make a reversed coupling with an offset to this joint [rad or m]."""
         return -self + offset
 
     def __truediv__(self, divisor: Scalar) -> Coupling:
-        """Make a coupling that gears this joint down."""
+        """Make a coupling with an inverse ratio to this joint."""
         return self * Float.record("divide", a=1.0, b=divisor)
 
     def __neg__(self) -> Coupling:
-        """Make a coupling that turns this joint round."""
+        """Make a reversed coupling to this joint."""
         return self * -1.0
 
     __radd__, __rmul__ = __add__, __mul__
@@ -210,23 +210,23 @@ def _recorded(kind: Literal["revolute", "prismatic"], arguments: Mapping[str, An
 
 
 class Revolute(Joint):
-    """A joint that turns about an axis, counter-clockwise seen against the axis.
+    """A joint that rotates about an axis, counter-clockwise when the axis points to the viewer.
 
     Args:
         name: Identifier, unique in the asset.
         axis: Direction of the axis in asset coordinates.
         pivot: A point on the axis in asset coordinates at rest [m].
-        limits: Lowest and highest angle [rad]; equal ones lock it, None is unlimited.
-        stiffness: Spring towards `rest` [N m/rad].
-        damping: [N m s/rad].
-        friction: Dry friction that holds the joint [N m].
-        rest: Angle at which the spring is at ease; beyond a limit for a spring under tension [rad].
-        armature: Inertia added at the joint [kg m^2].
-        effort: Largest torque that an actuator may apply [N m].
+        limits: Lowest and highest angle [rad]; equal limits lock the joint, None is unlimited.
+        stiffness: Stiffness of a spring towards `rest` [N m/rad].
+        damping: Viscous damping [N m s/rad].
+        friction: Dry friction [N m].
+        rest: Angle at which the spring is relaxed; outside the limits for a preloaded spring [rad].
+        armature: Additional inertia at the joint [kg m^2].
+        effort: Largest torque of an actuator [N m].
         velocity: Largest speed [rad/s].
-        follows: Coupling to another joint, such as `4.0 * pedal + 0.02`; gives the limits.
-        needs: Where the joint may leave 0, such as `handle > 0.5`; `(handle > 0.5).until(0.06)` asks for it
-            only below 0.06, `(door > 1.2).beyond(0.03)` only beyond 0.03.
+        follows: Coupling to another joint, such as `4.0 * pedal + 0.02`; it determines the limits.
+        needs: Condition under which the joint may leave 0, such as `handle > 0.5`; `(handle >
+            0.5).until(0.06)` applies only below 0.06, `(door > 1.2).beyond(0.03)` only beyond 0.03.
         driven: Actuator that moves the joint, such as `a motor`; grasp checks are skipped.
 
     Examples:
@@ -264,18 +264,18 @@ class Prismatic(Joint):
     Args:
         name: Identifier, unique in the asset.
         axis: Direction of the slide in asset coordinates.
-        limits: Lowest and highest position [m]; equal ones lock it, None is unlimited.
-        pivot: Where the joint's frame lies in asset coordinates at rest [m].
-        stiffness: Spring towards `rest` [N/m].
-        damping: [N s/m].
-        friction: Dry friction that holds the joint [N].
-        rest: Position at which the spring is at ease; beyond a limit for a spring under tension [m].
-        armature: Mass added at the joint [kg].
-        effort: Largest force that an actuator may apply [N].
+        limits: Lowest and highest position [m]; equal limits lock the joint, None is unlimited.
+        pivot: Origin of the joint's frame in asset coordinates at rest [m].
+        stiffness: Stiffness of a spring towards `rest` [N/m].
+        damping: Viscous damping [N s/m].
+        friction: Dry friction [N].
+        rest: Position at which the spring is relaxed; outside the limits for a preloaded spring [m].
+        armature: Additional mass at the joint [kg].
+        effort: Largest force of an actuator [N].
         velocity: Largest speed [m/s].
-        follows: Coupling to another joint, such as `0.02 * handle`; gives the limits.
-        needs: Where the joint may leave 0, such as `door > 1.2`; `(door > 1.2).beyond(0.03)` asks for it
-            only beyond 0.03, `(door > 1.2).until(0.3)` only below 0.3.
+        follows: Coupling to another joint, such as `0.02 * handle`; it determines the limits.
+        needs: Condition under which the joint may leave 0, such as `door > 1.2`; `(door > 1.2).beyond(0.03)`
+            applies only beyond 0.03, `(door > 1.2).until(0.3)` only below 0.3.
         driven: Actuator that moves the joint, such as `a motor`; grasp checks are skipped.
 
     Examples:

@@ -1,4 +1,4 @@
-"""The joints of a body, read from its graph before any geometry is made."""
+"""Joints of a body, read from its graph before any geometry is made."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -13,23 +13,22 @@ from artgen.graph.node import Node, nodes_in
 
 @dataclass(frozen=True)
 class PlannedJoint:
-    """A joint as the author wrote it."""
+    """A joint in the author's code."""
 
-    name: str  # its name, with the suffixes of copies
-    kind: str  # whether it turns or slides
-    unlimited: bool  # whether it has no limits, and follows nothing
-    follows: str  # name of the joint that it is coupled to; empty for none
-    needs: bool  # whether other joints have to stand somewhere before it may move
+    name: str  # name with the suffixes of copies
+    kind: str  # `revolute` or `prismatic`
+    unlimited: bool  # whether it has neither limits nor a leader
+    follows: str  # name of its leader; empty without a coupling
+    needs: bool  # whether it depends on other joints
 
 
 def joints_of(graph: Graph) -> tuple[PlannedJoint, ...]:
-    """Return the joints of the body that a graph makes, those nearest to its base first.
+    """Return the joints of the body of a graph, those nearest to its base first.
 
-    Of bodies that a `switch` chooses between, both count; of a `repeat` whose points are not listed in the
-    graph, one copy counts.
+    All bodies of a `switch` count; a `repeat` whose points are not listed in the graph counts as one copy.
     """
-    found: dict[str, tuple[PlannedJoint, ...]] = {}  # by key: equal nodes may be written more than once
-    for node in graph.nodes:  # inputs come before the nodes that use them
+    found: dict[str, tuple[PlannedJoint, ...]] = {}  # by key: equal nodes may occur more than once
+    for node in graph.nodes:  # inputs come before their users
         if _makes_body(node.op):
             found[node.key] = _joints(node, found)
     return found[graph.result.node.key]
@@ -83,7 +82,7 @@ def _leader(coupling: Node | None) -> str:
 
 
 def _suffixed(joints: tuple[PlannedJoint, ...], suffix: str) -> tuple[PlannedJoint, ...]:
-    """Rename joints, and those of them that others follow."""
+    """Rename joints and their leaders."""
     names = {joint.name: joint.name + suffix for joint in joints}
     return tuple(
         replace(joint, name=names[joint.name], follows=names.get(joint.follows, joint.follows))
@@ -92,7 +91,7 @@ def _suffixed(joints: tuple[PlannedJoint, ...], suffix: str) -> tuple[PlannedJoi
 
 
 def _count(at: Any) -> int:
-    """Return how many points there are, or 1 where the graph does not list them."""
+    """Return the number of points, or 1 if the graph does not list them."""
     if not isinstance(at, Node):
         return len(at)
     match at.op:

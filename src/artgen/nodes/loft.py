@@ -16,7 +16,7 @@ from artgen.nodes.primitive_colliders import around_chain
 from artgen.nodes.surfaces import Sheets, Skin, triangulated
 from artgen.nodes.unwrap import Rail, cap_uvs, lies_flat, runs_across, tapered_around, wall_uvs
 
-_SHARE = 1e-7  # of a border's length: positions along it closer than this are one
+_SHARE = 1e-7  # share of a border's length within which positions are equal
 
 
 @kernel
@@ -50,12 +50,12 @@ def loft(
 ) -> Solid:
     """Join profiles at heights along an axis by straight sides.
 
-    Profiles lie as in `extrude`. Each border starts at the right, half way up, and equal shares of the
+    Profiles lie as in `extrude`. Each border starts at the right, half way up; points at equal shares of the
     borders' lengths are joined.
 
     Args:
-        profiles: At least two, each convex and without holes.
-        heights: Where each is along the axis, ascending [m].
+        profiles: At least two convex profiles without holes.
+        heights: Height of each profile along the axis, ascending [m].
         axis: Direction of the axis.
 
     Examples:
@@ -65,7 +65,7 @@ def loft(
 
 
 def _border(at: int, outline: Outline) -> Contour:
-    """Return the one border of a profile, begun at the right, half way up."""
+    """Return the only border of a profile, starting at the right, half way up."""
     if len(outline.contours) != 1:
         raise ValueError(
             f"profile {at} of the loft has {len(outline.contours)} borders; each must have one, without holes"
@@ -94,14 +94,14 @@ def _border(at: int, outline: Outline) -> Contour:
 
 
 def _shares(contour: Contour) -> Array:
-    """Return the position of each vertex along the border in shares of its length, then 1, shape (n + 1,)."""
+    """Return the position of each vertex along the border as a share of its length, then 1."""
     sides = successors(contour.points) - contour.points
     total = np.concatenate([[0.0], np.cumsum(np.hypot(sides[:, 0], sides[:, 1]))])
     return np.asarray(total / total[-1])
 
 
 def _matched(contours: Sequence[Contour]) -> list[Contour]:
-    """Return the borders with vertices at the same shares of their lengths: those of all of them."""
+    """Return the borders with vertices at the union of their shares of length."""
     shares = [_shares(contour) for contour in contours]
     every = np.sort(np.concatenate([share[:-1] for share in shares]))
     every = every[np.concatenate([[True], np.diff(every) > _SHARE])]
@@ -136,7 +136,7 @@ def _skin(contours: Sequence[Contour], rings: Array) -> Skin:
     slant = np.diff(places, axis=0)
     below = _tilted(plane[:-1], slant)
     above = _tilted(plane[1:], slant)
-    # how far up the sides, not along their slanted edges
+    # height along the sides, not along their slanted edges
     length = np.hypot((slant[..., :2] * plane[:-1]).sum(axis=2), slant[..., 2]).mean(axis=1)
     travelled = np.concatenate([[0.0], np.cumsum(length)])
     level, normals, strips = [0], [below[0]], []
@@ -187,7 +187,7 @@ def _mean_around(border: Array, length: Array, first: NDArray[np.int64]) -> Arra
 
 
 def _tilted(normals: Array, slant: Array) -> Array:
-    """Return normals of the plane, shape (r, c, 2), tilted square to the slant of the sides, (r, c, 3)."""
+    """Return normals in the plane, shape (r, c, 2), tilted perpendicular to the sides, (r, c, 3)."""
     tilted = np.empty(slant.shape)
     tilted[..., :2] = normals * slant[..., 2:]
     tilted[..., 2] = -(normals * slant[..., :2]).sum(axis=-1)

@@ -16,7 +16,7 @@ def _mass(body: Tree) -> float:
 
 
 def mass(body: Body) -> Float:
-    """Return the mass of a body with all that is joined to it [kg].
+    """Return the mass of a body with all links joined to it [kg].
 
     Examples:
         >>> lid = part(box(0.3, 0.2, 0.01), "lid", material("oak"))
@@ -34,7 +34,7 @@ def _center_of_mass(body: Tree) -> Array3:
 
 
 def center_of_mass(body: Body) -> Vector:
-    """Return the center of mass of a body with all that is joined to it, at rest [m].
+    """Return the center of mass of a body with all links joined to it, at rest [m].
 
     Examples:
         >>> grip = part(cylinder(0.015, 0.3, axis=X), "handle", material("oak"))

@@ -138,14 +138,14 @@ def arc(
 ) -> Path:
     """Make an arc of a circle; a sweep of 2 pi closes it.
 
-    Angles are right-handed about `axis`, and 0 is along X (along Y for an axis along X).
+    Angles are right-handed about `axis`; 0 is along X (along Y for an axis along X).
 
     Args:
         center: Center of the circle [m].
-        radius: Its radius [m].
+        radius: Radius of the circle [m].
         start: Angle of the first point [rad].
-        sweep: Angle from the first to the last point, negative for the other way [rad].
-        axis: Direction about which it turns.
+        sweep: Angle from the first to the last point; negative reverses the direction [rad].
+        axis: Axis of the rotation.
 
     Examples:
         >>> arc((0, 0, 0), 0.1, start=0.0, sweep=4.0, axis=-Y)
@@ -170,7 +170,7 @@ def _cubic(controls: Array, steps: int, last: bool) -> tuple[Array, Array]:
 
 
 def _steps_of(controls: Array) -> int:
-    """Return how many chords a Bezier curve gets: its second differences bound their error."""
+    """Return the number of chords of a Bezier curve: its second differences bound their error."""
     bend = np.linalg.norm(controls[2:] - 2.0 * controls[1:-1] + controls[:-2], axis=1).max()
     degree = len(controls) - 1
     needed = math.sqrt(degree * (degree - 1) * bend / (8.0 * CHORD))
@@ -197,7 +197,7 @@ def _bezier(points: tuple[Array3, ...]) -> Curve:
 
 
 def bezier(points: Sequence[VectorLike]) -> Path:
-    """Make a Bezier curve from its first control point to its last, drawn towards those between [m].
+    """Make a Bezier curve from its first to its last control point [m].
 
     Examples:
         >>> bezier([(0, 0, 0), (0.1, 0, 0.3), (0.3, 0, -0.1), (0.4, 0, 0.15)])
@@ -228,7 +228,7 @@ def _spline(points: tuple[Array3, ...], closed: bool) -> Curve:
 
 
 def _centripetal_slopes(through: Array, closed: bool) -> Array:
-    """Return a unit tangent at each point: that of the parabola through it and its neighbors."""
+    """Return a unit tangent at each point: that of the parabola through the point and its neighbors."""
     before = through - predecessors(through)
     after = successors(before)
     near = np.linalg.norm(before, axis=1, keepdims=True)
@@ -248,7 +248,7 @@ def spline(points: Sequence[VectorLike], *, closed: bool = False) -> Path:
     """Make a smooth curve through points [m].
 
     Args:
-        points: Where it passes.
+        points: Points of the curve.
         closed: Whether it returns to the first point.
 
     Examples:
@@ -276,8 +276,8 @@ def helix(radius: Scalar, pitch: Scalar, turns: Scalar, *, axis: VectorLike = (0
     """Make a right-handed helix centered on the origin.
 
     Args:
-        radius: Radius of the cylinder it winds around [m].
-        pitch: Advance in one turn [m].
+        radius: Radius of the cylinder [m].
+        pitch: Advance per turn [m].
         turns: Number of turns.
         axis: Direction of its axis.
 

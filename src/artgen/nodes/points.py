@@ -34,7 +34,7 @@ def _row(start: Array3, step: Array3, count: int) -> ArrayN3:
 
 
 def row(start: VectorLike, step: VectorLike, count: int) -> Points:
-    """Make `count` points from `start` on, each a `step` further [m].
+    """Make `count` points that begin at `start` and are a `step` apart [m].
 
     Examples:
         >>> array(cylinder(0.01, 0.1), at=row((0, 0, 0), (0.04, 0, 0), 6))
@@ -52,7 +52,7 @@ def _grid(center: Array3, u: Array3, v: Array3, columns: int, rows: int) -> Arra
 
 
 def grid(center: VectorLike, u: VectorLike, v: VectorLike, *, columns: int, rows: int) -> Points:
-    """Make a grid about its center: neighbors differ by `u` along a row and by `v` between rows [m].
+    """Make a centered grid of points: neighbors differ by `u` in a row and by `v` between rows [m].
 
     Examples:
         >>> holes = grid((0, 0, 0), 0.03 * X, 0.03 * Z, columns=6, rows=3)
@@ -74,9 +74,9 @@ def _ring_points(center: Array3, radius: float, axis: Array3, count: int, start:
 def ring_points(
     center: VectorLike, radius: Scalar, *, count: int, axis: VectorLike = (0.0, 0.0, 1.0), start: Scalar = 0.0
 ) -> Points:
-    """Make points evenly spaced on a circle about an axis [m].
+    """Make evenly spaced points on a circle about an axis [m].
 
-    The angle `start` [rad] counts from the x axis (from y for the axis x) counter-clockwise.
+    The angle `start` [rad] is counter-clockwise from X (from Y for the axis X).
 
     Examples:
         >>> cylinder(0.1, 0.02) - array(bore(0.01, 0.05), at=ring_points((0, 0, 0), 0.07, count=8))
@@ -86,7 +86,7 @@ def ring_points(
 
 def plane_of(axis: Array3) -> tuple[Array3, Array3]:
     """Return two unit vectors that form a right-handed frame with a unit axis."""
-    # the axes x, y, z give (y, z), (x, -z) and (x, y), so that rings start where a reader expects
+    # the axes x, y, z give (y, z), (x, -z) and (x, y), so that rings start at the expected side
     helper = np.array([0.0, 1.0, 0.0]) if abs(axis[0]) > 0.9 else np.array([1.0, 0.0, 0.0])
     u = unit(helper - axis * float(helper @ axis))
     return u, np.cross(axis, u)
@@ -107,7 +107,7 @@ def _along(path: Curve, count: int) -> ArrayN3:
 
 
 def along(path: Path, count: int) -> Points:
-    """Make points evenly spaced along a path, both ends included (a single one lies in the middle).
+    """Make evenly spaced points along a path, both ends included; a single point lies in the middle.
 
     Examples:
         >>> array(sphere(0.01), at=along(arc((0, 0, 0), 0.1, axis=Y), 9))

@@ -1,4 +1,4 @@
-"""Primitive solids: boxes and round things, centered on the origin unless they say otherwise."""
+"""Primitive solids, centered on the origin unless stated otherwise."""
 
 import math
 
@@ -24,7 +24,7 @@ from artgen.nodes.surfaces import bevel_steps, extrusion, lathe, sides_of
 
 
 def axial(radius: float, half: float, bevel: float, top_radius: float | None = None) -> Contour:
-    """Return the (r, z) half section of a cylinder or frustum, its rims rounded."""
+    """Return the (r, z) half section of a cylinder or frustum with rounded rims."""
     top = radius if top_radius is None else top_radius
     corners = [(0.0, -half), (radius, -half), (top, half), (0.0, half)]
     points = np.array([corner for at, corner in enumerate(corners) if at in (0, 3) or corner[0] > 0.0])
@@ -81,7 +81,7 @@ def box(x: Scalar, y: Scalar, z: Scalar, *, bevel: Scalar = 0.0) -> Solid:
         x: Length along X [m].
         y: Length along Y [m].
         z: Length along Z [m].
-        bevel: Radius to which all edges and corners are rounded [m]; 0 leaves them sharp.
+        bevel: Radius of all rounded edges and corners [m]; 0 leaves them sharp.
 
     Examples:
         >>> box(0.3, 0.2, 0.1, bevel=0.01)
@@ -101,12 +101,12 @@ def _box_between(low: Array3, high: Array3, bevel: float) -> Shape:
 
 
 def box_between(low: VectorLike, high: VectorLike, *, bevel: Scalar = 0.0) -> Solid:
-    """Make a box of its lowest and its highest corner: a board of a carcass, from plane to plane.
+    """Make a box from its lowest and its highest corner.
 
     Args:
-        low: The corner where x, y and z are least [m].
+        low: The corner with the smallest x, y and z [m].
         high: The opposite corner [m].
-        bevel: Radius to which all edges are rounded [m], at most half the shortest side.
+        bevel: Radius of all rounded edges [m], at most half the shortest side.
 
     Examples:
         >>> box_between((0, 0, 0), (0.3, 0.2, 0.018)) | box_between((0, 0, 0.018), (0.018, 0.2, 0.2))
@@ -115,13 +115,13 @@ def box_between(low: VectorLike, high: VectorLike, *, bevel: Scalar = 0.0) -> So
 
 
 def board(x: Span, y: Span, z: Span, *, bevel: Scalar = 0.0) -> Solid:
-    """Make a box from plane to plane, as the boards of a carcass and the walls of a tub are.
+    """Make a box from its extents along the axes, like the boards of a carcass and the walls of a tub.
 
     Args:
-        x: From where to where along X, least first [m].
-        y: The same along Y [m].
-        z: The same along Z [m].
-        bevel: Radius to which all edges are rounded [m], at most half the shortest side.
+        x: Lowest and highest coordinate along X [m].
+        y: Lowest and highest coordinate along Y [m].
+        z: Lowest and highest coordinate along Z [m].
+        bevel: Radius of all rounded edges [m], at most half the shortest side.
 
     Examples:
         >>> board((0, 0.3), (0, 0.2), (0, 0.018)) | board((0, 0.018), (0, 0.2), (0.018, 0.2))
@@ -145,10 +145,10 @@ def cylinder(radius: Scalar, length: Scalar, *, axis: VectorLike = UP, bevel: Sc
     """Make a cylinder centered on the origin.
 
     Args:
-        radius: Its radius [m]; the facets stay inside of it.
+        radius: Radius [m]; the facets stay inside the cylinder.
         length: Length along the axis [m].
         axis: Direction of the axis.
-        bevel: Radius to which both rims are rounded [m].
+        bevel: Radius of both rounded rims [m].
 
     Examples:
         >>> cylinder(0.05, 0.2, bevel=0.005)
@@ -167,13 +167,13 @@ def _cylinder_between(start: Array3, end: Array3, radius: float, bevel: float) -
 
 
 def cylinder_between(start: VectorLike, end: VectorLike, radius: Scalar, *, bevel: Scalar = 0.0) -> Solid:
-    """Make a cylinder from a point to another one: a pin, a post, a rod, a straight wire.
+    """Make a cylinder between two points: a pin, a post, a rod, a straight wire.
 
     Args:
-        start: The middle of one end [m].
-        end: The middle of the other one [m].
-        radius: Its radius [m]; the facets stay inside of it.
-        bevel: Radius to which both rims are rounded [m].
+        start: Center of one end [m].
+        end: Center of the other end [m].
+        radius: Radius [m]; the facets stay inside the cylinder.
+        bevel: Radius of both rounded rims [m].
 
     Examples:
         >>> cylinder_between((0, 0, 0), (0.3, 0, 0.1), 0.01)
@@ -193,9 +193,9 @@ def _bore(radius: float, length: float, axis: Array3) -> Shape:
 
 
 def bore(radius: Scalar, length: Scalar, *, axis: VectorLike = UP) -> Solid:
-    """Make a tool that drills a hole, centered on the origin: a shaft of `radius` fits the hole.
+    """Make a tool that drills a hole, centered on the origin: a shaft of `radius` fits into the hole.
 
-    It is a cylinder with its facets outside of the radius, where those of `cylinder` are inside.
+    It is a cylinder with facets outside the radius, in contrast to `cylinder`.
 
     Args:
         radius: Radius of the hole [m].
@@ -228,14 +228,14 @@ def frustum(
     axis: VectorLike = UP,
     bevel: Scalar = 0.0,
 ) -> Solid:
-    """Make a truncated cone centered on the origin; a radius of 0 makes it pointed.
+    """Make a truncated cone centered on the origin; a radius of 0 gives a pointed end.
 
     Args:
-        bottom_radius: Radius where the axis starts [m].
-        top_radius: Radius where the axis ends [m].
+        bottom_radius: Radius at the start of the axis [m].
+        top_radius: Radius at the end of the axis [m].
         length: Length along the axis [m].
         axis: Direction from bottom to top.
-        bevel: Radius to which both rims are rounded [m].
+        bevel: Radius of both rounded rims [m].
 
     Examples:
         >>> frustum(0.08, 0.04, 0.12, bevel=0.005)
@@ -278,7 +278,7 @@ def _ellipsoid(radius_x: float, radius_y: float, radius_z: float) -> Shape:
     vertices = skin.vertices * radii
     normals = skin.normals / radii
     normals /= np.linalg.norm(normals, axis=1, keepdims=True)
-    # Texture coordinates of the unit sphere are angles: the two main half axes give them lengths.
+    # texture coordinates of the unit sphere are angles; the two main half axes scale them to lengths
     uvs = skin.uvs * np.array([math.sqrt(radius_x * radius_y), radius_z])
     return Shape.from_mesh(
         vertices, normals, uvs, skin.triangles, around_hull(vertices), targets=skin.targets
@@ -342,7 +342,7 @@ def capsule(radius: Scalar, length: Scalar, *, axis: VectorLike = UP) -> Solid:
     """Make a cylinder with half spheres at both ends, centered on the origin.
 
     Args:
-        radius: Its radius [m].
+        radius: Radius [m].
         length: Overall length along the axis [m], at least twice the radius.
         axis: Direction of the axis.
 
@@ -366,7 +366,7 @@ def torus(major: Scalar, minor: Scalar, *, axis: VectorLike = UP) -> Solid:
     """Make a torus about the origin.
 
     Args:
-        major: Radius of the circle on which the tube's center runs [m].
+        major: Radius of the circle of the tube's center [m].
         minor: Radius of the tube [m], less than the major radius.
         axis: Direction of the axis.
 
@@ -400,7 +400,7 @@ def tube(
         inner: Radius of the hole [m].
         length: Length along the axis [m].
         axis: Direction of the axis.
-        bevel: Radius to which the four rims are rounded [m].
+        bevel: Radius of the four rounded rims [m].
 
     Examples:
         >>> tube(0.05, 0.04, 0.12, bevel=0.002)

@@ -1,4 +1,4 @@
-"""The convex pieces of the solids that kernels make."""
+"""Convex pieces of solids made by kernels."""
 
 import functools
 import math
@@ -14,19 +14,19 @@ from artgen.colliders import Bounded, Convex, Pieces
 from artgen.nodes.surfaces import lathe_steps, mitres
 
 _SOFT_EDGE = 0.012
-"""Edges of a box rounded by more than this [m] show in its collider; below, it is a plain box."""
+"""Larger bevels show in the collider of a box; with smaller bevels it is a plain box [m]."""
 
 _FAR = 0.001
-"""How far a collider may stand off a rounded edge [m], unless that adds little volume."""
+"""Largest distance of a collider from a rounded edge, unless it adds little volume [m]."""
 
 _LITTLE = 0.025
-"""Share of a solid's volume that the colliders of its rounded edges may add, however far they stand off."""
+"""Share of a solid's volume that colliders of rounded edges may add at any distance."""
 
 _SIDES = 24
 """Sides of the chamfers around the rounded rims of a cylinder."""
 
 _CHAMFERED = 0.0007
-"""How far one chamfer around a rounded rim may stand off [m]; farther, there are two."""
+"""Largest distance of a single chamfer from a rounded rim; beyond, there are two chamfers [m]."""
 
 
 def moved(pieces: Pieces, matrix: Array) -> Pieces:
@@ -35,7 +35,7 @@ def moved(pieces: Pieces, matrix: Array) -> Pieces:
 
 
 def around_rounded_box(size: Array, bevel: float) -> Pieces:
-    """Return the pieces of a box about the origin whose edges are rounded by `bevel` [m]."""
+    """Return the pieces of a box about the origin with edges rounded by `bevel` [m]."""
     added = (4.0 - math.pi) * bevel**2 * float(size.sum() / size.prod())
     reach = bevel * (math.sqrt(3.0) - 1.0)
 
@@ -54,7 +54,7 @@ def around_rounded_box(size: Array, bevel: float) -> Pieces:
 
 
 def _chamfered(size: Array, reach: float, bevel: float) -> Convex:
-    """Return the hull of a box's faces without the `bevel` along their borders, but for `reach` of it [m]."""
+    """Return the hull of a box's faces without the `bevel` at their borders, except for `reach` of it [m]."""
     signs = np.array([[x, y, z] for x in (-1.0, 1.0) for y in (-1.0, 1.0) for z in (-1.0, 1.0)])
     half, core = size / 2.0, np.maximum(size / 2.0 - bevel + reach, 1e-6 * size)
     faces = [np.where(np.arange(3) == axis, half, core) for axis in range(3)]
@@ -79,7 +79,7 @@ def around_cylinder(radius: float, length: float, sides: int, matrix: Array, bev
 
 
 def _rims(radius: float, length: float, matrix: Array, bevel: float) -> list[Convex]:
-    """Return the ends of a chamfered cylinder along local z around rounded ones, and what is between.
+    """Return the ends of a chamfered cylinder along local z around rounded ends, and the part between.
 
     The chamfers touch the quarter of a circle at angles that divide it evenly.
     """
@@ -102,7 +102,7 @@ def _rims(radius: float, length: float, matrix: Array, bevel: float) -> list[Con
 
 
 def lazily(make: Callable[[], Pieces]) -> Pieces:
-    """Return pieces that are made when they are first asked for: many solids only serve to cut others."""
+    """Return pieces that are computed on first access: many solids only serve to cut others."""
     made = functools.cache(make)
     return Bounded(lambda tolerance: made().outer(tolerance), lambda tolerance: made().inner(tolerance))
 

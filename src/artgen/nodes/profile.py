@@ -1,6 +1,6 @@
 """Profiles: regions of the plane, x to the right and y up, for extrusions, lathes and sweeps.
 
-Unless it says otherwise, a profile is centered on the origin. `a | b`, `a - b` and `a & b` combine profiles.
+Profiles are centered on the origin unless stated otherwise. `a | b`, `a - b` and `a & b` combine them.
 """
 
 import math
@@ -85,8 +85,8 @@ def ellipse(radius_x: Scalar, radius_y: Scalar) -> Profile:
     """Make an ellipse about the origin.
 
     Args:
-        radius_x: Half of its width [m].
-        radius_y: Half of its height [m].
+        radius_x: Half of the width [m].
+        radius_y: Half of the height [m].
 
     Examples:
         >>> ellipse(0.15, 0.08)
@@ -118,7 +118,7 @@ def _polygon(points: tuple[tuple[float, float], ...], radius: float) -> Outline:
 
 
 def polygon(points: Sequence[tuple[Scalar, Scalar]], *, radius: Scalar = 0.0) -> Profile:
-    """Make a polygon of its corners, given in order in either direction.
+    """Make a polygon from its corners in order, in either direction.
 
     Args:
         points: Corners (x, y) [m].
@@ -226,8 +226,8 @@ def bow(radius: Scalar, width: Scalar, *, start: Scalar = 0.0, sweep: Scalar = m
     Args:
         radius: Radius of its center line [m].
         width: Width of the band across the line [m].
-        start: Angle of its first end, from x towards y [rad].
-        sweep: Angle to its other end, counter-clockwise [rad].
+        start: Angle of the first end, from x towards y [rad].
+        sweep: Angle from the first to the second end, counter-clockwise [rad].
 
     Examples:
         >>> bow(0.1, 0.03, start=0.3, sweep=2.5)
@@ -246,7 +246,7 @@ def _offset(profile: Outline, distance: float, join: Literal["round", "miter"]) 
 
 
 def offset(profile: Profile, distance: Scalar, *, join: Literal["round", "miter"] = "round") -> Profile:
-    """Move the border of a profile outward, or inward where the distance is negative."""
+    """Move the border of a profile outward, or inward for a negative distance."""
     return Profile.record(_offset, profile=profile, distance=distance, join=join)
 
 
@@ -280,7 +280,7 @@ def _profile_difference(a: Outline, b: Outline) -> Outline:
 
 
 def _pierced(a: Outline, b: Outline) -> Outline | None:
-    """Return `a - b` where b is made of borders wholly inside of a, with their exact normals; else None."""
+    """Return `a - b` with exact normals if all borders of b lie inside a; else None."""
     if any(signed_area(contour.points) < 0.0 for contour in b.contours):
         return None
     whole: CrossSection = section(a.contours)
@@ -294,7 +294,7 @@ def _pierced(a: Outline, b: Outline) -> Outline | None:
 
 
 def profile_difference(a: Profile, b: Profile) -> Profile:
-    """Take the second profile out of the first; also written `a - b`."""
+    """Subtract the second profile from the first; also written `a - b`."""
     return Profile.record(_profile_difference, a=a, b=b)
 
 
@@ -352,5 +352,5 @@ def _profile_mirror(profile: Outline, x: float, y: float) -> Outline:
 
 
 def profile_mirror(profile: Profile, x: Scalar = 1.0, y: Scalar = 0.0) -> Profile:
-    """Reflect a profile in the line through the origin whose normal is (x, y); also `profile.mirror`."""
+    """Reflect a profile in the line through the origin with normal (x, y); also `profile.mirror`."""
     return Profile.record(_profile_mirror, profile=profile, x=x, y=y)

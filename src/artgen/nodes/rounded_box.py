@@ -1,4 +1,4 @@
-"""The mesh of a box with rounded edges: a sphere's, pulled apart to the corners of the box."""
+"""Mesh of a box with rounded edges: the mesh of a sphere, pulled apart to the corners of the box."""
 
 import numpy as np
 
@@ -11,7 +11,8 @@ from artgen.nodes.unwrap import grain_of
 def _unit_box(steps: int) -> tuple[Array, Array, Array, Indices, Indices]:
     """Return directions, signs and arcs (n, 3) of a box with rounded edges, its triangles and its targets.
 
-    An arc is how far a vertex lies from the flat of its face along the rounded edge, in radii of the edge.
+    An arc is the distance of a vertex from the flat part of its face along the rounded edge, in radii of the
+    edge.
     """
     quarter = np.tan(np.linspace(0.0, np.pi / 4.0, steps + 1)) if steps else np.zeros(1)
     across = np.concatenate([-quarter[::-1], quarter])
@@ -38,8 +39,8 @@ def _unit_box(steps: int) -> tuple[Array, Array, Array, Indices, Indices]:
     ).reshape(-1, 3)
     triangles = np.concatenate([quads + face * count * count for face in range(6)])
     flat_directions, flat_signs, flat_arcs = (each.reshape(-1, 3) for each in (directions, signs, arcs))
-    # A vertex on the border of a face is also on its neighbor: same direction and, unless the box is
-    # sharp (where the direction is that of the face), same corner.
+    # a vertex on the border of a face is also on its neighbor: same direction and, unless the box is sharp
+    # (then the direction is the face's), same corner
     where = flat_signs if steps == 0 else np.concatenate([flat_directions, flat_signs], axis=1)
     _, first, group = np.unique(np.rint(where * 1e6), axis=0, return_index=True, return_inverse=True)
     targets = first[group.ravel()]
@@ -49,7 +50,7 @@ def _unit_box(steps: int) -> tuple[Array, Array, Array, Indices, Indices]:
 
 
 def rounded_box(size: Array, bevel: float, steps: int) -> Skin:
-    """Make a box about the origin whose edges and corners are rounded."""
+    """Make a box about the origin with rounded edges and corners."""
     directions, signs, arcs, triangles, targets = _unit_box(steps)
     half = size / 2.0
     radius = min(bevel, 0.999 * float(half.min())) if steps else 0.0
@@ -64,7 +65,7 @@ def rounded_box(size: Array, bevel: float, steps: int) -> Skin:
 
 @cached(128)
 def _layout(count: int, grains: tuple[int, ...]) -> tuple[Indices, Indices, Array]:
-    """Return which coordinates are u and v of each vertex, and which way u runs, all shape (count,)."""
+    """Return which coordinates are u and v of each vertex, and the direction of u, all shape (count,)."""
     sides = [
         (3 - axis - grain, grain, side if (axis - grain) % 3 == 1 else -side)  # u is v x normal
         for axis, grain in enumerate(grains)

@@ -265,7 +265,7 @@ def _floor(a: float) -> float:
 
 
 def floor(a: Scalar) -> Float:
-    """Return the largest whole number that is not above `a`.
+    """Return the largest whole number not above `a`.
 
     Examples:
         >>> heights = [0.03 * (1 + floor(i / 3)) for i in range(10)]
@@ -280,7 +280,7 @@ def _round_(a: float) -> float:
 
 
 def round_(a: Scalar) -> Float:
-    """Return the nearest whole number, the even one of two.
+    """Return the nearest whole number, of two the even one.
 
     Examples:
         >>> heights = [0.03 * (1 + round_(i / 3)) for i in range(10)]

@@ -1,4 +1,4 @@
-"""The typed handles of numbers: truth values, numbers, vectors and lists of points."""
+"""Typed handles of numbers: truth values, numbers, vectors and lists of points."""
 
 import math
 from collections.abc import Sequence
@@ -22,9 +22,9 @@ VectorLike = Union["Vector", Sequence["Scalar"], NDArray[np.float64]]
 PointsLike = Union["Points", Sequence["VectorLike"], NDArray[np.float64]]
 Condition_ = Union["Bool", bool]
 Span = tuple[Scalar, Scalar]
-"""From where to where something is along an axis [m]."""
+"""Extent along an axis: lowest and highest coordinate [m]."""
 
-# tuples: to make a union takes longer than to test for one
+# tuples: building a union type takes longer than an isinstance test
 _BOOLS = (bool, np.bool_)
 _NUMBERS = (float, int, np.floating, np.integer)
 
@@ -91,7 +91,7 @@ class Float(Handle):
         return value.node if isinstance(value, Float) else _number(value)
 
     def _with(self, name: str, a: Any, b: Any) -> Any:
-        """Record arithmetic, or let the other operand try."""
+        """Record arithmetic, or return NotImplemented for other operands."""
         for operand in (a, b):
             if not isinstance(operand, (Float, *_NUMBERS)):
                 return NotImplemented
@@ -246,7 +246,7 @@ class Vector(Handle):
         return self * Float.record("divide", a=1.0, b=divisor)
 
     def __neg__(self) -> "Vector":
-        """Point the other way."""
+        """Reverse the direction."""
         return Vector.record("vector_scale", vector=self, factor=-1.0)
 
     def rotate(self, axis: VectorLike, angle: Scalar) -> "Vector":

@@ -1,7 +1,7 @@
 """Meshes of solids from their curves: numpy arrays with analytic normals and texture coordinates in metres.
 
-A side surface is a grid: columns run along a contour (a `Rail`), rows across it. Vertices are doubled where
-normals or texture coordinates jump; `targets` says which of them are one point of the surface.
+A side surface is a grid: columns run along a contour (a `Rail`), rows across it. Vertices are doubled at
+discontinuities of normals or texture coordinates; `targets` tells which of them are one point of the surface.
 """
 
 import math
@@ -28,11 +28,11 @@ from artgen.nodes.unwrap import (
 )
 
 CHORD = 0.0002
-"""How far the facets of a round thing may stay inside of it [m], between the least and the most facets."""
+"""Largest distance of the facets of a round solid inside its surface [m]."""
 
 
 def sides_of(radius: float) -> int:
-    """Return how many facets a circle of that radius [m] gets: 12 to 64, a multiple of 4."""
+    """Return the number of facets of a circle with a radius [m]: 12 to 64, a multiple of 4."""
     if radius <= CHORD:
         return 12
     needed = math.pi / math.acos(1.0 - CHORD / radius)
@@ -41,12 +41,12 @@ def sides_of(radius: float) -> int:
 
 
 def arc_steps(radius: float, sweep: float) -> int:
-    """Return how many chords an arc of that radius [m] and sweep [rad] gets."""
+    """Return the number of chords of an arc with a radius [m] and a sweep [rad]."""
     return max(1, math.ceil(sides_of(radius) * abs(sweep) / math.tau - 1e-9))
 
 
 def bevel_steps(bevel: float) -> int:
-    """Return how many chords the quarter circle of a bevelled edge gets."""
+    """Return the number of chords of the quarter circle of a bevelled edge."""
     if bevel <= 0.0:
         return 0
     return 2 if bevel < 0.002 else 4 if bevel <= 0.01 else 6
@@ -63,9 +63,9 @@ class Skin(FrozenArrays):
     targets: Indices  # for each vertex, the first vertex at the same point of the surface, shape (n,)
 
     def turned(self, rotation: Array) -> "Skin":
-        """Return the surface turned by a rotation, shape (3, 3), of `inputs.frame`.
+        """Return the surface rotated by a rotation of `inputs.frame`, shape (3, 3).
 
-        Where that turns the profile's y downward, the texture is turned to stay upright.
+        If that turns the profile's y downward, the texture is rotated to stay upright.
         """
         if np.array_equal(rotation, np.eye(3)):
             return self
@@ -80,7 +80,7 @@ class Skin(FrozenArrays):
 
 
 class Sheets:
-    """A surface in the making: grids and caps, joined where their places are the same."""
+    """A surface under construction: grids and caps, joined at equal places."""
 
     def __init__(self) -> None:
         self._vertices: list[Array] = []
@@ -106,7 +106,7 @@ class Sheets:
         rows, columns = vertices.shape[:2]
         lower = np.arange(rows - 1) if strips is None else strips[:, 0]
         upper = lower + 1 if strips is None else strips[:, 1]
-        first = rail.start  # at the seam and at corners the leaving column stands for both
+        first = rail.start  # at the seam and at corners, the leaving column represents both
         index = np.arange(rows) if places is None else places
         place: Indices = index[:, None] * columns + first[None, :]
         if poles is not None:
@@ -157,7 +157,7 @@ class Sheets:
 
 def triangulated(rings: Sequence[Array]) -> Indices:
     """Return triangles over plane rings (outer ones counter-clockwise, holes clockwise), shape (m, 3)."""
-    even = [np.rint(ring * GRAIN) / GRAIN for ring in rings]  # or the last digits decide about ties
+    even = [np.rint(ring * GRAIN) / GRAIN for ring in rings]  # otherwise the last digits decide ties
     return np.asarray(triangulate(even), np.int64).reshape(-1, 3)
 
 
@@ -213,7 +213,7 @@ def extrusion(
 
 
 def _end_rows(length: float, bevel: float, stations: int) -> tuple[Array, Array, Array, Array]:
-    """Return inset [m], level z [m], and the share of the side's normal and of z in the normal, per row."""
+    """Return inset [m], height z [m], and the shares of the side's normal and of z in the normal, per row."""
     half = length / 2.0
     middle = np.linspace(-1.0, 1.0, stations + 1)
     steps = bevel_steps(bevel)
@@ -235,14 +235,14 @@ def _end_rows(length: float, bevel: float, stations: int) -> tuple[Array, Array,
 
 
 def mitres(contour: Contour) -> Array:
-    """Return how far each vertex goes outward when all sides go outward by one metre, shape (n, 2)."""
+    """Return the outward motion of each vertex if all sides move outward by one metre, shape (n, 2)."""
     both = contour.normals_in + contour.normals_out
     scale = 1.0 + np.einsum("ij,ij->i", contour.normals_in, contour.normals_out)
     return np.asarray(both / np.maximum(scale, 1e-6)[:, None])
 
 
 def lathe(contours: Sequence[Contour], *, angle: float = math.tau, sides: int | None = None) -> Skin:
-    """Turn contours in the (r, z) plane about z, from the x axis on."""
+    """Revolve contours in the (r, z) plane about z, starting at the x axis."""
     steps, span = lathe_steps(contours, angle, sides)
     full = span == math.tau
     cosine, sine = _turns(steps, span)
@@ -273,7 +273,7 @@ def lathe(contours: Sequence[Contour], *, angle: float = math.tau, sides: int | 
 
 
 def lathe_steps(contours: Sequence[Contour], angle: float, sides: int | None = None) -> tuple[int, float]:
-    """Return in how many steps a lathe turns contours, and how far: exactly 2 pi where it closes."""
+    """Return the steps and the angle of a lathe; exactly 2 pi if it closes."""
     facets = sides or sides_of(max(float(contour.points[:, 0].max()) for contour in contours))
     if angle >= math.tau - 1e-9:
         return facets, math.tau

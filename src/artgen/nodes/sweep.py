@@ -1,4 +1,4 @@
-"""Sweeps: a profile drawn along a path."""
+"""Sweeps of a profile along a path."""
 
 import math
 from collections.abc import Sequence
@@ -21,7 +21,7 @@ _SHARPEST = math.radians(150.0)
 
 
 class _Stations:
-    """Where a sweep puts its profile: one place per path vertex, with the frame of the profile's plane."""
+    """Stations of a sweep: one per path vertex, with the frame of the profile's plane."""
 
     def __init__(self, path: Curve) -> None:
         closed = path.closed
@@ -32,7 +32,7 @@ class _Stations:
         directions = segments / length[:, None]
         arriving = np.concatenate([directions[-1:] if closed else directions[:1], directions])
         leaving = np.concatenate([directions, directions[:1] if closed else directions[-1:]])
-        # path vertices, shape (n, 3) [m]; of a closed path the first is repeated
+        # path vertices, shape (n, 3) [m]; a closed path repeats the first vertex
         self.points = np.concatenate([path.points, path.points[:1]]) if closed else path.points
         self.distance = np.concatenate([[0.0], np.cumsum(length)])
         cosine = np.clip(np.einsum("ij,ij->i", arriving, leaving), -1.0, 1.0)
@@ -54,8 +54,8 @@ class _Stations:
         self.frames = _transported(tangents, directions, self.distance, closed)
         self.before = _turns_between(tangents, arriving)
         self.after = _turns_between(tangents, leaving)
-        # matrices that widen the profile where the path has a corner (a mitre), shape (n, 3, 3). before,
-        # after: Turns from the plane to the directions of the adjacent segments, shape (n, 3, 3)
+        # matrices that widen the profile at corners of the path (mitres), shape (n, 3, 3); before, after:
+        # rotations from the plane to the directions of the adjacent segments, shape (n, 3, 3)
         self.stretch = _mitres(arriving, leaving, cosine, path.tangents is not None)
 
 
@@ -78,7 +78,7 @@ def _mitres(arriving: Array, leaving: Array, cosine: Array, is_curve: bool) -> A
 
 
 def _turns_between(source: Array, target: Array) -> Array:
-    """Return the least rotations, shape (n, 3, 3), that take unit vectors (n, 3) to others."""
+    """Return the smallest rotations, shape (n, 3, 3), that take unit vectors (n, 3) to others."""
     axis = cross(source, target)
     cosine = np.einsum("ij,ij->i", source, target)
     skew = np.zeros((len(source), 3, 3))
@@ -88,16 +88,16 @@ def _turns_between(source: Array, target: Array) -> Array:
 
 
 def _transported(tangents: Array, directions: Array, distance: Array, closed: bool) -> Array:
-    """Return frames that follow the tangents without turning about the path, shape (n, 3, 3).
+    """Return frames that follow the tangents without rotation about the path, shape (n, 3, 3).
 
-    The profile's y starts as far upward as it can (along Y where the path starts vertically). Around a
-    closed path the turn that remains is spread over its length.
+    The profile's y starts as far upward as possible (along Y if the path starts vertically). Around a closed
+    path, the remaining rotation is spread over its length.
     """
     start = tangents[0]
     up = np.array([0.0, 0.0, 1.0]) if abs(start[2]) < 0.999 else np.array([0.0, 1.0, 0.0])
     first = up - start * (start @ up)
     first /= np.linalg.norm(first)
-    # through the directions of the segments, about which nothing turns either
+    # by way of the directions of the segments, without rotation about them
     course = np.empty((2 * len(tangents) - 1, 3))
     course[0::2], course[1::2] = tangents, directions
     ups = np.array(_carried(first, course)[0::2])
@@ -112,12 +112,12 @@ def _transported(tangents: Array, directions: Array, distance: Array, closed: bo
 
 
 def _carried(first: Array, tangents: Array) -> list[Row]:
-    """Carry a normal along tangents by the least rotation from each to the next; plain floats, for speed."""
+    """Carry a normal along tangents by the smallest rotations; plain floats, for speed."""
     ax, ay, az = first.tolist()
     rows: list[Row] = [(ax, ay, az)]
     px, py, pz = tangents[0].tolist()
     for qx, qy, qz in tangents[1:].tolist():
-        # The rotation from p to q adds to a normal of p: -(a.q) / (1 + p.q) (p + q)
+        # the rotation from p to q adds -(a.q) / (1 + p.q) (p + q) to a normal a of p
         share = (ax * qx + ay * qy + az * qz) / (1.0 + px * qx + py * qy + pz * qz)
         ax, ay, az = ax - share * (px + qx), ay - share * (py + qy), az - share * (pz + qz)
         size = math.sqrt(ax * ax + ay * ay + az * az)
@@ -151,19 +151,20 @@ def _sweep(profile: Outline, path: Curve) -> Shape:
 
 
 def swept_skin(profile: Outline, path: Curve) -> Skin:
-    """Return the surface of a profile drawn along a path, which is known not to bend too tightly for it."""
+    """Return the surface of a profile along a path that does not bend too tightly for it."""
     return _swept_skin(profile.contours, _Stations(path), path.closed)
 
 
 def sweep(profile: Profile, path: Path) -> Solid:
-    """Draw a profile along a path; corners of the path are mitred.
+    """Sweep a profile along a path; corners of the path are mitred.
 
-    Seen against the direction of travel the profile's x is right and its y starts as far upward as it can
-    (for a path that starts upward: x along X and y along Y). It never turns about the path.
+    Seen against the direction of travel, the profile's x points right and its y starts as far upward as
+    possible (for a path that starts upward: x along X and y along Y). The profile never rotates about the
+    path.
 
     Args:
         profile: The cross-section; the path runs through its origin.
-        path: Where it goes; a closed path makes a closed ring.
+        path: The path; a closed path makes a closed ring.
 
     Examples:
         >>> bail = polyline([(0, 0, 0), (0, -0.05, 0), (0.2, -0.05, 0), (0.2, 0, 0)], fillet=0.02)
@@ -174,7 +175,7 @@ def sweep(profile: Profile, path: Path) -> Solid:
 
 def _swept_skin(contours: Sequence[Contour], stations: _Stations, closed: bool) -> Skin:
     count = len(stations.points)
-    # A corner of the path has two rows, one for each side of its crease.
+    # a corner of the path has two rows, one for each side of its crease
     doubled = stations.sharp.copy()
     doubled[[0, -1]] = False
     station = np.repeat(np.arange(count), 1 + doubled)
@@ -195,7 +196,7 @@ def _swept_skin(contours: Sequence[Contour], stations: _Stations, closed: bool) 
         rail = Rail.along(contour)
         vertices = _spread(stations, contour.points)[station][:, rail.vertex]
         normals = np.einsum("sij,cj->sci", axes, rail.normals)
-        # at a mitre the outside goes farther along its segment than the path does, and the inside less far
+        # at a mitre, the outside extends farther along its segment than the path, the inside less far
         beyond = np.einsum("sci,si->sc", vertices - stations.points[station][:, None], ahead)
         uvs = wall_uvs(rail.distance, stations.distance[station][:, None] + beyond, lying=False)
         rows = np.column_stack([strips, strips + 1])

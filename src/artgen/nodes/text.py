@@ -1,4 +1,4 @@
-"""Lettering: the outlines of a string as a profile."""
+"""Text: the outlines of a string as a profile."""
 
 import functools
 from collections.abc import Iterator, Sequence
@@ -19,17 +19,17 @@ from artgen.nodes.handles import Profile, Scalar
 _SMOOTH = 0.94
 """Cosine of the turn (20 degrees) below which curves of a letter join smoothly."""
 
-_READING = Lock()  # fontTools reads a font while it is used
-_STEP = 0.45  # [rad]: how much of a curve's turn one side takes
+_READING = Lock()  # fontTools reads a font lazily
+_STEP = 0.45  # largest turn of a curve per side [rad]
 
 
 @functools.cache
 def _font() -> Any:
-    # Imported on first use: reading a font is not for `import artgen`.
+    # imported on first use: `import artgen` must not read a font
     from font_roboto import RobotoMedium
     from fontTools.ttLib import TTFont
 
-    return TTFont(BytesIO(Path(RobotoMedium).read_bytes()), lazy=True)  # leaves no file open
+    return TTFont(BytesIO(Path(RobotoMedium).read_bytes()), lazy=True)  # leaves no open file
 
 
 def _curve(points: Array) -> tuple[Array, Array]:
@@ -44,7 +44,7 @@ def _curve(points: Array) -> tuple[Array, Array]:
 
 
 def _contour(curves: list[Array]) -> Contour | None:
-    """Join lines (2 points) and quadratic curves (3 points) that close up, in units of the font."""
+    """Join closed sequences of lines (2 points) and quadratic curves (3 points), in units of the font."""
     points: list[Array] = []
     arriving: list[Array] = []
     leaving: list[Array] = []
@@ -66,7 +66,7 @@ def _contour(curves: list[Array]) -> Contour | None:
     mean = normals[0] + normals[1]
     mean /= np.maximum(np.linalg.norm(mean, axis=1, keepdims=True), 1e-12)
     joined = (np.einsum("ij,ij->i", *normals) > _SMOOTH)[:, None]
-    # TrueType borders run clockwise: turned around, their outside is on the right.
+    # TrueType borders run clockwise; reversed, their outside is on the right
     return Contour(
         np.array(points)[::-1],
         np.where(joined, -mean, -normals[1])[::-1],
@@ -76,7 +76,7 @@ def _contour(curves: list[Array]) -> Contour | None:
 
 @cached(256)
 def _glyph(character: str) -> tuple[tuple[Contour, ...], float]:
-    """Return the contours of a character and how far it moves the pen, in capital heights."""
+    """Return the contours of a character and its advance, in capital heights."""
     from fontTools.pens.recordingPen import DecomposingRecordingPen
 
     font = _font()
@@ -99,7 +99,7 @@ def _glyph(character: str) -> tuple[tuple[Contour, ...], float]:
 
 
 def _borders(drawing: Sequence[tuple[str, tuple[Any, ...]]]) -> Iterator[list[Array]]:
-    """Yield the lines (2 points) and quadratic curves (3 points) of each border that a pen recorded."""
+    """Yield the lines (2 points) and quadratic curves (3 points) of each recorded border."""
     from fontTools.pens.basePen import decomposeQuadraticSegment
 
     curves: list[Array] = []
@@ -141,7 +141,7 @@ def _text(string: str, height: float, align: Literal["left", "center", "right"])
         raise ValueError(f"the text {string!r} has nothing to show")
     outline = Outline(tuple(contours))
     if not is_disjoint([contour.points for contour in contours]):
-        # Parts of a letter overlap (a crossed stroke, an accent on its letter).
+        # parts of a letter overlap, such as a crossed stroke
         outline = outline_of(section(outline.contours), f"the text {string!r}")
     shift = {"left": 0.0, "center": -0.5 * pen, "right": -pen}[align]
     rise = -0.5 if align == "center" else 0.0
@@ -149,13 +149,13 @@ def _text(string: str, height: float, align: Literal["left", "center", "right"])
 
 
 def text(string: str, height: Scalar, *, align: Literal["left", "center", "right"] = "center") -> Profile:
-    """Make the outlines of a line of text, set in Roboto Medium.
+    """Make the outlines of a line of text in Roboto Medium.
 
     Args:
-        string: What it says; known while building.
+        string: The text, known while building.
         height: Height of the capital letters [m].
-        align: `center` centers the line on the origin, in both directions; `left` and `right` put the
-            origin on the base line at that end.
+        align: `center` centers the line on the origin in both directions; `left` and `right` put that end of
+            the base line on the origin.
 
     Examples:
         >>> text("Push 42", 0.02)

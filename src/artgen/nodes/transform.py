@@ -1,4 +1,4 @@
-"""Moving, turning, scaling and mirroring solids."""
+"""Motion, rotation, scaling and reflection of solids."""
 
 import math
 
@@ -64,7 +64,7 @@ def _scale(solid: Shape, factors: Array3) -> Shape:
 
 
 def _with_scaled_uvs(scaled: Shape, solid: Shape, factors: Array) -> Shape:
-    """Give texture coordinates the mean scale of the lengths that they measure."""
+    """Multiply texture coordinates by the mean scale of their lengths."""
     before, after = solid.mesh, scaled.mesh
     change = math.sqrt(scaled.manifold.surface_area() / solid.manifold.surface_area())
     if abs(change - 1.0) < 1e-12 or not len(before.vertices):
@@ -92,7 +92,7 @@ def _mirror(solid: Shape, normal: Array3) -> Shape:
 
 
 def mirror(solid: Solid, normal: VectorLike) -> Solid:
-    """Reflect a solid in the plane through the origin with that normal; also `solid.mirror(normal)`."""
+    """Reflect a solid in the plane through the origin with a normal; also `solid.mirror(normal)`."""
     return Solid.record(_mirror, solid=solid, normal=normal)
 
 
@@ -102,7 +102,7 @@ def _align(solid: Shape, to: Array3, x: float, y: float, z: float) -> Shape:
 
 
 def align(solid: Solid, to: VectorLike, *, x: Scalar = 0.0, y: Scalar = 0.0, z: Scalar = 0.0) -> Solid:
-    """Move a solid so that an anchor of its bounding box comes to a point; also `solid.align(to, z=-1)`."""
+    """Move a solid so that an anchor of its bounding box lies at a point; also `solid.align(to, z=-1)`."""
     return Solid.record(_align, solid=solid, to=to, x=x, y=y, z=z)
 
 

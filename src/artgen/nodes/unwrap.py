@@ -1,6 +1,6 @@
-"""Texture coordinates in metres: u to the right, v upwards along the grain, seen from outside.
+"""Texture coordinates in metres: seen from outside, u points right and v up, along the grain.
 
-The grain runs along the long side of a part. No face is mirrored, so that what is printed on it can be read.
+The grain runs along the long side of a part. No face is mirrored, so that print stays readable.
 """
 
 from dataclasses import dataclass
@@ -15,7 +15,7 @@ from artgen.asset.shape import Contour
 
 @dataclass(frozen=True, eq=False)
 class Rail(FrozenArrays):
-    """The columns that a contour gives to a grid: two at each corner and at the seam (its first vertex)."""
+    """Columns of a grid along a contour: two at each corner and at the seam (its first vertex)."""
 
     vertex: Indices  # contour vertex of each column, shape (c,)
     normals: Array  # outward unit normal in the plane of the contour, shape (c, 2)
@@ -25,7 +25,7 @@ class Rail(FrozenArrays):
 
     @staticmethod
     def along(contour: Contour, breaks: NDArray[np.bool_] | None = None) -> "Rail":
-        """Return the columns of a contour; `breaks` asks for two columns at more vertices, shape (n,)."""
+        """Return the columns of a contour; `breaks` requests two columns at further vertices, shape (n,)."""
         count = len(contour.points)
         corner = np.einsum("ij,ij->i", contour.normals_in, contour.normals_out) < 1.0 - 1e-9
         if breaks is not None:
@@ -51,27 +51,27 @@ class Rail(FrozenArrays):
         return Rail(vertex, normals, distance, leave, successors(arrive))
 
 
-_LONGER = 1.0 + 1e-6  # lengths closer than this are equal: rounding must not turn the grain
+_LONGER = 1.0 + 1e-6  # lengths closer than this are equal: rounding must not rotate the grain
 
 
 def runs_across(size: Array) -> bool:
-    """Tell whether the grain of a flat face of that size, shape (2,) [m], runs along x instead of y."""
+    """Tell whether the grain of a flat face of a size, shape (2,) [m], runs along x instead of y."""
     return bool(size[0] > size[1] * _LONGER)
 
 
 def lies_flat(size: Array, length: float) -> bool:
-    """Tell whether a profile of that size, shape (2,) [m], is longer than how far it is drawn out [m]."""
+    """Tell whether a profile of a size, shape (2,) [m], is longer than its extrusion [m]."""
     return bool(size.max() > length * _LONGER)
 
 
 def cap_uvs(flat: Array, side: float, *, across: bool) -> Array:
-    """Lay texture on a flat face square to z."""
+    """Return texture coordinates of a flat face perpendicular to z."""
     x, y = flat[..., 0], flat[..., 1]
     return np.stack([-side * y, x] if across else [side * x, y], axis=-1)
 
 
 def wall_uvs(around: Array, along: Array, *, lying: bool) -> Array:
-    """Lay texture on the side walls of what is drawn out of a contour."""
+    """Return texture coordinates of the side walls of an extruded contour."""
     around, along = np.broadcast_arrays(around, along)
     return np.stack([0.0 - along, around] if lying else [around, along], axis=-1)
 
@@ -79,8 +79,8 @@ def wall_uvs(around: Array, along: Array, *, lying: bool) -> Array:
 def tapered_around(rail: Rail, around: Array, even: Array) -> Array:
     """Return lengths around a contour that grows or shrinks from row to row, shape (r, c) [m].
 
-    Flat sides keep their lengths, so that the grain of a tapered leg stays straight; curved ones get even
-    ones.
+    Flat sides keep their lengths, so that the grain of a tapered leg stays straight; curved sides get mean
+    lengths.
     """
     breaks = np.flatnonzero(rail.vertex[1:] == rail.vertex[:-1]) + 1
     first, last = np.append(0, breaks), np.append(breaks - 1, len(rail.vertex) - 1)
@@ -88,7 +88,8 @@ def tapered_around(rail: Rail, around: Array, even: Array) -> Array:
     bend = np.abs(rail.normals - rail.normals[first][run]).max(axis=1)
     flat = np.maximum.reduceat(bend, first) < 1e-9
     begin, end = first.copy(), last.copy()
-    if np.abs(rail.normals[0] - rail.normals[-1]).max() < 1e-9:  # a flat side that the seam cuts stays one
+    # a flat side that the seam cuts counts as one
+    if np.abs(rail.normals[0] - rail.normals[-1]).max() < 1e-9:
         end[0], begin[-1] = begin[0], end[-1]
     shift = 0.5 * ((even - around)[:, begin] + (even - around)[:, end])
     return np.where(flat[run], around + shift[:, run], even)
@@ -105,7 +106,7 @@ def ring_lengths(rail: Rail, rings: Array) -> Array:
 def turned_uvs(
     contour: Contour, rail: Rail, vertices: Array, turn: NDArray[np.floating[Any]], level: NDArray[np.bool_]
 ) -> Array:
-    """Lay texture on what a contour in the (r, z) plane sweeps about z: around it, or flat on discs."""
+    """Return texture coordinates of a lathe of a contour in (r, z): around it, or flat on discs."""
     smooth = contour.normals_in[0] @ contour.normals_out[0] > 1.0 - 1e-9
     joined = bool(smooth and not level[0] and not level[-1])
     radius, along = _even_runs(rail, contour.points[:, 0], joined=joined)
@@ -119,9 +120,10 @@ def turned_uvs(
 
 
 def _even_runs(rail: Rail, radius: Array, *, joined: bool) -> tuple[Array, Array]:
-    """Return by which radius columns of a turned contour measure lengths around the axis.
+    """Return the radius at which columns of a revolved contour measure lengths around the axis.
 
-    Columns without a break between them share one: the median over the surface, which stretches it least.
+    Columns without a break between them share one radius: the median over the surface, for the least
+    distortion.
     """
     distance = rail.distance
     run = np.concatenate([[0], np.cumsum(rail.vertex[1:] == rail.vertex[:-1])])
@@ -155,7 +157,7 @@ def boxed_uvs(vertices: Array, normals: Array, size: Array) -> tuple[Array, Indi
 
 
 def grain_of(size: Array, *, but: int = -1) -> int:
-    """Return along which axis the grain of a box runs: the longest, of equal ones Z or else X."""
+    """Return the axis of the grain of a box: the longest one, of equal ones Z or else X."""
     best = -1
     for axis in (2, 0, 1):
         if axis != but and (best < 0 or size[axis] > size[best] * _LONGER):

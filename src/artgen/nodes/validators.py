@@ -1,4 +1,4 @@
-"""Checks of the inputs of kernels; messages name the value and its unit."""
+"""Checks of kernel inputs; messages name the value and its unit."""
 
 import math
 from typing import Any
@@ -8,8 +8,8 @@ import numpy as np
 from artgen._arrays import Array
 from artgen.colliders.triangles import cross
 
-_SHARP = 1e-6  # [m]
-_STILL = np.eye(4)  # each call of it takes as long as three copies
+_SHARP = 1e-6  # largest sharp bevel [m]
+_STILL = np.eye(4)  # a call of it takes as long as three copies
 
 
 def positive(name: str, value: float, unit: str = "m") -> float:
@@ -27,7 +27,7 @@ def between(name: str, value: float, low: float, high: float, unit: str = "m") -
 
 
 def rounding(name: str, value: float, most: float) -> float:
-    """Return a radius of rounded edges within 0 and `most` [m]; below a micrometre the edge is sharp."""
+    """Return a bevel radius between 0 and `most` [m]; below a micrometre the edge is sharp."""
     radius = between(name, value, 0.0, most)
     return radius if radius >= _SHARP else 0.0
 
@@ -72,10 +72,10 @@ def direction(name: str, value: Any) -> Array:
 
 
 def frame(axis: Any, name: str = "axis") -> Array:
-    """Return the rotation, shape (3, 3), whose columns place local x, y and z for a solid made along z.
+    """Return the rotation, shape (3, 3), with local x, y and z as columns, for a solid made along z.
 
-    Local z goes along `axis` and local x along the first of the asset's axes, in the order X, Y, Z,
-    that is not the one nearest to `axis` (made perpendicular to it). Z gives the identity.
+    Local z is `axis`. Local x is the first asset axis, in the order X, Y, Z, that is not nearest to `axis`,
+    made perpendicular to it. Z gives the identity.
     """
     along = direction(name, axis)
     near = int(np.argmax(np.abs(along)))
@@ -87,7 +87,7 @@ def frame(axis: Any, name: str = "axis") -> Array:
 
 
 def frame_is_mirrored(rotation: Array) -> bool:
-    """Tell whether local y of a `frame` runs against the last of the asset's two other axes."""
+    """Tell whether local y of a `frame` points against the last of the asset's two other axes."""
     near = int(np.argmax(np.abs(rotation[:, 2])))
     return bool(rotation[1 if near == 2 else 2, 1] < 0.0)
 

@@ -13,7 +13,7 @@ def _vector(x: float, y: float, z: float) -> Array3:
 
 
 def vector(x: Scalar = 0.0, y: Scalar = 0.0, z: Scalar = 0.0) -> Vector:
-    """Make a vector of its components.
+    """Make a vector from its components.
 
     Examples:
         >>> box(0.3, 0.2, 0.02) | box(0.1, 0.1, 0.1).at(vector(0.1, 0.0, 0.05))
@@ -22,11 +22,11 @@ def vector(x: Scalar = 0.0, y: Scalar = 0.0, z: Scalar = 0.0) -> Vector:
 
 
 X = vector(1.0, 0.0, 0.0)
-"""To the right."""
+"""Unit vector to the right."""
 Y = vector(0.0, 1.0, 0.0)
-"""To the back; the front of an asset faces -Y."""
+"""Unit vector to the back; the front of an asset faces -Y."""
 Z = vector(0.0, 0.0, 1.0)
-"""Up."""
+"""Unit vector upward."""
 
 
 @kernel

@@ -1,4 +1,4 @@
-"""Sampling: distributions as values, and independent random streams by name."""
+"""Sampling: distributions as values, and independent named random streams."""
 
 from artgen.sampling.choices import by, choice, count
 from artgen.sampling.distributions import (

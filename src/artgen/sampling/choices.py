@@ -1,4 +1,4 @@
-"""Distributions over options, and those that depend on an option."""
+"""Distributions over options, and distributions that depend on an option."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -12,7 +12,7 @@ from artgen.sampling.distributions import Distribution, Fixed, Within, as_number
 
 @dataclass(frozen=True)
 class Choice(Distribution):
-    """One of some options."""
+    """One of several options."""
 
     options: tuple[Any, ...] = ()
     weights: tuple[float, ...] | None = None
@@ -42,7 +42,7 @@ def choice(
     doc: str = "",
     within: Within = None,
 ) -> Any:
-    """Draw one of the options, with equal chances unless weights are given.
+    """Draw one of the options, equally likely without weights.
 
     Raises:
         ParameterError: There are no options, an option is a distribution, or the weights do not match them.
@@ -78,7 +78,7 @@ def count(
     """Draw a whole number from `low` to `high`, both included.
 
     Raises:
-        ParameterError: A bound is no whole number, or `low` exceeds `high`.
+        ParameterError: A bound is not a whole number, or `low` exceeds `high`.
     """
     for bound in (low, high):
         if isinstance(bound, bool) or not isinstance(bound, int):
@@ -89,7 +89,7 @@ def count(
 
 
 OTHERWISE = "otherwise"
-"""The case of `by` for every value that has none of its own."""
+"""Case of `by` for all values without their own case."""
 
 
 @dataclass(frozen=True)
@@ -100,7 +100,7 @@ class By(Distribution):
     cases: tuple[tuple[Any, Distribution], ...] = ()
 
     def draw(self, generator: np.random.Generator, given: Mapping[str, Any]) -> Any:
-        """Draw from the case that the structural parameter chose."""
+        """Draw from the case of the structural parameter."""
         case = self.case(given[self.parameter])
         if case is None:
             chosen = case_key(given[self.parameter])
@@ -111,7 +111,7 @@ class By(Distribution):
         return case.draw(generator, given)
 
     def case(self, value: Any) -> Distribution | None:
-        """Return the distribution for a value of the structural parameter, if there is one."""
+        """Return the distribution for a value of the structural parameter; None if there is none."""
         wanted = case_key(value)
         for key, case in self.cases:
             if (key == wanted and isinstance(key, bool) == isinstance(wanted, bool)) or key == OTHERWISE:
@@ -138,7 +138,7 @@ class By(Distribution):
 
 
 def case_key(value: Any) -> Any:
-    """Return how the cases of `by` name a value: generators and materials by their names."""
+    """Return the key of a value in the cases of `by`: generators and materials by name."""
     return getattr(value, "name", value)
 
 
@@ -155,15 +155,15 @@ def by(
     """Draw from a distribution that depends on a structural parameter.
 
     Args:
-        parameter: Name of the structural parameter, of the same generator.
-        cases: Distribution or value for each of its values that is no identifier.
+        parameter: Name of a structural parameter of the same generator.
+        cases: Distribution or value for each of its values that is not an identifier.
         unit: Unit of the value.
-        doc: What the parameter is.
+        doc: Description of the parameter.
         within: Hard limits for overrides.
-        **named: Distribution or value for each of its values; `otherwise` for the remaining ones.
+        **named: Distribution or value for each of its values; `otherwise` for the remaining values.
 
     Raises:
-        ParameterError: There are no cases, or a case has hard limits of its own.
+        ParameterError: There are no cases, or a case has its own hard limits.
     """
     together = {case_key(key): case for key, case in {**(cases or {}), **named}.items()}
     if not together:

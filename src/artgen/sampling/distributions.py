@@ -1,4 +1,4 @@
-"""Distributions: values that say how a parameter is drawn, and the random stream of each name."""
+"""Distributions of parameters, and the random stream of each name."""
 
 import hashlib
 import math
@@ -19,7 +19,7 @@ def stream(seed: int, path: str, attempt: int = 0) -> np.random.Generator:
     Args:
         seed: Seed of the asset, not negative.
         path: Category and parameter, such as `door/handle.lever_handle.length`.
-        attempt: Number of infeasible draws before.
+        attempt: Number of infeasible draws before this one.
     """
     name = int.from_bytes(hashlib.blake2b(path.encode(), digest_size=8).digest(), "little")
     return np.random.Generator(np.random.PCG64(np.random.SeedSequence([seed, attempt, name])))
@@ -30,12 +30,12 @@ Within = tuple[float, float] | None
 
 @dataclass(frozen=True)
 class Distribution(ABC):
-    """How a parameter is drawn.
+    """Distribution of a parameter.
 
     Attributes:
         unit: Unit of the value, such as `m`; empty for none.
-        doc: What the parameter is.
-        within: Hard limits; an override outside them is refused. The support of the distribution is no limit.
+        doc: Description of the parameter.
+        within: Hard limits of overrides. The support of the distribution is not a limit.
     """
 
     unit: str = ""
@@ -64,7 +64,7 @@ class Distribution(ABC):
         return not self.discrete or all(is_number(value) for value in self.support())
 
     def leaves(self) -> tuple["Distribution", ...]:
-        """Return the distributions between which the draw chooses; this one alone if there is no choice."""
+        """Return the distributions between which the draw chooses; without a choice, only this one."""
         return (self,)
 
     def needs(self) -> tuple[str, ...]:
@@ -72,10 +72,10 @@ class Distribution(ABC):
         return ()
 
     def check(self, name: str, value: Any) -> None:
-        """Check an overriding value, or every value of an overriding distribution, against the hard limits.
+        """Check a value, or every value of a distribution, of an override against the hard limits.
 
         Raises:
-            ParameterError: It lies outside them.
+            ParameterError: It lies outside the hard limits.
         """
         if self.within is None:
             return
@@ -89,7 +89,7 @@ class Distribution(ABC):
 
 
 def is_number(value: Any) -> bool:
-    """Tell whether a value is a finite number; True and False are none."""
+    """Tell whether a value is a finite number; booleans do not count."""
     kinds = float | int | np.floating | np.integer
     return isinstance(value, kinds) and not isinstance(value, bool) and math.isfinite(value)
 
@@ -131,7 +131,7 @@ def limited(distribution: Distribution, within: Any) -> Any:
 
 @dataclass(frozen=True)
 class Fixed(Distribution):
-    """A value that does not vary unless it is overridden."""
+    """A constant value unless it is overridden."""
 
     value: Any = None
 
@@ -153,7 +153,7 @@ class Fixed(Distribution):
 
 
 def fixed(value: Any, unit: str = "", *, doc: str = "", within: Within = None) -> Any:
-    """Make a parameter that keeps one value unless it is overridden.
+    """Make a parameter with a constant value that overrides may change.
 
     Raises:
         ParameterError: The value lies outside `within`.
@@ -163,7 +163,7 @@ def fixed(value: Any, unit: str = "", *, doc: str = "", within: Within = None) -
 
 @dataclass(frozen=True)
 class Given:
-    """The value of an input that a caller does not give.
+    """Value of an input that the caller omits.
 
     Attributes:
         value: The value.
@@ -173,19 +173,19 @@ class Given:
 
 
 def given(value: Any) -> Any:
-    """Make an input that callers may leave out: no parameter, so neither drawn nor overridden."""
+    """Make an input with a default, which is not a parameter: it is neither drawn nor overridden."""
     return Given(value)
 
 
 def shown(option: Any) -> str:
-    """Spell a value as authors know it: generators and materials by their names."""
+    """Format a value for authors: generators and materials by name."""
     name = getattr(option, "name", None)
     return name if isinstance(name, str) else repr(option)
 
 
 @dataclass(frozen=True)
 class Uniform(Distribution):
-    """Every value between `low` and `high` is equally likely."""
+    """Uniform distribution between `low` and `high`."""
 
     low: float = 0.0
     high: float = 1.0
@@ -203,15 +203,15 @@ class Uniform(Distribution):
 
 
 def _between(value: float, low: float, high: float) -> float:
-    """Undo the rounding that may carry a draw beyond its ends."""
+    """Clip a draw that rounding may carry beyond the ends."""
     return float(min(max(value, low), high))
 
 
 def uniform(low: float, high: float, unit: str = "", *, doc: str = "", within: Within = None) -> Any:
-    """Draw a number between `low` and `high`, all equally likely.
+    """Draw a number between `low` and `high` with equal probability.
 
     Raises:
-        ParameterError: A bound is no finite number, `low` exceeds `high`, or they lie outside `within`.
+        ParameterError: A bound is not a finite number, `low` exceeds `high`, or they lie outside `within`.
     """
     low, high = as_number(low, "uniform: low"), as_number(high, "uniform: high")
     if low > high:
@@ -221,7 +221,7 @@ def uniform(low: float, high: float, unit: str = "", *, doc: str = "", within: W
 
 @dataclass(frozen=True)
 class Normal(Distribution):
-    """A bell curve cut off at `low` and `high`."""
+    """Normal distribution truncated to `low` and `high`."""
 
     mean: float = 0.0
     deviation: float = 1.0
@@ -229,7 +229,7 @@ class Normal(Distribution):
     high: float = 1.0
 
     def draw(self, generator: np.random.Generator, given: Mapping[str, Any]) -> float:
-        """Draw a number: one uniform draw through the inverse of the cut curve's distribution function."""
+        """Draw a number by inverse transform sampling of the truncated distribution."""
         curve = NormalDist(self.mean, self.deviation)
         below, above = curve.cdf(self.low), curve.cdf(self.high)
         share = below + (above - below) * float(generator.random())
@@ -255,7 +255,7 @@ def normal(
     doc: str = "",
     within: Within = None,
 ) -> Any:
-    """Draw a number from a bell curve that is cut off at `low` and `high`.
+    """Draw a number from a normal distribution truncated to `low` and `high`.
 
     Raises:
         ParameterError: A number is not finite, the deviation is not positive, the mean is not between `low`
@@ -272,7 +272,7 @@ def normal(
 
 @dataclass(frozen=True)
 class LogUniform(Distribution):
-    """Every ratio between `low` and `high` is equally likely."""
+    """Log-uniform distribution between `low` and `high`."""
 
     low: float = 1.0
     high: float = 10.0
@@ -290,7 +290,7 @@ class LogUniform(Distribution):
 
 
 def loguniform(low: float, high: float, unit: str = "", *, doc: str = "", within: Within = None) -> Any:
-    """Draw a positive number between `low` and `high`, all ratios equally likely.
+    """Draw a positive number between `low` and `high`, uniform in its logarithm.
 
     Raises:
         ParameterError: A bound is not positive and finite, `low` exceeds `high`, or they lie outside

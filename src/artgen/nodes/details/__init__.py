@@ -1,7 +1,7 @@
-"""Details that are only seen: print, icons, dials, displays, screws, vents, seals and racks.
+"""Visual details: print, icons, dials, displays, screws, vents, seals and racks.
 
-Most are profiles and solids to be used like any other; `printed`, `raised`, `engraved`, `display`, `screw`
-and `rating_plate` are bodies that only are seen, to be welded to a part.
+Most functions return profiles and solids for any use; `printed`, `raised`, `engraved`, `display`, `screw` and
+`rating_plate` return visual bodies to be welded to a part.
 """
 
 from artgen.nodes.details.dials import dial_icons, dial_scale

@@ -17,10 +17,10 @@ from artgen.nodes.details.pen import SQUARE
 from artgen.nodes.handles import Profile, Scalar
 
 Orientation = Literal["upright", "radial"]
-"""Whether numbers stand upright, or with their feet to the middle of the dial."""
+"""Orientation of numbers: upright, or with their feet towards the center of the dial."""
 
 SWEEP = math.radians(270.0)
-"""How far an ordinary knob turns [rad]."""
+"""Rotation of a usual knob [rad]."""
 
 
 def _angles(count: int, sweep: float, start: float | None) -> Array:
@@ -34,7 +34,7 @@ def _angles(count: int, sweep: float, start: float | None) -> Array:
 
 
 def _around(angle: float) -> Array:
-    """Return the matrix that takes y to a direction clockwise from the top, shape (2, 2)."""
+    """Return the matrix that rotates y to an angle clockwise from the top, shape (2, 2)."""
     cosine, sine = math.cos(angle), math.sin(angle)
     return np.array([[cosine, sine], [-sine, cosine]])
 
@@ -58,7 +58,7 @@ def _number(string: str, height: float) -> tuple[Outline, Array]:
 def _numbered(
     numbers: Sequence[str], angles: Array, radius: float, height: float, orientation: str
 ) -> list[Contour]:
-    """Return numbers whose inner side is `radius` from the middle."""
+    """Return numbers whose inner sides have a distance from the center."""
     made: list[Contour] = []
     for string, angle in zip(numbers, angles, strict=True):
         if not string.strip():
@@ -68,7 +68,7 @@ def _numbered(
         turn = np.eye(2)
         reach = half[1]
         if orientation == "upright":
-            # the box of the number, its corners taken off a little, touches the circle
+            # the bounding box of the number, with cut corners, touches the circle
             reach = min(float(np.abs(out) @ half), 0.94 * float(np.hypot(*half)))
         else:
             turn = _around(angle)
@@ -136,22 +136,22 @@ def dial_scale(
     number_gap: Scalar = 0.001,
     orientation: Orientation = "upright",
 ) -> Profile:
-    """Make the scale around a knob: ticks on a circle about the origin, clockwise, and numbers outside.
+    """Make the scale around a knob: ticks on a circle about the origin, clockwise, with numbers outside.
 
     Args:
-        radius: Where the ticks begin [m].
-        ticks: How many there are, both ends of the sweep included.
-        sweep: Angle from the first to the last tick [rad]; 2 pi goes all round without repeating the first.
+        radius: Inner radius of the ticks [m].
+        ticks: Number of ticks, including both ends of the sweep.
+        sweep: Angle from the first to the last tick [rad]; 2 pi is a full circle without a repeated tick.
         start: Angle of the first tick, clockwise from the top [rad]; by default the sweep is symmetric, and a
             full circle begins at the top.
-        major_every: Every how many ticks there is a long one, the first included.
+        major_every: Every n-th tick is long, starting with the first.
         length: Length of a short tick [m].
-        major_length: Length of a long tick, which is half as wide again [m].
+        major_length: Length of a long tick, which is 1.5 times as wide [m].
         width: Width of a short tick [m].
-        numbers: What stands at the long ticks, in order; `""` leaves a place free.
+        numbers: Text at the long ticks, in order; `""` leaves a tick without text.
         number_height: Height of the numbers [m].
         number_gap: Space between ticks and numbers [m].
-        orientation: Whether numbers stand upright or radially.
+        orientation: Whether numbers are upright or radial.
 
     Examples:
         >>> details.dial_scale(0.02, 11, major_every=5, numbers=("0", "5", "10"))
@@ -215,13 +215,13 @@ def dial_icons(
     """Make icons around a knob, clockwise and upright.
 
     Args:
-        names: Icons in order, as `icon` knows them; `""` leaves a place free.
-        radius: Distance of their middles from the origin [m].
-        height: Their height [m].
-        sweep: Angle from the first to the last [rad]; 2 pi goes all round without repeating the first.
-        start: Angle of the first, clockwise from the top [rad]; by default the sweep is symmetric, and a full
-            circle begins at the top.
-        weight: How heavy their lines are.
+        names: Names of icons for `icon`, in order; `""` leaves a place empty.
+        radius: Distance of their centers from the origin [m].
+        height: Height of the icons [m].
+        sweep: Angle from the first to the last icon [rad]; 2 pi is a full circle without a repeated icon.
+        start: Angle of the first icon, clockwise from the top [rad]; by default the sweep is symmetric, and a
+            full circle begins at the top.
+        weight: Line weight.
 
     Examples:
         >>> details.dial_icons(("power", "fan", "light", "timer"), 0.02, 0.008)

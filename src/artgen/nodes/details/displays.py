@@ -1,4 +1,4 @@
-"""Displays: a dark pane with shining figures, or a grey one with black ones."""
+"""Displays: a dark pane with luminous figures, or a grey pane with black figures."""
 
 from typing import Literal
 
@@ -14,10 +14,10 @@ from artgen.nodes.profile import rectangle
 from artgen.nodes.scalar import min_
 
 Color = Literal["red", "amber", "green", "blue", "white", "cyan", "lcd"]
-"""What the figures of a display look like: shining in a color, or black on a grey-green liquid crystal."""
+"""Appearance of the figures: luminous in a color, or black on a grey-green liquid crystal."""
 
-_PANE = 0.0008  # how far the pane stands out [m]
-_FILM = 0.0001  # and the figures out of the pane
+_PANE = 0.0008  # height of the pane above the face [m]
+_FILM = 0.0001  # height of the figures above the pane [m]
 
 _GLOW: dict[str, tuple[float, float, float]] = {
     "red": (1.0, 0.04, 0.02),
@@ -30,7 +30,7 @@ _GLOW: dict[str, tuple[float, float, float]] = {
 
 
 def glow(color: str) -> Material:
-    """Return the material of figures that shine in a color."""
+    """Return the material of luminous figures in a color."""
     tone = _GLOW[color]
     name = "display" if color == "cyan" else f"led_{color}"
     if name in MATERIALS:
@@ -68,11 +68,11 @@ def _materials(color: str) -> tuple[Material, Material, Material]:
 
 
 def _width(string: str, style: str) -> float:
-    """Return the width of a text in heights of its figures."""
+    """Return the width of a text relative to the height of its figures."""
     try:
         if style == "dot_matrix":
             return dot_matrix_width(string) if dots_of(string).any() else 0.0
-        return seven_segment_width(string) + 0.12  # of its slant
+        return seven_segment_width(string) + 0.12  # slant of the figures
     except ValueError as error:
         raise BuildError(f"{error}\n  at {authors_line()}") from None
 
@@ -91,19 +91,19 @@ def display(
     ghosts: bool = True,
     label: str = "display",
 ) -> Body:
-    """Make a display on a face: a pane that stands 0.8 mm out of it, with figures that only are seen.
+    """Make a display on a face: a pane 0.8 mm above the face with visual figures.
 
     Args:
-        string: What it shows; known while building. `""` leaves it dark.
+        string: Displayed text, known while building; `""` is dark.
         width: Width of the pane [m].
         height: Height of the pane [m].
-        at: Where the middle of the pane lies on the face [m].
-        facing: Out of the face.
-        up: Upward for the reader; by default Z, or Y on a face that looks up or down.
+        at: Center of the pane on the face [m].
+        facing: Outward direction of the face.
+        up: Upward direction for the reader; by default Z, or Y on a face that looks up or down.
         style: Seven-segment figures or a dot matrix.
-        color: The color in which the figures shine on black glass, or a liquid crystal.
-        share: Height of the figures as a share of that of the pane; less where they would be too wide.
-        ghosts: Whether segments that are dark show faintly.
+        color: Color of luminous figures on black glass, or a liquid crystal.
+        share: Height of the figures as a share of the pane's; less if they would be too wide.
+        ghosts: Whether dark segments are faintly visible.
         label: Semantic label of pane and figures.
 
     Raises:

@@ -13,7 +13,7 @@ from artgen.nodes.details.segments import Lit
 from artgen.nodes.handles import Profile, Scalar
 
 _ROWS, _COLUMNS = 7, 5
-_FILLED = 0.82  # share of the pitch that a dot takes
+_FILLED = 0.82  # share of the pitch that a dot fills
 
 _FONT_ROWS = """
 0 0E 11 13 15 19 11 0E;1 04 0C 04 04 04 04 0E;2 0E 11 01 02 04 08 1F;3 1F 02 04 02 01 11 0E
@@ -45,7 +45,7 @@ def dot_matrix_width(string: str) -> float:
 
 
 def dots_of(string: str) -> NDArray[np.bool_]:
-    """Return which dots of a line shine, shape (rows, columns)."""
+    """Return the lit dots of a line, shape (rows, columns)."""
     columns: list[list[bool]] = []
     for character in string:
         if character not in FONT:
@@ -93,7 +93,7 @@ def dot_matrix(
         string: Capitals, digits and common signs; known while building.
         height: Height of a character from the first to the last row of dots [m].
         dot: Shape of the dots.
-        show: Which dots. Between characters there is a column that stays dark.
+        show: Lit dots, dark dots or both. A dark column separates characters.
 
     Examples:
         >>> details.dot_matrix("ARTGEN", 0.01, dot="round")

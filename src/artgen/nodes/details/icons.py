@@ -1,4 +1,4 @@
-"""Icons: the signs beside buttons, knobs and lamps, all drawn with one weight of line."""
+"""Icons for buttons, knobs and lamps, all drawn with the same line weight."""
 
 from typing import Literal
 
@@ -291,7 +291,7 @@ KITCHEN: dict[str, tuple[Mark, ...]] = {
 
 
 Weight = Literal["light", "regular", "bold"]
-"""How heavy the lines of an icon are."""
+"""Line weight of an icon."""
 
 _WIDTHS: dict[str, float] = {"light": 1.1, "regular": 1.5, "bold": 1.9}  # in units of the square
 
@@ -323,15 +323,15 @@ def _icon(name: str, height: float, weight: Weight) -> Outline:
 def icon(name: str, height: Scalar, *, weight: Weight = "regular") -> Profile:
     """Make an icon such as `"power"`, `"timer"` or `"child_lock"`; `ICONS` lists them.
 
-    Icons of one height look right beside each other: they are drawn on one square with lines of one width.
+    Icons of equal height match: all are drawn on the same square with the same line width.
 
     Args:
-        name: Which one; known while building.
-        height: Side of the square about the origin, which the icon fills or nearly fills [m].
-        weight: How heavy its lines are.
+        name: Name of the icon; known while building.
+        height: Side of the square about the origin that the icon fills approximately [m].
+        weight: Line weight.
 
     Raises:
-        BuildError: There is no such icon; the message has the nearest name.
+        BuildError: There is no such icon; the message suggests the nearest name.
 
     Examples:
         >>> details.icon("power", 0.01)

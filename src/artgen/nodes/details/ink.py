@@ -1,4 +1,4 @@
-"""The outline of a drawing from the strokes, fills and cuts of a pen."""
+"""Outline of a drawing from the strokes, fills and cuts of a pen."""
 
 import math
 from collections.abc import Iterable
@@ -12,7 +12,7 @@ from artgen.asset.shape import Outline
 from artgen.nodes.contours import arc_points, outline_of, side_normals, signed_area
 from artgen.nodes.details.pen import Mark, steps_of
 
-_SHARP = math.radians(32.0)  # a line that turns more has a corner
+_SHARP = math.radians(32.0)  # larger turns of a line are corners
 
 
 def drawing(marks: Iterable[Mark], weight: float, what: str) -> Outline:
@@ -57,7 +57,7 @@ def _turns(points: Array) -> Array:
 
 
 def _across(arriving: Array, leaving: Array) -> Array:
-    """Return how far each vertex goes to the right when both its sides go there by one unit."""
+    """Return the displacement of each vertex to the right if both its sides move by one unit."""
     scale = 1.0 + np.einsum("ij,ij->i", arriving, leaving)
     return np.asarray((arriving + leaving) / scale[:, None])
 

@@ -1,4 +1,4 @@
-"""Lettering beyond one plain line: spaced capitals, blocks of small print, word marks and invented brands."""
+"""Lettering: spaced capitals, blocks of small print, word marks and invented brands."""
 
 from collections.abc import Sequence
 from typing import Literal
@@ -16,20 +16,20 @@ from artgen.nodes.details.pen import SQUARE, Mark, arc, circle, cut, disc, fill,
 from artgen.nodes.handles import Profile, Scalar
 
 Fineness = Literal["fine", "coarse"]
-"""Whether letters keep their curves, or only as much of them as print of a few millimetres shows."""
+"""Level of detail of letters: full curves, or the visible part of small print."""
 
 Emblem = Literal[
     "ring", "bar", "leaf", "hexagon", "waves", "peak", "sun", "bow", "diamond", "quarters", "none"
 ]
-"""The signs that may stand beside a word mark."""
+"""Emblems next to a word mark."""
 
 BRANDS: tuple[str, ...] = (
     "Ormiveld", "Zuvetta", "Corvelline", "Eskeldon", "Ambrikson", "Tessaround", "Nordhavel", "Kelmarra",
     "Ostrivane", "Halvorne", "Talvorex", "Pendrovia", "Brunvekk", "Lindhoevel", "Wexmarrow",
 )  # fmt: skip
-"""Brand names that were made up, for marks on products."""
+"""Invented brand names for products."""
 
-_COARSE = 0.028  # how far coarse letters may leave their curves, in capital heights
+_COARSE = 0.028  # tolerance of coarse letters, in capital heights
 
 
 @cached(512)
@@ -83,14 +83,14 @@ def lettering(
     align: Literal["left", "center", "right"] = "center",
     fineness: Fineness = "fine",
 ) -> Profile:
-    """Make lines of text in Roboto Medium, the middle of the block at y = 0.
+    """Make lines of text in Roboto Medium, vertically centered on y = 0.
 
     Args:
-        lines: What they say, from top to bottom; known while building.
+        lines: The lines from top to bottom; known while building.
         height: Height of the capital letters [m].
-        tracking: Space added between letters, in capital heights.
-        leading: From one base line to the next, in capital heights.
-        align: Whether x = 0 is the left end, the middle or the right end of every line.
+        tracking: Additional space between letters, in capital heights.
+        leading: Distance between base lines, in capital heights.
+        align: Whether x = 0 is the left end, the center or the right end of every line.
         fineness: `coarse` letters have a third of the vertices, for small print.
 
     Examples:
@@ -154,11 +154,11 @@ def _emblem(name: Emblem, height: float) -> Outline:
 
 
 def emblem(name: Emblem, height: Scalar) -> Profile:
-    """Make the sign of an invented brand.
+    """Make the emblem of an invented brand.
 
     Args:
-        name: Which one; known while building.
-        height: Side of the square about the origin that it fills [m].
+        name: Name of the emblem; known while building.
+        height: Side of the square about the origin [m].
 
     Examples:
         >>> details.emblem("leaf", 0.02)
@@ -174,14 +174,14 @@ def logo(
     tracking: float = 0.3,
     capitals: bool = True,
 ) -> Profile:
-    """Make a word mark in spaced letters, centered on the origin; `BRANDS` lists names that belong to nobody.
+    """Make a word mark in spaced letters, centered on the origin; `BRANDS` lists invented names.
 
     Args:
         name: The brand; known while building.
         height: Height of the capital letters [m].
-        sign: The emblem to the left of the name.
-        tracking: Space added between the letters, in capital heights.
-        capitals: Whether it is set in capitals alone.
+        sign: Emblem to the left of the name.
+        tracking: Additional space between letters, in capital heights.
+        capitals: Whether to use capitals only.
 
     Examples:
         >>> details.logo("Norvik", 0.01, sign="peak")
@@ -191,6 +191,6 @@ def logo(
     if sign == "none":
         return word
     width = lettering_width(string, tracking)
-    size, space = 1.5, 0.6  # of the emblem and beside it, in capital heights
+    size, space = 1.5, 0.6  # emblem and space next to it, in capital heights
     mark = emblem(sign, size * height).at(-0.5 * (width + space) * height)
     return word.at(0.5 * (size + space) * height) | mark

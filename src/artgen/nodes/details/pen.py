@@ -1,4 +1,4 @@
-"""A pen for signs: strokes of one weight with round ends, filled shapes and cuts, on a square of 20 units."""
+"""Pen for signs: strokes with round ends, filled shapes and cuts, on a square of 20 units."""
 
 import math
 import re
@@ -15,10 +15,10 @@ from artgen.nodes.contours import arc_points
 Kind = Literal["stroke", "fill", "cut", "gap"]
 
 SQUARE = 20.0
-"""Side of the square about the origin on which signs are drawn."""
+"""Side of the square about the origin for signs."""
 
-_CHORD = 0.03  # how far a curve's samples may leave it, in units
-_TURN = math.radians(26.0)  # most turn between samples, and in the arcs of round ends
+_CHORD = 0.03  # tolerance of samples of a curve, in units
+_TURN = math.radians(26.0)  # largest turn between samples and in round ends
 _TOKEN = re.compile(r"([MLHVCQAZ])|(-?\d*\.?\d+)")
 _TAKES = {"M": 2, "L": 2, "H": 1, "V": 1, "C": 6, "Q": 4, "A": 3}
 
@@ -27,8 +27,8 @@ _TAKES = {"M": 2, "L": 2, "H": 1, "V": 1, "C": 6, "Q": 4, "A": 3}
 class Mark(FrozenArrays):
     """One touch of the pen."""
 
-    # a `stroke` along the line or the `fill` of what it surrounds; a `cut` takes such a fill out of what
-    # was drawn before, and a `gap` a stroke
+    # a `stroke` along the line or a `fill` of its interior; a `cut` removes a fill from earlier marks, a
+    # `gap` removes a stroke
     kind: Kind
     points: Array  # the line, shape (n, 2), in units
     closed: bool = False  # whether it returns to its first point
@@ -36,13 +36,13 @@ class Mark(FrozenArrays):
 
 
 def steps_of(radius: float, sweep: float) -> int:
-    """Return how many chords an arc of a radius, in units, and a sweep [rad] gets."""
+    """Return the number of chords of an arc with a radius [units] and a sweep [rad]."""
     step = 2.0 * math.acos(max(0.0, 1.0 - _CHORD / radius)) if radius > _CHORD else _TURN
     return max(1, math.ceil(abs(sweep) / min(step, _TURN) - 1e-9))
 
 
 def _curve(controls: Array) -> Array:
-    """Return samples of a Bezier curve but for its start; shape (3, 2) or (4, 2)."""
+    """Return samples of a Bezier curve without its start; control points of shape (3, 2) or (4, 2)."""
     legs = np.diff(controls, axis=0)
     legs = legs[np.linalg.norm(legs, axis=1) > 1e-9]
     angle = np.unwrap(np.arctan2(legs[:, 1], legs[:, 0]))
@@ -57,7 +57,7 @@ def _curve(controls: Array) -> Array:
 
 
 def _bulge(start: Array, end: Array, radius: float) -> Array:
-    """Return samples of the shorter arc between points but for its start; a radius below 0 is clockwise."""
+    """Return samples of the shorter arc between points without its start; a negative radius is clockwise."""
     half = 0.5 * (end - start)
     reach = float(np.linalg.norm(half))
     size = max(abs(radius), reach)
@@ -74,8 +74,8 @@ def _bulge(start: Array, end: Array, radius: float) -> Array:
 def _lines(path: str) -> list[tuple[Array, bool]]:
     """Return the lines of a path and whether each is closed.
 
-    The path is written as in SVG, in units and absolute: `M` moves, `L`, `H` and `V` draw straight, `C` and
-    `Q` are Bezier curves, `A radius x y` an arc (counter-clockwise for a positive radius), and `Z` closes.
+    The path has the syntax of SVG, with absolute units: `M` moves, `L`, `H` and `V` draw straight lines, `C`
+    and `Q` Bezier curves, `A radius x y` an arc (counter-clockwise for a positive radius), `Z` closes.
     """
     tokens = [letter or float(number) for letter, number in _TOKEN.findall(path)]
     lines: list[tuple[Array, bool]] = []
@@ -132,7 +132,7 @@ def stroke(path: str, weight: float = 1.0) -> tuple[Mark, ...]:
 
 
 def gap(path: str, weight: float = 1.0) -> tuple[Mark, ...]:
-    """Rub out along a path."""
+    """Erase along a path."""
     return tuple(Mark("gap", points, closed, weight) for points, closed in _lines(path))
 
 
@@ -147,14 +147,14 @@ def cut(path: str) -> tuple[Mark, ...]:
 
 
 def arc(x: float, y: float, radius: float, start: float, sweep: float) -> tuple[Mark, ...]:
-    """Draw an arc about (x, y), from an angle on, counter-clockwise by `sweep` [degrees]."""
+    """Draw an arc about (x, y) from `start` counter-clockwise by `sweep` [degrees]."""
     angle = math.radians(sweep)
     points, _ = arc_points(np.array([x, y]), radius, math.radians(start), angle, steps_of(radius, angle))
     return (Mark("stroke", points),)
 
 
 def circle(x: float, y: float, radius: float, kind: Kind = "stroke", weight: float = 1.0) -> tuple[Mark, ...]:
-    """Draw a circle about (x, y), or fill or cut it."""
+    """Draw, fill or cut a circle about (x, y)."""
     sides = 4 * math.ceil(steps_of(radius, math.tau) / 4)
     points, _ = arc_points(np.array([x, y]), radius, 0.0, math.tau, sides)
     return (Mark(kind, points[:-1], closed=True, weight=weight),)
@@ -166,7 +166,7 @@ def disc(x: float, y: float, radius: float) -> tuple[Mark, ...]:
 
 
 def turned(count: int, *groups: tuple[Mark, ...], start: float = 0.0) -> tuple[Mark, ...]:
-    """Repeat marks around the origin, `start` degrees being the place of the first."""
+    """Repeat marks around the origin, starting at `start` [degrees]."""
     made = []
     for index in range(count):
         angle = math.radians(start) + math.tau * index / count
@@ -176,19 +176,19 @@ def turned(count: int, *groups: tuple[Mark, ...], start: float = 0.0) -> tuple[M
 
 
 def placed(scale: float, x: float, y: float, *groups: tuple[Mark, ...]) -> tuple[Mark, ...]:
-    """Scale and move marks; their strokes keep their weight."""
+    """Scale and move marks; strokes keep their width."""
     shift = np.array([x, y])
     return tuple(replace(mark, points=mark.points * scale + shift) for group in groups for mark in group)
 
 
 def mirrored(*groups: tuple[Mark, ...]) -> tuple[Mark, ...]:
-    """Add the mirror image of marks, left for right."""
+    """Add the mirror image of marks, left to right."""
     marks = tuple(mark for group in groups for mark in group)
     flip = np.array([-1.0, 1.0])
     return marks + tuple(replace(mark, points=mark.points * flip) for mark in marks)
 
 
 def flipped(*groups: tuple[Mark, ...]) -> tuple[Mark, ...]:
-    """Turn marks upside down by reflection."""
+    """Reflect marks, top to bottom."""
     flip = np.array([1.0, -1.0])
     return tuple(replace(mark, points=mark.points * flip) for group in groups for mark in group)

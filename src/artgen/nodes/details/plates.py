@@ -12,10 +12,10 @@ from artgen.nodes.handles import Body, Profile, Scalar, Solid, VectorLike
 from artgen.nodes.profile import rectangle
 from artgen.nodes.scalar import min_
 
-_PLATE = 0.0003  # how far the plate stands out [m]
-_FILM = 0.0001  # and its print out of the plate
+_PLATE = 0.0003  # height of the plate above the face [m]
+_FILM = 0.0001  # height of its print above the plate
 _MOST_LETTERS = 90
-_LEADING = 1.75  # of lines, in capital heights
+_LEADING = 1.75  # distance between lines, in capital heights
 
 
 def _frame(width: Scalar, height: Scalar, line: Scalar) -> Profile:
@@ -35,22 +35,23 @@ def rating_plate(
     up: VectorLike | None = None,
     label: str = "rating_plate",
 ) -> Body:
-    """Make a plate with lines of small print: below 4000 triangles, only seen, no mark of any authority.
+    """Make a visual plate with lines of small print, below 4000 triangles, without marks of authorities.
 
     Args:
-        width: Its width [m].
-        height: Its height [m].
-        lines: What it says, from top to bottom; the first line stands a third larger. Known while building.
-        material: The plate; by default white plastic.
-        ink: The print; by default black.
-        double_insulated: Whether the double square of protection class II stands in the lower right corner.
-        at: Where its middle lies on the face [m].
-        facing: Out of the face.
-        up: Upward for the reader; by default Z, or Y on a face that looks up or down.
+        width: Width of the plate [m].
+        height: Height of the plate [m].
+        lines: Lines from top to bottom, known while building; the first line is a third larger.
+        material: Material of the plate; by default white plastic.
+        ink: Material of the print; by default black.
+        double_insulated: Whether the symbol of protection class II, a double square, is in the lower right
+            corner.
+        at: Center of the plate on the face [m].
+        facing: Outward direction of the face.
+        up: Upward direction for the reader; by default Z, or Y on a face that looks up or down.
         label: Semantic label.
 
     Raises:
-        BuildError: It has no lines, or more letters than small print may cost.
+        BuildError: There are no lines, or more letters than small print may have.
 
     Examples:
         >>> plate = part(box(0.06, 0.004, 0.04), "plate", material("abs"))
@@ -74,7 +75,7 @@ def rating_plate(
     def film(profile: Profile) -> Solid:
         return relief(profile, at, facing=facing, up=up, proud=_PLATE + _FILM, sunk=0.0002)
 
-    rows = 1.33 * _LEADING + _LEADING * (len(shown) - 1) + 0.6  # of the block, in capital heights
+    rows = 1.33 * _LEADING + _LEADING * (len(shown) - 1) + 0.6  # size of the block, in capital heights
     square = 2.2 if double_insulated else 0.0
     wide = max(1.33 * lettering_width(shown[0]), *(lettering_width(line) for line in shown[1:]), 1.0)
     last = lettering_width(shown[-1]) + square + 1.0 if len(shown) > 1 else 0.0
@@ -82,7 +83,7 @@ def rating_plate(
     left = -0.45 * width
     coarse: Fineness = "coarse"
     top = 0.5 * (rows - 1.33 * _LEADING) * size
-    # films that lie side by side need not be united
+    # films next to each other need no union
     films = [lettering(shown[:1], 1.33 * size, align="left", fineness=coarse).at(left, top)]
     if len(shown) > 1:
         block = lettering(shown[1:], size, align="left", leading=_LEADING, fineness=coarse)

@@ -1,4 +1,4 @@
-"""Marks of knobs, and the bands around them that tell less from more."""
+"""Marks of knobs, and bands around them with a growing width."""
 
 import math
 from typing import Literal
@@ -32,14 +32,14 @@ def _dial_band(radius: float, width: float, end_width: float, sweep: float, star
 def dial_band(
     radius: Scalar, width: Scalar, end_width: Scalar, *, sweep: Scalar = SWEEP, start: Scalar | None = None
 ) -> Profile:
-    """Make a band around a knob that grows clockwise, as for loudness or heat.
+    """Make a band around a knob that widens clockwise, for example for loudness or heat.
 
     Args:
-        radius: Its inner radius [m].
-        width: Width where it begins [m].
-        end_width: Width where it ends [m].
-        sweep: How far it goes [rad].
-        start: Where it begins, clockwise from the top [rad]; by default it is symmetric.
+        radius: Inner radius [m].
+        width: Width at the start [m].
+        end_width: Width at the end [m].
+        sweep: Angle of the band [rad].
+        start: Start, clockwise from the top [rad]; by default the band is symmetric.
 
     Examples:
         >>> details.dial_band(0.02, 0.001, 0.005)
@@ -52,13 +52,13 @@ def dial_band(
 def pointer(
     inner: Scalar, outer: Scalar, width: Scalar, *, style: Literal["line", "triangle", "dot"] = "line"
 ) -> Profile:
-    """Make the mark of a knob, upward from the origin, which is the middle of the knob.
+    """Make the mark of a knob, upward from the origin at the center of the knob.
 
     Args:
-        inner: Distance of its lower end from the middle [m].
-        outer: Distance of its upper end from the middle [m].
-        width: Its width; the diameter of a dot, which sits at the upper end [m].
-        style: A line, a triangle that points outward, or a dot.
+        inner: Distance of its lower end from the center [m].
+        outer: Distance of its upper end from the center [m].
+        width: Width; for a dot at the upper end, its diameter [m].
+        style: A line, an outward triangle, or a dot.
 
     Examples:
         >>> circle(0.02) - details.pointer(0.008, 0.018, 0.004, style="triangle")

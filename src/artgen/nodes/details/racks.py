@@ -1,7 +1,7 @@
-"""Wire racks and tines: wires that lie on each other as welded ones do, each a solid of its own.
+"""Wire racks and tines: touching wires, each a separate solid.
 
-Wires touch to within 2 micrometres instead of running into each other: no boolean is needed, mass is exact,
-and every straight wire collides as the capsule that it is.
+Wires touch within 2 micrometres instead of overlapping: no boolean is needed, mass is exact, and every
+straight wire collides as its own capsule.
 """
 
 import math
@@ -25,7 +25,7 @@ from artgen.nodes.transform import rotation_about
 
 _GAP = 2e-6  # [m]
 _MOST_WIRES = 200
-_SIDES = 6  # of a bent wire, whose shading is round
+_SIDES = 6  # segments of a bent wire with round shading
 _AXES = {"depth": np.array([0.0, 1.0, 0.0]), "width": np.array([1.0, 0.0, 0.0])}
 
 
@@ -34,7 +34,7 @@ def _copies(shape: Shape, places: Array) -> list[Shape]:
 
 
 def _loop(width: float, depth: float, radius: float, corner: float) -> Shape:
-    """Return a closed wire in the plane z = 0 whose outer sides are `width` and `depth` apart."""
+    """Return a closed wire in the plane z = 0 with outer sides at distances `width` and `depth`."""
     x, y = width / 2.0 - radius, depth / 2.0 - radius
     corners = np.array([[0.0, -y, 0.0], [x, -y, 0.0], [x, y, 0.0], [-x, y, 0.0], [-x, -y, 0.0]])
     return _sweep(_circle(radius), _polyline(tuple(corners), corner, closed=True))
@@ -60,7 +60,7 @@ def _wire_rack(
     if supports < 0:
         raise ValueError(f"supports must be 0 or more, got {supports}")
     across, along = (width, depth) if direction == "depth" else (depth, width)
-    span = across - 4.0 * frame - 2.0 * wire  # wires stand free of the sides of the frame
+    span = across - 4.0 * frame - 2.0 * wire  # distance of wires from the sides of the frame
     inputs.between("pitch", pitch, 2.0 * wire + _GAP, max(span, 2.0 * wire + _GAP))
     count = max(2, round(span / pitch) + 1)
     if count > _MOST_WIRES:
@@ -72,7 +72,7 @@ def _wire_rack(
     places = np.linspace(-span / 2.0, span / 2.0, count)[:, None] * side
     rise = np.array([0.0, 0.0, frame + wire + _GAP])
     shapes = [_loop(width, depth, frame, corner)]
-    # in the round corners of the frame wires are shorter, so that they end on it
+    # wires in the round corners of the frame are shorter, so that they end on it
     reaches = [along - 2.0 * _inset(abs(float(place @ side)), across, corner, frame) for place in places]
     bars = {reach: _capsule(wire, reach, axis) for reach in dict.fromkeys(reaches)}
     for reach, place in zip(reaches, places, strict=True):
@@ -85,7 +85,7 @@ def _wire_rack(
 
 
 def _inset(place: float, across: float, corner: float, frame: float) -> float:
-    """Return how much nearer than elsewhere a frame is in its round corner, at a place across it [m]."""
+    """Return the inset of the round corner of a frame at a position across it [m]."""
     into = place - (across / 2.0 - frame - corner)
     if into <= 0.0:
         return 0.0
@@ -103,17 +103,17 @@ def wire_rack(
     direction: Literal["depth", "width"] = "depth",
     supports: int = 1,
 ) -> Solid:
-    """Make a rack of wires that lie on a bent frame, the middle of the frame on z = 0.
+    """Make a rack of wires on a bent frame, with the center of the frame at z = 0.
 
     Args:
         width: Overall width along X [m].
         depth: Overall depth along Y [m].
-        pitch: Distance between wires [m]; the nearest that fills the frame evenly is taken.
+        pitch: Distance between wires [m], adjusted to fill the frame evenly.
         wire: Radius of the wires [m].
         frame: Radius of the wire of the frame [m].
-        corner: Radius of the frame's corners, at its middle line [m].
-        direction: Along which side the wires run.
-        supports: How many wires of the frame's thickness cross under them.
+        corner: Radius of the frame's corners at its center line [m].
+        direction: Side of the frame along which the wires run.
+        supports: Number of crossing wires below them, as thick as the frame.
 
     Examples:
         >>> details.wire_rack(0.4, 0.3, supports=2)
@@ -160,15 +160,15 @@ def tine_row(
     rail: Scalar = 0.0022,
     lean: Scalar = 0.0,
 ) -> Solid:
-    """Make a row of tines, as between the plates in a dishwasher, on a wire along X through the origin.
+    """Make a row of tines, such as between the plates of a dishwasher, on a wire along X through the origin.
 
     Args:
-        count: How many tines there are.
+        count: Number of tines.
         pitch: Distance between them [m].
-        height: From the middle of the rail to their tips [m].
+        height: Height of their tips above the center of the rail [m].
         wire: Radius of a tine [m].
-        rail: Radius of the wire on which they stand [m].
-        lean: How far they are turned about X, towards the front [rad].
+        rail: Radius of the wire below them [m].
+        lean: Rotation about X, towards the front [rad].
 
     Examples:
         >>> details.tine_row(8, lean=0.2)
@@ -203,14 +203,14 @@ def _moved_pieces(profile: Outline, path: Curve, places: Array) -> list[Pieces]:
 
 
 def bent_wires(path: Path, radius: Scalar, *, at: PointsLike) -> Solid:
-    """Make thin wires of one form at several places, with few faces: for racks, where there are many.
+    """Make equal thin wires at several places, with few faces, for racks with many wires.
 
-    They are one solid without a boolean, so places have to be far enough apart that wires do not meet.
+    They form one solid without a boolean, so the wires must not overlap.
 
     Args:
-        path: The middle line of a wire.
+        path: Center line of a wire.
         radius: Radius of the wires [m].
-        at: By how much each wire is moved [m].
+        at: Offset of each wire [m].
 
     Examples:
         >>> bend = polyline([(0, 0, 0), (0, 0, 0.05), (0, 0.1, 0.05), (0, 0.1, 0)], fillet=0.01)

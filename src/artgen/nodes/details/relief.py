@@ -1,4 +1,4 @@
-"""Reliefs on a face from any profile: print, raised letters, engraving, and the prisms they consist of."""
+"""Reliefs of profiles on a face: print, raised letters and engraving."""
 
 from collections.abc import Sequence
 
@@ -20,8 +20,8 @@ from artgen.nodes.surfaces import Skin, extrusion, mitres, triangulated
 def prisms(contours: Sequence[Contour], length: float) -> Skin:
     """Extrude contours along z, centered on z = 0, with sharp edges.
 
-    Every vertex has three copies at either end: for the side that arrives, for the side that leaves and for
-    the flat end. A loop over the contours would take ten times as long for hundreds of them.
+    Every vertex has three copies at either end: for the arriving side, the leaving side and the flat end. A
+    loop over the contours would take ten times as long for hundreds of them.
     """
     plan = np.concatenate([contour.points for contour in contours])
     counts = np.array([len(contour.points) for contour in contours])
@@ -52,7 +52,7 @@ def prisms(contours: Sequence[Contour], length: float) -> Skin:
 
 
 def _distances(plan: Array, following: Indices, begins: Indices, counts: Indices) -> tuple[Array, Array]:
-    """Return how far along its contour each vertex is left and reached, both shape (n,) [m]."""
+    """Return the distances along its contour at which each vertex is left and reached, shape (n,) [m]."""
     sides = np.linalg.norm(plan[following] - plan, axis=1)
     total = np.concatenate([[0.0], np.cumsum(sides)])
     leaving = total[:-1] - np.repeat(total[begins], counts)
@@ -62,17 +62,17 @@ def _distances(plan: Array, following: Indices, begins: Indices, counts: Indices
 
 
 _HALVINGS = 4
-"""How often a bevel that does not fit is halved before the rim stays sharp."""
+"""Number of halvings of a bevel that does not fit before the rim stays sharp."""
 
 _ABOUT = 0.25
-"""A profile lies about its origin if its middle is off by less than this share of its width."""
+"""Largest offset of the center of a profile that lies about its origin, as a share of its width."""
 
 FRONT = (0.0, -1.0, 0.0)
-"""The way that the front of an asset faces."""
+"""Outward direction of the front of an asset."""
 
 
 def facing_frame(facing: Array, up: Array | None) -> Array:
-    """Return the rotation, shape (3, 3), whose columns are right, up and out of a face that is read."""
+    """Return the rotation, shape (3, 3), with columns right, up and outward for the reader of a face."""
     out = inputs.direction("facing", facing)
     if up is None:
         up = np.array([0.0, 1.0, 0.0]) if abs(out[2]) > 0.9 else np.array([0.0, 0.0, 1.0])
@@ -101,7 +101,7 @@ def _allows(contours: Sequence[Contour], bevel: float) -> bool:
 
 
 def _fitting(contours: Sequence[Contour], bevel: float) -> float:
-    """Return the greatest of bevel, bevel / 2, bevel / 4, ... that the contours allow, or 0."""
+    """Return the largest of bevel, bevel / 2, bevel / 4, ... that the contours allow, or 0."""
     for _ in range(_HALVINGS):
         if bevel < 1e-6:
             return 0.0
@@ -132,7 +132,7 @@ def _relief(
     skin = extrusion(contours, length, bevel=bevel) if bevel > 0.0 else prisms(contours, length)
     pieces = lazily(
         lambda: around_extrusion(profile, length, bevel=bevel, taper=0.0, twist=0.0, stations=1)
-    )  # most reliefs are only seen
+    )  # most reliefs are visual details
     return skin.shape(pieces).transformed(inputs.pose(turn, place + turn[:, 2] * (proud - sunk) / 2.0))
 
 
@@ -146,18 +146,18 @@ def relief(
     sunk: Scalar = 0.0004,
     bevel: Scalar = 0.0,
 ) -> Solid:
-    """Put a profile on a face, to be read from where the face looks: never mirrored, whatever the face.
+    """Put a profile on a face, readable from outside and never mirrored.
 
-    A body that is mirrored later mirrors it; `printed`, `raised` and `engraved` stay readable.
+    Mirroring a body mirrors it as well; `printed`, `raised` and `engraved` stay readable.
 
     Args:
-        profile: What to put there; its x runs to the reader's right and its y upward.
-        at: Where its origin lies on the face [m].
-        facing: Out of the face.
-        up: Upward for the reader; by default Z, or Y on a face that looks up or down.
-        proud: How far it stands out of the face [m].
-        sunk: How far it reaches into the face [m], so that it never fights the face for a pixel.
-        bevel: Radius of its upper rim [m]; less where the profile is too fine for it.
+        profile: The profile; its x points to the reader's right and its y upward.
+        at: Place of its origin on the face [m].
+        facing: Outward direction of the face.
+        up: Upward direction for the reader; by default Z, or Y on a face that looks up or down.
+        proud: Height above the face [m].
+        sunk: Depth below the face [m], which avoids z-fighting.
+        bevel: Radius of its upper rim [m]; less for fine profiles.
 
     Examples:
         >>> box(0.06, 0.004, 0.04) - details.relief(text("EXIT", 0.012), (0, -0.002, 0), sunk=0.001)
@@ -188,10 +188,10 @@ def _middle(profile: Outline, at: Array3, facing: Array3, up: Array3 | None) -> 
 
 
 def middle(profile: Profile, at: VectorLike, facing: VectorLike, up: VectorLike | None) -> Vector:
-    """Return about which point print turns over when its body is mirrored.
+    """Return the point about which print is flipped if its body is mirrored.
 
-    It is `at` for a profile that lies about its origin, such as a scale around a knob, and the middle of the
-    profile for one beside it, such as a line of text that starts there.
+    For a profile about its origin, such as a scale around a knob, this is `at`; for a profile next to its
+    origin, such as a line of text, it is the center of the profile.
     """
     return Vector.record(_middle, profile=profile, at=at, facing=facing, up=up)
 
@@ -206,16 +206,16 @@ def printed(
     label: str = "print",
     proud: Scalar = 0.0002,
 ) -> Body:
-    """Print a profile on a face: a film of ink that is only seen.
+    """Print a profile on a face: a visual film of ink.
 
     Args:
         profile: What to print, such as `text("Power", 0.004)` or `icon("power", 0.008)`.
-        at: Where its origin lies on the face [m].
-        material: The ink.
-        facing: Out of the face.
-        up: Upward for the reader; by default Z, or Y on a face that looks up or down.
+        at: Place of its origin on the face [m].
+        material: Material of the ink.
+        facing: Outward direction of the face.
+        up: Upward direction for the reader; by default Z, or Y on a face that looks up or down.
         label: Semantic label.
-        proud: How far the ink stands out [m]; it reaches as far into the face.
+        proud: Height of the ink above the face and depth below it [m].
 
     Examples:
         >>> plate = part(box(0.06, 0.004, 0.04), "plate", material("abs"))
@@ -236,17 +236,17 @@ def raised(
     proud: Scalar = 0.0004,
     bevel: Scalar = 0.00015,
 ) -> Body:
-    """Let a profile stand out of a face with a soft rim, as moulded letters and glued emblems do.
+    """Raise a profile above a face with a soft rim, like moulded letters and glued emblems.
 
     Args:
-        profile: What stands out.
-        at: Where its origin lies on the face [m].
-        material: What it is made of; that of the face for moulded letters.
-        facing: Out of the face.
-        up: Upward for the reader; by default Z, or Y on a face that looks up or down.
+        profile: The profile.
+        at: Place of its origin on the face [m].
+        material: Its material; the face's material for moulded letters.
+        facing: Outward direction of the face.
+        up: Upward direction for the reader; by default Z, or Y on a face that looks up or down.
         label: Semantic label.
-        proud: How far it stands out, 0.0003-0.001 [m].
-        bevel: Radius of its rim [m]; less where the profile is too fine for it.
+        proud: Height above the face, 0.0003-0.001 [m].
+        bevel: Radius of its rim [m]; less for fine profiles.
 
     Examples:
         >>> plate = part(box(0.06, 0.004, 0.04), "plate", material("abs"))
@@ -266,16 +266,16 @@ def engraved(
     up: VectorLike | None = None,
     label: str = "print",
 ) -> Body:
-    """Make a profile look engraved in a face: in the color of the face, darker and rough as a groove is.
+    """Make a profile look engraved in a face: in the color of the face, but darker and rough like a groove.
 
-    The face itself is not cut; where the groove has to be real, subtract a `relief`.
+    The face itself is not cut; subtract a `relief` for a real groove.
 
     Args:
-        profile: What looks engraved.
-        at: Where its origin lies on the face [m].
+        profile: The profile.
+        at: Place of its origin on the face [m].
         material: The material of the face.
-        facing: Out of the face.
-        up: Upward for the reader; by default Z, or Y on a face that looks up or down.
+        facing: Outward direction of the face.
+        up: Upward direction for the reader; by default Z, or Y on a face that looks up or down.
         label: Semantic label.
 
     Examples:
@@ -287,7 +287,7 @@ def engraved(
 
 
 def in_shade(material: Material) -> Material:
-    """Return how a material looks at the bottom of a groove or recess: darker, rough and even."""
+    """Return the appearance of a material at the bottom of a groove: darker, rough and without texture."""
     color = tuple(0.22 * channel for channel in material.base_color)
     return material.with_(
         name=f"{material.name}_shade",

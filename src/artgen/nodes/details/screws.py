@@ -1,4 +1,4 @@
-"""Screws and rivets as they are seen: heads with a real recess, of at most 200 triangles."""
+"""Visible heads of screws and rivets with a real recess, of at most 200 triangles."""
 
 import math
 from typing import Literal
@@ -23,24 +23,24 @@ from artgen.nodes.surfaces import Sheets, triangulated
 from artgen.nodes.unwrap import Rail
 
 Drive = Literal["phillips", "pozidriv", "slot", "hex", "torx"]
-"""The recess that a driver fits."""
+"""Recess for a driver."""
 Head = Literal["pan", "countersunk", "cap"]
 """A low dome, a disc that ends almost flush, or a tall cylinder."""
 
-# Radius, height and elevation of the normal [degrees] of the rows of a head, from the face upward; lengths in
-# radii of the head.
+# radius, height and elevation of the normal [degrees] of the rows of a head, from the face upward; lengths
+# relative to the radius of the head
 _HEADS: dict[str, tuple[tuple[float, float, float], ...]] = {
     "pan": ((1.0, 0.0, 0.0), (1.0, 0.2, 12.0), (0.88, 0.44, 48.0), (0.66, 0.56, 78.0)),
     "countersunk": ((1.0, 0.0, 0.0), (1.0, 0.1, 0.0), (0.95, 0.16, 90.0)),
     "cap": ((1.0, 0.0, 0.0), (1.0, 0.82, 0.0), (0.9, 0.92, 90.0)),
 }
-_REACH = {"pan": 0.56, "countersunk": 0.62, "cap": 0.56}  # of the recess
-_SLOT_REACH = {"pan": 0.62, "countersunk": 0.86, "cap": 0.8}  # of a slot
-_DEPTH = {"pan": 0.36, "countersunk": 0.13, "cap": 0.5}  # of the recess
+_REACH = {"pan": 0.56, "countersunk": 0.62, "cap": 0.56}  # depth of the recess
+_SLOT_REACH = {"pan": 0.62, "countersunk": 0.86, "cap": 0.8}  # width of a slot
+_DEPTH = {"pan": 0.36, "countersunk": 0.13, "cap": 0.5}  # inner radius of the recess
 
 
 def _reach(drive: str, head: str) -> float:
-    """Return the radius of a recess, in radii of the head."""
+    """Return the radius of a recess, relative to the radius of the head."""
     return (_SLOT_REACH if drive == "slot" else _REACH)[head]
 
 
@@ -59,7 +59,7 @@ def _recess(drive: str) -> Array:
         return np.column_stack([(radius * np.cos(angle)).ravel(), (radius * np.sin(angle)).ravel()])
     half = 0.19 if drive == "phillips" else 0.16
     arm = [(1.0, -half), (1.0, half), (half * 1.35, half * 1.35)]
-    if drive == "pozidriv":  # the thin diagonal marks by which it is told from a Phillips
+    if drive == "pozidriv":  # the thin diagonal marks of a Pozidriv recess
         arm[2:] = [(0.3, half), (0.5, 0.4), (0.4, 0.5), (half, 0.3)]
     rows = np.array(arm)
     turn = np.array([[0.0, -1.0], [1.0, 0.0]])
@@ -79,11 +79,11 @@ def _drive_recess(radius: float, drive: Drive) -> Outline:
 
 
 def drive_recess(radius: Scalar, drive: Drive) -> Profile:
-    """Make the outline of the recess that a driver fits, about the origin.
+    """Make the outline of the recess for a driver about the origin.
 
     Args:
-        radius: Its greatest distance from the origin [m].
-        drive: Its form; known while building.
+        radius: Largest distance from the origin [m].
+        drive: Kind of the recess; known while building.
 
     Examples:
         >>> circle(0.005) - details.drive_recess(0.003, "torx")
@@ -130,7 +130,7 @@ def _head_skin(radius: float, drive: str, head: str, turn: float) -> Shape:
 
 
 def _pit(sheets: Sheets, border: Contour, floor: float, top: float) -> NDArray[np.int64]:
-    """Add the walls of a recess whose border runs clockwise; return their vertices at floor and top."""
+    """Add the walls of a recess with a clockwise border; return their vertices at floor and top."""
     rail = Rail.along(border)
     level = np.array([floor, top])
     vertices = np.empty((2, len(rail.vertex), 3))
@@ -159,15 +159,15 @@ def screw_head(
     head: Head = "pan",
     turn: Scalar = 0.3,
 ) -> Solid:
-    """Make the head of a screw that sits on a face, its recess above the face: no hole has to be cut.
+    """Make the head of a screw on a face, with the recess above the face: no hole has to be cut.
 
     Args:
         radius: Radius of the head [m]: about 0.9 of the thread's diameter.
-        at: Where its middle lies on the face [m].
-        facing: Out of the face.
-        drive: The recess; known while building.
-        head: A low dome, a disc that stands out by a sixth of its radius, or a tall cylinder.
-        turn: How far the recess is turned [rad]; real screws end up at any angle.
+        at: Center on the face [m].
+        facing: Outward direction of the face.
+        drive: Kind of the recess; known while building.
+        head: A low dome, a disc with a height of a sixth of its radius, or a tall cylinder.
+        turn: Rotation of the recess [rad]; real screws end at any angle.
 
     Examples:
         >>> details.screw_head(0.004, drive="hex", head="cap")
@@ -186,16 +186,16 @@ def screw(
     turn: Scalar = 0.3,
     label: str = "screw",
 ) -> Body:
-    """Make a screw's head with the dark bottom of its recess, only seen.
+    """Make a visual screw head with a dark bottom of its recess.
 
     Args:
         radius: Radius of the head [m].
-        at: Where its middle lies on the face [m].
+        at: Center on the face [m].
         material: Its metal.
-        facing: Out of the face.
-        drive: The recess; known while building.
-        head: A low dome, a disc that stands out by a sixth of its radius, or a tall cylinder.
-        turn: How far the recess is turned [rad].
+        facing: Outward direction of the face.
+        drive: Kind of the recess; known while building.
+        head: A low dome, a disc with a height of a sixth of its radius, or a tall cylinder.
+        turn: Rotation of the recess [rad].
         label: Semantic label.
 
     Examples:
@@ -216,13 +216,13 @@ def rivet(
     facing: VectorLike = FRONT,
     style: Literal["dome", "blind"] = "dome",
 ) -> Solid:
-    """Make the head of a rivet that sits on a face.
+    """Make the head of a rivet on a face.
 
     Args:
         radius: Radius of the head [m].
-        at: Where its middle lies on the face [m].
-        facing: Out of the face.
-        style: A plain dome, or a blind rivet with the pit that its mandrel left.
+        at: Center on the face [m].
+        facing: Outward direction of the face.
+        style: A plain dome, or a blind rivet with the pit of its mandrel.
 
     Examples:
         >>> box(0.03, 0.002, 0.02) | details.rivet(0.004, (0, -0.001, 0))

@@ -44,11 +44,11 @@ def _gasket_section(size: float, section: Seal) -> Outline:
 
 
 def gasket_section(size: Scalar, section: Seal = "bulb") -> Profile:
-    """Make the cross-section of a gasket: its foot on y = 0, y out of the face, a lip leaning to x > 0.
+    """Make the cross-section of a gasket: the foot on y = 0, y outward from the face, a lip towards x > 0.
 
     Args:
-        size: A tenth more than the width of its foot [m]; it is at most as high.
-        section: Its form; known while building.
+        size: 1.1 times the width of its foot [m]; the height is at most the size.
+        section: Form of the section; known while building.
 
     Examples:
         >>> details.gasket_section(0.012, "bulb_lip")
@@ -64,33 +64,33 @@ def gasket(
     radius: Scalar = 0.02,
     section: Seal = "bulb",
 ) -> Solid:
-    """Make a gasket around a door, in the plane of X and Z about the origin: its foot on y = 0, towards -Y.
+    """Make a gasket around a door in the plane of X and Z about the origin; its foot on y = 0 faces -Y.
 
     Args:
-        width: From the middle of its left side to that of its right side [m].
-        height: From the middle of its lower side to that of its upper side [m].
+        width: Distance between the center lines of its left and right side [m].
+        height: Distance between the center lines of its lower and upper side [m].
         size: Width of its cross-section [m].
         radius: Radius of its corners, more than half of its size [m].
-        section: Its cross-section; a lip leans inward.
+        section: Its cross-section; a lip points inward.
 
     Examples:
         >>> details.gasket(0.3, 0.2, size=0.02)
     """
     x, z = width / 2, height / 2
-    # it begins in the middle of a side, where it is known which way is up
+    # start at the center of a side, where the upward direction is known
     corners = [(0.0, 0.0, -z), (x, 0.0, -z), (x, 0.0, z), (-x, 0.0, z), (-x, 0.0, -z)]
     profile = gasket_section(size, section).rotate(math.pi / 2)
     return sweep(profile, polyline(corners, fillet=radius, closed=True))
 
 
 def seam(width: Scalar, height: Scalar, *, gap: Scalar = 0.0006, radius: Scalar = 0.0) -> Profile:
-    """Make the line along which panels meet, to be printed dark: a ring inside a rectangle.
+    """Make the seam between panels, to be printed dark: a ring inside a rectangle.
 
     Args:
         width: Outer width [m].
         height: Outer height [m].
-        gap: Width of the line [m].
-        radius: Radius of the outer corners, more than the gap where they are round [m].
+        gap: Width of the seam [m].
+        radius: Radius of the outer corners; for round corners, more than the gap [m].
 
     Examples:
         >>> details.seam(0.06, 0.04, gap=0.001, radius=0.005)
@@ -100,12 +100,12 @@ def seam(width: Scalar, height: Scalar, *, gap: Scalar = 0.0006, radius: Scalar 
 
 
 def foot(radius: Scalar, height: Scalar, *, style: Literal["pad", "round", "levelling"] = "pad") -> Solid:
-    """Make a foot that stands on z = 0 about the Z axis.
+    """Make a foot on z = 0 about the Z axis.
 
     Args:
         radius: Radius at the floor [m].
-        height: Its height [m].
-        style: A rubber pad, a rounded knob that is narrower above, or a disc on a stem that can be screwed.
+        height: Height of the foot [m].
+        style: A rubber pad, a rounded knob that narrows upward, or a disc on an adjustable stem.
 
     Examples:
         >>> details.foot(0.015, 0.02, style="levelling")

@@ -1,4 +1,4 @@
-"""Seven-segment figures: their lit and their dark segments, apart."""
+"""Seven-segment figures: lit and dark segments."""
 
 import math
 from typing import Literal
@@ -13,13 +13,13 @@ from artgen.nodes.contours import circle_contour, faceted, moved_outline
 from artgen.nodes.handles import Profile, Scalar
 
 Lit = Literal["lit", "dark", "all"]
-"""Which segments or dots: those that shine, those that do not, or both."""
+"""Lit segments or dots, dark ones, or both."""
 
-_THICK = 0.125  # width of a segment, in heights of a figure, as all below
+_THICK = 0.125  # width of a segment relative to the height of a figure, as all lengths below
 _WIDE = 0.56
 _SPACE = 0.24  # between figures
-_COLON = 0.20  # width of the place of a colon
-_GAP = 0.016  # between segments, across it
+_COLON = 0.20  # width of a colon
+_GAP = 0.016  # gap between segments
 
 FIGURES: dict[str, str] = {
     "0": "abcdef", "1": "bc", "2": "abdeg", "3": "abcdg", "4": "bcfg", "5": "acdfg", "6": "acdefg",
@@ -28,7 +28,7 @@ FIGURES: dict[str, str] = {
     "H": "bcefg", "I": "ef", "J": "bcde", "L": "def", "N": "ceg", "O": "cdeg", "P": "abefg",
     "Q": "abcfg", "R": "eg", "S": "acdfg", "T": "defg", "U": "bcdef", "Y": "bcdfg", "°": "abfg",
 }  # fmt: skip
-"""The lit segments of each figure: a is the top, then clockwise, g the middle."""
+"""Lit segments of each figure: a is the top, then clockwise, g the center."""
 
 
 def _bars() -> dict[str, Array]:
@@ -62,7 +62,7 @@ _BARS = _bars()
 
 
 def _cells(string: str) -> tuple[list[tuple[str, float]], float]:
-    """Return the characters with the places where they start, and the width, in heights of a figure."""
+    """Return the characters with their start positions, and the width, in heights of a figure."""
     places: list[tuple[str, float]] = []
     pen = 0.0
     for shown in string:
@@ -72,7 +72,7 @@ def _cells(string: str) -> tuple[list[tuple[str, float]], float]:
                 f"a seven-segment figure has no character {shown!r} (U+{ord(shown):04X}) of "
                 f"{string!r}; it shows {''.join(sorted(FIGURES)).strip()}:. - use dot_matrix or text instead"
             )
-        if character == ".":  # a point shares the space after its figure
+        if character == ".":  # a point uses the space after its figure
             places.append((character, pen - _SPACE if places else pen))
             pen += 0.0 if places[:-1] else _SPACE
             continue
@@ -84,12 +84,12 @@ def _cells(string: str) -> tuple[list[tuple[str, float]], float]:
 
 
 def seven_segment_width(string: str) -> float:
-    """Return the width of seven-segment figures without their slant, in heights of a figure."""
+    """Return the width of seven-segment figures without slant, in heights of a figure."""
     return _cells(string)[1]
 
 
 def has_dark_segments(string: str) -> bool:
-    """Tell whether a figure of a string leaves a segment dark."""
+    """Tell whether a string has a dark segment."""
     return any(character not in ":." and len(FIGURES[character]) < 7 for character, _ in _cells(string)[0])
 
 
@@ -125,13 +125,13 @@ def _seven_segment(string: str, height: float, slant: float, show: Lit) -> Outli
 def seven_segment(string: str, height: Scalar, *, slant: Scalar = 0.1, show: Lit = "lit") -> Profile:
     """Make the segments of figures such as `"12:30"` or `"-18°C"`, centered on the origin.
 
-    Lit and dark segments are profiles of their own, to be given materials of their own.
+    Lit and dark segments are separate profiles, for different materials.
 
     Args:
-        string: Figures, `:` and `.`, and those letters that seven segments can show; known while building.
+        string: Figures, `:`, `.` and the letters of seven-segment displays; known while building.
         height: Height of the figures [m].
-        slant: How far they lean to the right [rad].
-        show: Which segments.
+        slant: Slant to the right [rad].
+        show: Lit segments, dark segments or both.
 
     Examples:
         >>> details.seven_segment("12:30", 0.01)

@@ -17,20 +17,20 @@ from artgen.nodes.handles import Profile, Scalar, Solid
 from artgen.nodes.profile import _slot
 
 MOST_HOLES = 2000
-"""How many holes a perforation may have as geometry."""
+"""Most holes of a perforation as geometry."""
 
-_FINE = 0.0012  # [m]: smaller holes have 8 sides, larger ones 12
+_FINE = 0.0012  # smaller holes have 8 sides, larger holes 12 [m]
 
 
 def _grid(low: Array, high: Array, pitch: float, pattern: str) -> Array:
-    """Return places in a box that are even about its middle, shape (n, 2)."""
+    """Return places in a box that are symmetric about its center, shape (n, 2)."""
     rise = pitch * (math.sqrt(0.75) if pattern == "hex" else 1.0)
     size = np.maximum(high - low, 0.0)
     columns, rows = (int(extent / step + 1e-9) + 1 for extent, step in zip(size, (pitch, rise), strict=True))
     column, row = np.meshgrid(np.arange(columns + 1), np.arange(rows))
     x = (column - (columns - 1) / 2.0) * pitch
     if pattern == "hex":
-        # every other row is shifted by half a pitch, to both sides of the middle
+        # every other row is shifted by half a pitch, symmetrically
         x = x - np.where((row - rows // 2) % 2 == 0, 0.0, 0.5 * pitch)
     places = np.column_stack([x.ravel(), ((row - (rows - 1) / 2.0) * rise).ravel()])
     return places + (low + high) / 2.0
@@ -68,7 +68,7 @@ def _perforation(
     rings = [np.asarray(ring, float) for ring in room.to_polygons()]
     low, high = (np.array(room.bounds()[span]) for span in (slice(0, 2), slice(2, 4)))
     places = _grid(low - 1e-9, high + 1e-9, pitch, pattern)
-    # a hair of room lets holes stand exactly at the margin
+    # small tolerance for holes exactly at the margin
     places = places[_inside(places + (0.5 * (low + high) - places) * 1e-6, rings)]
     if len(places) > MOST_HOLES:
         raise ValueError(_too_many(len(places)))
@@ -94,17 +94,17 @@ def perforation(
     pattern: Literal["square", "hex"] = "hex",
     margin: Scalar = 0.003,
 ) -> Profile:
-    """Punch round holes into a profile, before it is extruded, which is far cheaper than afterwards.
+    """Punch round holes into a profile before it is extruded, which is much faster than cutting them later.
 
-    A part of it collides hole by hole: `enclosed(relief(...))` gives a flat sheet one collider, and `relief`
-    builds many holes faster than `extrude`.
+    A perforated part collides hole by hole: `enclosed(relief(...))` gives a flat sheet one collider, and
+    `relief` builds many holes faster than `extrude`.
 
     Args:
-        outline: The sheet.
+        outline: Profile of the sheet.
         pitch: Distance between neighboring holes [m].
-        radius: Their radius [m].
+        radius: Radius of the holes [m].
         pattern: Holes in rows and columns, or each with six neighbors.
-        margin: Least width that is left between a hole and the border [m].
+        margin: Least distance between holes and the border [m].
 
     Examples:
         >>> circle(0.03) - details.perforation(circle(0.03), 0.005, 0.0015)
@@ -167,15 +167,15 @@ def vent_slots(
 ) -> Profile:
     """Make a row of slots with round ends that fills a rectangle about the origin.
 
-    The slots themselves are the profile: cut them out of a sheet, or print them dark.
+    The slots themselves are the profile: subtract them from a sheet, or print them dark.
 
     Args:
         width: Width of the rectangle [m].
         height: Height of the rectangle [m].
-        count: How many slots there are.
+        count: Number of slots.
         slot: Width of a slot [m].
-        direction: How the slots run.
-        slant: How far they lean [rad].
+        direction: Direction of the slots.
+        slant: Inclination of the slots [rad].
 
     Examples:
         >>> rectangle(0.08, 0.04) - details.vent_slots(0.06, 0.02, 9)
@@ -214,14 +214,14 @@ def _louvre_section(height: float, count: int, depth: float, thickness: float, t
 
 
 def louvre_section(height: Scalar, count: int, *, depth: Scalar, thickness: Scalar, tilt: Scalar) -> Profile:
-    """Make the cross-section of louvres, x being the depth from front to back; `louvres` extrudes it.
+    """Make the cross-section of louvres with x as the depth from front to back; `louvres` extrudes it.
 
     Args:
-        height: Height of them all [m].
-        count: How many slats there are.
-        depth: From their front to their back [m].
+        height: Total height [m].
+        count: Number of slats.
+        depth: Depth from front to back [m].
         thickness: Thickness of a slat [m].
-        tilt: How far they fall to the front [rad].
+        tilt: Inclination towards the front [rad].
 
     Examples:
         >>> details.louvre_section(0.06, 5, depth=0.012, thickness=0.0015, tilt=0.6)
@@ -240,15 +240,15 @@ def louvres(
     thickness: Scalar = 0.0015,
     tilt: Scalar = 0.6,
 ) -> Solid:
-    """Make tilted slats along X between two sides, which are not part of it; centered on the origin.
+    """Make tilted slats along X between two sides, which are not included; centered on the origin.
 
     Args:
         width: Length of the slats [m].
-        height: Height of them all [m].
-        count: How many there are.
-        depth: From their front to their back [m].
+        height: Total height [m].
+        count: Number of slats.
+        depth: Depth from front to back [m].
         thickness: Thickness of a slat [m].
-        tilt: How far they fall to the front (-Y) [rad].
+        tilt: Inclination towards the front (-Y) [rad].
 
     Examples:
         >>> details.louvres(0.1, 0.06, 5)

@@ -1,4 +1,4 @@
-"""Print around turned things: a profile bent onto the line that a lathe turns."""
+"""Print around turned solids: a profile bent onto the outline of a lathe."""
 
 import math
 
@@ -17,7 +17,7 @@ from artgen.nodes.handles import Body, Path, Profile, Scalar, Solid
 from artgen.nodes.primitive_colliders import around_hull
 from artgen.nodes.surfaces import Skin
 
-_STEP = 0.10  # of a turn that one straight side of the print may span [rad]
+_STEP = 0.10  # angle that one straight side of the print may span [rad]
 
 
 @kernel
@@ -39,11 +39,12 @@ def _wrap(profile: Outline, path: Curve, height: float, proud: float) -> Shape:
     bent = prisms(refined(profile, _STEP * radius).contours, 2.0 * proud)
     vertices, normals = _bent(bent, line, radius, height)
     skin = Skin(vertices, normals, bent.uvs, bent.triangles, bent.targets)
-    return skin.shape(Bounded(around_hull(vertices).outer, lambda tolerance: ()))  # no piece lies within
+    # pieces of visual details: none
+    return skin.shape(Bounded(around_hull(vertices).outer, lambda tolerance: ()))
 
 
 def _bent(flat: Skin, line: Array, radius: float, height: float) -> tuple[Array, Array]:
-    """Return vertices and normals of a flat print, out of it along z, bent onto a turned line."""
+    """Return vertices and normals of a flat print, outward along z, bent onto the outline of a lathe."""
     across, up, out = flat.vertices.T
     level = height + up
     angle = across / radius - math.pi / 2.0
@@ -56,13 +57,13 @@ def _bent(flat: Skin, line: Array, radius: float, height: float) -> tuple[Array,
 
 
 def wrap(profile: Profile, path: Path, height: Scalar, *, proud: Scalar = 0.0002) -> Solid:
-    """Bend a profile onto a turned thing, to be read from the front.
+    """Bend a profile onto a turned solid, readable from the front.
 
     Args:
-        profile: What lies there; its x runs to the reader's right and its y upward.
-        path: The line that was turned about z, as for `half_section`; it has to pass the whole print.
-        height: Where the origin of the profile is on the line [m].
-        proud: How far it stands out [m]; it reaches as far into the thing.
+        profile: The profile; its x points to the reader's right and its y upward.
+        path: Outline that was turned about z, as for `half_section`; it must cover the height of the print.
+        height: Height of the profile's origin on the outline [m].
+        proud: Height above the surface and depth below it [m].
 
     Examples:
         >>> around = line((0.04, 0, 0), (0.04, 0, 0.1))
@@ -80,15 +81,15 @@ def wrapped(
     label: str = "print",
     proud: Scalar = 0.0002,
 ) -> Body:
-    """Print a profile around a turned thing, on its front: a film of ink that is only seen.
+    """Print a profile around the front of a turned solid: a visual film of ink.
 
     Args:
-        profile: What to print, such as `text("Salt", 0.006)`.
-        path: The line that was turned about z, as for `half_section`.
-        height: Where the origin of the profile is on the line [m].
-        material: The ink.
+        profile: The profile, such as `text("Salt", 0.006)`.
+        path: Outline that was turned about z, as for `half_section`.
+        height: Height of the profile's origin on the outline [m].
+        material: Material of the ink.
         label: Semantic label.
-        proud: How far the ink stands out [m]; it reaches as far into the thing.
+        proud: Height of the ink above the surface and depth below it [m].
 
     Examples:
         >>> around = line((0.04, 0, 0), (0.04, 0, 0.1))
