@@ -1,7 +1,7 @@
-"""Convex pieces of solids: how simulators and proofs see a part.
+"""Convex pieces of solids for simulators and proofs.
 
-Pieces are known from how a solid was made, not found in its mesh: primitives are their own piece, a union
-concatenates, a difference splits the pieces by the faces of the cutter's pieces.
+Pieces follow from the construction of a solid, not from its mesh: primitives are their own piece, a union
+concatenates pieces, a difference splits them by the faces of the cutter's pieces.
 """
 
 from artgen._arrays import Array

@@ -1,4 +1,4 @@
-"""Polytopes around and within round things, with few faces and a known error."""
+"""Polytopes around and inside round solids, with few faces and a known error."""
 
 import math
 
@@ -9,14 +9,14 @@ from artgen._arrays import Array, cached
 from artgen.colliders.polytope import SLIVER, Polytope
 
 MOST_SIDES = 64
-"""Sides of a facetted circle, at most."""
+"""Most sides of a faceted circle."""
 
-_MOST_FREQUENCY = 8  # divisions of an icosahedron's edge, at most
-_MOST_INSCRIBED = 256  # vertices of a thinned convex mesh, at most
+_MOST_FREQUENCY = 8  # most divisions of an icosahedron's edge
+_MOST_INSCRIBED = 256  # most vertices of a thinned convex mesh
 
 
 def circle_sides(radius: float, tolerance: float) -> int:
-    """Return how many sides, a multiple of 4, keep a polygon around a circle within the tolerance [m]."""
+    """Return the number of sides, a multiple of 4, of a polygon around a circle within the tolerance [m]."""
     ratio = radius / (radius + max(tolerance, 0.0))
     angle = math.acos(min(ratio, 1.0))
     sides = 4 * math.ceil(math.pi / max(angle, 1e-3) / 4.0 - 1e-9)
@@ -24,7 +24,7 @@ def circle_sides(radius: float, tolerance: float) -> int:
 
 
 def circumscribed_circle(radius: float, sides: int) -> Array:
-    """Return a polygon around a circle, its sides square to the axes, shape (sides, 2) [m]."""
+    """Return a polygon around a circle with sides perpendicular to the axes, shape (sides, 2) [m]."""
     angle = (np.arange(sides) + 0.5) * (2.0 * np.pi / sides)
     return np.column_stack((np.cos(angle), np.sin(angle))) * (radius / math.cos(math.pi / sides))
 
@@ -55,9 +55,9 @@ def _geodesic(frequency: int) -> tuple[Array, float]:
 
 
 def sphere_points(radius: float, tolerance: float, *, inscribed: bool = False) -> Array:
-    """Return vertices of a polytope around (or within) a sphere at the origin, shape (n, 3) [m].
+    """Return vertices of a polytope around (or inside) a sphere at the origin, shape (n, 3) [m].
 
-    The error stays below the tolerance [m] until the faces would become more than a thousand.
+    The error stays below the tolerance [m], except where this would need more than a thousand faces.
     """
     for frequency in range(1, _MOST_FREQUENCY + 1):
         points, nearest = _geodesic(frequency)
@@ -68,9 +68,9 @@ def sphere_points(radius: float, tolerance: float, *, inscribed: bool = False) -
 
 
 def inscribed_points(points: Array, tolerance: float) -> Array:
-    """Return vertices of a convex mesh, shape (n, 3), whose hull falls short by the tolerance [m] at most.
+    """Return vertices of a convex mesh, shape (n, 3), whose hull is smaller by at most the tolerance [m].
 
-    Adds the vertices farthest outside, one before each face at most, until all are near enough.
+    Adds the vertices farthest outside, at most one per face and round, until all are near enough.
     """
     extreme = np.concatenate((points.argmin(axis=0), points.argmax(axis=0)))
     chosen = sorted(set(extreme.tolist()))
@@ -94,7 +94,7 @@ def inscribed_points(points: Array, tolerance: float) -> Array:
 
 
 def _off_plane(points: Array, chosen: list[int]) -> list[int]:
-    """Add the point farthest from the plane in which the chosen ones lie."""
+    """Add the point farthest from the plane of the chosen points."""
     centered = points[chosen] - points[chosen].mean(axis=0)
     normal = np.linalg.svd(centered)[2][-1]
     distance = np.abs((points - points[chosen].mean(axis=0)) @ normal)

@@ -1,4 +1,4 @@
-"""The final collider set of a solid: few enough pieces, each with few enough vertices."""
+"""The final collider set of a solid: few pieces with few vertices."""
 
 from collections.abc import Sequence
 
@@ -6,24 +6,24 @@ from artgen.colliders.convex import TOLERANCE, Convex
 from artgen.colliders.merge import condensed
 from artgen.colliders.pieces import Pieces
 
-_COARSER = (0.0005, 0.001)  # [m]: tolerances tried when a solid needs too many pieces
-_MARGIN = 0.001  # [m]: how far joined pieces may stand off the solid
+_COARSER = (0.0005, 0.001)  # tolerances for solids that need too many pieces [m]
+_MARGIN = 0.001  # largest distance of joined pieces from the solid [m]
 
 
 def budgeted(
     pieces: Pieces, *, most_pieces: int = 64, most_vertices: int = 64, tolerance: float = TOLERANCE
 ) -> tuple[Convex, ...]:
-    """Return convex pieces around a solid that a simulator can carry.
+    """Return convex pieces around a solid within the budget of a simulator.
 
-    Round things are facetted to the tolerance; over the budget to 0.5 mm, then 1 mm, those solids first that
-    have most pieces; then pieces are joined as long as all of their hull stays within about 1 mm of the
-    solid. A cavity is never closed.
+    Round pieces are faceted to the tolerance. Over the budget, the solids with the most pieces are faceted to
+    0.5 mm, then 1 mm. Then pieces are joined as long as their hull stays within about 1 mm of the solid.
+    Cavities are never closed.
 
     Args:
         pieces: The solid.
-        most_pieces: How many pieces there may be.
-        most_vertices: How many vertices a hull may have.
-        tolerance: How far the pieces may exceed the solid where it is round [m].
+        most_pieces: Largest number of pieces.
+        most_vertices: Largest number of vertices of a hull.
+        tolerance: Largest distance of the pieces from round solids [m].
 
     Raises:
         ValueError: The solid needs more pieces.
@@ -40,7 +40,7 @@ def budgeted_together(
     most_vertices: int = 64,
     tolerance: float = TOLERANCE,
 ) -> list[tuple[Convex, ...]]:
-    """Return convex pieces around several solids that share one budget; otherwise as `budgeted`.
+    """Return convex pieces around several solids with a common budget; otherwise like `budgeted`.
 
     Raises:
         ValueError: The solids need more pieces.

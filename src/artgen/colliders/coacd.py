@@ -20,9 +20,9 @@ from artgen.colliders.enclose import Facets, enclosing
 
 
 def single_hull(points: Array, most_vertices: int = 64) -> Convex:
-    """Return the convex hull of points, shape (n, 3) [m], or a polytope of fewer vertices around it.
+    """Return the convex hull of points, shape (n, 3) [m], or a polytope with fewer vertices around it.
 
-    The order of the points does not show.
+    The result does not depend on the order of the points.
 
     Raises:
         ValueError: The points are fewer than four, not finite, or lie in one plane.
@@ -36,15 +36,15 @@ def single_hull(points: Array, most_vertices: int = 64) -> Convex:
 def fewest(
     pieces: Sequence[Convex], most_pieces: int, most_vertices: int = 64
 ) -> list[tuple[Convex, tuple[int, ...]]]:
-    """Join pieces until they are few enough, those first whose common bounding box adds least.
+    """Join pieces until they are few enough, starting with pairs whose common bounding box adds least volume.
 
     Args:
-        pieces: The pieces; with few enough vertices each.
-        most_pieces: How many there may be, at least 1.
-        most_vertices: How many vertices a joined piece may have.
+        pieces: The pieces, each with few enough vertices.
+        most_pieces: Largest number of pieces, at least 1.
+        most_vertices: Largest number of vertices of a joined piece.
 
     Returns:
-        Each piece with the numbers of those that it stands for.
+        Each piece with the numbers of the pieces that it replaces.
     """
     groups: list[tuple[int, ...]] = [(number,) for number in range(len(pieces))]
     boxes = np.array([piece.bounds() for piece in pieces]).reshape(-1, 2, 3)
@@ -73,7 +73,7 @@ _FORMAT = "artgen-pieces-1"
 
 
 def digest(vertices: Array, triangles: NDArray[np.int64], settings: Mapping[str, float | str]) -> str:
-    """Return a digest of a mesh, as its numbers are, and of how its pieces are found."""
+    """Return a digest of the numbers of a mesh and of the settings of its decomposition."""
     head = {"format": _FORMAT, "vertices": len(vertices), "triangles": len(triangles), **settings}
     found = hashlib.sha256(json.dumps(head, sort_keys=True).encode())
     found.update(np.ascontiguousarray(vertices, "<f8").tobytes())
@@ -82,7 +82,7 @@ def digest(vertices: Array, triangles: NDArray[np.int64], settings: Mapping[str,
 
 
 def read_points(kind: str, key: str) -> list[Array] | None:
-    """Return the points of the pieces that are kept under a key, each shape (n, 3) [m], or None."""
+    """Return the cached points of pieces, each shape (n, 3) [m], or None."""
     stored = disk_cache.unpacked(disk_cache.read(kind, f"{key}.npz")) or {}
     if not {"points", "counts"} <= {*stored}:
         return None
@@ -99,7 +99,7 @@ def read_points(kind: str, key: str) -> list[Array] | None:
 
 
 def write_points(kind: str, key: str, pieces: Sequence[Array]) -> None:
-    """Keep the points of pieces, each shape (n, 3) [m], under a key; other processes see all or nothing."""
+    """Cache the points of pieces, each shape (n, 3) [m]; other processes see all of them or none."""
     if not pieces:
         return
     counts = np.array([len(points) for points in pieces], np.int64)
@@ -109,14 +109,14 @@ def write_points(kind: str, key: str, pieces: Sequence[Array]) -> None:
 
 
 THRESHOLD = 0.05
-"""Concavity that CoACD allows in a piece unless said otherwise, relative to the size of the mesh."""
+"""Default concavity of a piece in CoACD, relative to the size of the mesh."""
 
 _SEED = 0
-_MOST_SAID = 200  # characters of what it printed
-_DECIMALS = 9  # of a vertex that CoACD sees [m]: those of colliders as they are exported
-_MOST_SECONDS = 300.0  # what takes minutes never ends; else a solid takes seconds
-# CoACD's own check of a mesh replaces good ones by coarse ones, and at times ends the process; so the mesh
-# is taken as it is, and where that ends the process, the coarse one
+_MOST_SAID = 200  # most characters of its output in a message
+_DECIMALS = 9  # decimals of vertices for CoACD, equal to those of exported colliders [m]
+_MOST_SECONDS = 300.0  # a run of minutes never ends; usual runs take seconds
+# CoACD's own preprocessing replaces good meshes by coarse ones and sometimes ends the process: use the mesh
+# unchanged, and the coarse one only if that ends the process
 _ATTEMPTS = ("off", "on")
 _PROGRAM = """
 import io, json, sys
@@ -140,20 +140,19 @@ def coacd_pieces(
     most_pieces: int = 64,
     most_vertices: int = 64,
 ) -> tuple[Convex, ...]:
-    """Decompose a closed mesh to convex hulls.
+    """Decompose a closed mesh into convex hulls.
 
     The hulls follow the surface to about `threshold` times the size of the mesh and need not contain it:
-    prefer pieces known from how a solid was made. CoACD runs in a process of its own, which it may end. What
-    it found is kept on disk, see `artgen.colliders.coacd`: the same mesh, in whatever order, is decomposed
-    once.
+    prefer pieces from the construction of a solid. CoACD runs in its own process, which it may end. Results
+    are cached on disk: the same mesh, in any order, is decomposed once.
 
     Args:
         vertices: Positions, each point once, shape (n, 3) [m].
-        triangles: Vertex indices, counter-clockwise seen from outside, shape (m, 3). They must close to a
-            manifold; of one connected part, as CoACD is likely to fail on several.
+        triangles: Vertex indices, counter-clockwise seen from outside, shape (m, 3). They must form a closed
+            manifold with one connected part, because CoACD often fails on several parts.
         threshold: Concavity allowed in a piece, relative to the size of the mesh, 0.01 to 1.
-        most_pieces: How many hulls there may be.
-        most_vertices: How many vertices a hull may have.
+        most_pieces: Largest number of hulls.
+        most_vertices: Largest number of vertices of a hull.
 
     Raises:
         ImportError: The package `coacd` is not installed.
@@ -179,7 +178,7 @@ def coacd_pieces(
 
 
 def canonical(vertices: Array, triangles: NDArray[np.int64]) -> tuple[Array, NDArray[np.int64]]:
-    """Round vertices as they are exported, and put them and the triangles in an order of their values."""
+    """Round vertices like exported ones, and sort vertices and triangles by value."""
     rounded: Array = np.round(vertices, _DECIMALS) + 0.0
     order = np.lexsort(rounded.T[::-1])
     number = np.empty(len(order), np.int64)
@@ -198,13 +197,13 @@ def _version() -> str:
 
 
 def _run(vertices: Array, triangles: NDArray[np.int64], settings: dict[str, float | str]) -> list[Array]:
-    """Return the points of the hulls; the same ones in every process, on however many cores."""
+    """Return the points of the hulls, equal in every process with any number of cores."""
     given = io.BytesIO()
     np.savez(given, vertices=vertices, triangles=triangles.astype(np.int32))
     said = ""
     for attempt in _ATTEMPTS:
         arguments = json.dumps({**settings, "preprocess_mode": attempt})
-        # -P: a module `coacd` beside this one is not the package
+        # P: a module `coacd` in this folder must not hide the package
         command = [sys.executable, "-P", "-c", _PROGRAM, arguments]
         try:
             done = subprocess.run(  # noqa: S603 - the program above
@@ -221,7 +220,7 @@ def _run(vertices: Array, triangles: NDArray[np.int64], settings: dict[str, floa
 
 
 def _hull(points: Array, most_vertices: int) -> Convex | None:
-    """Return the hull of points, or None where they lie in one plane."""
+    """Return the hull of points, or None for points in one plane."""
     try:
         return single_hull(points, most_vertices)
     except ValueError:

@@ -1,4 +1,4 @@
-"""One convex piece: a primitive that simulators know, or the hull of its points."""
+"""One convex piece: a primitive of simulators, or the hull of its points."""
 
 import math
 from dataclasses import dataclass, field
@@ -19,10 +19,10 @@ from artgen.colliders.polytope import Polytope, hull_triangles, is_rigid
 Kind = Literal["box", "cylinder", "sphere", "capsule", "hull"]
 
 TOLERANCE = 0.00025
-"""How far facets may stand off a round piece unless said otherwise [m]."""
+"""Default distance of facets from a round piece [m]."""
 
 _SQUARE = 1e-9  # relative error of angles and lengths within which a piece keeps its kind
-_MANY = 128  # vertices of a hull beyond which its faces are found only when they are asked for
+_MANY = 128  # above this number of vertices, faces of a hull are computed on first access
 _NO_POINTS = np.empty((0, 3))
 _IDENTITY = np.eye(4)
 _NO_POINTS.setflags(write=False)
@@ -39,8 +39,8 @@ class Convex(FrozenArrays):
         size: box: full lengths (x, y, z); cylinder: (radius, length); sphere: (radius,);
             capsule: (radius, length between the centers of its ends); hull: () [m].
         points: Hull vertices in asset coordinates, shape (n, 3) [m]; empty for the other kinds.
-        polytope: The faces of a hull where they are known already.
-        origin: The piece from which a hull of many vertices was moved, and the rigid motion.
+        polytope: Faces of a hull, if they are known.
+        origin: The original piece of a moved hull with many vertices, and the motion.
     """
 
     kind: Kind
@@ -86,12 +86,12 @@ class Convex(FrozenArrays):
 
     @classmethod
     def of(cls, polytope: Polytope) -> "Convex":
-        """Make the piece of a polytope: a box where it is one, else a hull."""
+        """Make the piece of a polytope: a box if possible, else a hull."""
         return _as_box(polytope) or cls("hull", _IDENTITY, (), polytope.points, polytope)
 
     @cached_property
     def faces(self) -> Polytope:
-        """The polytope of a box or hull; of round kinds the one around it at the usual tolerance."""
+        """The polytope of a box or hull; for round kinds, the polytope around it at the default tolerance."""
         if self.polytope is not None:
             return self.polytope
         if self.kind == "hull":
@@ -102,7 +102,7 @@ class Convex(FrozenArrays):
         return self.outer_polytope(TOLERANCE)
 
     def outer_polytope(self, tolerance: float) -> Polytope:
-        """Return a polytope that contains the piece, exceeding it by the tolerance [m] at most."""
+        """Return a polytope that contains the piece and exceeds it by at most the tolerance [m]."""
         if self.kind in ("box", "hull"):
             return self.faces
         radius = self.size[0]
@@ -112,7 +112,7 @@ class Convex(FrozenArrays):
         return self._rounded(tolerance, inscribed=False)
 
     def inner_polytope(self, tolerance: float) -> Polytope:
-        """Return a polytope within the piece, falling short by the tolerance [m] at most."""
+        """Return a polytope inside the piece, smaller by at most the tolerance [m]."""
         if self.kind in ("box", "hull"):
             return self.faces
         radius = self.size[0]
@@ -129,15 +129,15 @@ class Convex(FrozenArrays):
         return _ball(self.size[0], length, tolerance, inscribed=inscribed).transformed(self.pose)
 
     def outer_points(self, tolerance: float = TOLERANCE) -> Array:
-        """Return vertices of a polytope around the piece, exceeding it by the tolerance [m] at most."""
+        """Return vertices of a polytope around the piece that exceeds it by at most the tolerance [m]."""
         return self.outer_polytope(tolerance).points
 
     def inner_points(self, tolerance: float = TOLERANCE) -> Array:
-        """Return vertices of a polytope within the piece, short of it by the tolerance [m] at most."""
+        """Return vertices of a polytope inside the piece, smaller by at most the tolerance [m]."""
         return self.inner_polytope(tolerance).points
 
     def manifold(self, tolerance: float = TOLERANCE) -> Manifold:
-        """Return the piece as a manifold; a round one as a polytope around it."""
+        """Return the piece as a manifold; for a round piece, the polytope around it."""
         return self.outer_polytope(tolerance).manifold()
 
     def bounds(self) -> Array:
@@ -177,8 +177,8 @@ class Convex(FrozenArrays):
     def transformed(self, matrix: Array, tolerance: float = TOLERANCE, *, inner: bool = False) -> "Convex":
         """Return the piece moved by an affine matrix, shape (4, 4).
 
-        A round piece that is not round afterwards becomes a hull around it (within it where `inner`),
-        facetted to the tolerance [m] before the move.
+        A round piece that loses its shape becomes a hull around it (inside it for `inner`), faceted to the
+        tolerance [m] before the motion.
 
         Raises:
             ValueError: The matrix is not finite or flattens the piece.
@@ -201,7 +201,7 @@ class Convex(FrozenArrays):
             pose = np.eye(4)
             pose[:3, :3] = columns / scale
             if determinant < 0.0:
-                pose[:3, 0] *= -1.0  # all primitives are their own mirror image
+                pose[:3, 0] *= -1.0  # all primitives equal their mirror image
             pose[:3, 3] = linear @ self.pose[:3, 3] + matrix[:3, 3]
             factors = scale if self.kind == "box" else scale[[0, 2]]
             size = tuple(float(s * f) for s, f in zip(self.size, factors, strict=False))
@@ -210,7 +210,7 @@ class Convex(FrozenArrays):
         return Convex.of(shape.transformed(matrix))
 
     def _carried(self, matrix: Array) -> "Convex":
-        """Return the piece carried along by a rigid motion or a reflection."""
+        """Return the piece after a rigid motion or a reflection."""
         if self.kind == "hull" and self.polytope is not None:
             moved = self.polytope.transformed(matrix)
             return Convex("hull", _IDENTITY, (), moved.points, moved)
@@ -220,13 +220,13 @@ class Convex(FrozenArrays):
             return Convex("hull", _IDENTITY, (), points, origin=(source, matrix @ before))
         pose = matrix @ self.pose
         if _mirrors(matrix):
-            pose[:3, 0] *= -1.0  # all primitives are their own mirror image
+            pose[:3, 0] *= -1.0  # all primitives equal their mirror image
         return Convex(self.kind, pose, self.size)
 
 
-@cached(64)  # an asset's knobs and screws are alike
+@cached(64)  # knobs and screws of an asset are often equal
 def _ball(radius: float, length: float, tolerance: float, *, inscribed: bool) -> Polytope:
-    """Return a polytope around or within a ball at the origin, drawn out along z by a length [m]."""
+    """Return a polytope around or inside a ball at the origin, extended along z by a length [m]."""
     points = sphere_points(radius, tolerance, inscribed=inscribed)
     if length:
         end = np.array([0.0, 0.0, length / 2.0])
@@ -243,7 +243,7 @@ def _mirrors(matrix: Array) -> bool:
 def _checked(
     kind: str, pose: Array, size: tuple[float, ...] | Array, count: int
 ) -> tuple[Array, tuple[float, ...]]:
-    """Return pose and size of a primitive, or refuse them."""
+    """Return checked pose and size of a primitive; raise ValueError for bad ones."""
     lengths = tuple(float(length) for length in size)
     if len(lengths) != count or not all(math.isfinite(length) and length > 0.0 for length in lengths):
         raise ValueError(f"a {kind} needs {count} positive lengths [m], got {lengths}")
@@ -273,7 +273,7 @@ def _as_box(polytope: Polytope) -> Convex | None:
     axes = [j for j in range(6) if j < opposite[j]]
     if len(axes) != 3:
         return None
-    # The frame nearest to the asset's: the box that was never turned gets the identity.
+    # choose the frame nearest to the asset's: a box that was never rotated gets the identity
     turn = np.empty((3, 3))
     size = np.empty(3)
     free = list(axes)

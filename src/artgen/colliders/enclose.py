@@ -1,4 +1,4 @@
-"""Polytopes of few vertices around convex solids of many."""
+"""Polytopes with few vertices around convex solids with many."""
 
 from dataclasses import dataclass
 from typing import Self
@@ -12,20 +12,20 @@ from artgen.colliders.convex import TOLERANCE, Convex
 from artgen.colliders.polytope import SNAP
 from artgen.colliders.triangles import across, cross, hull_of, planes_of, triangles_of
 
-_FLAT = 1e-8  # area of a dual triangle by its longest side squared, below which it is a needle
-_APART = 1e8  # [1/m]: corners nearer than its inverse are one
-_WORTHWHILE = 0.5  # share of the greatest excess at a corner that is cut off along with the worst one
-_NEAR = 0.0006  # [m]: how far a polytope of fewer vertices may stand off
-_FAR = 0.001  # [m]: how far it may where it adds little volume
-_ADDED = 0.02  # share of volume that is little
+_FLAT = 1e-8  # least ratio of area to squared longest side of a dual triangle that is not degenerate
+_APART = 1e8  # corners nearer than the inverse of this are one [1/m]
+_WORTHWHILE = 0.5  # corners with at least this share of the largest excess are cut off in the same round
+_NEAR = 0.0006  # largest distance of a polytope with fewer vertices [m]
+_FAR = 0.001  # largest distance if it adds little volume [m]
+_ADDED = 0.02  # share of volume that counts as little
 _MOST_HALVINGS = 3
 
 
 @dataclass(frozen=True, eq=False)
 class Facets:
-    """A convex solid as its triangles, of which some may lie in one plane.
+    """A convex solid as triangles, several of which may lie in one plane.
 
-    Quick to make even of a thousand vertices, where a `Polytope` knows which faces meet at a vertex.
+    Fast to build for a thousand vertices, unlike a `Polytope`, which knows the faces of each vertex.
 
     Attributes:
         solid: The solid as a convex manifold.
@@ -62,14 +62,14 @@ class Facets:
         return float(self.solid.volume())
 
     def halves(self) -> "list[Facets]":
-        """Return the parts on both sides of the middle of the longest side of the bounding box."""
+        """Return the parts on both sides of the center of the longest side of the bounding box."""
         lower, upper = self.points.min(axis=0), self.points.max(axis=0)
         axis = int(np.argmax(upper - lower))
         middle = (lower[axis] + upper[axis]) / 2.0
         height = self.points[:, axis] - middle
         triangles = self._triangles
         start, end = triangles.ravel(), np.roll(triangles, -1, axis=1).ravel()
-        crossing = (height[start] < 0.0) & (height[end] > 0.0)  # once: it runs up in one triangle
+        crossing = (height[start] < 0.0) & (height[end] > 0.0)  # each edge once: it ascends in one triangle
         start, end = start[crossing], end[crossing]
         share = height[start] / (height[start] - height[end])
         cut = self.points[start] + share[:, None] * (self.points[end] - self.points[start])
@@ -87,22 +87,23 @@ class Facets:
 
     @cached_property
     def _across(self) -> tuple[Array, Array, Array]:
-        """Normals of the length of the triangles' doubled areas, these areas, and the triangles' corners."""
+        """Normals with twice the area as length, these areas, and the corners of the triangles."""
         corners = self.points[self._triangles]
         return *across(corners), corners
 
 
 def enclosing(solid: Facets, most_vertices: int, tolerance: float) -> tuple[Array, float]:
-    """Return the corners of a polytope around a convex solid, shape (n, 3) [m], and by how far it stands off.
+    """Return the corners of a polytope around a convex solid, shape (n, 3) [m], and its largest distance [m].
 
-    It has some of the solid's faces and those of its bounding box. At each of its corners the face that cuts
-    off most is added, the corners that stand off farthest first, until all are within the tolerance [m] or
-    the vertices are as many as allowed.
+    Its faces are faces of the solid and of its bounding box. At each corner the face that cuts off most is
+    added, the farthest corners first, until all corners are within the tolerance [m] or the number of
+    vertices reaches the limit.
     """
     chosen = _bounding_planes(solid.points)
     corners = _corners(chosen, solid.center)
     waiting = solid.planes
-    room = np.empty(len(waiting) * max(most_vertices, len(corners)))  # for heights of planes at corners
+    # workspace for heights of planes at corners
+    room = np.empty(len(waiting) * max(most_vertices, len(corners)))
     most_added = most_vertices
     while True:
         heights = np.matmul(
@@ -114,7 +115,7 @@ def enclosing(solid: Facets, most_vertices: int, tolerance: float) -> tuple[Arra
         spare = min((most_vertices - len(corners)) // 2, most_added)
         if excess <= max(tolerance, SNAP) or spare < 1:
             return corners, excess
-        cutting = reach > tolerance  # the others never will, as the polytope only shrinks
+        cutting = reach > tolerance  # the others stay inside, as the polytope only shrinks
         worst = np.flatnonzero(cutting & (reach >= excess * _WORTHWHILE))
         worst = worst[np.argsort(-reach[worst], kind="stable")]
         _, first = np.unique(corner[worst], return_index=True)
@@ -138,7 +139,8 @@ def _bounding_planes(points: Array) -> Array:
 def _corners(planes: Array, center: Array) -> Array:
     """Return the corners of the polytope behind planes around an inner point, shape (n, 3) [m].
 
-    A face n.x <= d about the inner point becomes the point n / d; each face of the hull of these is a corner.
+    A face n.x <= d about the inner point becomes the point n / d; each face of the hull of these points is a
+    corner.
     """
     depth = planes[:, 3] - planes[:, :3] @ center
     dual = hull_of(planes[:, :3] / depth[:, None]).to_mesh64()
@@ -146,7 +148,7 @@ def _corners(planes: Array, center: Array) -> Array:
     first, second = ends[:, 1] - ends[:, 0], ends[:, 2] - ends[:, 0]
     poles = cross(first, second)
     longest = np.maximum(np.einsum("ij,ij->i", first, first), np.einsum("ij,ij->i", second, second))
-    sound = np.einsum("ij,ij->i", poles, poles) > (_FLAT * longest) ** 2  # of equal corners one is always
+    sound = np.einsum("ij,ij->i", poles, poles) > (_FLAT * longest) ** 2  # of equal corners one remains
     corners = poles[sound] / np.einsum("ij,ij->i", poles[sound], ends[sound, 0])[:, None]
     near = np.rint(corners * _APART)
     order = np.lexsort(near.T)
@@ -157,10 +159,10 @@ def _corners(planes: Array, center: Array) -> Array:
 
 
 def few_vertices(piece: Convex, most_vertices: int, tolerance: float) -> list[Convex]:
-    """Return pieces around a piece, none with more vertices than allowed.
+    """Return pieces around a piece, each with at most a number of vertices.
 
-    One piece where that stays within 0.6 mm of the given one, or within 1 mm where it adds little volume;
-    else two, four or eight; four at most where the tolerance [m] is a coarse one.
+    One piece if it stays within 0.6 mm of the given one, or within 1 mm and adds little volume; else two,
+    four or eight pieces, but at most four for a coarse tolerance [m].
     """
     if piece.kind != "hull" or len(piece.points) <= most_vertices:
         return [piece]
@@ -172,13 +174,13 @@ def few_vertices(piece: Convex, most_vertices: int, tolerance: float) -> list[Co
 
 @cached(32)
 def _few_vertices(piece: Convex, most_vertices: int, tolerance: float) -> tuple[Convex, ...]:
-    """Return pieces around a piece, remembered: a solid is often there several times."""
+    """Return pieces around a piece, cached: solids often repeat."""
     halvings = _MOST_HALVINGS - (tolerance > TOLERANCE)
     return tuple(_enclosed(Facets.hull(piece.points), most_vertices, tolerance, halvings))
 
 
 def _enclosed(solid: Facets, most_vertices: int, tolerance: float, halvings: int) -> list[Convex]:
-    """Return polytopes around a solid, which may be halved so many times."""
+    """Return polytopes around a solid, halved up to a number of times."""
     if len(solid.points) <= most_vertices:
         return [Convex.hull(solid.points)]
     around, excess = enclosing(solid, most_vertices, tolerance)

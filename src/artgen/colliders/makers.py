@@ -1,4 +1,4 @@
-"""Convex pieces of the solids that constructors make: round ones, prisms, chains and hulls."""
+"""Convex pieces of solids by construction: round solids, prisms, chains and hulls."""
 
 import math
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ from artgen.colliders.polytope import SLIVER, Polytope
 
 _IDENTITY = np.eye(4)
 _MOST_PRISM_VERTICES = 64
-_STRAIGHT = 1e-9  # [m]: rings whose points stray less from straight lines are one prism
+_STRAIGHT = 1e-9  # rings whose points deviate less from straight lines form one prism [m]
 
 
 def hull_pieces(points: Array) -> Pieces:
@@ -31,9 +31,9 @@ def hull_pieces(points: Array) -> Pieces:
 
 
 def round_pieces(primitive: Convex, points: Array) -> Pieces:
-    """Return the cover of a convex mesh whose vertices, shape (n, 3) [m], lie on (or in) a round primitive.
+    """Return the cover of a convex mesh whose vertices, shape (n, 3) [m], lie on or in a round primitive.
 
-    The primitive is what contains the mesh; what the mesh contains is the hull of some of its vertices.
+    The primitive contains the mesh; the mesh contains the hull of some of its vertices.
     """
     solid = Convex.hull(points)
     return Bounded(lambda _: (primitive,), lambda tolerance: _thinned_hull(solid, tolerance))
@@ -47,10 +47,10 @@ def cylinder_pieces(radius: float, length: float, pose: Array = _IDENTITY, mesh_
     """Return the cover of a cylinder along z of its pose, centered [m].
 
     Args:
-        radius: Radius on which the vertices of the mesh lie [m].
+        radius: Radius of the mesh vertices [m].
         length: Length along z [m].
         pose: Rigid transform, shape (4, 4).
-        mesh_sides: Sides of the mesh, whose first vertex is at angle 0.
+        mesh_sides: Number of sides of the mesh; its first vertex is at angle 0.
 
     Raises:
         ValueError: A length is not positive or the mesh has fewer than three sides.
@@ -70,7 +70,7 @@ def cylinder_pieces(radius: float, length: float, pose: Array = _IDENTITY, mesh_
 
 
 def _mesh_step(radius: float, mesh_sides: int, tolerance: float) -> int:
-    """Return how many sides of a mesh one chord may replace, dividing the sides evenly."""
+    """Return the number of mesh sides that one chord may replace, a divisor of the number of sides."""
     for step in range(mesh_sides // 4, 1, -1):
         if mesh_sides % step == 0 and radius * (1.0 - math.cos(math.pi * step / mesh_sides)) <= tolerance:
             return step
@@ -92,11 +92,11 @@ def prism_pieces(
         bottom: Lower end along z of the pose [m].
         top: Upper end along z of the pose [m].
         pose: Rigid transform, shape (4, 4).
-        convex: Convex counter-clockwise polygons, each shape (k, 2), whose union is the region, where they
-            are known; else they are found.
+        convex: Convex counter-clockwise polygons, each shape (k, 2), whose union is the region; computed if
+            they are missing.
 
     Raises:
-        ValueError: The ends are not in order, or a contour is not finite.
+        ValueError: The ends are not in ascending order, or a contour is not finite.
     """
     if not bottom < top:
         raise ValueError(f"a prism needs its bottom below its top, got {bottom} m and {top} m")
@@ -106,7 +106,7 @@ def prism_pieces(
         polygons = known
         if polygons is None:
             polygons = decompose_polygon(contours, tolerance, inner=inner)
-        elif inner and len(polygons) == 1:  # of several, thinned ones would part at common sides
+        elif inner and len(polygons) == 1:  # thinned neighbors would separate at common sides
             polygons = decompose_polygon(polygons, tolerance, inner=True)
         prisms = (Polytope.prism(polygon, bottom, top) for polygon in polygons)
         return tuple(
@@ -121,7 +121,7 @@ def prism_pieces(
 
 
 def _fewer_sides(prism: Polytope, tolerance: float) -> Polytope:
-    """Return a prism around a prism of too many sides with fewer, if the tolerance allows."""
+    """Return a prism with fewer sides around a prism with too many, if the tolerance allows."""
     if len(prism.points) <= _MOST_PRISM_VERTICES:
         return prism
     around, excess = enclosing(Facets.hull(prism.points), _MOST_PRISM_VERTICES, tolerance)
@@ -129,15 +129,15 @@ def _fewer_sides(prism: Polytope, tolerance: float) -> Polytope:
 
 
 def chain_pieces(rings: Sequence[Array], *, closed: bool = False) -> Pieces:
-    """Return the cover of a sweep or loft: hulls of neighboring rings, few where the chain is straight.
+    """Return the cover of a sweep or loft: hulls of neighboring rings, few along straight parts.
 
     Args:
-        rings: Cross-sections along the chain, all with the same number of points in corresponding order, each
-            convex and shape (k, 3) [m]. A profile that is not convex is swept as several chains.
+        rings: Cross-sections along the chain with corresponding points, each convex, shape (k, 3) [m]. Sweep
+            a profile that is not convex as several chains.
         closed: Whether the last ring joins the first.
 
     Raises:
-        ValueError: There are too few rings, or they differ in the number of points.
+        ValueError: There are too few rings, or they differ in their number of points.
     """
     table = [np.asarray(ring, np.float64) for ring in rings]
     if len(table) < (3 if closed else 2) or len({ring.shape for ring in table}) != 1:
@@ -162,7 +162,7 @@ def chain_pieces(rings: Sequence[Array], *, closed: bool = False) -> Pieces:
 
 
 def _ring_planes(stack: Array) -> Array:
-    """Return the planes of rings as (nx, ny, nz, d), shape (n, 4) [m]; zero where a ring is not flat."""
+    """Return the planes of rings as (nx, ny, nz, d), shape (n, 4) [m]; zero for a ring that is not flat."""
     middle = stack.mean(axis=1)
     around = stack - middle[:, None]
     normals = np.cross(around, np.roll(around, -1, axis=1)).sum(axis=1)
@@ -174,9 +174,10 @@ def _ring_planes(stack: Array) -> Array:
 
 
 def _link(rings: Array, first: Array, last: Array) -> Convex:
-    """Return the hull of rings in a row.
+    """Return the hull of consecutive rings.
 
-    All points of two flat rings are its corners if each ring is a face of it, as they are but in tight bends.
+    If both end rings are flat and faces of the hull, all their points are corners; only tight bends violate
+    this.
     """
     count = rings.shape[1]
     if len(rings) == 2 and 4 < count <= _MOST_PRISM_VERTICES // 2:
@@ -200,7 +201,7 @@ def _straight_runs(stack: Array, tolerance: float) -> list[tuple[int, int]]:
 
 
 def _is_straight(rings: Array, tolerance: float) -> bool:
-    """Tell whether the points of the rings stay near the lines between the first ring and the last."""
+    """Tell whether the points of rings stay near the lines between the first and the last ring."""
     line = rings[-1] - rings[0]
     square = np.maximum(np.sum(line * line, axis=1), 1e-30)
     middle = rings[1:-1] - rings[0]
@@ -210,10 +211,10 @@ def _is_straight(rings: Array, tolerance: float) -> bool:
 
 
 def _inner_link(first: Array, last: Array) -> Polytope | None:
-    """Return a polytope within the mesh between two rings.
+    """Return a polytope inside the mesh between two rings.
 
-    Where the sides of the mesh are not flat their diagonals may dip below the hull: it is drawn in by the
-    dip, but not at its ends, so that a row of links has no walls in between.
+    Diagonals of sides that are not flat may lie below the hull: the polytope is smaller by this dip, except
+    at its ends, so that consecutive links have no walls between them.
     """
     hull = Polytope.hull(np.concatenate((first, last)))
     near, far = successors(first), successors(last)

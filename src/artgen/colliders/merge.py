@@ -1,4 +1,4 @@
-"""Join convex pieces: where nothing is added always, where little is added to meet a budget."""
+"""Joining of convex pieces: always if it adds no volume, and with little volume to meet a budget."""
 
 import heapq
 from collections.abc import Sequence
@@ -11,15 +11,15 @@ from artgen.colliders.convex import Convex
 from artgen.colliders.polytope import Polytope
 from artgen.colliders.split import Facetted, subtract
 
-_SAME = 1e-7  # [m]: faces that meet nearer than this are one face seen from both sides
+_SAME = 1e-7  # faces nearer than this are one face seen from both sides [m]
 _DIRECTION = np.array([0.5364, 0.6312, 0.5603])  # a direction that no construction prefers
 
 
 def joined(pieces: Sequence[Convex], most_vertices: int) -> list[Convex]:
-    """Drop pieces within others and join pairs whose hull adds nothing.
+    """Drop pieces inside others and join pairs whose hull adds no volume.
 
-    Two pieces that meet in one whole face of both, each behind the other faces of the other, are one convex
-    solid; the largest faces are tried first.
+    Two pieces with one common whole face, each behind the other faces of the other, form one convex solid;
+    the largest faces are tried first.
     """
     rest = _outermost(pieces)
     while True:
@@ -44,7 +44,7 @@ def _hull(first: Polytope, second: Polytope, most_vertices: int) -> Polytope | N
 
 
 def _outermost(pieces: Sequence[Convex]) -> list[Convex]:
-    """Return the pieces that do not lie within another one; of equal ones the first."""
+    """Return the pieces that do not lie inside another piece; of equal pieces the first."""
     if len(pieces) < 2:
         return list(pieces)
     boxes = np.array([piece.bounds() for piece in pieces])
@@ -62,9 +62,9 @@ def _outermost(pieces: Sequence[Convex]) -> list[Convex]:
 
 
 def _meeting(pieces: Sequence[Convex], most_vertices: int) -> list[tuple[int, int]]:
-    """Return the pairs that join without adding anything, those with the largest common face first.
+    """Return the pairs that join without added volume, those with the largest common face first.
 
-    Hulls of which the faces are not known have far more vertices than a joined one may have.
+    Hulls without known faces have far more vertices than a joined piece may have.
     """
     flat = [
         index
@@ -96,7 +96,7 @@ def _meeting(pieces: Sequence[Convex], most_vertices: int) -> list[tuple[int, in
             first, second = int(owner[one]), int(owner[two])
             corners = 2 * np.count_nonzero(shapes[first].contact[:, face[one]])
             if len(shapes[first].points) + len(shapes[second].points) - corners > most_vertices:
-                continue  # only those of the common face may vanish
+                continue  # only edges of the common face may vanish
             if _behind(shapes[first], shapes[second], face[one]) and _behind(
                 shapes[second], shapes[first], face[two]
             ):
@@ -113,16 +113,16 @@ def _behind(shape: Polytope, other: Polytope, common: int) -> bool:
 def condensed(
     groups: Sequence[Sequence[Convex]], most_pieces: int, most_vertices: int, margin: float
 ) -> list[list[Convex]]:
-    """Join pairs within each group, least added volume first, until all groups together meet the budget.
+    """Join pairs within each group, smallest added volume first, until all groups together meet the budget.
 
-    A pair is joined only if all of its hull is within about `margin` [m] of the group's pieces, so a cavity
-    that is wider than that stays open. The result may still be over the budget.
+    A pair is joined only if its hull is within about `margin` [m] of the group's pieces, so wider cavities
+    stay open. The result may still exceed the budget.
     """
     return _Condenser(groups, most_vertices, margin).run(most_pieces)
 
 
 class _Condenser:
-    """Pieces that are being joined, and the pairs that may be next."""
+    """Pieces that are joined step by step, with a queue of pairs."""
 
     def __init__(self, groups: Sequence[Sequence[Convex]], most_vertices: int, margin: float) -> None:
         self._most_vertices = most_vertices
@@ -152,7 +152,7 @@ class _Condenser:
         return result
 
     def _add(self, group: int, piece: Convex) -> None:
-        """Add a piece, and its pairs with its neighbors to the queue."""
+        """Add a piece, and the pairs with its neighbors to the queue."""
         number, self._next = self._next, self._next + 1
         box = piece.bounds()
         for other, (its_group, neighbor) in self._alive.items():
@@ -180,5 +180,5 @@ class _Condenser:
 
 
 def _overlap(first: Array, second: Array, margin: float) -> bool:
-    """Tell whether two bounding boxes come as near as the margin [m]."""
+    """Tell whether two bounding boxes are within the margin [m] of each other."""
     return bool((first[0] <= second[1] + margin).all() and (second[0] <= first[1] + margin).all())

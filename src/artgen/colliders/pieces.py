@@ -1,4 +1,4 @@
-"""Lazily evaluated convex covers of solids, combined as the solids are."""
+"""Lazily evaluated convex covers of solids, combined like the solids."""
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Sequence
@@ -14,11 +14,11 @@ from artgen.colliders.split import Facetted, intersect, subtract
 
 Cover = tuple[Convex, ...]
 
-_MANY = 10**9  # more vertices than any piece has
+_MANY = 10**9  # more than the vertices of any piece
 
 
 class Pieces(ABC):
-    """A convex cover of one solid, evaluated when asked for and kept for each tolerance."""
+    """A convex cover of one solid, computed on first access and cached for each tolerance."""
 
     def __init__(self) -> None:
         self._known: dict[tuple[str, float, int], Cover] = {}
@@ -27,7 +27,7 @@ class Pieces(ABC):
         """Return pieces whose union contains the solid.
 
         Args:
-            tolerance: How far the pieces may exceed the solid where it is round [m].
+            tolerance: Largest distance of the pieces from round solids [m].
 
         Raises:
             ValueError: The tolerance is not positive.
@@ -35,10 +35,10 @@ class Pieces(ABC):
         return self._remembered(("outer", tolerance, 0), self._outer)
 
     def inner(self, tolerance: float) -> Cover:
-        """Return pieces whose union the solid contains.
+        """Return pieces inside the solid.
 
         Args:
-            tolerance: How far the pieces may fall short of the solid where it is round [m].
+            tolerance: Largest distance of the pieces from round solids [m].
 
         Raises:
             ValueError: The tolerance is not positive.
@@ -46,7 +46,7 @@ class Pieces(ABC):
         return self._remembered(("inner", tolerance, 0), self._inner)
 
     def simplified(self, tolerance: float, most_vertices: int = 64) -> Cover:
-        """Return the outer pieces joined where that adds nothing, none with more vertices than allowed."""
+        """Return the outer pieces, joined where that adds no volume, with a limit of vertices."""
         return self._remembered(
             ("simplified", tolerance, most_vertices), lambda limit: self._simplified(limit, most_vertices)
         )
@@ -64,7 +64,7 @@ class Pieces(ABC):
 
     @abstractmethod
     def _inner(self, tolerance: float) -> Cover:
-        """Compute the pieces that the solid contains."""
+        """Compute the pieces inside the solid."""
 
     def _remembered(self, key: tuple[str, float, int], compute: Callable[[float], Cover]) -> Cover:
         tolerance = key[1]
@@ -80,7 +80,7 @@ class Pieces(ABC):
 
 
 class Exact(Pieces):
-    """Pieces that are the very solid.
+    """Pieces that equal the solid.
 
     Args:
         convexes: The pieces.
@@ -98,11 +98,11 @@ class Exact(Pieces):
 
 
 class Bounded(Pieces):
-    """Pieces that two functions of the tolerance compute.
+    """Pieces computed by two functions of the tolerance.
 
     Args:
-        outer: Computes pieces that contain the solid; the `outer` of other pieces will do.
-        inner: Computes pieces that the solid contains.
+        outer: Function for the pieces that contain the solid, such as the `outer` of other pieces.
+        inner: Function for the pieces inside the solid.
     """
 
     def __init__(self, outer: Callable[[float], Cover], inner: Callable[[float], Cover]) -> None:
@@ -201,7 +201,7 @@ def union(*pieces: Pieces) -> Pieces:
 
 
 def difference(solid: Pieces, cutter: Pieces) -> Pieces:
-    """Return the cover of a solid without a cutter; exact where the cutter's pieces are."""
+    """Return the cover of a solid without a cutter; exact if the cutter's pieces are."""
     return _Difference(solid, cutter)
 
 

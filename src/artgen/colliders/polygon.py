@@ -9,22 +9,22 @@ from numpy.typing import NDArray
 from artgen._arrays import Array, predecessors, successors
 from artgen.colliders.polytope import SNAP
 
-_DIGITS = 12  # of metres: the last ones, in which machines differ, decide about no ties
+_DIGITS = 12  # tolerance of ties, which the last digits must not decide [m]
 
-_LEAST_SIDES = 4  # a thinned hole keeps so many sides, lest it vanish
-_FLAT = 1e-9  # relative: a corner that turns less is no corner
+_LEAST_SIDES = 4  # least sides of a thinned hole, which must not vanish
+_FLAT = 1e-9  # relative turn below which a corner is straight
 
 
 def decompose_polygon(contours: Sequence[Array], tolerance: float, *, inner: bool = False) -> list[Array]:
-    """Cover a region by few convex polygons.
+    """Cover a plane region by few convex polygons.
 
-    The polygons contain the region and exceed it by the tolerance at most, where concave arcs are followed by
-    fewer sides; or, `inner`, they lie within it and convex arcs are.
+    The polygons contain the region and exceed it by at most the tolerance, where fewer sides follow concave
+    arcs. With `inner`, they lie inside the region, and fewer sides follow convex arcs.
 
     Args:
         contours: Outer borders counter-clockwise and holes clockwise, each shape (n, 2) [m].
-        tolerance: How far the polygons may differ from the region [m].
-        inner: Whether the region must contain the polygons, instead of they it.
+        tolerance: Largest distance between the polygons and the region [m].
+        inner: Whether the region must contain the polygons, instead of the reverse.
 
     Returns:
         Counter-clockwise polygons, each shape (k, 2) [m].
@@ -43,7 +43,7 @@ def decompose_polygon(contours: Sequence[Array], tolerance: float, *, inner: boo
         border, hole = sorted(thinned, key=signed_area, reverse=True)
         if is_convex(border) and is_convex(hole[::-1]) and _inside(border, hole):
             return _ring_sectors(border, hole[::-1])
-    # Chords may have run into another contour; the fill rule puts that right.
+    # chords may have crossed another contour; the fill rule resolves this
     region = CrossSection(thinned, FillRule.Positive).to_polygons()
     return _merged_triangles([np.asarray(loop, np.float64) for loop in region]) if region else []
 
@@ -62,7 +62,7 @@ def is_convex(contour: Array) -> bool:
         return False
     angle = np.arctan2(sides[:, 1], sides[:, 0])
     turn = np.mod(np.diff(angle, append=angle[:1]) + np.pi, 2.0 * np.pi) - np.pi
-    return bool(abs(turn.sum() - 2.0 * np.pi) < 1.0)  # goes around once
+    return bool(abs(turn.sum() - 2.0 * np.pi) < 1.0)  # turns once
 
 
 def convex_hull(points: Array) -> Array:
@@ -102,7 +102,7 @@ def _cleaned(contour: Array) -> Array:
         after = successors(contour) - contour
         length = np.hypot(before[:, 0], before[:, 1]) * np.hypot(after[:, 0], after[:, 1])
         straight = np.abs(_turns(contour)) <= _FLAT * length
-        straight &= ~predecessors(straight)  # not two in a row: they are judged again
+        straight &= ~predecessors(straight)  # not two in a row: they are examined again
         if not straight.any():
             break
         contour = contour[~straight]
@@ -110,7 +110,7 @@ def _cleaned(contour: Array) -> Array:
 
 
 def _thinned(contour: Array, tolerance: float, sign: float) -> Array:
-    """Drop vertices that turn by `sign` where the chord stays within the tolerance of the contour."""
+    """Drop vertices that turn by `sign` if the chord stays within the tolerance of the contour."""
     turning = sign * _turns(contour) > 0.0
     if not turning.any():
         return contour
@@ -133,7 +133,7 @@ def _thinned(contour: Array, tolerance: float, sign: float) -> Array:
 
 
 def _even_steps(contour: Array, order: NDArray[np.int64], tolerance: float) -> Array | None:
-    """Return a contour that turns one way only with every so many vertices, if that can be done evenly."""
+    """Return every k-th vertex of a contour that turns in one direction only, if that divides evenly."""
     count = len(contour)
     step = 1
     while step < count // _LEAST_SIDES and _near_chord(contour[order[: step + 2]], tolerance):
@@ -148,7 +148,7 @@ def _even_steps(contour: Array, order: NDArray[np.int64], tolerance: float) -> A
 
 
 def _near_chord(run: Array, tolerance: float) -> bool:
-    """Tell whether the vertices of a run stay within the tolerance of the chord between its ends."""
+    """Tell whether consecutive vertices stay within the tolerance of the chord between the ends."""
     if len(run) <= 2:
         return True
     chord = run[-1] - run[0]
@@ -169,7 +169,7 @@ def _inside(border: Array, hole: Array) -> bool:
 
 
 def _ring_sectors(border: Array, hole: Array) -> list[Array]:
-    """Cut the region between a convex border and a convex hole to one sector for each side of the hole."""
+    """Cut the region between a convex border and a convex hole into one sector per side of the hole."""
     center = hole.mean(axis=0)
     sectors: list[Array] = []
     for start, end in zip(hole, successors(hole), strict=True):
@@ -195,7 +195,7 @@ def _clipped(polygon: Array, point: Array, direction: Array, *, right: bool) -> 
 
 
 def _merged_triangles(contours: Sequence[Array]) -> list[Array]:
-    """Triangulate a region and join the triangles across diagonals, longest first, while convex."""
+    """Triangulate a region and join triangles across diagonals, longest first, while they stay convex."""
     contours = [np.round(contour, _DIGITS) for contour in contours]
     points = np.concatenate(contours)
     triangles = np.asarray(triangulate(contours)).astype(np.int64)
@@ -229,7 +229,7 @@ def _merged_triangles(contours: Sequence[Array]) -> list[Array]:
 
 
 def _spliced(first: list[int], second: list[int], start: int, end: int) -> list[int]:
-    """Join two loops at the side that runs from start to end in the first and back in the second."""
+    """Join two loops at the side that runs from start to end in the first and in reverse in the second."""
     at = first.index(end)
     turned = first[at:] + first[:at]  # end ... start
     at = second.index(start)

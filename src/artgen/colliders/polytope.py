@@ -1,9 +1,9 @@
-"""Convex polytopes with their faces, cut by planes without a hull in between.
+"""Convex polytopes with faces; plane cuts need no new hull.
 
-A polytope keeps its vertices, its face planes and which vertex lies on which face. Two vertices that share
-two faces are the ends of an edge, so a cut needs no search for topology: new vertices lie on the crossing
-edges and inherit the faces of their edge. Face planes are inherited and never refitted, so a long row of cuts
-does not drift.
+A polytope keeps its vertices, its face planes and the faces of each vertex. Two vertices with two common
+faces are the ends of an edge, so a cut needs no search for topology: new vertices lie on the crossing edges
+and inherit the faces of their edge. Face planes are inherited and never fitted again, so a long sequence of
+cuts does not drift.
 """
 
 from dataclasses import dataclass
@@ -17,14 +17,14 @@ from artgen._arrays import Array, FrozenArrays, Indices, Mask, cached_property, 
 from artgen.colliders.triangles import cross, hull_of, triangles_of
 
 SNAP = 1e-9
-"""A vertex closer to a cutting plane than this lies on it [m]."""
+"""A vertex nearer to a cutting plane than this lies on it [m]."""
 
 SLIVER = 1e-6
 """Pieces thinner than this are dropped [m]."""
 
-_COPLANAR = 1e-8  # [m]: hull points closer than this to a face lie on it
+_COPLANAR = 1e-8  # hull points nearer to a face than this lie on it [m]
 
-_RIGID = 1e-12  # error of lengths within which a motion is rigid
+_RIGID = 1e-12  # tolerance of lengths in a rigid motion
 _UNIT = np.eye(3)
 _BOX_SIGNS = np.array([[x, y, z] for x in (-0.5, 0.5) for y in (-0.5, 0.5) for z in (-0.5, 0.5)])
 _BOX_NORMALS = np.array(
@@ -82,7 +82,7 @@ class Polytope(FrozenArrays):
 
     @classmethod
     def hull(cls, points: Array) -> Self:
-        """Make the convex hull of points, shape (n, 3) [m], without the redundant ones.
+        """Make the convex hull of points, shape (n, 3) [m], without redundant points.
 
         Raises:
             ValueError: The points are fewer than four, not finite, or lie in one plane.
@@ -130,13 +130,13 @@ class Polytope(FrozenArrays):
 
     @cached_property
     def width(self) -> float:
-        """The least thickness measured square to a face [m]."""
+        """The least thickness perpendicular to a face [m]."""
         reach = self.planes[:, :3] @ self.points.T
         return float((self.planes[:, 3] - reach.min(axis=1)).min())
 
     @cached_property
     def _shares(self) -> NDArray[np.float32]:
-        """The contacts as numbers, whose products count what two vertices share."""
+        """The contacts as numbers: products count the common faces of two vertices."""
         return self.contact.astype(np.float32)
 
     def manifold(self) -> Manifold:
@@ -144,7 +144,7 @@ class Polytope(FrozenArrays):
         return hull_of(self.points)
 
     def heights(self, planes: Array) -> Array:
-        """Return how far each vertex lies outside each plane, shape (k, n) [m]."""
+        """Return the height of each vertex above each plane, shape (k, n) [m]."""
         distances: Array = planes[:, :3] @ self.points.T - planes[:, 3:]
         return distances
 
@@ -163,7 +163,7 @@ class Polytope(FrozenArrays):
         return Polytope(self.points @ linear.T + shift, planes, self.contact)
 
     def split(self, plane: Array) -> tuple["Polytope | None", "Polytope | None"]:
-        """Return the parts behind and before a plane (nx, ny, nz, d); None for a part without volume."""
+        """Return the parts behind and in front of a plane (nx, ny, nz, d); None for a part without volume."""
         height = self.points @ plane[:3] - plane[3]
         if height.max() <= SNAP:
             return self, None
@@ -184,7 +184,7 @@ class Polytope(FrozenArrays):
         )
 
     def _part(self, kept: Mask, on: Mask, fresh: Array, fresh_contact: Mask, plane: Array) -> "Polytope":
-        """Assemble one side of a cut from the kept and the fresh vertices."""
+        """Assemble one side of a cut from the remaining and the new vertices."""
         old = self.contact[kept]
         count = len(old)
         contact = np.ones((count + len(fresh), len(self.planes) + 1), dtype=bool)
@@ -197,7 +197,7 @@ class Polytope(FrozenArrays):
         return Polytope(np.concatenate((self.points[kept], fresh)), planes[face], contact[:, face])
 
     def clipped(self, planes: Array) -> "Polytope | None":
-        """Return the part behind all planes, shape (k, 4), or None where nothing thicker than a sliver is."""
+        """Return the part behind all planes, shape (k, 4), or None if it is thinner than a sliver."""
         part = self
         for plane in planes[(self.heights(planes) > SNAP).any(axis=1)]:
             inside = part.split(plane)[0]
@@ -207,10 +207,9 @@ class Polytope(FrozenArrays):
         return part if part is self or part.width >= SLIVER else None
 
     def inflated(self, margin: float) -> "Polytope":
-        """Return a polytope that holds all points within about `margin` [m] of this one.
+        """Return a polytope that contains all points within about `margin` [m] of this one.
 
-        Each face moves outward by the margin; a plane at each vertex and at each sharp edge keeps them from
-        growing spikes.
+        Each face moves outward by the margin; a plane at each vertex and at each sharp edge prevents spikes.
         """
         touching = self.contact.astype(np.float64)
         normals = self.planes[:, :3]
@@ -235,8 +234,8 @@ def hull_triangles(points: Array) -> tuple[Array, Indices, Array]:
     """Return the convex hull of points, shape (n, 3) [m], as a mesh.
 
     Returns:
-        Vertices from the middle of the bounding box, shape (k, 3) [m]; vertex indices of the triangles, shape
-        (m, 3); the middle, shape (3,) [m].
+        Vertices relative to the center of the bounding box, shape (k, 3) [m]; vertex indices of the
+        triangles, shape (m, 3); the center, shape (3,) [m].
 
     Raises:
         ValueError: The points are fewer than four, not finite, or lie in one plane.
@@ -259,21 +258,21 @@ def is_rigid(linear: Array) -> bool:
 
 
 def _faces(vertices: Array, triangles: Indices) -> tuple[Array, Mask]:
-    """Join the coplanar triangles of a hull to faces: their planes and vertex contacts."""
+    """Join coplanar triangles of a hull to faces: their planes and vertex contacts."""
     corners = vertices[triangles]
     first, second = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
     normals = cross(first, second)
     area = np.einsum("ij,ij->i", normals, normals)
     longest = np.maximum(np.einsum("ij,ij->i", first, first), np.einsum("ij,ij->i", second, second))
     order = np.argsort(-area, kind="stable")
-    order = order[area[order] > _COPLANAR**2 * longest[order]]  # the normal of a needle means nothing
+    order = order[area[order] > _COPLANAR**2 * longest[order]]  # degenerate triangles have no valid normal
     normals = normals[order] / np.sqrt(area[order])[:, None]
     reach = normals @ vertices.T
     offset = reach.max(axis=1)
     touching = reach >= offset[:, None] - _COPLANAR
     count = np.add.reduce(touching, axis=1, dtype=np.int64)
     large = np.flatnonzero(count > 3)
-    if len(large):  # one row for each face, the largest triangle's, with all of its vertices
+    if len(large):  # one row per face: the plane of the largest triangle, with all vertices of the face
         bits = np.zeros((len(count), -(-len(vertices) // 64) * 8), np.uint8)
         packed = np.packbits(touching, axis=1)
         bits[:, : packed.shape[1]] = packed

@@ -1,4 +1,4 @@
-"""Convex pieces of turned solids."""
+"""Convex pieces of revolved solids."""
 
 from collections.abc import Sequence
 from itertools import pairwise
@@ -12,9 +12,9 @@ from artgen.colliders.polygon import convex_hull, signed_area
 from artgen.colliders.polytope import SLIVER, SNAP
 
 _IDENTITY = np.eye(4)
-_EXACT = 1e-9  # [m]: tolerance of parts that must lie within the solid
-_LEVEL = 1e-9  # slope from which a side of a profile faces the axis, or away from it
-_WIDEST = np.pi / 2.0  # [rad] of a hollow sector, at most
+_EXACT = 1e-9  # tolerance of parts that must lie inside the solid [m]
+_LEVEL = 1e-9  # slope above which a side of a profile faces the axis, or away from it
+_WIDEST = np.pi / 2.0  # largest angle of a hollow sector [rad]
 
 Span = tuple[float, float]
 Slab = tuple[Span, Span, Span]  # z, then r at the lower and at the upper end
@@ -27,7 +27,7 @@ def revolve_pieces(
     mesh_segments: int = 32,
     pose: Array = _IDENTITY,
 ) -> Pieces:
-    """Return the cover of a profile turned about z.
+    """Return the cover of a profile revolved about z.
 
     The mesh has its vertices at `r (cos a, sin a)` for `mesh_segments` equal steps of a from `start`.
 
@@ -35,8 +35,8 @@ def revolve_pieces(
         contours: Profile in (r, z), r >= 0: outer borders counter-clockwise, holes clockwise, each
             shape (n, 2) [m].
         start: Angle at which the mesh begins [rad].
-        angle: Angle that it spans, 0 to 2 pi [rad].
-        mesh_segments: Facets of the mesh around the axis.
+        angle: Angle of the revolution, 0 to 2 pi [rad].
+        mesh_segments: Number of facets of the mesh around the axis.
         pose: Rigid transform, shape (4, 4).
 
     Raises:
@@ -58,7 +58,7 @@ def revolve_pieces(
 
 
 class _Lathe:
-    """A turned profile."""
+    """A revolved profile."""
 
     def __init__(self, loops: list[Array], start: float, angle: float, segments: int, pose: Array) -> None:
         self._slabs = _slabs(loops)
@@ -74,7 +74,7 @@ class _Lathe:
         return tuple(piece for part in parts for piece in self._turned(part, tolerance))
 
     def inner(self, tolerance: float) -> Cover:
-        """Return pieces that the mesh contains."""
+        """Return pieces inside the mesh."""
         pieces: list[Convex] = []
         for part in _profile_parts(self._slabs, _EXACT):
             if self._full and _is_solid(part):
@@ -89,7 +89,7 @@ class _Lathe:
         return tuple(pieces)
 
     def _turned(self, part: Array, tolerance: float) -> list[Convex]:
-        """Return pieces around a turned convex part of the profile."""
+        """Return pieces around a revolved convex part of the profile."""
         solid = _is_solid(part)
         if solid and self._full:
             return [self._cylinder(part) or self._hull(part, self._angles[:-1])]
@@ -102,7 +102,7 @@ class _Lathe:
         return [self._hull(part, self._angles[here : there + 1]) for here, there in pairwise(ends)]
 
     def _step(self, radius: float, tolerance: float) -> int:
-        """Return how many facets a chord at a radius may replace."""
+        """Return the number of facets that a chord at a radius may replace."""
         half = self._angle / self._segments / 2.0
         step = 1
         while (step + 1) * 2.0 * half <= _WIDEST and radius * (1.0 - np.cos((step + 1) * half)) <= tolerance:
@@ -119,7 +119,7 @@ class _Lathe:
         return Convex.hull(points.reshape(-1, 3) @ self._pose[:3, :3].T + self._pose[:3, 3])
 
     def _cylinder(self, part: Array) -> Convex | None:
-        """Return a part as a cylinder if it is one."""
+        """Return a part as a cylinder if possible."""
         radius = float(part[:, 0].max())
         bottom, top = float(part[:, 1].min()), float(part[:, 1].max())
         area = radius * (top - bottom)
@@ -131,7 +131,7 @@ class _Lathe:
 
 
 def _is_solid(part: Array) -> bool:
-    """Tell whether the full turn of a convex part is convex: it and its mirror image are one."""
+    """Tell whether the full revolution of a convex part is convex."""
     if part[:, 0].min() > SNAP:
         return False
     both = convex_hull(np.concatenate((part, part * (-1.0, 1.0))))
@@ -140,14 +140,14 @@ def _is_solid(part: Array) -> bool:
 
 
 def _bore_radius(part: Array) -> float:
-    """Return the greatest radius of the side of a convex part that faces the axis [m]."""
+    """Return the largest radius of the side of a convex part that faces the axis [m]."""
     low, high = part[:, 1].min(), part[:, 1].max()
     ends = [float(part[np.abs(part[:, 1] - level) <= SNAP, 0].min()) for level in (low, high)]
     return max(ends)
 
 
 def _slabs(loops: Sequence[Array]) -> list[list[Slab]]:
-    """Cut a profile at the heights of its vertices: the trapezoids of each slab, from the axis outward."""
+    """Cut a profile at the heights of its vertices into trapezoids of each slab, from the axis outward."""
     edges = [(loop[i - 1], loop[i]) for loop in loops for i in range(len(loop))]
     levels: list[float] = []
     for level in sorted({float(z) for loop in loops for z in loop[:, 1]}):
@@ -173,7 +173,7 @@ def _slabs(loops: Sequence[Array]) -> list[list[Slab]]:
 
 
 def _profile_parts(slabs: Sequence[Sequence[Slab]], tolerance: float) -> list[Array]:
-    """Join trapezoids that lie on each other while their hull exceeds them by the tolerance at most."""
+    """Join stacked trapezoids while their hull exceeds them by at most the tolerance."""
     stacks: list[list[Slab]] = []
     growing: list[list[Slab]] = []
     for slab in slabs:
@@ -192,7 +192,7 @@ def _profile_parts(slabs: Sequence[Sequence[Slab]], tolerance: float) -> list[Ar
 
 
 def _continues(below: Slab, above: Slab) -> bool:
-    """Tell whether a trapezoid stands on all of another one's upper end."""
+    """Tell whether a trapezoid covers the whole upper end of another one."""
     return (
         abs(below[0][1] - above[0][0]) <= SNAP
         and abs(below[2][0] - above[1][0]) <= SNAP
@@ -201,10 +201,10 @@ def _continues(below: Slab, above: Slab) -> bool:
 
 
 def _nearly_convex(stack: Sequence[Slab], tolerance: float) -> bool:
-    """Tell whether the hull of stacked trapezoids exceeds each of their sides by the tolerance at most.
+    """Tell whether the hull of stacked trapezoids exceeds each of their sides by at most the tolerance.
 
-    The side towards the axis and the outer one are held against the hull's own sides that face there: a thin
-    wall is near to all of the hull's, however far that stands off across a hollow.
+    The side towards the axis and the outer side are compared with the hull's sides in the same direction: a
+    thin wall is near to all sides of the hull, even across a hollow.
     """
     hollow = any(radius > SNAP for _, *ends in stack for radius, _ in ends)
     corners = _corners(stack)
@@ -218,13 +218,13 @@ def _nearly_convex(stack: Sequence[Slab], tolerance: float) -> bool:
 
 
 def _stands_off(hull: Array, chain: Array, facing: float) -> float:
-    """Return how far a convex polygon's sides that face one way along r stand off points within it [m]."""
+    """Return the distance of a convex polygon's sides in one direction of r from points inside [m]."""
     sides = successors(hull) - hull
     normals = np.column_stack((sides[:, 1], -sides[:, 0])) / np.hypot(sides[:, 0], sides[:, 1])[:, None]
     towards = normals[:, 0] * facing > _LEVEL
     normals, hull = normals[towards], hull[towards]
     away = np.sum(normals * hull, axis=1) - chain @ normals.T
-    across = np.argmin(away / np.abs(normals[:, 0]), axis=1)  # the side at the point's height
+    across = np.argmin(away / np.abs(normals[:, 0]), axis=1)  # side at the height of the point
     return float(away[np.arange(len(chain)), across].max())
 
 

@@ -1,4 +1,4 @@
-"""Cut convex pieces by convex pieces: differences and intersections that stay exact."""
+"""Exact differences and intersections of convex pieces."""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
@@ -10,20 +10,20 @@ from artgen.colliders.convex import Convex
 from artgen.colliders.enclose import few_vertices
 from artgen.colliders.polytope import SLIVER, SNAP, Polytope
 
-_MANY = 128  # vertices of a piece beyond which it is enclosed in simpler ones before it is cut
-_FEW = 64  # vertices of these
-_PARALLEL = 1e-12  # 1 - cosine below which a plane is square to a cylinder's axis
+_MANY = 128  # pieces with more vertices are enclosed in simpler ones before a cut
+_FEW = 64  # vertices of these simpler pieces
+_PARALLEL = 1e-12  # 1 - cosine below which a plane is perpendicular to a cylinder's axis
 
 
 @dataclass(frozen=True, eq=False)
 class Facetted:
-    """A piece beside the polytope that stands in for it when it is cut, which is made when it is asked for.
+    """A piece with the polytope that replaces it in cuts, computed on first access.
 
     Attributes:
-        kept: The piece as it was made, where it is known.
-        known: The polytope, where it is known.
-        tolerance: How far the polytope of a round piece may be off [m].
-        inside: Whether that is within the piece instead of around it.
+        kept: The original piece, if it is known.
+        known: The polytope, if it is known.
+        tolerance: Largest distance of the polytope from a round piece [m].
+        inside: Whether the polytope is inside the piece instead of around it.
     """
 
     kept: Convex | None = None
@@ -58,11 +58,11 @@ class Facetted:
 
     @property
     def is_large(self) -> bool:
-        """Whether it takes long to cut the piece, which may be replaced by simpler ones around it."""
+        """Whether a cut of the piece takes long; simpler pieces around it may replace it."""
         return self.kept is not None and not self.inside and len(self.kept.points) > _MANY
 
     def simpler(self) -> list["Facetted"]:
-        """Return pieces of few vertices around the piece."""
+        """Return pieces with few vertices around the piece."""
         assert self.kept is not None
         return [Facetted.around(few, self.tolerance) for few in few_vertices(self.kept, _FEW, self.tolerance)]
 
@@ -72,7 +72,7 @@ class Facetted:
 
 
 def subtract(pieces: Sequence[Facetted], cutters: Iterable[Facetted]) -> list[Facetted]:
-    """Return the pieces without the cutters: each cut piece in few convex parts, the others as they were."""
+    """Return the pieces without the cutters: cut pieces as few convex parts, the others unchanged."""
     rest = list(pieces)
     for cutter in cutters:
         touched = _near(rest, cutter.bounds)
@@ -104,7 +104,7 @@ def intersect(pieces: Sequence[Facetted], others: Sequence[Facetted]) -> list[Fa
 
 
 def _near(pieces: Sequence[Facetted], bounds: Array) -> list[bool]:
-    """Tell which pieces have a bounding box that reaches into the given one."""
+    """Tell which pieces have a bounding box that overlaps a given one."""
     if not pieces:
         return []
     boxes = np.array([piece.bounds for piece in pieces])
@@ -114,9 +114,9 @@ def _near(pieces: Sequence[Facetted], bounds: Array) -> list[bool]:
 
 
 def _without(piece: Facetted, cutter: Polytope) -> list[Facetted] | None:
-    """Return the parts of a piece outside a cutter, or None if the two share no volume.
+    """Return the parts of a piece outside a cutter, or None if they have no common volume.
 
-    The plane beyond which most of the rest lies cuts first: large parts come off whole, and only the
+    The plane with the largest remaining part cuts first: large parts are separated whole, and only the
     neighborhood of the cutter is cut into small ones.
     """
     if (cutter.heights(piece.shape.planes).min(axis=1) >= -SLIVER).any():
@@ -160,7 +160,7 @@ def _common(piece: Facetted, other: Facetted) -> Facetted | None:
 
 
 def _split(piece: Facetted, plane: Array) -> tuple[Facetted | None, Facetted | None]:
-    """Split a piece by a plane; a cylinder cut square to its axis leaves cylinders."""
+    """Split a piece by a plane; a cut perpendicular to a cylinder's axis gives cylinders."""
     inside, outside = piece.shape.split(plane)
     if inside is piece.shape:
         return piece, None
@@ -178,7 +178,7 @@ def _split(piece: Facetted, plane: Array) -> tuple[Facetted | None, Facetted | N
 
 
 def _shortened(cylinder: Convex, shape: Polytope) -> Facetted:
-    """Return the part of a cylinder between the ends of its facetted part."""
+    """Return the part of a cylinder between the ends of its faceted part."""
     axis = cylinder.pose[:3, 2]
     along = (shape.points - cylinder.pose[:3, 3]) @ axis
     lower, upper = float(along.min()), float(along.max())

@@ -7,14 +7,14 @@ from artgen._arrays import Array, Indices
 
 _NEXT, _AFTER = np.array([1, 2, 0]), np.array([2, 0, 1])
 
-_NEEDLE = 1e-7  # [m]: height of a triangle below which it is a needle
-_MANY = 2000  # triangles below which manifold3d works in one thread
+_NEEDLE = 1e-7  # height below which a triangle is degenerate [m]
+_MANY = 2000  # number of triangles below which manifold3d uses one thread
 
 
 def triangles_of(mesh: Mesh64) -> Indices:
-    """Return the triangles of a convex hull as vertex indices, shape (m, 3), always in one order.
+    """Return the triangles of a convex hull as vertex indices, shape (m, 3), in a fixed order.
 
-    Of large hulls it makes the triangles in several threads, one of which may be ahead of another.
+    manifold3d makes the triangles of large hulls in several threads, in a varying order.
     """
     triangles = np.asarray(mesh.tri_verts).astype(np.int64)
     if len(triangles) < _MANY:
@@ -31,22 +31,22 @@ def cross(first: Array, second: Array) -> Array:
 
 
 def across(corners: Array) -> tuple[Array, Array]:
-    """Return normals as long as triangles' doubled areas, and these, of corners, shape (m, 3, 3)."""
+    """Return normals with twice the area as length, and these areas, of corners, shape (m, 3, 3)."""
     normals = cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     return normals, np.sqrt(np.sum(normals * normals, axis=1))
 
 
 def planes_of(corners: Array, normals: Array, area: Array) -> Array:
-    """Return the planes of triangles but needles as (nx, ny, nz, d), inside is `n.x <= d`, shape (k, 4).
+    """Return the planes of non-degenerate triangles as (nx, ny, nz, d), inside is `n.x <= d`, shape (k, 4).
 
     Args:
-        corners: Of the triangles, shape (m, 3, 3) [m].
-        normals: As `across` returns them.
-        area: The same.
+        corners: Corners of the triangles, shape (m, 3, 3) [m].
+        normals: Normals from `across`.
+        area: Areas from `across`.
     """
     sides = corners - np.roll(corners, 1, axis=1)
     longest = np.sqrt(np.sum(sides * sides, axis=2)).max(axis=1)
-    sound = area > _NEEDLE * longest  # the normal of a needle means nothing
+    sound = area > _NEEDLE * longest  # degenerate triangles have no valid normal
     planes = np.empty((np.count_nonzero(sound), 4))
     planes[:, :3] = normals[sound] / area[sound, None]
     planes[:, 3] = np.sum(planes[:, :3] * corners[sound, 0], axis=1)
@@ -54,14 +54,14 @@ def planes_of(corners: Array, normals: Array, area: Array) -> Array:
 
 
 _ZOOMS = (7.0, 1000.0, 0.3)
-"""At how many times their size points are tried again."""
+"""Scales at which points are tried again."""
 
-_LOST = 1e-6  # [m]: a point farther out of the hull than this was lost
-_MANY_HEIGHTS = 4_000_000  # heights above triangles beyond which it costs too much to look for lost points
+_LOST = 1e-6  # a point farther outside the hull than this was lost [m]
+_MANY_HEIGHTS = 4_000_000  # most heights above triangles for a search of lost points
 
 
 def hull_of(points: Array) -> Manifold:
-    """Return the convex hull of points, shape (n, 3) [m]; it is empty if they lie in one plane."""
+    """Return the convex hull of points, shape (n, 3) [m]; empty if they lie in one plane."""
     points = np.ascontiguousarray(points, np.float64)
     solid = Manifold.hull_points(points)
     if _has_all(solid, points):

@@ -1,6 +1,6 @@
-"""Writers: an asset as URDF, MJCF, USD and GLB files, and the one function that writes them to disk.
+"""Writers of URDF, MJCF, USD and GLB files, and the function that writes them to disk.
 
-Every writer returns the bytes of its files and a list of what its format cannot say.
+Every writer returns the bytes of its files and a list of losses of its format.
 """
 
 from artgen.export.files import export

@@ -25,7 +25,7 @@ from artgen.materials.textures.bake import Memory
 _PNG = b"\x89PNG\r\n\x1a\n"
 
 _MEMORY = Memory(64 * 2**20)
-"""Digests of the last PNG files, by their bytes: those of the library are in every other export."""
+"""Digests of recent PNG files by their bytes: many exports share the same maps."""
 
 
 def digests(files: Mapping[str, bytes]) -> dict[str, str]:
@@ -34,10 +34,9 @@ def digests(files: Mapping[str, bytes]) -> dict[str, str]:
 
 
 def digest(content: bytes) -> str:
-    """Return the SHA-256 of a file in hexadecimal digits; of a PNG file, of its unpacked pixels.
+    """Return the SHA-256 of a file in hexadecimal; for a PNG file, that of its unpacked pixels.
 
-    Machines differ in how they pack the same texels, so the bytes of a PNG file would make `asset.json`
-    differ as well.
+    Machines compress the same pixels differently, which would make `asset.json` differ as well.
     """
     if not content.startswith(_PNG):
         return hashlib.sha256(content).hexdigest()
@@ -50,7 +49,7 @@ def _of_texels(content: bytes) -> str:
 
 
 def _unpacked(content: bytes) -> bytes | None:
-    """Return the chunks of a PNG file with its texels unpacked; None where it is damaged."""
+    """Return the chunks of a PNG file with unpacked pixels; None if it is damaged."""
     head, packed, place = b"", b"", len(_PNG)
     while place + 12 <= len(content):
         length = int.from_bytes(content[place : place + 4], "big")
@@ -67,9 +66,9 @@ def _unpacked(content: bytes) -> bytes | None:
 
 
 REPORT_FILE = "report.json"
-"""What `artgen validate` says of an export, beside it; a new export makes it obsolete."""
+"""Report of `artgen validate` in an export directory; a new export removes it."""
 
-_NAME = 24  # characters of a digest that name a file in a store
+_NAME = 24  # characters of a digest in the name of a stored file
 _OWN_FILES = (ASSET_FILE, CERTIFICATE_FILE, REPORT_FILE)
 
 
@@ -85,34 +84,33 @@ def export(
 ) -> Path:
     """Write an asset to a directory: `asset.json` and the files of each format.
 
-    Everything is written beside the directory first and then put in its place, so that a failure leaves no
-    half of an asset and an earlier one untouched. Of an earlier export only those files are kept that artgen
-    did not write.
+    All files are written to a temporary directory first, which then replaces the target: a failure leaves an
+    earlier asset untouched and no partial one. Files in the target that artgen did not write are kept.
 
     Args:
         asset: The asset.
-        directory: Where to; it is made, or it is empty, or it holds an earlier export.
-        formats: What to write, of `urdf`, `mjcf`, `usd` and `glb`; by default what is usual in the layout,
-            which is all but `glb` in `flat`.
-        collision: Which colliders it carries: `exact` are those that it has; `coacd` and `hull` are made of
-            its solids, see `artgen.asset.collision.with_colliders`, and the certificate is not of them, so
-            none is written. `asset.json` records it.
-        textures: Texels on a side of the materials' maps: 256, 512, 1024 or 2048; 0 for colors alone.
-        layout: How the files lie, see `artgen.export.layouts`: `flat`, `simready`, `partnet-mobility` or
+        directory: Target directory: new, empty, or with an earlier export.
+        formats: Any of `urdf`, `mjcf`, `usd` and `glb`; by default those of the layout, which for `flat` are
+            all but `glb`.
+        collision: Kind of colliders: `exact` keeps the asset's; `coacd` and `hull` make new ones from the
+            solids, see `artgen.asset.collision.with_colliders`, without a certificate, because it does not
+            hold for them. `asset.json` records the kind.
+        textures: Texels per side of the material maps: 256, 512, 1024 or 2048; 0 for colors only.
+        layout: Layout of the files, see `artgen.export.layouts`: `flat`, `simready`, `partnet-mobility` or
             `robocasa`.
-        mesh_precision: How far what is seen may lie from what was made [m], to write fewer triangles, and
-            texture coordinates only where there are maps: 0.0005 halves the meshes and is not seen from a
-            metre; 0 writes all.
+        mesh_precision: Largest distance of visible meshes from the exact surface [m], to write fewer
+            triangles, and texture coordinates only for maps: 0.0005 halves the meshes and is invisible from
+            one metre; 0 writes all.
 
     Returns:
         The directory.
 
     Raises:
-        ExportError: A layout, format or collision is unknown, the layout has no such format, the directory
-            holds other files, or the disk refuses.
-        AssetError: The asset was read from files, which keep no solids, and other colliders or surfaces are
-            asked for.
-        ParameterError: Maps cannot have that many texels, or surfaces that precision.
+        ExportError: A layout, format or collision is unknown, the layout does not have the format, the
+            directory holds other files, or the disk reports an error.
+        AssetError: The asset was read from files, which keep no solids, but other colliders or surfaces are
+            requested.
+        ParameterError: The size of maps or the precision is not allowed.
     """
     files = encode(asset, formats, collision, textures, layout, mesh_precision)
     target = Path(os.path.realpath(directory))
@@ -140,10 +138,10 @@ def encode(
     """Return the content of every file of an export by its path relative to the directory.
 
     Raises:
-        ExportError: A layout, format or collision is unknown, or the layout has no such format.
-        AssetError: The asset was read from files, which keep no solids, and other colliders or surfaces are
-            asked for.
-        ParameterError: Maps cannot have that many texels, or surfaces that precision.
+        ExportError: A layout, format or collision is unknown, or the layout does not have the format.
+        AssetError: The asset was read from files, which keep no solids, but other colliders or surfaces are
+            requested.
+        ParameterError: The size of maps or the precision is not allowed.
     """
     if textures != 0:
         check_size(textures)
@@ -187,7 +185,7 @@ def write_files(files: Mapping[str, bytes], directory: Path, store: Path | None 
 
 @contextmanager
 def replaced(path: Path) -> Iterator[Path]:
-    """Yield where to write a file, which takes its place once it is complete; on an error nothing is left."""
+    """Yield a temporary path that replaces the file once it is complete; an error leaves nothing behind."""
     partial = path.with_name(f".{path.name}.partial")
     missing = [parent for parent in path.parents if not parent.exists()]
     try:
@@ -197,7 +195,7 @@ def replaced(path: Path) -> Iterator[Path]:
     except BaseException as error:
         with suppress(OSError):
             partial.unlink(missing_ok=True)
-            for parent in missing:  # the innermost first
+            for parent in missing:  # innermost first
                 parent.rmdir()
         if isinstance(error, OSError) and not isinstance(error, ExportError):
             raise ExportError(
@@ -207,11 +205,11 @@ def replaced(path: Path) -> Iterator[Path]:
 
 
 def _share(content: bytes, path: Path, store: Path) -> None:
-    """Write a file as a link to the one with that content in a store, which gets it if it has none."""
+    """Write a file as a hard link to equal content in a store, which gets new content."""
     kept = store / f"{hashlib.sha256(content).hexdigest()[:_NAME]}{path.suffix}"
     if not kept.exists():
         path.write_bytes(content)
-        with suppress(OSError):  # another process was faster, or the disk knows no links
+        with suppress(OSError):  # another process was faster, or the file system has no links
             os.link(path, kept)
             return
     try:
@@ -278,7 +276,7 @@ def _foreign_files(target: Path, files: Iterable[str]) -> list[str]:
 
 
 def _earlier_files(target: Path) -> set[str] | None:
-    """Return the files of the export that a directory holds, or None if it holds none."""
+    """Return the files of the export in a directory, or None if it holds no export."""
     try:
         data = json.loads((target / ASSET_FILE).read_text(encoding="utf-8"))
         if data["format"] != FORMAT:
@@ -290,7 +288,7 @@ def _earlier_files(target: Path) -> set[str] | None:
 
 
 def _replace(target: Path, files: Mapping[str, bytes], kept: Sequence[str]) -> None:
-    """Put a directory with the files, and those to be kept, in the place of the target."""
+    """Replace the target by a directory with the files and the kept files."""
     if target.exists() and (os.path.ismount(target) or target in (Path.cwd(), *Path.cwd().parents)):
         raise ExportError(
             f"cannot export to {target}: a working directory or mount cannot be replaced as a whole; choose "
@@ -301,7 +299,7 @@ def _replace(target: Path, files: Mapping[str, bytes], kept: Sequence[str]) -> N
     try:
         target.parent.mkdir(parents=True, exist_ok=True)
         if partial.exists():
-            shutil.rmtree(partial)  # of a process that was killed
+            shutil.rmtree(partial)  # left by a killed process
         write_files(files, partial)
         for path in kept:
             (partial / path).parent.mkdir(parents=True, exist_ok=True)
@@ -312,7 +310,7 @@ def _replace(target: Path, files: Mapping[str, bytes], kept: Sequence[str]) -> N
     except BaseException:
         _recover(target)
         shutil.rmtree(partial, ignore_errors=True)
-        for parent in missing:  # the innermost first
+        for parent in missing:  # innermost first
             with suppress(OSError):
                 parent.rmdir()
         raise
@@ -320,12 +318,12 @@ def _replace(target: Path, files: Mapping[str, bytes], kept: Sequence[str]) -> N
 
 
 def _recover(target: Path) -> None:
-    """Finish an interrupted replacement: restore the old directory, or remove it beside the new one."""
+    """Finish an interrupted replacement: restore the old directory, or remove it if the new one exists."""
     previous = previous_directory(target)
     if not previous.exists():
         return
     if target.is_dir() and not any(target.iterdir()):
-        target.rmdir()  # made since, by somebody who missed the old one
+        target.rmdir()  # created in the meantime by another program
     if target.exists():
         shutil.rmtree(previous)
     else:

@@ -1,8 +1,8 @@
-"""Frames of links and joints, for all writers: nobody else does arithmetic on pivots and origins.
+"""Frames of links and joints for all writers; only this module computes with pivots and origins.
 
 A link's frame has its origin at `asset.origin(link)` and is parallel to the asset's axes when every joint
-stands at 0. Formats that allow one joint between two bodies get an intermediate body after each joint but
-the last of a pair.
+stands at 0. Formats with one joint between two bodies get an intermediate body after each joint but the last
+of a pair.
 """
 
 import math
@@ -16,13 +16,13 @@ from artgen._arrays import Array, FrozenArrays
 from artgen.asset import Asset, AssetCondition, AssetCoupling, AssetJoint, Link
 
 FAR = 1000.0
-"""Where an unlimited slide ends in a format that wants limits of it [m]."""
+"""Limit of an unlimited slide in formats that require limits [m]."""
 
 INTERMEDIATE_MASS = 1e-6
-"""Mass of a body that only joins two joints [kg]; simulators refuse 0."""
+"""Mass of a body between two joints [kg]; simulators refuse 0."""
 
 INTERMEDIATE_INERTIA = 1e-9
-"""Each principal moment of such a body [kg m^2]; equal ones satisfy the triangle inequality."""
+"""Each principal moment of such a body [kg m^2]; equal moments satisfy the triangle inequality."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -30,12 +30,12 @@ class LinkFrame(FrozenArrays):
     """The frame of a body.
 
     Attributes:
-        name: Name of the link, or of a body that only joins two joints.
-        origin: Its origin with every joint at 0, in asset coordinates, shape (3,) [m]; its axes are then the
+        name: Name of the link, or of a body between two joints.
+        origin: Origin with every joint at 0, in asset coordinates, shape (3,) [m]; its axes are then the
             asset's.
-        placement: The frame in asset coordinates as the asset stands (`asset.positions()`: every joint as
-            near to 0 as its limits let it), shape (4, 4) [m].
-        link: The link; None for a body that only joins two joints.
+        placement: Frame in asset coordinates at `asset.positions()`, where every joint is as near to 0 as its
+            limits allow, shape (4, 4) [m].
+        link: The link; None for a body between two joints.
     """
 
     name: str
@@ -49,11 +49,11 @@ class Segment(FrozenArrays):
     """One joint between two frames; the origin of the child frame is the joint's pivot.
 
     Attributes:
-        parent: LinkFrame of the body nearer to the base.
-        child: LinkFrame of the body that moves.
+        parent: Frame of the body nearer to the base.
+        child: Frame of the moving body.
         joint: The joint; its axis is the same in asset, parent and child coordinates.
-        origin: The child frame in the parent's with the joint at 0, or at its position if it is locked,
-            shape (4, 4) [m].
+        origin: The child frame in the parent's with the joint at 0, or at its position if it is locked, shape
+            (4, 4) [m].
     """
 
     parent: LinkFrame
@@ -64,13 +64,13 @@ class Segment(FrozenArrays):
 
 @dataclass(frozen=True, eq=False)
 class BodyJoint(FrozenArrays):
-    """A joint as the body that it moves sees it, where one body takes several joints.
+    """A joint in the frame of the body that it moves, for bodies with several joints.
 
     Attributes:
         joint: The joint.
         axis: Unit vector in the body's frame, shape (3,).
         pivot: A point on the axis in the body's frame, shape (3,) [m].
-        position: Where the joint stands when the body is placed as written [rad or m].
+        position: Position of the joint in the written placement [rad or m].
     """
 
     joint: AssetJoint
@@ -81,12 +81,12 @@ class BodyJoint(FrozenArrays):
 
 @dataclass(frozen=True, eq=False)
 class BodyFrame(FrozenArrays):
-    """A body with all joints between it and its parent.
+    """A body with all joints to its parent.
 
     Attributes:
         link: The link.
         parent: Name of the parent link; empty for the base.
-        placement: The body's frame in its parent's as the asset stands, shape (4, 4) [m].
+        placement: Frame in the parent's frame at `asset.positions()`, shape (4, 4) [m].
         joints: The joints that can move, the first nearest to the parent.
     """
 
@@ -109,7 +109,7 @@ def local(asset: Asset, link: str, matrix: Array) -> Array:
 
 
 def chain(asset: Asset) -> tuple[Segment, ...]:
-    """Return one segment per joint, parents before children, with intermediate frames where needed."""
+    """Return one segment per joint, parents before children, with intermediate frames if needed."""
     taken = {link.name for link in asset.links}
     taken |= {grasp.name for link in asset.links for grasp in link.grasps}
     positions = asset.positions()
@@ -137,19 +137,19 @@ def chain(asset: Asset) -> tuple[Segment, ...]:
 
 
 def base_frame(asset: Asset) -> LinkFrame:
-    """Return the frame of the base, which is the asset's own."""
+    """Return the frame of the base, which is the asset's frame."""
     base = asset.links[0]
     return LinkFrame(base.name, asset.origin(base.name), np.eye(4), base)
 
 
 def bodies(asset: Asset) -> tuple[BodyFrame, ...]:
-    """Return every body, parents before children, for formats that let one body have several joints."""
+    """Return every body, parents before children, for formats that allow several joints per body."""
     positions = asset.positions()
     base = asset.links[0]
     result = [BodyFrame(base, "", np.eye(4), ())]
     for parent, child, joints in asset.pairs():
         origin = asset.origin(child)
-        # what the joints after one do at the written positions stands between it and the body
+        # the motion of later joints at the written positions lies between a joint and the body
         after = np.eye(4)
         seen: list[BodyJoint] = []
         for joint in reversed(joints):
@@ -164,14 +164,14 @@ def bodies(asset: Asset) -> tuple[BodyFrame, ...]:
 
 
 def unused(name: str, taken: Collection[str]) -> str:
-    """Return a name, with underscores at its end if it is taken."""
+    """Return a name, with underscores at its end until it is unused."""
     while name in taken:
         name += "_"
     return name
 
 
 def joint_type(joint: AssetJoint) -> str:
-    """Return URDF's name of the kind of a joint."""
+    """Return the type of a joint in URDF."""
     if joint.locked:
         return "fixed"
     return "continuous" if joint.kind == "revolute" and joint.limits is None else joint.kind
@@ -180,7 +180,8 @@ def joint_type(joint: AssetJoint) -> str:
 def quaternion(matrix: Array) -> Array:
     """Return the rotation of a transform as a unit quaternion (w, x, y, z) with w >= 0, shape (4,)."""
     (xx, xy, xz), (yx, yy, yz), (zx, zy, zz) = matrix[:3, :3].tolist()
-    # four times each product of two components (Shepperd); the row of the largest one is well conditioned
+    # four times each product of two components (Shepperd); the row of the largest component is well
+    # conditioned
     products = (
         (1.0 + xx + yy + zz, zy - yz, xz - zx, yx - xy),
         (zy - yz, 1.0 + xx - yy - zz, yx + xy, xz + zx),
@@ -194,7 +195,7 @@ def quaternion(matrix: Array) -> Array:
 
 
 def coupling(asset: Asset, joint: AssetJoint) -> AssetCoupling | None:
-    """Return the coupling of a joint to the free joint at the head of its chain of leaders, if it follows."""
+    """Return the coupling of a joint to the free joint at the head of its chain of leaders, or None."""
     if joint.follows is None:
         return None
     leader = asset.joint(joint.follows.leader)
@@ -208,7 +209,7 @@ def coupling(asset: Asset, joint: AssetJoint) -> AssetCoupling | None:
 def mass_in_frame(asset: Asset, link: Link) -> tuple[float, Array, Array]:
     """Return a link's mass [kg], center of mass and inertia about it, both in the link's frame.
 
-    What is only rounding is set to 0, so that the written text does not depend on the machine.
+    Rounding noise is set to 0, so that the written text does not depend on the machine.
 
     Returns:
         Mass, center of shape (3,) [m] and inertia of shape (3, 3) [kg m^2].
@@ -232,20 +233,20 @@ def seen_box(asset: Asset) -> Array:
 
 
 BORDER = 1e-9
-"""Regions are open; what lies this far beyond a border is on it [rad or m]."""
+"""Regions are open; positions this far beyond a border lie on it [rad or m]."""
 
 Region = dict[str, tuple[float, float]]
-"""A box of joint space: open intervals of free joints; those that are not named may stand anywhere."""
+"""A box of joint space: open intervals of free joints; other joints may stand anywhere."""
 
 
 def leader_of(asset: Asset, joint: AssetJoint) -> tuple[str, float, float]:
-    """Return the free joint that decides where a joint stands, with ratio and offset."""
+    """Return the leading free joint of a joint, with ratio and offset."""
     law = coupling(asset, joint)
     return (joint.name, 1.0, 0.0) if law is None else (law.leader, law.ratio, law.offset)
 
 
 def regions(asset: Asset, condition: AssetCondition) -> list[Region]:
-    """Return boxes that together are the region of a condition."""
+    """Return boxes whose union is the region of a condition."""
     if condition.kind == "any":
         return [region for term in condition.terms for region in regions(asset, term)]
     if condition.kind == "all":
@@ -261,7 +262,7 @@ def regions(asset: Asset, condition: AssetCondition) -> list[Region]:
 
 
 def intersection(boxes: Iterable[Region]) -> Region:
-    """Return the intersection of boxes; an empty interval has its ends swapped."""
+    """Return the intersection of boxes; an empty interval has swapped ends."""
     result: Region = {}
     for box in boxes:
         for name, (low, high) in box.items():

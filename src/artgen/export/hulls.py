@@ -1,4 +1,4 @@
-"""The triangles of hull colliders, which all formats share."""
+"""Triangles of hull colliders, shared by all formats."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -15,32 +15,32 @@ Surface = tuple[Array, Indices]
 """Vertices, shape (n, 3) [m], and triangles, shape (m, 3)."""
 
 HULL_DECIMALS = 9
-"""Decimals of a hull's vertices [m]; the hull is of the rounded ones, so it is convex as it is written."""
+"""Decimals of a hull's vertices [m]; rounding comes first, so the written hull is convex."""
 
 
-_FLAT = 1e-9  # height of a triangle below which it has no area [m]
-_MIDDLE_DECIMALS = 6  # of where a hull lies in its link's frame [m]
+_FLAT = 1e-9  # height below which a triangle has no area [m]
+_MIDDLE_DECIMALS = 6  # decimals of the position of a hull in its link's frame [m]
 
 
 @dataclass(frozen=True, eq=False)
 class Hull(FrozenArrays):
-    """The surface of a convex piece, about its own middle.
+    """The surface of a convex piece about its own center.
 
-    PhysX keeps what it derives from a hull in single precision: of pieces of a few millimetres whose vertices
-    are told from an origin some centimetres away it makes contacts that are centimetres deep.
+    PhysX computes hulls in single precision: for small pieces with vertices far from the origin it finds
+    contacts that are centimetres deep.
     """
 
-    middle: Array  # where its frame lies in that of its link, shape (3,) [m]
-    vertices: Array  # in its frame, shape (n, 3) [m]
+    middle: Array  # position of its frame in the link's frame, shape (3,) [m]
+    vertices: Array  # vertices in its frame, shape (n, 3) [m]
     triangles: Indices  # counter-clockwise seen from outside, shape (m, 3)
     normals: Array  # unit outward normal of each triangle, shape (m, 3)
 
     @staticmethod
     def of(pieces: Sequence[tuple[Convex, Array]]) -> "tuple[Hull, ...]":
-        """Make the surfaces of hull colliders, each taken from asset coordinates to a frame at an origin."""
+        """Make the surfaces of hull colliders, moved from asset coordinates to the frame at an origin."""
         middles, found = [], []
         for convex, origin in pieces:
-            # first as asset.json has them, so that an asset which was read from files gives the same hulls
+            # round like asset.json first, so that a loaded asset gives the same hulls
             points = np.round(convex.points, DECIMALS) - np.round(origin, DECIMALS)
             middles.append(np.round(0.5 * (points.min(axis=0) + points.max(axis=0)), _MIDDLE_DECIMALS))
             found.append(_surface(np.round(points - middles[-1], HULL_DECIMALS)))
@@ -66,16 +66,16 @@ def _surface(points: Array) -> Surface:
 
 
 def _with_areas(vertices: Array, triangles: Indices) -> Surface:
-    """Leave out what lies on an edge of a hull: the hull of rounded points may keep it as a corner."""
+    """Remove points on the edges of a hull, which rounding may keep as corners."""
     while not (has_area := _normals([(vertices, triangles)])[0].any(axis=1)).all():
         a, b, c = vertices[triangles[~has_area].T]
-        opposite = np.sum(np.square([c - b, a - c, b - a]), axis=2)  # sides, squared
+        opposite = np.sum(np.square([c - b, a - c, b - a]), axis=2)  # squared side lengths
         between = np.take_along_axis(triangles[~has_area], opposite.argmax(axis=0)[:, None], axis=1)
         vertices, triangles = _surface(np.delete(vertices, np.unique(between), axis=0))
     return vertices, triangles
 
 
-@cached(1)  # several formats are written of one asset after another
+@cached(1)  # several formats of one asset are written in sequence
 def hulls(asset: Asset) -> Mapping[str, Mapping[int, Hull]]:
     """Return the hulls among the colliders of each link, by the collider's number."""
     numbers = {
@@ -95,9 +95,9 @@ def hulls(asset: Asset) -> Mapping[str, Mapping[int, Hull]]:
 
 
 def _normals(surfaces: Sequence[Surface]) -> list[Array]:
-    """Return the normals of the triangles of many meshes, zeros where one has no area.
+    """Return the normals of the triangles of many meshes; zero for triangles without area.
 
-    All at once, for there are many of a few triangles.
+    One call for all meshes, because there are many with few triangles.
     """
     if not surfaces:
         return []

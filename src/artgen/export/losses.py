@@ -1,4 +1,4 @@
-"""The result of a writer (files as bytes, and the losses of its format), and the description of a layout."""
+"""Result of a writer: files as bytes and losses of the format; and the description of a layout."""
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import asdict, dataclass
@@ -8,12 +8,12 @@ from artgen.asset import Asset, AssetJoint
 
 @dataclass(frozen=True)
 class Loss:
-    """A feature that a format cannot say.
+    """A feature that a format cannot express.
 
     Attributes:
-        feature: What is lost, e.g. `joint armature`.
-        where: Names of the joints, links or grasps that it concerns, separated by commas.
-        instead: What was written in its place.
+        feature: The lost feature, e.g. `joint armature`.
+        where: Names of the affected joints, links or grasps, separated by commas.
+        instead: The replacement in the file.
     """
 
     feature: str
@@ -31,8 +31,8 @@ class Written:
 
     Attributes:
         files: Content by path relative to the asset's directory, with forward slashes.
-        losses: What the format cannot say.
-        main: Path of the file that a client opens.
+        losses: Losses of the format.
+        main: Path of the main file, which simulators open.
     """
 
     files: Mapping[str, bytes]
@@ -41,18 +41,18 @@ class Written:
 
 
 def loss(feature: str, where: Iterable[str], instead: str) -> tuple[Loss, ...]:
-    """Return one loss if it concerns anything, else none."""
+    """Return one loss if it affects anything, else none."""
     names = ", ".join(where)
     return (Loss(feature, names, instead),) if names else ()
 
 
 def joints_where(asset: Asset, condition: Callable[[AssetJoint], bool]) -> list[str]:
-    """Return the names of the joints for which a condition holds."""
+    """Return the names of the joints that satisfy a condition."""
     return [joint.name for joint in asset.joints if condition(joint)]
 
 
 def dependency_losses(asset: Asset) -> tuple[Loss, ...]:
-    """List the joints that depend on others: no format has a word for it."""
+    """Return the loss of dependencies, which no format can express."""
     return tuple(
         Loss(
             "joint dependency",
@@ -65,7 +65,7 @@ def dependency_losses(asset: Asset) -> tuple[Loss, ...]:
 
 
 def contact_losses(asset: Asset) -> tuple[Loss, ...]:
-    """List the links that touch by design: no format has a word for how deep."""
+    """Return the loss of allowed contacts, whose depth no format can express."""
     return tuple(
         Loss(
             "contact by design",
@@ -77,17 +77,17 @@ def contact_losses(asset: Asset) -> tuple[Loss, ...]:
 
 
 def label_losses(asset: Asset) -> tuple[Loss, ...]:
-    """List the links with semantic labels, for formats that have no word for them."""
+    """Return the loss of semantic labels, for formats without them."""
     return loss("semantic labels", [link.name for link in asset.links], "nothing; they are in asset.json")
 
 
 def look_losses(asset: Asset, textures: int, *, coat: str = "") -> tuple[Loss, ...]:
-    """List the losses of the appearance of materials.
+    """Return the losses of the appearance of materials.
 
     Args:
         asset: The asset.
-        textures: Texels on a side of the maps that are written; 0 for none.
-        coat: What is written instead of a coat; empty where the format has a word for it.
+        textures: Texels per side of the written maps; 0 for none.
+        coat: Replacement of a coat; empty if the format supports coats.
     """
     seen = list(dict.fromkeys(surface.material for link in asset.links for surface in link.surfaces))
     return (
@@ -107,15 +107,15 @@ def look_losses(asset: Asset, textures: int, *, coat: str = "") -> tuple[Loss, .
 
 @dataclass(frozen=True)
 class Layout:
-    """A way to lay out the files of an asset, as the readers of one dataset expect them.
+    """Arrangement of the files of an asset for the readers of one dataset.
 
     Attributes:
         name: Its name, such as `partnet-mobility`.
-        summary: Who reads it, in one line.
-        formats: The formats that it can hold; those written by default come first.
-        default: How many of them are written by default.
-        write: Writes one format of an asset with so many texels on a side of its maps; paths of files are
-            relative to the directory of the export.
+        summary: Its readers, in one line.
+        formats: Its formats, the default ones first.
+        default: Number of default formats.
+        write: Function that writes one format of an asset with a number of texels per side of its maps; paths
+            of files are relative to the directory of the export.
     """
 
     name: str
@@ -126,5 +126,5 @@ class Layout:
 
     @property
     def default_formats(self) -> tuple[str, ...]:
-        """The formats that are written unless others are asked for."""
+        """The default formats."""
         return self.formats[: self.default]

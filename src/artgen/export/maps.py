@@ -9,26 +9,26 @@ from artgen.asset.files import MESH_DIRECTORY
 from artgen.materials import Material
 from artgen.materials.textures import Kind, encoded, kinds, map_name
 
-_DIELECTRIC = 0.04  # share of light that plastic, wood and lacquer reflect head-on
-_MOST = 1000.0  # the greatest exponent of MTL
+_DIELECTRIC = 0.04  # reflectance of plastic, wood and lacquer at normal incidence
+_MOST = 1000.0  # largest exponent of MTL
 
 
 def phong_exponent(roughness: float) -> float:
-    """Return the exponent whose highlight is as wide as that of a GGX roughness in 0..1."""
+    """Return the Phong exponent with a highlight as wide as that of a GGX roughness in 0..1."""
     return min(max(2.0 / max(roughness, 1e-2) ** 4 - 2.0, 1.0), _MOST)
 
 
 def specular_color(material: Material) -> tuple[float, float, float]:
-    """Return the share of light that is reflected head-on, linear RGB."""
+    """Return the reflectance at normal incidence, linear RGB."""
     metal = material.base_metalness
     red, green, blue = (metal * channel + (1.0 - metal) * _DIELECTRIC for channel in material.base_color)
     return red, green, blue
 
 
 def highlight(material: Material, greatest: float) -> tuple[float, float]:
-    """Return strength in 0..1 and exponent of the highlight of a material, or of its lacquer if stronger.
+    """Return strength in 0..1 and exponent of the highlight of a material, or of its stronger lacquer.
 
-    The strength is that of the normalised model, whose highlights get brighter as they get narrower.
+    The strength belongs to the normalized model, in which narrower highlights are brighter.
     """
     layers = (
         (max(specular_color(material)), material.specular_roughness),
@@ -41,9 +41,9 @@ def highlight(material: Material, greatest: float) -> tuple[float, float]:
 
 
 TEXTURE_DIRECTORY = f"{MESH_DIRECTORY}/textures"
-"""Where the maps lie in an export: below the meshes, since some readers take none that is reached by `..`."""
+"""Directory of the maps in an export: below the meshes, because some readers do not follow `..`."""
 
-# one channel each, as MTL and MuJoCo read them, so that all formats share the same files
+# one channel each, for MTL and MuJoCo, so that all formats share the same files
 _KINDS: tuple[Kind, ...] = ("albedo", "roughness", "metalness", "normal")
 
 
@@ -60,17 +60,17 @@ class MapFiles:
     names: Mapping[str, Mapping[Kind, str]] = field(default_factory=dict)
 
     def of(self, material: Material) -> Mapping[Kind, str]:
-        """Return the file name of each map of a material; none where it has none or is on no surface."""
+        """Return the file name of each map of a material; empty if it has none or is on no surface."""
         return self.names.get(material.name, {})
 
 
-@cached(1)  # several formats are written of one asset after another
+@cached(1)  # several formats of one asset are written in sequence
 def map_files(asset: Asset, size: int) -> MapFiles:
-    """Return the maps of the materials that are seen.
+    """Return the maps of the visible materials.
 
     Args:
         asset: The asset.
-        size: Texels on a side, of `artgen.materials.textures.SIZES`; 0 for no maps.
+        size: Texels per side, one of `artgen.materials.textures.SIZES`; 0 for no maps.
     """
     files: dict[str, bytes] = {}
     names: dict[str, dict[Kind, str]] = {}

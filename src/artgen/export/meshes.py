@@ -1,4 +1,4 @@
-"""Mesh files that URDF and MJCF share: OBJ surfaces, colliders, one MTL, maps; numbers as text."""
+"""Mesh files of URDF and MJCF: OBJ surfaces, colliders, one MTL file, maps; fast formatting of numbers."""
 
 import math
 from collections.abc import Mapping, Sequence
@@ -20,16 +20,16 @@ from artgen.materials.textures import Kind, displayed
 Bytes = NDArray[np.uint8]
 Words = NDArray[np.uint32]  # four characters each
 
-_GROUP = 10_000  # what four digits count to
+_GROUP = 10_000  # range of four digits
 
 
 def rounded(values: Array, decimals: int) -> Indices:
-    """Return numbers at a fixed number of decimals as integers."""
+    """Return numbers with a fixed number of decimals as integers."""
     return np.rint(values * 10.0**decimals).astype(np.int64)
 
 
 def lines(heads: Sequence[str], scaled: Indices, decimals: int = 0) -> Bytes:
-    """Return one line of text per row of numbers, for `text` to join; trailing zeros are left out."""
+    """Return one line of text per row of numbers, as input of `text`, without trailing zeros."""
     magnitude = np.abs(scaled)
     whole = magnitude // 10**decimals
     words = _whole(whole)
@@ -47,8 +47,8 @@ def lines(heads: Sequence[str], scaled: Indices, decimals: int = 0) -> Bytes:
 
 
 def face_lines(corners: Indices, numbers: Indices) -> Bytes:
-    """Return the `f` lines of an OBJ file, to be read by `text`."""
-    each = np.ascontiguousarray(lines((" ", "/", "/"), numbers)[:, :-4])  # without the ends of the lines
+    """Return the `f` lines of an OBJ file, as input of `text`."""
+    each = np.ascontiguousarray(lines((" ", "/", "/"), numbers)[:, :-4])  # without line ends
     row = np.empty((len(corners), 2 + 3 * each.shape[1]), np.uint8)
     row[:, 0] = ord("f")
     # taking items is many times faster than taking rows
@@ -59,13 +59,13 @@ def face_lines(corners: Indices, numbers: Indices) -> Bytes:
 
 
 def text(rows: Bytes) -> bytes:
-    """Return the text of some of the lines."""
+    """Return the text of several lines."""
     return rows.tobytes().translate(None, b"\0")
 
 
 @cached(64)
 def _words(*characters: str) -> Words:
-    """Return strings of at most four characters as one number each, whose bytes they are."""
+    """Return strings of at most four characters as one number each with the same bytes."""
     return np.frombuffer("".join(each.ljust(4, "\0") for each in characters).encode("ascii"), np.uint32)
 
 
@@ -80,8 +80,8 @@ def _whole(numbers: Indices) -> list[Words]:
 
 
 def _fraction(numbers: Indices, decimals: int) -> list[Words]:
-    """Return a point and the digits after it, without trailing zeros; nothing where all are zeros."""
-    groups = max(0, -(-(decimals - 3) // 4))  # of four digits, after a point and three digits
+    """Return a point and the digits after it, without trailing zeros; empty if all are zero."""
+    groups = max(0, -(-(decimals - 3) // 4))  # four digits, after a point and three digits
     rest = numbers * 10 ** (3 + 4 * groups - decimals)
     words: list[Words] = []
     shown = np.zeros(numbers.shape, bool)
@@ -98,7 +98,7 @@ _POWERS = np.array([1000, 100, 10, 1])
 _NUMBERS = np.arange(_GROUP)[:, None]
 _CHARACTERS = (_NUMBERS // _POWERS % 10 + ord("0")).astype(np.uint8)
 _POINTED = np.where(_POWERS == 1000, np.uint8(ord(".")), _CHARACTERS)[:1000]  # a point and three digits
-_ENDING = _NUMBERS % (10 * _POWERS) > 0  # whether a digit or one after it says something
+_ENDING = _NUMBERS % (10 * _POWERS) > 0  # whether a digit or a later one is not zero
 
 _DIGITS = _CHARACTERS.view(np.uint32).ravel()
 _LEADING = np.where((_NUMBERS >= _POWERS) | (_POWERS == 1), _CHARACTERS, 0).view(np.uint32).ravel()
@@ -114,10 +114,9 @@ class MeshFiles(FrozenArrays):
     Attributes:
         files: Content by path relative to the asset's directory, maps included.
         surfaces: File name of each surface, by link, in the link's order.
-        colliders: File name of each collider, by link and number of the collider; hulls only, each in its own
-            frame.
-        middles: Where that frame lies in the link's, shape (3,) [m].
-        maps: The maps of the materials, which lie in `textures/` beside the meshes.
+        colliders: File name of each hull collider, in its own frame, by link and number of the collider.
+        middles: Origin of that frame in the link's frame, shape (3,) [m].
+        maps: Maps of the materials, in `textures/` next to the meshes.
     """
 
     files: Mapping[str, bytes]
@@ -128,17 +127,17 @@ class MeshFiles(FrozenArrays):
 
     @staticmethod
     def path(name: str) -> str:
-        """Return where a mesh file lies, relative to the asset's directory."""
+        """Return the path of a mesh file relative to the asset's directory."""
         return f"{MESH_DIRECTORY}/{name}"
 
 
-@cached(1)  # two formats are written of one asset after another
+@cached(1)  # two formats of one asset are written in sequence
 def mesh_files(asset: Asset, textures: int = 0) -> MeshFiles:
     """Write the surfaces and hull colliders of all links.
 
     Args:
         asset: The asset.
-        textures: Texels on a side of the materials' maps; 0 for no maps.
+        textures: Texels per side of the material maps; 0 for no maps.
     """
     maps = map_files(asset, textures)
     surfaces = mesh_names({link.name: [surface.name for surface in link.surfaces] for link in asset.links})
@@ -165,14 +164,14 @@ def mesh_files(asset: Asset, textures: int = 0) -> MeshFiles:
 
 
 def surface_text(mesh: Mesh, origin: Array, library: str, material: Material) -> bytes:
-    """Return a surface as OBJ text, with its vertices taken from asset coordinates to a frame at `origin`.
+    """Return a surface as OBJ text, moved from asset coordinates to the frame at `origin`.
 
-    Each position, normal and texture coordinate is written once; `read_obj` finds the vertices again.
+    Each position, normal and texture coordinate is written once; `read_obj` restores the vertices.
     """
     coordinates = texture_coordinates(mesh, material)
     rows = np.concatenate([mesh.vertices - origin, coordinates, mesh.normals], axis=1)
     corners = mesh.triangles
-    if len(rows) == 3:  # MuJoCo wants four vertices: halve a lone triangle at its first side
+    if len(rows) == 3:  # MuJoCo needs four vertices: halve a single triangle at its first side
         a, b, c = corners[0]
         rows = np.concatenate([rows, rows[[a, b]].mean(axis=0, keepdims=True)])
         corners = np.array([[a, 3, c], [3, b, c]])
@@ -192,7 +191,7 @@ def surface_text(mesh: Mesh, origin: Array, library: str, material: Material) ->
 
 
 def hull_texts(found: Sequence[Hull]) -> list[bytes]:
-    """Return hulls as OBJ texts; all at once, for there are many of a few lines each."""
+    """Return hulls as OBJ texts, in one call for many short files."""
     if not found:
         return []
     vertices = rounded(np.concatenate([hull.vertices for hull in found]), HULL_DECIMALS)
@@ -206,7 +205,7 @@ def hull_texts(found: Sequence[Hull]) -> list[bytes]:
 
 
 def _distinct(values: Indices) -> tuple[Indices, Indices]:
-    """Return the distinct rows of integers, shape (n, k), in order, and the number of each row's own."""
+    """Return the distinct rows of integers, shape (n, k), sorted, and the number of each row."""
     columns = np.ascontiguousarray(values.T)
     lowest = columns.min(axis=1)
     spans = [int(span) + 1 for span in columns.max(axis=1) - lowest]
@@ -230,7 +229,7 @@ def _distinct(values: Indices) -> tuple[Indices, Indices]:
 def mtl_text(materials: Sequence[Material], maps: MapFiles) -> bytes:
     """Return the materials as MTL text with the usual extensions for physically based shading.
 
-    Readers multiply a number with its map, or take the map alone: where there is a map the number is 1.
+    Readers multiply a number with its map, or use the map alone: with a map the number is 1.
     """
     return "\n".join(
         _mtl_block(material, maps.of(material)) for material in dict.fromkeys(materials)
@@ -266,6 +265,6 @@ def _color(linear: tuple[float, float, float]) -> str:
 
 
 def display_color(linear: tuple[float, float, float]) -> tuple[float, float, float]:
-    """Encode linear RGB as sRGB, which is what URDF, MJCF and MTL readers take colors for."""
+    """Encode linear RGB as sRGB, as readers of URDF, MJCF and MTL expect."""
     red, green, blue = displayed(np.array(linear)).tolist()
     return round(red, 6), round(green, 6), round(blue, 6)

@@ -1,4 +1,4 @@
-"""Surfaces of fewer triangles, for files that are small and quick to load."""
+"""Surfaces with fewer triangles, for small files that load fast."""
 
 import math
 from dataclasses import dataclass, field, replace
@@ -18,18 +18,18 @@ from artgen.asset.surface import joined
 from artgen.errors import ParameterError
 
 COARSEST = 0.005
-"""The farthest that what is seen may lie from what was made [m]."""
+"""Largest allowed precision of visible meshes [m]."""
 
-_PRINT = 0.1  # share of the precision that holds for print, whose letters are small
-_ROUNDING = 0.01  # share of the precision that vertices move by at most, along each axis, for fewer digits
-_DECIMALS = 4  # of normals and texture coordinates
+_PRINT = 0.1  # share of the precision that applies to print with its small letters
+_ROUNDING = 0.01  # share of the precision for rounding of vertices along each axis
+_DECIMALS = 4  # decimals of normals and texture coordinates
 
 
 def with_precision(asset: Asset, precision: float) -> Asset:
-    """Return an asset whose surfaces have fewer triangles; colliders, masses and all else stay.
+    """Return an asset whose surfaces have fewer triangles; everything else stays.
 
-    Surfaces of one color, which need none, lose their texture coordinates. What was proven stays true, and
-    is kept without its proof, which nobody could verify: that needs the solids.
+    Surfaces of one color lose their texture coordinates. The certificate stays valid and is kept without its
+    proof, which cannot be verified without the solids.
     """
     check_precision(precision)
     if not precision:
@@ -50,7 +50,7 @@ def with_precision(asset: Asset, precision: float) -> Asset:
 
 
 def check_precision(precision: float) -> None:
-    """Refuse a precision that surfaces cannot have."""
+    """Raise ParameterError for a precision that is not allowed."""
     if not 0.0 <= precision <= COARSEST:
         raise ParameterError(
             f"surfaces are precise to 0 (all that was made) to {COARSEST:g} m, not {precision!r}"
@@ -59,19 +59,19 @@ def check_precision(precision: float) -> None:
 
 @dataclass(frozen=True, eq=False)
 class CoarseLink(DerivedLink):
-    """A link with surfaces of fewer triangles; the rest is the source's."""
+    """A link with fewer triangles in its surfaces; everything else comes from the source."""
 
-    precision: float = field(kw_only=True)  # how far they may lie from the source's [m]
-    origin: tuple[float, float, float] = field(kw_only=True)  # of its frame, in which files have them [m]
+    precision: float = field(kw_only=True)  # largest distance from the source's surfaces [m]
+    origin: tuple[float, float, float] = field(kw_only=True)  # origin of the link's frame in files [m]
 
     @cached_property
     def surfaces(self) -> tuple[Surface, ...]:
-        """The visible faces of the source, of fewer triangles; those of one color lie on one texel."""
+        """The surfaces of the source with fewer triangles; those of one color have no texture coordinates."""
         step, origin = self.precision * _ROUNDING, np.array(self.origin)
         return tuple(_rounded(surface, step, origin) for surface in self.source.surfaces_of(self._mesh))
 
     def _mesh(self, piece: Piece) -> Mesh:
-        precision = (1.0 - 2.0 * _ROUNDING) * self.precision  # rounding takes its share
+        precision = (1.0 - 2.0 * _ROUNDING) * self.precision  # rounding uses its share
         return coarser(piece.shape, precision if piece.reading is None else _PRINT * precision)
 
     def surface_data(self) -> list[dict[str, Any]]:
@@ -79,18 +79,18 @@ class CoarseLink(DerivedLink):
         return Link.surface_data(self)
 
     def details_data(self) -> list[dict[str, Any]]:
-        """Return an empty list: details serve to tell the solids in the meshes, which these do not show."""
+        """Return an empty list: details identify the solids in exact meshes only."""
         return []
 
     def origin_data(self) -> dict[str, Any]:
-        """Return how colliders and surfaces were made, as JSON data."""
+        """Return how colliders and surfaces were replaced, as JSON data."""
         return {**super().origin_data(), "mesh_precision": self.precision}
 
 
 def _rounded(surface: Surface, step: float, origin: NDArray[np.float64]) -> Surface:
-    """Return a surface whose numbers have few digits in the frame at `origin`, positions to at most `step`.
+    """Return a surface with rounded numbers in the frame at `origin`.
 
-    Without maps it has no texture coordinates: vertices that differ in nothing else are one.
+    Without maps it has no texture coordinates: vertices that are otherwise equal become one.
     """
     mesh, material = surface.mesh, surface.material
     decimals = min(math.ceil(-math.log10(step)), POSITION_DECIMALS)

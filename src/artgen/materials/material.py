@@ -1,4 +1,4 @@
-"""The material: OpenPBR's names for looks, SI units for physics."""
+"""The material: OpenPBR names for appearance, SI units for physics."""
 
 import math
 import re
@@ -20,18 +20,18 @@ class Material:
 
     Attributes:
         name: Identifier, unique among the materials of one asset.
-        base_color: Linear RGB albedo, each in 0..1, shape (3,); where it has a texture, the mean.
+        base_color: Linear RGB albedo, each in 0..1, shape (3,); with a texture, its mean.
         base_metalness: 0 for dielectrics, 1 for bare metal.
-        specular_roughness: GGX roughness in 0..1; the mean where it has a texture.
-        coat_weight: Clear lacquer over it, 0..1.
-        coat_roughness: GGX roughness of that lacquer in 0..1.
-        transmission_weight: Share of light that is refracted instead of scattered, 1 for clear glass.
-        opacity: 1 is opaque; what real-time renderers, which do not refract, show of glass lies below.
+        specular_roughness: GGX roughness in 0..1; with a texture, its mean.
+        coat_weight: Weight of a clear lacquer, 0..1.
+        coat_roughness: GGX roughness of the lacquer in 0..1.
+        transmission_weight: Share of refracted instead of scattered light, 1 for clear glass.
+        opacity: 1 is opaque; lower values are for real-time renderers, which do not refract glass.
         emission: Linear RGB radiance factor, shape (3,).
-        texture: Name of the recipe of its maps, see `artgen.materials.textures`; empty for an even surface.
-        variant: Which of the recipe's patterns; boards of one species differ.
-        tile: Size of one repeat of the maps, across and along the grain, shape (2,) [m]; None is what the
-            recipe's features are made for.
+        texture: Name of the recipe of its maps, see `artgen.materials.textures`; empty for a uniform surface.
+        variant: Number of the recipe's pattern; boards of one species differ.
+        tile: Size of one repeat of the maps, across and along the grain, shape (2,) [m]; None for the
+            recipe's own size.
         turned: Whether the grain runs across the long side of a part instead of along it.
         density: Density of the solid [kg/m^3].
         friction: Coefficient of dry friction [-].
@@ -54,7 +54,7 @@ class Material:
     friction: float = 0.5
 
     def __post_init__(self) -> None:
-        """Check every field; a bad one is a ParameterError that names it."""
+        """Check every field; raise a ParameterError that names a bad one."""
         if not _NAME.fullmatch(str(self.name)):
             raise ParameterError(
                 f"material name {self.name!r} is not a lower-case identifier; use letters, digits and _"
@@ -108,11 +108,11 @@ class Material:
 
     @property
     def number(self) -> int:
-        """A stable positive number of the name, which marks painted faces of a mesh."""
+        """A stable positive number for the name, which marks painted faces of a mesh."""
         return zlib.crc32(self.name.encode()) | 1
 
     def with_(self, **changes: Any) -> "Material":
-        """Return a copy with some fields changed, e.g. a color drawn for one asset; give it a new name.
+        """Return a copy with changed fields, e.g. a color drawn for one asset; change its name as well.
 
         Raises:
             ParameterError: There is no such field, or its value is not allowed.
@@ -125,7 +125,7 @@ class Material:
 
     def to_data(self) -> dict[str, Any]:
         """Return the fields as JSON data."""
-        # all values are plain: asdict, which copies them deeply, takes ten times as long
+        # all values are plain: asdict copies them deeply and takes ten times as long
         values = {name: getattr(self, name) for name in _FIELDS}
         return {name: list(value) if isinstance(value, tuple) else value for name, value in values.items()}
 

@@ -1,4 +1,4 @@
-"""The substance of a material, in words that labels and sensors share."""
+"""Substance of a material, in terms shared by labels and sensors."""
 
 from dataclasses import dataclass
 from typing import Literal
@@ -10,11 +10,11 @@ Coating = Literal["none", "paint", "clearcoat", "paint_clearcoat"]
 
 @dataclass(frozen=True)
 class Substance:
-    """A stuff that products are made of."""
+    """A substance of products."""
 
-    name: str  # its common name
+    name: str  # common name
     code: str  # its Wikidata Q-code
-    sensed: str  # what lidar, radar and sonar models call it, of SimReady's table of non-visual materials
+    sensed: str  # name in SimReady's table of non-visual materials, for lidar, radar and sonar models
     metal: bool = False  # whether it is a metal
 
 
@@ -28,7 +28,7 @@ _ALUMINIUM = Substance("aluminium", "Q663", "aluminum", metal=True)
 _RUBBER = Substance("rubber", "Q131877", "rubber")
 _STONE = Substance("granite", "Q41177", "stone")
 
-# the first word that the name of a material has decides; those of derived parts and of sheets come first
+# the first matching word of a material's name decides; words for derived parts and sheets come first
 _WORDS: dict[str, Substance] = {
     "lens": _PLASTIC,
     "plastic": _PLASTIC,
@@ -81,11 +81,11 @@ _WORDS: dict[str, Substance] = {
 _PAINTS = ("paint", "powder_coat", "enamel", "lacquered")
 
 _HEAVY = 2000.0
-"""Painted stuff above this density is metal [kg/m^3]; below, it is wood."""
+"""Painted materials above this density are metal, below it wood [kg/m^3]."""
 
 
 def substance_of(material: Material) -> Substance:
-    """Return the substance of a material, from its name, its maps or its appearance."""
+    """Return the substance of a material from its name, its maps or its appearance."""
     if _has(material.name, "paint"):
         return _STEEL if material.density > _HEAVY else _WOOD
     for text in (material.name, material.texture):
@@ -107,5 +107,5 @@ def coating_of(material: Material) -> Coating:
 
 
 def _has(text: str, word: str) -> bool:
-    """Tell whether words that are joined by underscores have these among them."""
+    """Tell whether words joined by underscores contain given words."""
     return f"_{word}_" in f"_{text}_"

@@ -1,4 +1,4 @@
-"""The materials that the categories use; densities and dry friction of common stock."""
+"""Materials of the categories, with densities and dry friction of common stock."""
 
 from typing import Any
 
@@ -8,7 +8,7 @@ from artgen.materials.material import Material
 Color = tuple[float, float, float]
 
 COLORS: dict[str, Color] = {
-    # linear RGB of paints, enamels and plastics as products have them
+    # linear RGB of paints, enamels and plastics of products
     "white": (0.80, 0.79, 0.76),
     "cool_white": (0.78, 0.80, 0.82),
     "ivory": (0.74, 0.69, 0.58),
@@ -279,10 +279,10 @@ MATERIALS: dict[str, Material] = {
 
 
 def material(name: str) -> Material:
-    """Return the material of that name from the table.
+    """Return a material of the table by name.
 
     Raises:
-        ParameterError: The table has no such material; the message has the nearest name.
+        ParameterError: The table has no such material; the message suggests the nearest name.
     """
     if name not in MATERIALS:
         raise ParameterError(f"there is no material {name!r}.{nearest(name, MATERIALS)}")
@@ -293,11 +293,11 @@ def colored(name: str, color: str) -> Material:
     """Return a material of the table in a color of products, named after both: `powder_coat_sage`.
 
     Args:
-        name: A material that is painted or dyed, such as `powder_coat`, `enamel`, `abs` or `painted_wood`.
+        name: A painted or dyed material, such as `powder_coat`, `enamel`, `abs` or `painted_wood`.
         color: A name of `COLORS`.
 
     Raises:
-        ParameterError: There is no such material or color; the message has the nearest name.
+        ParameterError: There is no such material or color; the message suggests the nearest name.
     """
     made = material(name)
     if color not in COLORS:

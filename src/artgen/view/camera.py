@@ -1,4 +1,4 @@
-"""Cameras: where a picture is taken from, and views that frame an asset by themselves."""
+"""Cameras, and views that frame an asset automatically."""
 
 import math
 from collections.abc import Mapping
@@ -13,7 +13,7 @@ from artgen.asset import Asset
 from artgen.errors import ParameterError, nearest
 
 CLOSE_UP = "close-up:"
-"""What stands before the name of a link in the name of a view that frames this link."""
+"""Prefix of a link's name in the name of a view of this link."""
 
 
 def _is_number(value: Any) -> bool:
@@ -27,11 +27,11 @@ def _check_field_of_view(angle: float) -> None:
 
 @dataclass(frozen=True)
 class Camera:
-    """A pinhole camera that stands upright.
+    """An upright pinhole camera.
 
     Attributes:
-        position: Where it stands, in asset coordinates, shape (3,) [m].
-        target: The point in the middle of its picture, shape (3,) [m].
+        position: Position in asset coordinates, shape (3,) [m].
+        target: Point at the center of the picture, shape (3,) [m].
         field_of_view: Vertical angle of view [rad].
     """
 
@@ -58,7 +58,7 @@ class Camera:
         forward = np.subtract(self.target, self.position)
         forward /= np.linalg.norm(forward)
         right = np.cross(forward, (0.0, 0.0, 1.0))
-        if np.linalg.norm(right) < 1e-6:  # from straight above the picture's top is the asset's back
+        if np.linalg.norm(right) < 1e-6:  # from straight above, the top of the picture is the asset's back
             right = np.array([1.0, 0.0, 0.0])
         right /= np.linalg.norm(right)
         return np.array([right, np.cross(right, forward), forward])
@@ -77,7 +77,7 @@ class Camera:
         return np.asarray(forward + across[None, :, None] * right + along[:, None, None] * up)
 
     def pixels(self, points: Array, size: tuple[int, int]) -> Array:
-        """Return where points appear: column and row from the top left corner, shape (n, 2) [pixels].
+        """Return the column and row of points from the top left corner, shape (n, 2) [pixels].
 
         Args:
             points: In front of the camera, in asset coordinates, shape (n, 3) [m].
@@ -94,7 +94,7 @@ class Camera:
         return replace(self, position=tuple(position), target=tuple(target))
 
     def azimuth(self) -> float:
-        """Return from where the camera looks: 0 from the front, a quarter turn from the right [rad]."""
+        """Return the azimuth of the camera: 0 from the front, a quarter turn from the right [rad]."""
         away = np.subtract(self.position, self.target)
         if math.hypot(away[0], away[1]) < 1e-6 * float(np.linalg.norm(away)):
             return 0.0
@@ -103,14 +103,14 @@ class Camera:
 
 @dataclass(frozen=True)
 class View:
-    """A direction to look from; the distance follows from the size of the subject.
+    """A viewing direction; the distance follows from the size of the subject.
 
     Attributes:
-        azimuth: From where: 0 from the front, a quarter turn from the right [rad].
-        elevation: How far above the horizon, at most a quarter turn [rad].
+        azimuth: 0 from the front, a quarter turn from the right [rad].
+        elevation: Angle above the horizon, at most a quarter turn [rad].
         field_of_view: Vertical angle of view [rad].
-        margin: Share of the picture that stays free along its edges, 0..0.9.
-        link: Name of the link to frame; empty for the whole asset.
+        margin: Free share of the picture along its edges, 0..0.9.
+        link: Name of the framed link; empty for the whole asset.
     """
 
     azimuth: float = 0.0
@@ -130,10 +130,10 @@ class View:
             raise ParameterError(f"view: margin {self.margin!r} must be in 0..0.9")
 
     def camera(self, points: Array, aspect: float = 1.0) -> Camera:
-        """Return the camera that has points in its picture, as large as can be.
+        """Return the camera that shows points as large as possible.
 
         Args:
-            points: What to frame, in asset coordinates, shape (n, 3) [m].
+            points: Points to frame, in asset coordinates, shape (n, 3) [m].
             aspect: Width of the picture divided by its height.
         """
         level = math.cos(self.elevation)
@@ -144,7 +144,7 @@ class View:
         x, y, depth = axes @ np.asarray(points, float).T
         vertical = math.tan(self.field_of_view / 2.0) * (1.0 - self.margin)
         horizontal = vertical * aspect
-        # a point is in the picture when |x - cx| <= tan * (depth + distance): the largest offsets decide
+        # a point is in the picture if |x - cx| <= tan * (depth + distance): the largest offsets decide
         right, left = (x - horizontal * depth).max(), (-x - horizontal * depth).max()
         above, below = (y - vertical * depth).max(), (-y - vertical * depth).max()
         distance = max((right + left) / (2.0 * horizontal), (above + below) / (2.0 * vertical))
@@ -164,13 +164,13 @@ VIEWS: Mapping[str, View] = {
     "three_quarter_back": View(math.pi + 0.6, 0.28),
     "top": View(0.0, math.pi / 2),
 }
-"""The views that have names."""
+"""Named views."""
 
 
 def camera_of(
     camera: Camera | View | str | None, asset: Asset, points: Mapping[str, Array], aspect: float
 ) -> Camera:
-    """Return the camera that was asked for."""
+    """Return the requested camera."""
     if isinstance(camera, Camera):
         return camera
     view = camera if isinstance(camera, View) else _named("three_quarter" if camera is None else camera)

@@ -1,8 +1,8 @@
-"""MuJoCo's classic renderer: pictures averaged of many, each lit from another point of the studio's lamps.
+"""MuJoCo's classic renderer: averages of many pictures, each lit from another point of the studio's lamps.
 
-One picture of it has hard shadows and steps along edges; the average has neither, and corners are dark
-because fewer of the lamps reach them. Metal and lacquer mirror the studio: its image is a texture, laid on
-again for each camera.
+A single picture has hard shadows and aliased edges; the average has neither, and corners are dark because
+fewer lamps reach them. Metal and lacquer mirror the studio: its image is a texture with coordinates for each
+camera.
 """
 
 import math
@@ -22,10 +22,10 @@ from artgen.view.scene import ASSET_GROUP, HIDDEN_GROUP, Drawn, Layer, RenderSce
 from artgen.view.studio import Backdrop
 
 KEY = np.array([-0.38, -0.85, 0.80]) / np.linalg.norm([-0.38, -0.85, 0.80])
-"""From where the key light comes, shape (3,)."""
+"""Direction of the key light, shape (3,)."""
 
-_KEY_SPREAD = 0.16  # half the size of the softbox as seen from the asset
-_LOWEST = 0.06  # square of the least height of a point of the sky
+_KEY_SPREAD = 0.16  # half the angular size of the softbox, seen from the asset
+_LOWEST = 0.06  # squared height of the lowest point of the sky
 _PRIMES = (2, 3, 5, 7, 11)
 
 
@@ -45,7 +45,7 @@ def sky_light(height: float, around: float) -> Array:
 
 
 def spread(number: int, count: int) -> list[float]:
-    """Return the coordinates of a point among some that are spread evenly, 6 in 0..1 (Hammersley)."""
+    """Return the coordinates of a point of an evenly spread sequence, 6 in 0..1 (Hammersley)."""
     return [*(_radical_inverse(number + 1, base) for base in _PRIMES), (number + 0.5) / count]
 
 
@@ -59,20 +59,20 @@ def _radical_inverse(number: int, base: int) -> float:
 
 
 HALF = 0.5
-"""Pictures are drawn this dark, so that no light is cut off before they are averaged."""
+"""Brightness of the single pictures, so that no light is clipped before the average."""
 
 SKY = "studio_sky"
-"""Name of the texture that is seen where nothing else is."""
+"""Name of the background texture."""
 
-_MIRROR_STEP = 0.05  # roughness in whose steps the mirrored studio is blurred
+_MIRROR_STEP = 0.05  # roughness steps of the blurred studio
 _SHADOW_TEXELS = 2048
-_SHADOW_REACH = 1.25  # how far from the asset's middle shadows are drawn, over its radius
-_NEARNESS = 0.35  # half the size of the asset compared with the distance to what it mirrors
-_SKY_LIGHT = {"studio": 0.87, "room": 0.87, "none": 1.7}  # the last one is shown as white
+_SHADOW_REACH = 1.25  # distance of shadows from the asset's center, relative to its radius
+_NEARNESS = 0.35  # half the asset's size relative to the distance of the mirrored studio
+_SKY_LIGHT = {"studio": 0.87, "room": 0.87, "none": 1.7}  # the last value becomes white
 
 
 def body_of_glass(material: Material) -> float:
-    """Return how bright what is seen through is itself: clear glass scatters less than frosted glass."""
+    """Return the brightness of transparent surfaces: clear glass scatters less than frosted glass."""
     if material.opacity == 1.0:
         return 1.0
     return 0.6 + 0.4 * min(1.0, material.specular_roughness / 0.5)
@@ -80,7 +80,7 @@ def body_of_glass(material: Material) -> float:
 
 @dataclass
 class ClassicDress:
-    """Makes materials for the classic renderer: colors and pictures of what they mirror."""
+    """Materials of the classic renderer: colors and pictures of their reflections."""
 
     known: dict[str, tuple[Layer, ...]] = field(default_factory=dict)
     textures: set[str] = field(default_factory=set)
@@ -115,7 +115,7 @@ class ClassicDress:
         return (Layer(material.name), *self._gloss(spec, material))
 
     def _gloss(self, spec: Any, material: Material) -> tuple[Layer, ...]:
-        """Return the layer by which a smooth surface mirrors the studio a little."""
+        """Return the layer in which a smooth surface slightly mirrors the studio."""
         roughness, share = material.specular_roughness, 0.16 * (1.0 - material.specular_roughness / 0.5)
         if material.coat_weight > 0.0:
             roughness = min(roughness, material.coat_roughness)
@@ -194,7 +194,7 @@ def _add_material(spec: Any, name: str, rgba: Any, texture: str = "", emission: 
 
 
 class ClassicRenderer:
-    """Draws one scene with OpenGL; `close` frees what it holds of the graphics card."""
+    """Draws one scene with OpenGL; `close` frees its graphics memory."""
 
     def __init__(self, scene: RenderScene, size: tuple[int, int]) -> None:
         import mujoco
@@ -210,7 +210,7 @@ class ClassicRenderer:
         self._view = mujoco.MjvScene(scene.model, scene.model.ngeom + 10)
 
     def close(self) -> None:
-        """Free the graphics card's memory."""
+        """Free the graphics memory."""
         if self._gl is not None:
             self._gl.make_current()
             self._context.free()
@@ -306,7 +306,7 @@ class ClassicRenderer:
         far: float,
         shift: tuple[float, float] = (0.0, 0.0),
     ) -> None:
-        """Point MuJoCo's two eyes, shifted by parts of a pixel."""
+        """Aim MuJoCo's two eyes, shifted by fractions of a pixel."""
         width, height = size
         _, up, forward = camera.axes()
         half = near * math.tan(camera.field_of_view / 2.0)
@@ -320,7 +320,7 @@ class ClassicRenderer:
             eye.orthographic = 0
 
     def _focus_shadows(self, camera: Camera, size: tuple[int, int]) -> Array:
-        """Make shadows as sharp as a close-up needs; return the point around which they are, shape (3,)."""
+        """Adjust the sharpness of shadows to a close-up; return their center, shape (3,)."""
         place = self.scene.place
         seen = math.dist(camera.position, camera.target) * math.tan(camera.field_of_view / 2.0)
         reach = 2.0 * seen * math.hypot(1.0, size[0] / size[1])
@@ -329,7 +329,7 @@ class ClassicRenderer:
         return np.array(camera.target) if near else place.center
 
     def _light(self, places: list[float], focus: Array) -> None:
-        """Put the lamps of one of the averaged pictures: a point of the softbox, one of the sky, and fill."""
+        """Set the lamps of one of the averaged pictures: a point of the softbox, one of the sky, and fill."""
         place = self.scene.place
         key, sky = key_light(*places[:2]), sky_light(*places[2:])
         floor, front = np.array([0.0, 0.0, -1.0]), np.array([0.15, -0.984, 0.1])
@@ -343,7 +343,7 @@ class ClassicRenderer:
             lamp.specular = [0.0] * 3
 
     def _lay_mirrors(self, camera: Camera, poses: list[Array]) -> None:
-        """Lay the studio's mirror image on what mirrors it, as this camera sees it."""
+        """Set the studio's reflection on mirroring surfaces for the camera."""
         import mujoco
 
         model = self.scene.model
@@ -359,13 +359,13 @@ class ClassicRenderer:
 
 
 def _mirrored(drawn: Drawn, camera: Camera, pose: Array, place: Backdrop) -> Array:
-    """Return where on the sphere map each vertex finds what a camera sees mirrored there, shape (n, 2)."""
+    """Return the sphere map coordinates of the reflection at each vertex for a camera, shape (n, 2)."""
     points = drawn.mesh.vertices @ pose[:3, :3].T + pose[:3, 3]
     normals = drawn.mesh.normals @ pose[:3, :3].T
     rays = points - camera.position
     rays /= np.linalg.norm(rays, axis=1, keepdims=True)
     bounced = rays - 2.0 * (rays * normals).sum(axis=1, keepdims=True) * normals
-    # the walls of the studio are not infinitely far away: so a flat plate mirrors a gradient, not one color
+    # the studio's walls are at a finite distance: a flat plate mirrors a gradient, not one color
     bounced += _NEARNESS / place.radius * (points - place.center)
     return sphere_map_coordinates(bounced / np.linalg.norm(bounced, axis=1, keepdims=True))
 

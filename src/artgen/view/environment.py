@@ -1,6 +1,6 @@
-"""The light around a product in a studio, as a function of direction, and as blurred by rough surfaces.
+"""Studio light as a function of direction, also blurred by rough surfaces.
 
-Directions are those of the studio: z up, the camera on the side of -y.
+Directions are those of the studio: z up, the camera towards -y.
 """
 
 import math
@@ -12,36 +12,36 @@ from numpy.typing import NDArray
 
 from artgen._arrays import Array
 
-_LOBE = 64  # directions by which the blur of a rough surface is averaged
+_LOBE = 64  # directions in the average for the blur of a rough surface
 
 
 def radiance(directions: Array) -> Array:
-    """Return how bright the studio is in unit directions, shape (n, 3) in, (n,) out.
+    """Return the brightness of the studio in unit directions, shape (n, 3) to (n,).
 
-    A light tent with a dark front where the camera stands: softboxes and strips give metal long soft
-    highlights, the gaps between them give it contrast.
+    A light tent with a dark front at the camera: softboxes and strips give metal long soft highlights, the
+    gaps between them give contrast.
     """
     x, y, z = directions.T
     azimuth, elevation = (
         np.arctan2(x, y),
         np.arcsin(np.clip(z, -1.0, 1.0)),
-    )  # azimuth 0 is away from the camera
+    )  # azimuth 0 points away from the camera
     dome = 0.26 + 0.40 * _step(elevation, 0.0, 1.3)
     floor = 0.50 - 0.28 * _step(-elevation, 0.0, 0.9)
     light = np.where(z > 0.0, dome, floor)
-    light -= 0.20 * _window(y, -1.3, -0.80, 0.2) * _window(z, -0.25, 0.3, 0.25)  # the camera's dark side
+    light -= 0.20 * _window(y, -1.3, -0.80, 0.2) * _window(z, -0.25, 0.3, 0.25)  # dark side of the camera
     light += 2.6 * _window(azimuth, -2.75, -1.75, 0.14) * _window(elevation, 0.25, 1.02, 0.12)  # key softbox
     light += 1.4 * _window(azimuth, 1.30, 1.72, 0.10) * _window(elevation, -0.05, 1.10, 0.15)  # strip, right
     light += 1.1 * _window(azimuth, -1.20, -0.92, 0.08) * _window(elevation, -0.05, 0.95, 0.15)  # strip, left
     light += 0.8 * _window(elevation, 1.22, 2.0, 0.12)  # ceiling
     light -= (
         0.16 * _window(azimuth, 1.95, 2.45, 0.1) * _window(elevation, -0.3, 0.9, 0.2)
-    )  # flag beside the strip
+    )  # flag next to the strip
     return light
 
 
 def reflected(directions: Array, roughness: float) -> Array:
-    """Return what a surface of some GGX roughness mirrors along directions, shape (n, 3) in, (n,) out."""
+    """Return the reflection of a surface with a GGX roughness along directions, shape (n, 3) to (n,)."""
     if roughness < 0.03:
         return radiance(directions)
     number = np.arange(_LOBE) + 0.5
@@ -50,7 +50,7 @@ def reflected(directions: Array, roughness: float) -> Array:
     cosine = np.sqrt((1.0 - share) / (1.0 + (alpha * alpha - 1.0) * share))
     sine = np.sqrt(1.0 - cosine * cosine)
     turn = number * (math.pi * (3.0 - math.sqrt(5.0)))
-    # the half vectors of a GGX lobe about z, and the directions mirrored by them
+    # half vectors of a GGX lobe about z, and the reflected directions
     half = np.column_stack([sine * np.cos(turn), sine * np.sin(turn), cosine])
     mirrored = 2.0 * cosine[:, None] * half - np.array([0.0, 0.0, 1.0])
     weight = np.maximum(mirrored[:, 2], 0.0)
@@ -66,7 +66,7 @@ def reflected(directions: Array, roughness: float) -> Array:
 
 
 def sphere_map_coordinates(directions: Array) -> Array:
-    """Return where unit directions lie on a sphere map seen from -y, shape (n, 3) in, (n, 2) out, in 0..1."""
+    """Return the sphere map coordinates of unit directions seen from -y, shape (n, 3) to (n, 2), in 0..1."""
     x, y, z = directions.T
     scale = 2.0 * np.sqrt(np.maximum(x * x + z * z + (1.0 - y) ** 2, 1e-9))
     return np.column_stack([x / scale + 0.5, z / scale + 0.5])
@@ -74,7 +74,7 @@ def sphere_map_coordinates(directions: Array) -> Array:
 
 @lru_cache(maxsize=32)
 def sphere_map(roughness: float, size: int = 96) -> Array:
-    """Return what surfaces of a roughness mirror, as a sphere map, shape (size, size), from the bottom."""
+    """Return the reflections for a roughness as a sphere map, shape (size, size), from the bottom."""
     u, v = np.meshgrid((np.arange(size) + 0.5) / size - 0.5, (np.arange(size) + 0.5) / size - 0.5)
     square = np.minimum(4.0 * (u * u + v * v), 0.9999)
     root = np.sqrt(1.0 - square)
@@ -93,7 +93,7 @@ def sphere_directions(count: int) -> Array:
 
 
 def irradiance(normals: Array) -> Array:
-    """Return the light that falls on surfaces, divided by pi, shape (n, 3) in, (n,) out."""
+    """Return the irradiance of surfaces divided by pi, shape (n, 3) to (n,)."""
     directions = sphere_directions(4096)
     cosine = np.maximum(normals @ directions.T, 0.0)
     return np.asarray(cosine @ radiance(directions) * (4.0 / len(directions)))
@@ -111,7 +111,7 @@ def _window(value: Array, low: float, high: float, edge: float) -> Array:
 
 _SIZE = 64  # texels along an edge of the sharpest cube
 _LEVELS = 5
-_FILL = 0.3  # as bright as a wall that gives so much light
+_FILL = 0.3  # brightness relative to a wall with this irradiance
 _R11F_G11F_B10F = 0x8C3A
 _RGB = 0x1907
 _HEADER = b"\xabKTX 11\xbb\r\n\x1a\n"
@@ -119,7 +119,7 @@ _HEADER = b"\xabKTX 11\xbb\r\n\x1a\n"
 
 @lru_cache(maxsize=1)
 def image_light() -> bytes:
-    """Return the studio as a KTX file: a cube map blurred more from level to level, and its irradiance."""
+    """Return the studio as a KTX file: a cube map with increasing blur per level, and its irradiance."""
     harmonics = "".join(f"{each:.6g} {each:.6g} {each:.6g}\n" for each in _harmonics()).encode() + b"\0"
     entry = b"sh\0" + harmonics
     entry = struct.pack("<I", len(entry)) + entry
@@ -143,7 +143,7 @@ def image_light() -> bytes:
     for level in range(_LEVELS):
         size = _SIZE >> level
         share = level / (_LEVELS - 1)
-        # Filament finds the level of a roughness r at r * (2 - r)
+        # Filament uses the level of a roughness r at r * (2 - r)
         roughness = 1.0 - (1.0 - share) ** 0.5
         texels = _packed(reflected(_cube(size), roughness))
         parts += [struct.pack("<I", texels.nbytes // 6), texels.tobytes()]
@@ -151,7 +151,7 @@ def image_light() -> bytes:
 
 
 def _studio(directions: Array) -> Array:
-    """Turn directions of Filament's images, with y up, to the studio's."""
+    """Convert directions of Filament's images, with y up, to those of the studio."""
     x, y, z = directions.T
     return np.column_stack([x, -z, y])
 
@@ -174,7 +174,7 @@ def _cube(size: int) -> Array:
 
 
 def _harmonics() -> Array:
-    """Return the factors of Filament's nine polynomials that give the irradiance of a normal."""
+    """Return the factors of Filament's nine irradiance polynomials of a normal."""
     normals = sphere_directions(600)
     x, y, z = normals.T
     basis = np.column_stack([np.ones_like(x), y, z, x, y * x, y * z, 3.0 * z * z - 1.0, z * x, x * x - y * y])
@@ -183,7 +183,7 @@ def _harmonics() -> Array:
 
 
 def _falling(normals: Array) -> Array:
-    """Return the light that falls on surfaces: the studio's, and a fill light's that no metal mirrors."""
+    """Return the incident light: the studio's, and a fill light that metals do not mirror."""
     return irradiance(normals) + _FILL * np.maximum(-normals[:, 1], 0.0)
 
 

@@ -32,10 +32,10 @@ Result = TypeVar("Result")
 
 
 class OneThread:
-    """Runs calls one after another in one thread, whichever threads ask for them.
+    """Runs calls of all threads one after another in a single thread.
 
-    The thread begins with the first call and ends with the process. What calls make for later ones has to be
-    let go of by a call, too.
+    The thread begins with the first call and ends with the process. Objects that calls create for later ones
+    must be released by a call, too.
     """
 
     def __init__(self, name: str) -> None:
@@ -45,14 +45,14 @@ class OneThread:
         self._thread: threading.Thread | None = None
 
     def begun(self) -> bool:
-        """Tell whether there has been a call."""
+        """Tell whether there was a call."""
         return self._thread is not None
 
     def run(self, call: Callable[[], Result]) -> Result:
-        """Return the result of a call in the thread, or raise its error."""
+        """Return the result of a call in the thread, or raise its exception."""
         with self._beginning:
             if self._thread is None:
-                # a daemon, so that the process may end, and be told to by functions that run at its exit
+                # a daemon, so that the process can end; functions at exit may still use it
                 self._thread = threading.Thread(target=self._work, name=self._name, daemon=True)
                 self._thread.start()
         if threading.current_thread() is self._thread:
@@ -67,7 +67,7 @@ class OneThread:
 
 
 def _answer(call: Callable[[], Any], answer: "Future[Any]") -> None:
-    """Make a call; a function of its own keeps nothing of it alive until the next one."""
+    """Run a call in a separate function, which keeps none of its objects alive until the next call."""
     try:
         answer.set_result(call())
     except BaseException as error:  # noqa: BLE001 - whoever asked for the call gets it
@@ -75,19 +75,19 @@ def _answer(call: Callable[[], Any], answer: "Future[Any]") -> None:
 
 
 THREAD = OneThread("filament")
-"""In which Filament does everything: called from two threads, it ends the process."""
+"""Thread of all calls of Filament, which ends the process when called from two threads."""
 
 _SAMPLES_OF_A_FRAME = 4  # every frame smooths edges and shadows by itself
 _IMAGE_LIGHT = "studio_light.ktx"
 _ROLES: dict[Kind, str] = {"albedo": "mjTEXROLE_RGB", "orm": "mjTEXROLE_ORM", "normal": "mjTEXROLE_NORMAL"}
 _AMBIENT, _SUN = 17500.0, 45000.0  # candela: the sum shows white paper as white
-_WHITE = 6.0  # what is shown as white behind an asset
+_WHITE = 6.0  # background value that is shown as white
 _TONES = "pbr_neutral"  # keeps the colors of materials; only highlights are compressed
 
 
 @dataclass
 class FilamentDress:
-    """Makes materials for Filament: metalness and roughness, with their maps."""
+    """Materials of Filament: metalness and roughness, with their maps."""
 
     known: dict[str, tuple[Layer, ...]] = field(default_factory=dict)
     textures: set[str] = field(default_factory=set)
@@ -185,8 +185,8 @@ class FilamentRenderer:
         context.set_clear_color([_WHITE] * 3)
 
     def close(self) -> None:
-        """Free the graphics card's memory."""
-        # the parts of a scene go before the scene does
+        """Free the graphics memory."""
+        # release the parts of a scene before the scene
         self._model = self._renderer = None
 
     def fits(self, size: tuple[int, int]) -> bool:
@@ -216,7 +216,7 @@ class FilamentRenderer:
             across, along, *place, _, _ = spread(number, frames)
             self.scene.data.light_xdir[1] = -key_light(*place)
             self._model.update(self.scene.data)
-            # Filament takes no frustum shifted to the side: turning by less than a pixel does the same
+            # Filament has no frustum shifted to the side: a rotation by less than a pixel has the same effect
             eye.forward = forward + (across - 0.5) * pixel / near * right
             shift = (along - 0.5) * pixel
             eye.frustum_bottom, eye.frustum_top = shift - half, shift + half
@@ -227,10 +227,10 @@ class FilamentRenderer:
 
 @lru_cache(maxsize=1)
 def _context() -> Any:
-    """Return the one context of this process."""
+    """Return the context of this process."""
     _require()
     with _silence():
-        # this module brings Filament its shaders: without it the process ends
+        # this module provides Filament's shaders: without it the process ends
         importlib.import_module("mujoco.studio._studio")
         from mujoco import mjrf
 
@@ -241,7 +241,7 @@ def _context() -> Any:
 
 
 def forget_context() -> None:
-    """Free the context of this process, after everything that was made with it; only for use in `THREAD`."""
+    """Free the context of this process after all its objects; only for use in `THREAD`."""
     _context.cache_clear()
 
 
@@ -264,7 +264,7 @@ def _silence() -> Iterator[None]:
 
 @lru_cache(maxsize=1)
 def works() -> bool:
-    """Tell whether Filament works here; a child process tries it, since a bad driver ends its process."""
+    """Tell whether Filament works here; a child process tries it, because a bad driver ends its process."""
     try:
         _require_packages()
     except RenderError:
@@ -301,7 +301,7 @@ def _require_packages() -> None:
         raise RenderError('Filament needs MuJoCo 4 with mujoco-studio: pip install "artgen[sim]"')
 
 
-_PATIENCE = 60.0  # how long the trial may take [s]
+_PATIENCE = 60.0  # time limit of the trial [s]
 _TRIAL = """
 import importlib
 importlib.import_module("mujoco.studio._studio")

@@ -14,11 +14,11 @@ _NEEDED = (
 )
 
 
-_process: dict[str, int] = {}  # the one that draws; a forked one finds its parent's
+_process: dict[str, int] = {}  # id of the drawing process; a forked process finds its parent's
 
 
 def claim_process() -> None:
-    """Let this process draw, and none that will be forked from it."""
+    """Allow drawing in this process, and not in processes forked from it."""
     if _process.setdefault("id", os.getpid()) != os.getpid():
         raise RenderError(
             "this process was forked from one that had drawn a picture, which graphics drivers do not "
@@ -28,12 +28,12 @@ def claim_process() -> None:
 
 
 def owns_process() -> bool:
-    """Tell whether this is the process that draws."""
+    """Tell whether this process may draw."""
     return _process.get("id") == os.getpid()
 
 
 def available() -> str:
-    """Return the way to OpenGL that is taken: `egl`, `osmesa` or, where there are windows, `window`.
+    """Return the OpenGL backend: `egl`, `osmesa` or, with a display, `window`.
 
     The environment variable MUJOCO_GL decides; by default the first of EGL and OSMesa whose library loads.
     """

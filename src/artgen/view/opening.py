@@ -1,4 +1,4 @@
-"""Poses that show the inside of an asset: doors, drawers and lids open."""
+"""Poses that show the inside of an asset: open doors, drawers and lids."""
 
 from collections.abc import Iterable, Mapping
 from collections.abc import Set as AbstractSet
@@ -9,26 +9,27 @@ from artgen.asset import Asset, AssetCondition, AssetJoint
 from artgen.errors import ParameterError
 from artgen.export.frames import leader_of, regions
 
-_WIDE = 1.2  # a swing that is wider shows more from in front when it is not opened fully [rad]
-_SHARE = 0.45  # of a wide swing about an upright axis: farther, a door is seen edge on
-_UPRIGHT = 0.7  # vertical part of an axis, beyond which a hinge is a door's and a slide a lift
+_WIDE = 1.2  # wider swings show more from the front if they are not fully open [rad]
+_SHARE = 0.45  # share of a wide swing about an upright axis: beyond, a door is seen edge on
+_UPRIGHT = 0.7  # vertical part of an axis above which a hinge is a door's and a slide a lift
 _LIFT = (0.1, 0.5)  # larger lifts are opened to this share only [m, share]
-_TURN = 0.8  # of a joint without limits [rad or m]
-_DOOR = 0.4  # size of a part, as a share of what it lets move, from which it is a door or lid and no lock
-_TOP = 0.4  # how far the highest of drawers above each other is pulled, that all can be looked into
-_STACKED = 0.5  # share of the narrower of two drawers that the other one has below it
+_TURN = 0.8  # opening of a joint without limits [rad or m]
+# size of a part, relative to the parts that it unlocks, above which it is a door or lid instead of a lock
+_DOOR = 0.4
+_TOP = 0.4  # pull of the highest of stacked drawers, so that all can be seen from above
+_STACKED = 0.5  # share of the narrower of two drawers that lies above the other
 
 
 def opened(asset: Asset, share: float = 1.0) -> dict[str, float]:
     """Return joint positions in which an asset is open [rad or m].
 
-    Doors that swing wide are opened by half, or as far as what is behind them needs to come out; other joints
-    are opened up to their limits, lifts by half, and drawers above each other like stairs. What only unlocks
-    another joint, as a lever does, stays at rest unless the other one could not stand open otherwise.
+    Wide doors are opened by half, or as far as the parts behind them need; other joints are opened up to
+    their limits, lifts by half, and stacked drawers like stairs. Joints that only unlock others, such as
+    levers, stay at rest unless the others could not be open otherwise.
 
     Args:
         asset: The asset.
-        share: How far, from 0 for closed to 1.
+        share: Opening, from 0 for closed to 1.
 
     Raises:
         ParameterError: The share is not in 0..1.
@@ -49,14 +50,14 @@ def opened(asset: Asset, share: float = 1.0) -> dict[str, float]:
     }
     if asset.blocked(q):
         q |= {name: ends[name] for name in keys if name not in doors}
-    # what still may not stand there stays closed; the rest may depend on it, so again until nothing changes
+    # blocked joints stay closed; others may depend on them, so repeat until nothing changes
     while blocked := [name for name in asset.blocked(q) if name in q and q[name] != free[name].closed]:
         q |= {name: free[name].closed for name in blocked}
     return {name: position for name, position in q.items() if position != free[name].closed}
 
 
 def _end(joint: AssetJoint) -> float:
-    """Return where a joint stands when it is open by itself."""
+    """Return the open position of a joint by itself."""
     if joint.limits is None:
         return _TURN
     low, high = joint.limits
@@ -74,7 +75,7 @@ def _upright(joint: AssetJoint) -> bool:
 
 
 def _keys(asset: Asset) -> dict[str, set[str]]:
-    """Return the free joints that conditions speak of, each with the free joints that wait for it."""
+    """Return the free joints in conditions, each with the free joints that depend on it."""
     found: dict[str, set[str]] = {}
     for joint in asset.joints:
         for name in joint.needs.condition.joints() if joint.needs is not None else ():
@@ -85,7 +86,7 @@ def _keys(asset: Asset) -> dict[str, set[str]]:
 
 
 def _moved(asset: Asset, name: str) -> set[str]:
-    """Return the links that a free joint moves, with all that hangs on them and on what is coupled to it."""
+    """Return the links that a free joint moves, including descendants and coupled links."""
     found = {joint.child for joint in asset.joints if leader_of(asset, joint)[0] == name}
     for parent, child, _ in asset.pairs():
         if parent in found:
@@ -94,7 +95,7 @@ def _moved(asset: Asset, name: str) -> set[str]:
 
 
 def _is_door(asset: Asset, moved: Mapping[str, AbstractSet[str]], key: str, held: Iterable[str]) -> bool:
-    """Tell whether a part that others wait for is worth opening by itself, as a lock is not."""
+    """Tell whether a part that others depend on should be opened by itself, unlike a lock."""
     size = _size(asset, moved[key])
     return any(size >= _DOOR * _size(asset, moved[other]) for other in held if moved.get(other))
 
@@ -105,7 +106,7 @@ def _size(asset: Asset, links: Iterable[str]) -> float:
 
 
 def _wide_enough(asset: Asset, ends: Mapping[str, float], doors: AbstractSet[str]) -> dict[str, float]:
-    """Return where doors stand that have to be open farther for what is behind them to come out."""
+    """Return positions of doors that have to open farther for the parts behind them."""
     found: dict[str, float] = {}
     for joint in asset.joints:
         if joint.needs is not None and joint.needs.until is None:
@@ -116,7 +117,7 @@ def _wide_enough(asset: Asset, ends: Mapping[str, float], doors: AbstractSet[str
 def _meeting(
     asset: Asset, condition: AssetCondition, ends: Mapping[str, float], doors: AbstractSet[str]
 ) -> dict[str, float]:
-    """Return positions of doors that meet a condition; nothing if there are none."""
+    """Return positions of doors that satisfy a condition; empty if there are none."""
     for region in regions(asset, condition):
         found = {}
         for name, (low, high) in region.items():
@@ -133,7 +134,7 @@ def _meeting(
 
 
 def _stairs(asset: Asset, joints: Iterable[AssetJoint]) -> dict[str, float]:
-    """Return by how much of their way drawers are pulled that have another one below them."""
+    """Return the share of their range by which drawers above other drawers are pulled."""
     slides = [joint for joint in joints if joint.kind == "prismatic" and not _upright(joint)]
     slides.sort(key=lambda joint: float(asset.link(joint.child).bounds()[:, 2].mean()))
     level: dict[str, int] = {}
@@ -149,7 +150,7 @@ def _stands_on(asset: Asset, upper: AssetJoint, lower: AssetJoint) -> bool:
     if upper.parent != lower.parent or upper.axis @ lower.axis < _UPRIGHT:
         return False
     above, below = asset.link(upper.child).bounds(), asset.link(lower.child).bounds()
-    across = np.array([-upper.axis[1], upper.axis[0]])  # in plan, at right angles to the pull
+    across = np.array([-upper.axis[1], upper.axis[0]])  # in plan, perpendicular to the pull
     spans = [np.sort((box[:, :2] * np.abs(across)).sum(axis=1)) for box in (above, below)]
     common = min(spans[0][1], spans[1][1]) - max(spans[0][0], spans[1][0])
     narrower = min(span[1] - span[0] for span in spans)

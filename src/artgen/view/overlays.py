@@ -1,7 +1,7 @@
 """Overlays of viewers: colliders, joints, grasp frames, centers of mass, colors of labels.
 
-All of it is plain data in asset coordinates at rest [m]. A viewer carries what belongs to a link by
-`asset.pose(q)[link]`, and what belongs to a joint by `axis_poses(asset, q)[joint]`.
+All overlays are plain data in asset coordinates at rest [m]. A viewer moves those of a link by
+`asset.pose(q)[link]`, and those of a joint by `axis_poses(asset, q)[joint]`.
 """
 
 import math
@@ -19,14 +19,14 @@ from artgen.colliders import Convex
 Rgb = tuple[float, float, float]
 """A color in sRGB, each component from 0 to 1."""
 
-_FACETS = 0.001  # how far the facets of round colliders may stand off them [m]
-_MARGIN = 0.06  # share of a link's size by which the axis of its joint stands out at both ends
-_SHORTEST = 0.02  # length of an axis or arm, and of a slide that has no limits, at least [m]
-_STEP = math.radians(5.0)  # between the points of an arc
-_ON_AXIS = 1e-6  # what is nearer to an axis has no direction from it [m]
+_FACETS = 0.001  # largest distance of facets from round colliders [m]
+_MARGIN = 0.06  # share of a link's size by which the axis of its joint extends beyond both ends
+_SHORTEST = 0.02  # least length of an axis or arm, and of a slide without limits [m]
+_STEP = math.radians(5.0)  # angle between the points of an arc
+_ON_AXIS = 1e-6  # points nearer to an axis have no direction from it [m]
 
-# The colors of Okabe and Ito, which people with any color vision tell apart, grey instead of black; then
-# the same darker, lighter and in between, for categories with many labels.
+# colors of Okabe and Ito, which people with any color vision can distinguish, with grey instead of black;
+# then darker, lighter and intermediate versions for categories with many labels
 _HUES: tuple[Rgb, ...] = (
     (0.902, 0.624, 0.000),
     (0.337, 0.706, 0.914),
@@ -37,7 +37,7 @@ _HUES: tuple[Rgb, ...] = (
     (0.800, 0.475, 0.655),
     (0.600, 0.600, 0.600),
 )
-_SHADES = ((0.0, 1.0), (0.0, 0.55), (1.0, 0.45), (0.0, 0.78))  # towards this grey, and how much stays
+_SHADES = ((0.0, 1.0), (0.0, 0.55), (1.0, 0.45), (0.0, 0.78))  # grey, and the remaining share of the color
 PALETTE: tuple[Rgb, ...] = tuple(
     (
         round(keep * red + (1.0 - keep) * grey, 4),
@@ -47,69 +47,69 @@ PALETTE: tuple[Rgb, ...] = tuple(
     for grey, keep in _SHADES
     for red, green, blue in _HUES
 )
-"""The colors of labels, the easiest to tell apart first."""
+"""Colors of labels, the most distinct first."""
 
 
 @dataclass(frozen=True, eq=False)
 class ColliderFaces:
     """A collider as triangles."""
 
-    label: str  # semantic label of what it covers
+    label: str  # semantic label of the covered solid
     kind: str  # `box`, `cylinder`, `sphere`, `capsule` or `hull`
-    vertices: Array  # shape (n, 3) [m]
+    vertices: Array  # vertices, shape (n, 3) [m]
     triangles: Indices  # counter-clockwise seen from outside, shape (m, 3)
 
 
 @dataclass(frozen=True, eq=False)
 class HoldFrame:
-    """Where a hand acts: z along its approach, x along the closing of a gripper."""
+    """Frame of a hand: z along its approach, x along the closing direction of a gripper."""
 
     name: str  # name of the grasp or push
-    kind: Literal["grasp", "push"]  # which of the two it is
-    frame: Array  # shape (4, 4) [m]
-    width: float  # opening that fingers need; 0 for a push [m]
+    kind: Literal["grasp", "push"]  # `grasp` or `push`
+    frame: Array  # pose, shape (4, 4) [m]
+    width: float  # opening of the fingers; 0 for a push [m]
 
 
 @dataclass(frozen=True, eq=False)
 class LinkOverlay:
-    """The overlay of a link, which moves with it."""
+    """Overlay of a link, which moves with it."""
 
-    link: str  # its name
-    label: str  # its semantic label
-    mass: float  # [kg]
+    link: str  # name
+    label: str  # semantic label
+    mass: float  # mass [kg]
     center: Array  # center of mass, shape (3,) [m]
-    colliders: tuple[ColliderFaces, ...]  # its convex pieces
-    holds: tuple[HoldFrame, ...]  # its grasps and pushes
+    colliders: tuple[ColliderFaces, ...]  # convex pieces
+    holds: tuple[HoldFrame, ...]  # grasps and pushes
 
 
 @dataclass(frozen=True, eq=False)
 class JointOverlay:
-    """The overlay of a joint.
+    """Overlay of a joint.
 
-    `axis` and `range` stay with the joint (`axis_poses`); `hand` moves like that of a clock, by
+    `axis` and `range` stay with the joint (`axis_poses`); `hand` moves like the hand of a clock, by
     `axis_poses(asset, q)[joint] @ asset.joint(joint).motion(position)`: its end then lies on `range`.
     """
 
-    joint: str  # its name
+    joint: str  # name
     kind: str  # `revolute` or `prismatic`
-    parent: str  # name of the link that the axis belongs to
-    child: str  # name of the link that moves
+    parent: str  # name of the link that carries the axis
+    child: str  # name of the moving link
     axis: Array  # ends of a segment on the axis, in its direction, shape (2, 3) [m]
-    # points of the way that the end of `hand` takes, from the lowest position to the highest: an arc, or
-    # the two ends of a line; a full circle where a turn is unlimited, shape (k, 3) [m]
+    # path of the end of `hand`, from the lowest position to the highest: an arc, or the two ends of a line; a
+    # full circle for an unlimited rotation, shape (k, 3) [m]
     range: Array
-    hand: Array  # segment from the axis to where the way passes the position 0, shape (2, 3) [m]
+    hand: Array  # segment from the axis to the path at position 0, shape (2, 3) [m]
     limited: bool  # whether the ends of `range` are limits
 
 
 @dataclass(frozen=True, eq=False)
 class Overlays:
-    """All that can be drawn over an asset."""
+    """All overlays of an asset."""
 
-    links: Mapping[str, LinkOverlay]  # by the name of the link
-    joints: Mapping[str, JointOverlay]  # by the name of the joint; locked joints are left out
-    colors: Mapping[str, Rgb]  # the color of each semantic label
-    size: float  # diagonal of the asset's bounding box, to choose the size of signs by [m]
+    links: Mapping[str, LinkOverlay]  # by link name
+    joints: Mapping[str, JointOverlay]  # by joint name; without locked joints
+    colors: Mapping[str, Rgb]  # color of each semantic label
+    size: float  # diagonal of the asset's bounding box, for the size of symbols [m]
 
 
 def overlays(asset: Asset) -> Overlays:
@@ -124,9 +124,9 @@ def overlays(asset: Asset) -> Overlays:
 
 
 def axis_poses(asset: Asset, q: Mapping[str, float] | None = None) -> dict[str, Array]:
-    """Return how the axis of each joint is displaced from rest, shape (4, 4).
+    """Return the displacement of the axis of each joint from rest, shape (4, 4).
 
-    Of several joints between two links, each is carried by those before it.
+    Of several joints between two links, each is moved by those before it.
     """
     positions, poses, result = asset.positions(q), asset.pose(q), {}
     for parent, _, joints in asset.pairs():
@@ -138,15 +138,15 @@ def axis_poses(asset: Asset, q: Mapping[str, float] | None = None) -> dict[str, 
 
 
 def label_colors(asset: Asset) -> dict[str, Rgb]:
-    """Return a color for each label, the same in all assets of a category, and mostly in others.
+    """Return a color for each label, equal in all assets of a category, and usually in others.
 
-    The labels that a category names first have the colors that are told apart most easily.
+    The first labels that a category names have the most distinct colors.
     """
     labels = [*asset.labels, *sorted(_used(asset).difference(asset.labels))]
     result: dict[str, Rgb] = {}
     for number, label in enumerate(dict.fromkeys(labels)):
         if number % len(_HUES) == 0:
-            free = list(range(len(_HUES)))  # of one shade, one after another is given away
+            free = list(range(len(_HUES)))  # colors of a shade are assigned one after another
         wanted = zlib.crc32(label.encode()) % len(_HUES)
         hue = min(free, key=lambda index: (index - wanted) % len(_HUES))
         free.remove(hue)
@@ -155,7 +155,7 @@ def label_colors(asset: Asset) -> dict[str, Rgb]:
 
 
 def _used(asset: Asset) -> set[str]:
-    """Return the labels on the links of an asset, and on what they are made of."""
+    """Return the labels of the links and solids of an asset."""
     found: set[str] = set()
     for link in asset.links:
         found.update(link.labels, (surface.label for surface in link.surfaces))
@@ -210,11 +210,11 @@ def _of_joint(asset: Asset, joint: AssetJoint) -> JointOverlay:
 
 
 def _turn(joint: AssetJoint, foot: Array, corners: Iterable[Array]) -> tuple[Array, Array]:
-    """Return the hand of a revolute joint, to the farthest of some corners, and the arc of its end."""
+    """Return the hand of a revolute joint, to the farthest of several corners, and the arc of its end."""
     offsets = [corner - foot for corner in corners]
     across = [offset - (offset @ joint.axis) * joint.axis for offset in offsets]
     arm = max(across, key=lambda offset: round(float(np.linalg.norm(offset)), 9))
-    # what turns about its own middle has corners all around: then any of them will do
+    # a part that rotates about its own center has corners all around: any of them is suitable
     length = float(np.linalg.norm(arm))
     if length < _ON_AXIS:
         arm = np.cross(joint.axis, np.eye(3)[np.argmin(np.abs(joint.axis))])
@@ -229,7 +229,7 @@ def _turn(joint: AssetJoint, foot: Array, corners: Iterable[Array]) -> tuple[Arr
 
 
 def _slide(joint: AssetJoint, foot: Array, half: float) -> tuple[Array, Array]:
-    """Return the hand of a prismatic joint, a point, and the line that it moves along."""
+    """Return the hand of a prismatic joint, a point, and the line of its motion."""
     first, last = joint.limits or (-half, half)
     way = np.array([foot + first * joint.axis, foot + last * joint.axis])
     return np.array([foot, foot]), way

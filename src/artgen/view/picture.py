@@ -1,4 +1,4 @@
-"""Pictures: color, and for each pixel the link, the label, the distance and the normal."""
+"""Pictures: color, and the link, label, depth and normal of each pixel."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -18,18 +18,18 @@ _SUFFIXES = {".png": "PNG", ".jpg": "JPEG", ".jpeg": "JPEG"}
 
 @dataclass(frozen=True, eq=False)
 class Segmentation:
-    """The link and label of each pixel.
+    """Link or label of each pixel.
 
     Attributes:
-        ids: Number of the name of each pixel, 0 for the background, shape (height, width).
-        names: The names; the first one is empty and stands for the background.
+        ids: Number of the name at each pixel, 0 for the background, shape (height, width).
+        names: The names; the first is empty, for the background.
     """
 
     ids: NDArray[np.int32]
     names: tuple[str, ...]
 
     def mask(self, name: str) -> NDArray[np.bool_]:
-        """Return where something is seen, shape (height, width).
+        """Return the pixels of a name, shape (height, width).
 
         Raises:
             AssetError: There is no such name.
@@ -41,12 +41,12 @@ class Segmentation:
 
 @dataclass(frozen=True, eq=False)
 class Passes:
-    """The passes of a picture, each drawn at its first use."""
+    """Passes of a picture, each drawn on first use."""
 
-    # number of the surface at each pixel's center from 1, 0 for none, with the depth of it along the
-    # camera's axis [m], infinite for none; both of shape (height, width)
+    # number of the surface at each pixel's center from 1, 0 for none, and its depth along the camera's axis
+    # [m], infinite for none; both of shape (height, width)
     surfaces: Callable[[], tuple[NDArray[np.int32], Array]]
-    # unit normals in asset coordinates, zero where nothing is seen, shape (height, width, 3)
+    # unit normals in asset coordinates, zero for the background, shape (height, width, 3)
     normals: Callable[[], Array]
 
 
@@ -56,11 +56,11 @@ class Picture:
 
     Attributes:
         color: sRGB, shape (height, width, 3).
-        camera: Where it was taken from, in asset coordinates.
-        backend: The renderer that drew the colors: `classic` or `filament`.
+        camera: The camera, in asset coordinates.
+        backend: Renderer of the colors: `classic` or `filament`.
         link_names: Link of each surface.
         label_names: Semantic label of each surface.
-        passes: What draws the rest.
+        passes: The other passes.
     """
 
     color: Pixels
@@ -76,7 +76,7 @@ class Picture:
 
     @property
     def depth(self) -> Array:
-        """Depth along the camera's axis, infinite where the asset is not seen, shape (height, width) [m]."""
+        """Depth along the camera's axis, infinite for the background, shape (height, width) [m]."""
         return self._surfaces[1]
 
     @cached_property
@@ -91,7 +91,7 @@ class Picture:
 
     @cached_property
     def normals(self) -> Array:
-        """Unit normals in asset coordinates, zero where the asset is not seen, shape (height, width, 3)."""
+        """Unit normals in asset coordinates, zero for the background, shape (height, width, 3)."""
         return self.passes.normals()
 
     def _by(self, of_surface: tuple[str, ...]) -> Segmentation:
@@ -103,7 +103,7 @@ class Picture:
         """Write the colors to a PNG or JPEG file.
 
         Raises:
-            ExportError: The name ends otherwise, or the file cannot be written.
+            ExportError: The name has another suffix, or the file cannot be written.
         """
         return save_image(self.color, path)
 
@@ -122,6 +122,6 @@ def save_image(pixels: Pixels, path: str | Path, quality: int = 92) -> Path:
 
 
 def check_suffix(path: Path) -> None:
-    """Raise an ExportError unless a file's name is one of a PNG or JPEG."""
+    """Raise an ExportError unless a file's name has the suffix of PNG or JPEG."""
     if path.suffix.lower() not in _SUFFIXES:
         raise ExportError(f"cannot write {path}: a picture's name ends in {', '.join(_SUFFIXES)}")

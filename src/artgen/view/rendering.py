@@ -27,7 +27,7 @@ class Hits:
     """The first hits of rays."""
 
     surfaces: NDArray[np.int32]  # number of the surface that each ray hits from 1, 0 for none, shape (n,)
-    distance: Array  # how often the direction fits between origin and hit, infinite for none, shape (n,)
+    distance: Array  # distance in lengths of the direction, infinite without a hit, shape (n,)
     normals: Array  # unit normals, interpolated over the triangles; zero for none, shape (n, 3)
     # number of the triangle among those of all surfaces, -1 for none, shape (n,)
     triangles: NDArray[np.int64]
@@ -47,7 +47,7 @@ def cast(meshes: Sequence[Mesh], origin: Array, directions: Array) -> Hits:
     normals = np.concatenate([mesh.normals[mesh.triangles] for mesh in meshes])
     surface = np.repeat(np.arange(1, len(meshes) + 1), [len(mesh.triangles) for mesh in meshes])
     scene = EmbreeScene()
-    # Embree counts in single precision: the origin of the rays is the origin of its coordinates
+    # Embree uses single precision: its coordinates have their origin at the origin of the rays
     TriangleMesh(scene, np.ascontiguousarray(corners - origin, np.float32))
     rays = np.ascontiguousarray(directions.reshape(-1, 3), np.float32)
     found = scene.run(np.zeros_like(rays), rays, output=True)
@@ -65,8 +65,8 @@ def cast(meshes: Sequence[Mesh], origin: Array, directions: Array) -> Hits:
 
 Backend = Literal["auto", "classic", "filament"]
 
-_KEPT = 4  # scenes that stay ready for the next picture
-_LEAST, _MOST = 16, 4096  # pixels on a side
+_KEPT = 4  # scenes that are kept for the next picture
+_LEAST, _MOST = 16, 4096  # largest number of pixels per side
 _kept = threading.local()  # a graphics context belongs to one thread
 
 
@@ -81,22 +81,22 @@ def render(
     textures: int = 512,
     samples: int = 32,
 ) -> Picture:
-    """Take a picture of an asset with MuJoCo.
+    """Render a picture of an asset with MuJoCo.
 
     Args:
         asset: The asset, generated or loaded.
-        q: Joint positions by name; those not given stand nearest to 0 [rad or m].
+        q: Joint positions by name, completed as in `Asset.positions` [rad or m].
         camera: A camera, a view, or the name of a view: one of `artgen.view.VIEWS`, or `close-up:` and the
-            name of a link. By default from the front, a little from the left and above.
+            name of a link. By default from the front, slightly left and above.
         size: Width and height of the picture, or one number for both [pixels].
-        studio: What stands around: a seamless backdrop, a wall and a wooden floor, or nothing.
-        backend: Filament is physically based and needs Python 3.12 and Vulkan; `classic` needs OpenGL only;
-            `auto` takes Filament where it works.
-        textures: Texels on a side of the materials' maps; 0 for plain colors.
-        samples: How finely lamps and edges are sampled; pictures with few have steps in their shadows.
+        studio: Surroundings: a seamless backdrop, a wall and a wooden floor, or none.
+        backend: Filament is physically based and needs Python 3.12 and Vulkan; `classic` needs only OpenGL;
+            `auto` uses Filament if it works.
+        textures: Texels per side of the material maps; 0 for plain colors.
+        samples: Number of samples of lamps and edges; few samples give steps in shadows.
 
     Raises:
-        AssetError: A joint or link is unknown, a position beyond its limits, or nothing is to be seen.
+        AssetError: A joint or link is unknown, a position is beyond its limits, or nothing is visible.
         ParameterError: An argument has a value that is not allowed.
         RenderError: A renderer or its library is missing; the message says what to install.
     """
@@ -135,9 +135,9 @@ def render(
 
 
 def close() -> None:
-    """Free the renderers of this thread; the next picture makes a new one."""
+    """Free the renderers of this thread; the next picture creates a new one."""
     if not gl.owns_process():
-        return  # what a forked process finds is its parent's
+        return  # renderers in a forked process belong to its parent
     _close_kept()
     if filament.THREAD.begun():
         filament.THREAD.run(_close_kept)
@@ -151,7 +151,7 @@ def _close_kept() -> None:
 
 
 def _renderer(asset: Asset, backend: str, studio: Studio, textures: int, size: tuple[int, int]) -> Any:
-    """Return the renderer of an asset; it is reused for further pictures."""
+    """Return the renderer of an asset, which is reused for further pictures."""
     gl.claim_process()
     kept: OrderedDict[Any, Any] = vars(_kept).setdefault("renderers", OrderedDict())
     key = (id(asset), backend, studio, textures)
@@ -166,9 +166,9 @@ def _renderer(asset: Asset, backend: str, studio: Studio, textures: int, size: t
             found = ClassicRenderer(RenderScene(asset, studio, textures, ClassicDress()), size)
         else:
             for other in [other for other in kept if other[1] == "filament"]:
-                kept.pop(other).close()  # Filament draws nothing any more while two models share its context
+                kept.pop(other).close()  # Filament draws nothing while two models share its context
             found = filament.FilamentRenderer(RenderScene(asset, studio, textures, filament.FilamentDress()))
-        # runs before MuJoCo's own, which were registered earlier, take the display away
+        # runs before MuJoCo's exit functions, which were registered earlier, remove the display
         atexit.unregister(close)
         atexit.register(close)
         kept[key] = found
@@ -179,7 +179,7 @@ def _renderer(asset: Asset, backend: str, studio: Studio, textures: int, size: t
 def _surfaces(
     asset: Asset, camera: Camera, poses: Mapping[str, Array], size: tuple[int, int]
 ) -> tuple[NDArray[np.int32], Array]:
-    """Return number and depth of the surface at each pixel's center: by OpenGL, or else by rays."""
+    """Return number and depth of the surface at each pixel's center: by OpenGL, or by rays."""
     try:
         renderer = _renderer(asset, "classic", "none", 0, size)
     except RenderError:
@@ -197,7 +197,7 @@ def _cast(asset: Asset, camera: Camera, poses: Mapping[str, Array], size: tuple[
 
 
 def _points(asset: Asset, poses: Mapping[str, Array]) -> dict[str, Array]:
-    """Return the posed vertices of each link that is seen."""
+    """Return the posed vertices of each visible link."""
     meshes: dict[str, list[Mesh]] = {
         link.name: [surface.mesh for surface in link.surfaces] for link in asset.links
     }

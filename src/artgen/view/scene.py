@@ -1,4 +1,4 @@
-"""The scene of an asset for MuJoCo: each link a body that stands where the pose puts it, in a studio."""
+"""The scene of an asset for MuJoCo: each link as a posed body, in a studio."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -17,22 +17,22 @@ from artgen.view.studio import Backdrop, backdrop
 Studio = Literal["studio", "room", "none"]
 
 ASSET_GROUP, GLOSS_GROUP, STUDIO_GROUP = 0, 1, 2
-"""MuJoCo's groups of what is drawn: surfaces, what shines over them, and what stands around."""
+"""MuJoCo's geom groups: surfaces, gloss layers, and surroundings."""
 
 HIDDEN_GROUP = 5
-"""MuJoCo's group of what is in the scene, but not in a picture."""
+"""MuJoCo's geom group of invisible objects."""
 
 
 @dataclass(frozen=True)
 class Layer:
-    """A material of MuJoCo with which a surface is drawn once."""
+    """A MuJoCo material for one pass of a surface."""
 
     name: str  # name of the material in the model
-    mirrors: bool = False  # whether its texture is what the studio looks like in a mirror
+    mirrors: bool = False  # whether its texture is a reflection of the studio
 
 
 class Dress(Protocol):
-    """Makes MuJoCo's materials of artgen's, as one of its renderers needs them."""
+    """Converts artgen's materials to MuJoCo's for one of its renderers."""
 
     def layers(self, spec: Any, material: Material, textures: int) -> tuple[Layer, ...]:
         """Add the textures and materials of a surface; return the material passes in draw order."""
@@ -46,8 +46,8 @@ class Drawn:
     """A surface of the asset in the model."""
 
     link: int  # number of its link
-    mesh: Mesh  # its faces, in asset coordinates at rest
-    mirrors: tuple[int, ...]  # number of each of its meshes in the model that mirror the studio
+    mesh: Mesh  # faces in asset coordinates at rest
+    mirrors: tuple[int, ...]  # numbers of its meshes in the model that mirror the studio
 
 
 class RenderScene:
@@ -55,11 +55,11 @@ class RenderScene:
 
     Attributes:
         asset: The asset.
-        model: MuJoCo's model: a moving body for each link, and what stands around.
-        data: Its state.
+        model: MuJoCo's model: a movable body for each link, and the surroundings.
+        data: State of the model.
         drawn: Every visible surface, in the order of the links.
         surface_of_geom: For each geom of the model the number of its surface from 1, 0 for other geoms.
-        place: What stands around.
+        place: The surroundings.
     """
 
     def __init__(self, asset: Asset, studio: Studio, textures: int, dress: Dress) -> None:
@@ -99,7 +99,7 @@ class RenderScene:
         self.drawn = tuple(drawn)
 
     def placed(self, camera: Camera, poses: Mapping[str, Array]) -> tuple[Camera, list[Array]]:
-        """Pose the links as seen by a camera, which stands on the studio's front whatever it sees."""
+        """Pose the links as seen by a camera, which always stands at the studio's front."""
         import mujoco
 
         studio = self.place.turned(camera)
@@ -123,7 +123,7 @@ class RenderScene:
         )
 
     def depth_range(self, camera: Camera, poses: list[Array]) -> tuple[float, float]:
-        """Return between which depths along a camera's axis everything is seen [m], in studio coordinates."""
+        """Return the range of visible depths along a camera's axis [m], in studio coordinates."""
         forward = camera.axes()[2]
         depths = []
         for link, pose in zip(self.asset.links, poses, strict=True):
@@ -144,7 +144,7 @@ def add_geom(
     import mujoco
 
     coordinates = texture_coordinates(mesh, material)
-    # MuJoCo counts v downwards from the first row of a texture
+    # MuJoCo counts v down from the first row of a texture
     coordinates = np.column_stack([coordinates[:, 0], 1.0 - coordinates[:, 1]])
     triangles = np.ascontiguousarray(mesh.triangles, np.int32).ravel()
     spec.add_mesh(

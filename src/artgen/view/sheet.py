@@ -1,4 +1,4 @@
-"""Contact sheets: many samples of a category on one page, each closed and open, with its main features."""
+"""Contact sheets: many samples of a category on one page, closed and open, with their main features."""
 
 import io
 import math
@@ -21,21 +21,23 @@ from artgen.view.rendering import Backend, close, render
 Pixels = NDArray[np.uint8]
 
 ASIDE = 0.5
-"""How far from straight in front a sample of a sheet is seen, and from straight behind [rad]."""
+"""Largest angle from the front or back at which a sample is seen [rad]."""
 
-_SHADE = re.compile("_[0-9a-f]{6}$")  # ends the name of a material in a shade of its own
-_TITLE, _TEXT, _GAP = 15, 12, 12  # sizes of type, and what stays free around an asset [pixels]
-_LINES = 2  # of a caption
+_SHADE = re.compile("_[0-9a-f]{6}$")  # suffix of the name of a material in its own shade
+_TITLE, _TEXT, _GAP = 15, 12, 12  # font sizes, and free space around an asset [pixels]
+_LINES = 2  # lines of a caption
 _INK, _GREY = (30, 30, 32), (110, 110, 114)
-_PAGE = 1.5  # width of a page over its height
-_BYTES = 350_000  # what a sheet may take on a page of documentation
-_HEIGHTS, _ABOVE = (0.25, 2.0), (0.42, 0.2)  # of assets, and from how far above they are seen [m, rad]
-_FLAT, _OVER = (0.08, 0.4), (0.85, 0.42)  # height over the longer side of flat ones, and the same for them
-_UPRIGHT = 0.7  # vertical part of an axis from which a hinge is that of a door
-_EVEN, _MIDDLE = 0.3, 0.5  # doors at both sides are as large but for this; how far aside is enough then
-_MARGIN = 0.05  # share of a picture that stays free along its edges
-_MEASURED = 12  # so many of the first assets decide about the shape of all pictures
-_NARROW, _WIDE = 0.5, 2.0  # pictures' width over their height, at least and at most
+_PAGE = 1.5  # width of a page relative to its height
+_BYTES = 350_000  # largest size of a sheet in the documentation [bytes]
+# heights of assets, and the elevations from which they are seen [m, rad]
+_HEIGHTS, _ABOVE = (0.25, 2.0), (0.42, 0.2)
+# height relative to the longer side of flat assets, and their elevation
+_FLAT, _OVER = (0.08, 0.4), (0.85, 0.42)
+_UPRIGHT = 0.7  # vertical part of an axis above which a hinge is a door's
+_EVEN, _MIDDLE = 0.3, 0.5  # tolerance of equally large doors at both sides; then a smaller angle is enough
+_MARGIN = 0.05  # free share of a picture along its edges
+_MEASURED = 12  # number of first assets that determine the shape of all pictures
+_NARROW, _WIDE = 0.5, 2.0  # smallest and largest ratio of width to height of pictures
 _QUALITIES = (90, 85, 80, 75, 70, 62, 54, 46, 38, 30, 22)
 
 
@@ -50,10 +52,10 @@ def sheet(
     samples: int = 16,
     progress: Callable[[int, int], None] | None = None,
 ) -> Pixels:
-    """Return a page of pictures: a cell for each asset, closed and open, and from behind, shape (h, w, 3).
+    """Return a page of pictures: a cell for each asset, closed, open and from behind, shape (h, w, 3).
 
-    Each asset fills its pictures, whose shape suits most of the first ones. It is seen from the side from
-    which one looks into it when it is open, and from the higher the smaller and the flatter it is.
+    Each asset fills its pictures, whose shape suits most of the first assets. It is seen from the side into
+    which it opens, and small and flat assets are seen from higher up.
     """
     if not assets or views not in (1, 2) or (columns is not None and columns < 1):
         raise ParameterError(
@@ -77,7 +79,7 @@ def sheet(
             ).color
             for q, view in shots(asset)[: views + 1]
         ]
-        close()  # a sheet may be long, and no asset is drawn again
+        close()  # a sheet may be long, and no asset is drawn twice
         cells.append(_cell(asset, shown, words(asset)))
         if progress is not None:
             progress(number + 1, len(assets))
@@ -89,7 +91,7 @@ def sheet(
 def shots(asset: Asset) -> tuple[tuple[Mapping[str, float], View], ...]:
     """Return joint positions and a view for each picture of an asset on a sheet.
 
-    It is closed, open, and closed from behind.
+    The pictures are closed, open, and closed from behind.
     """
     low, high = asset.bounds()
     size = high - low
@@ -101,10 +103,10 @@ def shots(asset: Asset) -> tuple[tuple[Mapping[str, float], View], ...]:
 
 
 def _side(asset: Asset, q: Mapping[str, float]) -> float:
-    """Return from which side one looks into an open asset, and how far from there.
+    """Return the side from which an open asset is seen, and the angle.
 
-    It is 1 for the right, where most of what swings towards the viewer hinges at the left; between doors at
-    both sides one looks from nearer the middle.
+    1 is the right side, for assets whose doors hinge mostly at the left; between doors at both sides, the
+    view is nearer to the center.
     """
     poses, right, doors = asset.pose(q), 0.0, 0.0
     for joint in map(asset.joint, q):
@@ -122,7 +124,7 @@ def _side(asset: Asset, q: Mapping[str, float]) -> float:
 
 
 def _aspect(asset: Asset) -> float:
-    """Return width divided by height of pictures that an asset fills."""
+    """Return the ratio of width to height of pictures that an asset fills."""
     found = []
     for q, view in shots(asset):
         poses = asset.pose(q)
@@ -151,7 +153,7 @@ def words(asset: Asset) -> str:
 
 
 def save_sheet(pixels: Pixels, path: str | Path) -> Path:
-    """Write a sheet to a PNG file, or to a JPEG file of at most 350 kB where any quality allows it."""
+    """Write a sheet to a PNG file, or to a JPEG file of at most 350 kB if a quality allows it."""
     from PIL import Image
 
     from artgen.view.picture import check_suffix, save_image
@@ -193,7 +195,7 @@ def _cell(asset: Asset, shown: Sequence[Pixels], text: str) -> Pixels:
 
 
 def _wrapped(text: str, width: int) -> list[str]:
-    """Break a text into lines that are no wider than a number of pixels, as many as a caption has."""
+    """Break a text into lines of at most a number of pixels, as many as a caption has."""
     font = _font(_TEXT, "Regular")
     lines = [""]
     for word in text.split():

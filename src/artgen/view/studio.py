@@ -22,21 +22,21 @@ class Backdrop:
     """The surroundings of an asset, in studio coordinates."""
 
     kind: str  # `studio`, `room` or `none`
-    center: Array  # the middle of the asset at rest, shape (3,) [m]
+    center: Array  # center of the asset at rest, shape (3,) [m]
     radius: float  # half the diagonal of its bounding box [m]
     floor: float  # height of the floor [m]
-    meshes: tuple[tuple[Mesh, Material], ...]  # what is seen, with its materials
+    meshes: tuple[tuple[Mesh, Material], ...]  # visible surfaces with their materials
 
     @property
     def beyond(self) -> float:
-        """How far behind the asset something may be seen [m]."""
+        """Largest distance of visible things behind the asset [m]."""
         return 60.0 * self.radius
 
     def turned(self, camera: Camera) -> Array:
-        """Return the motion from asset to studio coordinates, shape (4, 4).
+        """Return the transform from asset to studio coordinates, shape (4, 4).
 
-        In the studio it is the asset that is turned for a picture, not the camera that goes round; in a room
-        it has either its back or its front to the wall.
+        In the studio the asset is rotated for a picture instead of the camera; in a room its back or its
+        front faces the wall.
         """
         result = np.eye(4)
         angle = -camera.azimuth()
@@ -52,7 +52,7 @@ def backdrop(asset: Asset, kind: str) -> Backdrop:
     low, high = asset.bounds()
     center = (low + high) / 2.0
     radius = float(np.linalg.norm(high - low)) / 2.0
-    floor = float(low[2]) - 1e-4 * radius  # nothing lies in one plane with it
+    floor = float(low[2]) - 1e-4 * radius  # no face of it coincides with the asset's
     meshes: list[tuple[Mesh, Material]] = []
     if kind == "studio":
         meshes = [(_cyclorama(center, radius, floor), _PAPER)]
@@ -62,7 +62,7 @@ def backdrop(asset: Asset, kind: str) -> Backdrop:
 
 
 def _reach(asset: Asset, middle: float) -> float:
-    """Return how far an asset reaches to its front or back, closed or open [m]."""
+    """Return the extent of an asset to its front or back, closed or open [m]."""
     farthest = 0.0
     for q in ({}, opened(asset)):
         poses = asset.pose(q)
@@ -88,7 +88,7 @@ def _cyclorama(center: Array, radius: float, floor: float) -> Mesh:
 def _room(center: Array, radius: float, floor: float, back: float) -> list[tuple[Mesh, Material]]:
     wall = back + 0.03 * radius + 0.02
     wide = 12.0 * radius
-    height, depth = 0.09, 0.015  # of a skirting board [m]
+    height, depth = 0.09, 0.015  # size of a skirting board [m]
     up, front = np.array([0.0, 0.0, 1.0]), np.array([0.0, -1.0, 0.0])
     near, foot = center[1] - 12.0 * radius, wall - depth
     boards = material("oak")
@@ -118,7 +118,7 @@ def _room(center: Array, radius: float, floor: float, back: float) -> list[tuple
 
 
 def ribbon(profile: Array, normals: Array, middle: float, half: float) -> Mesh:
-    """Return a sheet: a line in y and z, shape (n, 2), drawn out along x."""
+    """Return a sheet: a line in y and z, shape (n, 2), extruded along x."""
     count = len(profile)
     vertices = np.empty((count, 2, 3))
     vertices[..., 0] = middle + np.array([-half, half])

@@ -1,10 +1,9 @@
 """GLB: one file with the meshes, materials, maps, movable nodes and animations of an asset.
 
-The nodes are the links, named like them, in the tree of the joints; where several joints join two links there
-is a node between them for each. A node has its origin at the link's own and is parallel to the asset's axes
-where every joint stands at 0, so that a joint moves the node of its child along or about `axis`: a revolute
-one sets its rotation, a prismatic one its translation to `origin + position * axis`. The root node turns the
-asset, whose z is up, to glTF's y up.
+The nodes are the links, with their names, in the tree of the joints; several joints of two links have a node
+between them each. A node has its origin at the link's origin and is parallel to the asset's axes when every
+joint stands at 0. A joint moves the node of its child along or about `axis`: a revolute joint sets its
+rotation, a prismatic joint its translation.
 """
 
 import math
@@ -30,7 +29,7 @@ from artgen.export.glb.materials import Looks
 from artgen.export.glb.meshes import primitive
 from artgen.export.losses import Loss, Written, joints_where, look_losses, loss
 
-_UPRIGHT = [-math.sqrt(0.5), 0.0, 0.0, math.sqrt(0.5)]  # takes z up to y up
+_UPRIGHT = [-math.sqrt(0.5), 0.0, 0.0, math.sqrt(0.5)]  # turns z up into y up
 _ROOT, _BASE = 0, 1  # numbers of nodes
 
 
@@ -39,13 +38,13 @@ def write_glb(asset: Asset, textures: int = 0) -> Written:
 
     Args:
         asset: The asset.
-        textures: Texels on a side of the materials' maps; 0 for colors alone.
+        textures: Texels per side of the material maps; 0 for colors only.
 
     Returns:
-        The file, and what GLB cannot say.
+        The file, and the losses of GLB.
 
     Raises:
-        ParameterError: Maps cannot have that many texels.
+        ParameterError: The size of maps is not allowed.
     """
     buffer = Buffer()
     looks = Looks(buffer, textures)
@@ -76,7 +75,7 @@ def write_glb(asset: Asset, textures: int = 0) -> Written:
 
 
 def _root(asset: Asset, segments: Sequence[Segment], taken: Collection[str]) -> Json:
-    """Return the root node, which turns the asset upright and carries its metadata."""
+    """Return the root node, which turns the asset upright and has its metadata."""
     data = {
         "name": asset.name,
         "category": asset.category,
@@ -94,7 +93,7 @@ def _root(asset: Asset, segments: Sequence[Segment], taken: Collection[str]) -> 
 
 
 def _joint(asset: Asset, segment: Segment) -> Json:
-    """Return a joint as a viewer with a slider wants it."""
+    """Return the data of a joint for a viewer with sliders."""
     joint, follows = segment.joint, coupling(asset, segment.joint)
     lower, upper = joint.limits or (None, None)
     mimic = None
@@ -117,7 +116,7 @@ def _joint(asset: Asset, segment: Segment) -> Json:
 
 
 def _node(frame: LinkFrame) -> Json:
-    """Return the node of a frame, not yet placed in its parent."""
+    """Return the node of a frame, without its placement in its parent."""
     node: Json = {"name": frame.name}
     if frame.link is not None:
         node["extras"] = {"label": frame.link.label, "labels": list(frame.link.labels)}
@@ -125,7 +124,7 @@ def _node(frame: LinkFrame) -> Json:
 
 
 def _place(asset: Asset, segment: Segment, node: Json) -> None:
-    """Place the node of a segment's child as the asset stands."""
+    """Place the node of a segment's child at the initial positions."""
     joint = segment.joint
     if joint.locked:
         w, x, y, z = quaternion(segment.origin)
@@ -140,7 +139,7 @@ def _place(asset: Asset, segment: Segment, node: Json) -> None:
 
 
 def _mesh(frame: LinkFrame, link: Link, buffer: Buffer, looks: Looks, taken: Collection[str]) -> Json:
-    """Return the mesh of a link; its name must differ from that of a node, which readers would rename."""
+    """Return the mesh of a link; its name must differ from all names of nodes, or readers would rename it."""
     primitives = []
     for surface in link.surfaces:
         shown = primitive(buffer, surface, frame.origin, looks.maps(surface.material))

@@ -1,4 +1,4 @@
-"""Animations of a GLB file: each free joint opens and closes, after those that it waits for."""
+"""Animations of a GLB file: each free joint opens and closes, after the joints that it depends on."""
 
 import itertools
 import math
@@ -12,27 +12,27 @@ from artgen.export.frames import Segment, leader_of
 from artgen.export.glb.buffer import Buffer, Json
 from artgen.export.glb.motion import Stop, opening
 
-_OPENS = 1.0  # how long a joint opens [s]
-_PREPARES = 0.5  # how long another one moves, for which it waits [s]
-_PAUSES = 0.2  # between two movements [s]
-_FASTEST = math.pi  # mean speed of a turn [rad/s]
-_FEWEST_STEPS = 8  # of a movement; between them readers interpolate linearly
+_OPENS = 1.0  # duration of the opening of a joint [s]
+_PREPARES = 0.5  # duration of the motion of a joint that it depends on [s]
+_PAUSES = 0.2  # pause between two motions [s]
+_FASTEST = math.pi  # mean speed of a rotation [rad/s]
+_FEWEST_STEPS = 8  # keys of a motion; readers interpolate linearly between them
 _WIDEST_STEP = math.radians(25.0)
 
 
 def animations(
     asset: Asset, segments: Sequence[Segment], nodes: Mapping[str, int], buffer: Buffer
 ) -> tuple[list[Json], list[str]]:
-    """Add an animation for each free joint, named like it.
+    """Add an animation for each free joint, with its name.
 
     Args:
         asset: The asset.
-        segments: Its joints with the frames that they join.
+        segments: Its joints with their frames.
         nodes: Number of each frame's node by name.
-        buffer: Takes the keys.
+        buffer: Buffer for the keys.
 
     Returns:
-        The animations as JSON data, and the joints that dependencies hold at rest.
+        The animations as JSON data, and the joints that dependencies keep at rest.
     """
     result, held = [], []
     for joint in asset.free_joints:
@@ -47,11 +47,11 @@ def animations(
 
 
 def local_motion(segment: Segment, positions: Array) -> tuple[Array, Array]:
-    """Return where a segment's child stands in its parent's frame at positions of the joint, shape (k,).
+    """Return the pose of a segment's child in its parent's frame at positions of the joint, shape (k,).
 
     Returns:
-        Translations, shape (k, 3) [m], and rotations as quaternions (x, y, z, w), shape (k, 4), which change
-        steadily with the position.
+        Translations, shape (k, 3) [m], and rotations as quaternions (x, y, z, w), shape (k, 4), without sign
+        changes.
     """
     joint, origin = segment.joint, segment.origin[:3, 3]
     if joint.kind == "prismatic":
@@ -62,7 +62,7 @@ def local_motion(segment: Segment, positions: Array) -> tuple[Array, Array]:
 
 
 def _moving(asset: Asset, segments: Sequence[Segment], stops: Sequence[Stop]) -> list[Segment]:
-    """Return the segments whose joints move between stops."""
+    """Return the segments with joints that move between stops."""
     moved = {name for name in stops[0] if len({stop[name] for stop in stops}) > 1}
     return [
         segment
@@ -72,7 +72,7 @@ def _moving(asset: Asset, segments: Sequence[Segment], stops: Sequence[Stop]) ->
 
 
 def _turns(asset: Asset, moving: Sequence[Segment]) -> dict[str, float]:
-    """Return by how much anything turns at most when a free joint moves by 1, by the joint's name."""
+    """Return the largest rotation of any joint per motion of each free joint, by name."""
     result: dict[str, float] = {}
     for segment in moving:
         if segment.joint.kind == "revolute":
@@ -82,11 +82,11 @@ def _turns(asset: Asset, moving: Sequence[Segment]) -> dict[str, float]:
 
 
 def _keys(joint: str, stops: Sequence[Stop], turns: Mapping[str, float]) -> tuple[Array, dict[str, Array]]:
-    """Return times, shape (k,) [s], and the positions of the free joints at them, each of shape (k,)."""
+    """Return times, shape (k,) [s], and the positions of the free joints at these times."""
     times, shares, legs = [np.zeros(1)], [np.zeros(1)], [0]
     for number, (start, end) in enumerate(itertools.pairwise(stops)):
         turned = max(abs(end[name] - start[name]) * turns.get(name, 0.0) for name in start)
-        # eased like this, a movement is half pi times as fast in the middle as on average
+        # with this easing, the peak speed is pi / 2 times the mean speed
         steps = max(_FEWEST_STEPS, math.ceil(turned * math.pi / 2.0 / _WIDEST_STEP))
         share = np.arange(steps + 1) / steps
         begins = times[-1][-1] + (_PAUSES if number else 0.0)
@@ -110,7 +110,7 @@ def _channels(
     buffer: Buffer,
     keys: tuple[Array, Mapping[str, Array]],
 ) -> Json:
-    """Return the channels and samplers of an animation, one of each for each node that moves."""
+    """Return the channels and samplers of an animation, one of each per moving node."""
     channels: list[Json] = []
     samplers: list[Json] = []
     times = buffer.array("times", keys[0])

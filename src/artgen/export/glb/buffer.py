@@ -1,4 +1,4 @@
-"""The binary half of a GLB file: accessors and images in one buffer, and the container around it."""
+"""The binary part of a GLB file: accessors and images in one buffer, and the container."""
 
 import json
 import struct
@@ -14,7 +14,7 @@ Content = Literal[
 
 _FLOAT, _SHORT, _LONG = 5126, 5123, 5125  # component types
 _VERTICES, _INDICES = 34962, 34963  # targets of buffer views
-_MOST_SHORT = 65535  # the last number of a short index restarts a strip
+_MOST_SHORT = 65535  # the largest short index restarts a strip
 
 _LAYOUT: dict[Content, tuple[str, int, str, int]] = {
     "indices": ("SCALAR", _SHORT, "<u2", _INDICES),
@@ -27,17 +27,17 @@ _LAYOUT: dict[Content, tuple[str, int, str, int]] = {
     "rotations": ("VEC4", _FLOAT, "<f4", 0),
     "moves": ("VEC3", _FLOAT, "<f4", 0),
 }
-"""Type, component type, number format and target of each content; each content has a buffer view."""
+"""Type, component type, number format and target of each kind of content; each kind has a buffer view."""
 
-_BOUNDED = ("positions", "times")  # of these a reader wants the least and the greatest value
-_DECIMALS = 7  # 0.1 micrometre: hides the last digits, in which machines differ
+_BOUNDED = ("positions", "times")  # readers need their smallest and largest value
+_DECIMALS = 7  # 0.1 micrometre: machines differ in the digits beyond
 
 
 class Buffer:
-    """The one buffer of a GLB file.
+    """The buffer of a GLB file.
 
     Attributes:
-        accessors: What the JSON half says of the arrays.
+        accessors: Descriptions of the arrays in the JSON part.
     """
 
     def __init__(self) -> None:
@@ -69,7 +69,7 @@ class Buffer:
         return len(self.accessors) - 1
 
     def triangles(self, corners: NDArray[np.int64], vertices: int) -> int:
-        """Add the corners of triangles among that many vertices, shape (m, 3); return the accessor."""
+        """Add corners of triangles among a number of vertices, shape (m, 3); return the accessor."""
         return self.array("indices" if vertices <= _MOST_SHORT else "long_indices", corners.ravel())
 
     def image(self, content: bytes) -> int:
@@ -82,7 +82,7 @@ class Buffer:
         if content not in self._numbers:
             self._numbers[content] = view = self._new_view()
             type_, _, _, target = _LAYOUT[content]
-            if target == _VERTICES:  # views that accessors share must say how long a row is
+            if target == _VERTICES:  # views with several accessors must have the length of a row
                 self._views[view]["byteStride"] = 4 * int(type_.removeprefix("VEC"))
             if target:
                 self._views[view]["target"] = target
@@ -98,7 +98,7 @@ class Buffer:
         self._views[view]["byteLength"] += len(content)
 
     def glb(self, scene: Json) -> bytes:
-        """Return the GLB file of this buffer and of a scene, which lacks what is said of the buffer."""
+        """Return the GLB file of this buffer and of a scene without the data about the buffer."""
         length, chunks = 0, []
         for view, of_view in zip(self._views, self._chunks, strict=True):
             view["byteOffset"] = length

@@ -1,7 +1,7 @@
 """Materials of a GLB file: metallic-roughness with maps as JPEG, lacquer as an extension.
 
-Glass is blended by its opacity: every reader can, while `KHR_materials_transmission` is drawn opaque by those
-that do not know it, costs the others a second pass over the scene, and shows no glass behind glass.
+Glass is blended by its opacity, which every reader supports. Readers without `KHR_materials_transmission`
+would draw it opaque; for others it costs a second pass over the scene and hides glass behind glass.
 """
 
 from artgen.export.glb.buffer import Buffer, Json
@@ -15,10 +15,10 @@ _MAPS: tuple[Kind, ...] = ("albedo", "orm", "normal")
 
 
 class Looks:
-    """The materials of a file, each with its number, and their images, each once.
+    """The materials and images of a file, each once, with their numbers.
 
     Attributes:
-        materials: As JSON data.
+        materials: Materials as JSON data.
     """
 
     def __init__(self, buffer: Buffer, size: int) -> None:
@@ -29,14 +29,14 @@ class Looks:
         self._images: dict[str, Json] = {}
 
     def maps(self, material: Material) -> tuple[Kind, ...]:
-        """Return the maps that a material is drawn with."""
+        """Return the maps of a material."""
         if not self._size:
             return ()
         found = kinds(material)
         return tuple(kind for kind in _MAPS if kind in found)
 
     def number(self, material: Material) -> int:
-        """Return the number of a material, which is added if it is new."""
+        """Return the number of a material; a new material is added."""
         if material not in self._numbers:
             self._numbers[material] = len(self.materials)
             self.materials.append(self._material(material))
@@ -61,7 +61,7 @@ class Looks:
         return data
 
     def _material(self, material: Material) -> Json:
-        """Return a material as JSON data; maps are absolute, so that the factor beside one is 1."""
+        """Return a material as JSON data; maps are absolute, so their factor is 1."""
         maps = self.maps(material)
         color = (1.0, 1.0, 1.0) if "albedo" in maps else material.base_color
         mapped = "orm" in maps

@@ -1,4 +1,4 @@
-"""Meshes of a GLB file: one for each link, with a primitive for each surface."""
+"""Meshes of a GLB file: one per link, with a primitive for each surface."""
 
 import numpy as np
 
@@ -8,21 +8,21 @@ from artgen.asset.surface import texture_coordinates
 from artgen.export.glb.buffer import Buffer, Json
 from artgen.materials.textures import Kind
 
-_NO_DIRECTION = 1e-9  # a tangent shorter than this share of the longest one points nowhere
+_NO_DIRECTION = 1e-9  # a tangent shorter than this share of the longest one has no direction
 
 
 def primitive(buffer: Buffer, surface: Surface, origin: Array, maps: tuple[Kind, ...]) -> Json:
     """Add a surface to a buffer.
 
     Args:
-        buffer: Takes the arrays.
+        buffer: Buffer for the arrays.
         surface: The surface, in asset coordinates.
-        origin: Where the link's frame lies in asset coordinates, shape (3,) [m].
-        maps: The maps that its material is drawn with; without any it needs no texture coordinates, without
-            normals no tangents.
+        origin: Origin of the link's frame in asset coordinates, shape (3,) [m].
+        maps: Maps of its material; without maps it needs no texture coordinates, without normal maps no
+            tangents.
 
     Returns:
-        The primitive as JSON data; its material is missing.
+        The primitive as JSON data without its material.
     """
     mesh = surface.mesh
     attributes = {
@@ -31,7 +31,7 @@ def primitive(buffer: Buffer, surface: Surface, origin: Array, maps: tuple[Kind,
     }
     if maps:
         coordinates = texture_coordinates(mesh, surface.material)
-        # the images begin at the top: v grows downwards
+        # the origin of images is at the top: v points down
         attributes["TEXCOORD_0"] = buffer.array("texcoords", coordinates * (1.0, -1.0) + (0.0, 1.0))
         if "normal" in maps:
             attributes["TANGENT"] = buffer.array("tangents", tangents(mesh, coordinates))
@@ -43,9 +43,9 @@ def primitive(buffer: Buffer, surface: Surface, origin: Array, maps: tuple[Kind,
 
 
 def tangents(mesh: Mesh, coordinates: Array) -> Array:
-    """Return for each vertex the direction of growing u, and whether that of v is to its left.
+    """Return for each vertex the direction of growing u, and whether v grows to its left.
 
-    Readers may find tangents of their own; that these are given makes all draw the same.
+    Readers would compute different tangents; given tangents make all readers draw the same.
     """
     sides = _sides(mesh.vertices[mesh.triangles])
     (du, dv), (eu, ev) = (side.T for side in _sides(coordinates[mesh.triangles]))
@@ -64,7 +64,7 @@ def tangents(mesh: Mesh, coordinates: Array) -> Array:
 
 
 def _sides(corners: Array) -> tuple[Array, Array]:
-    """Return two sides of triangles, corners of shape (m, 3, k), each of shape (m, k)."""
+    """Return two sides of triangles with corners of shape (m, 3, k), each of shape (m, k)."""
     return corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
 
 
@@ -76,7 +76,7 @@ def _summed(mesh: Mesh, values: Array) -> Array:
 
 
 def _perpendicular(normals: Array) -> Array:
-    """Return any unit vectors at right angles to others, shape (n, 3)."""
+    """Return unit vectors perpendicular to given vectors, shape (n, 3)."""
     least = np.eye(3)[np.argmin(np.abs(normals), axis=1)]
     result = np.cross(normals, least)
     return np.asarray(result / np.sqrt((result**2).sum(axis=1, keepdims=True)))

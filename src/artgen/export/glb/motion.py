@@ -1,4 +1,4 @@
-"""The order in which free joints open: a joint comes after those that it depends on."""
+"""Order in which free joints open: a joint follows those that it depends on."""
 
 import itertools
 import math
@@ -10,20 +10,20 @@ from artgen.export.frames import BORDER, Region, coupling, leader_of, regions
 Stop = Mapping[str, float]
 """Positions of all free joints [rad or m]."""
 
-_TRAVEL = {"revolute": math.tau, "prismatic": 0.2}  # of joints without limits [rad or m]
-_CHECKS = 8  # places between two stops at which dependencies are asked
+_TRAVEL = {"revolute": math.tau, "prismatic": 0.2}  # range of joints without limits [rad or m]
+_CHECKS = 8  # checked positions between two stops
 
 
 class _NoWayError(Exception):
-    """A dependency cannot be met."""
+    """A dependency cannot be satisfied."""
 
 
 def opening(asset: Asset, joint: AssetJoint) -> tuple[Stop, ...] | None:
-    """Return stops on the way of a free joint from rest to its limits and back to rest.
+    """Return stops of a free joint from rest to its limits and back to rest.
 
-    From each stop to the next one joint moves, with those that follow it. First come the joints that others
-    have to wait for, then the joint itself to its upper limit and to its lower one, as far as they lie apart
-    from rest; last everything goes back. A joint without limits makes a full turn.
+    Between two stops one joint moves with its followers. First move the joints that others depend on, then
+    the joint itself to its upper and to its lower limit, unless it rests there; then all joints return. A
+    joint without limits makes a full turn.
     """
     planner = _Planner(asset)
     try:
@@ -47,7 +47,7 @@ def _ends(joint: AssetJoint) -> list[float]:
 
 
 def _comes_round(asset: Asset, joint: AssetJoint) -> bool:
-    """Tell whether everything that a joint moves stands after a full turn as before."""
+    """Tell whether everything that a joint moves returns after a full turn."""
     laws = [(each, coupling(asset, each)) for each in asset.joints]
     moved = [(each, law.ratio) for each, law in laws if law is not None and law.leader == joint.name]
     return joint.limits is None and all(
@@ -56,7 +56,7 @@ def _comes_round(asset: Asset, joint: AssetJoint) -> bool:
 
 
 def _allowed(asset: Asset, stops: Iterable[Stop]) -> bool:
-    """Tell whether dependencies hold on the whole way, but for those that do not at rest."""
+    """Tell whether dependencies hold on the whole path, except for those that do not hold at rest."""
     resting = set(asset.blocked())
     shares = [number / _CHECKS for number in range(1, _CHECKS + 1)]
     return all(
@@ -70,17 +70,17 @@ class _Planner:
     """Moves free joints one after another."""
 
     def __init__(self, asset: Asset) -> None:
-        # where they stood after each move, rest first
+        # positions after each move, starting at rest
         self.stops: list[Stop] = [{joint.name: joint.closed for joint in asset.free_joints}]
         self._asset = asset
         self._waiting: list[str] = []
 
     def move(self, name: str, position: float) -> None:
-        """Move a joint, whose dependencies are met."""
+        """Move a joint with satisfied dependencies."""
         self.stops.append({**self.stops[-1], name: position})
 
     def allow(self, name: str) -> None:
-        """Move other joints until a joint, and those that follow it, may move."""
+        """Move other joints until a joint and its followers may move."""
         if name in self._waiting:
             raise _NoWayError
         self._waiting.append(name)
@@ -111,7 +111,7 @@ class _Planner:
 
 
 def _within(joint: AssetJoint, low: float, high: float) -> float:
-    """Return where a joint is taken to stand in an open interval: at a limit, as a hand would, if it may."""
+    """Return the position of a joint in an open interval, at a limit if possible."""
     ends = joint.limits or (-math.inf, math.inf)
     for end in reversed(ends):
         if low < end < high and math.isfinite(end):

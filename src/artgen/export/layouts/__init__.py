@@ -1,4 +1,4 @@
-"""The formats and the layouts of exports, for simulators and for readers of well-known datasets."""
+"""Formats and layouts of exports for simulators and readers of well-known datasets."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import replace
@@ -30,17 +30,17 @@ FORMATS: Mapping[str, Writer] = {
     "usd": write_usd,
     "glb": write_glb,
 }
-"""The writers by the names of their formats; each takes an asset and the texels on a side of its maps."""
+"""Writers by format; each takes an asset and the number of texels per side of its maps."""
 
 DEFAULT_FORMATS = ("urdf", "mjcf", "usd")
-"""What simulators read; GLB is for pictures."""
+"""Formats for simulators; GLB is for viewers."""
 
 TEXTURES = 512
-"""Texels on a side of the maps unless more or fewer are asked for."""
+"""Default number of texels per side of maps."""
 
 
 SUFFIXES = {"urdf": ".urdf", "mjcf": ".xml", "usd": ".usda", "glb": ".glb"}
-"""Ending of the main file of each format; its stem is the name of the asset."""
+"""Suffix of the main file of each format; its stem is the name of the asset."""
 
 
 def write_flat(asset: Asset, name: str, textures: int) -> Written:
@@ -60,6 +60,6 @@ FLAT = Layout(
 LAYOUTS: Mapping[str, Layout] = {
     layout.name: layout for layout in (FLAT, SIMREADY, PARTNET_MOBILITY, ROBOCASA)
 }
-"""Every layout by its name."""
+"""All layouts by name."""
 
 __all__ = ["LAYOUTS", "Layout"]

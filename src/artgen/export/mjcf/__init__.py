@@ -1,12 +1,12 @@
-"""MJCF, MuJoCo's format: written to be included in, or attached to, other models.
+"""MJCF, the format of MuJoCo, for inclusion in or attachment to other models.
 
-So there is no floor, light, camera or solver option, and the names of its default classes, materials and
-textures begin with its own; links, joints and meshes keep the names that they have in the other formats.
-`<exclude>` is never used: parts that touch where they should not are a fault of the asset.
+So the file has no floor, light, camera or solver option, and the names of its default classes, materials and
+textures begin with its own name; links, joints and meshes have the same names as in other formats.
+`<exclude>` is never used: parts that collide by mistake are a fault of the asset.
 
-What MJCF has no word for is in `<custom>`: a text `<link>_labels` holds the semantic labels of a link, and a
-tuple with the name of a grasp or push holds its site, with the width that the fingers need as the number, and
-the joints that the hand moves there, the nearest first.
+Features without an MJCF element are in `<custom>`: a text `<link>_labels` holds the semantic labels of a
+link; a tuple with the name of a grasp or push holds its site, with the opening of the fingers as the number,
+and the joints that the hand moves, the nearest first.
 """
 
 import xml.etree.ElementTree as ET
@@ -39,26 +39,26 @@ from artgen.export.losses import (
 from artgen.export.meshes import MeshFiles, mesh_files
 from artgen.export.mjcf.materials import add_materials, material_name, numbers
 
-# Time constant [s] and damping ratio of limits, contacts and couplings. MuJoCo takes no time constant below
-# two time steps, which are 2 ms by default; it lengthens this one by itself where steps are longer. At the
-# default of 20 ms a bolt trails its lever and a heavy door sinks into its stop.
+# time constant [s] and damping ratio of limits, contacts and couplings; MuJoCo allows at least two time steps
+# of 2 ms by default and lengthens it for longer steps; with the default of 20 ms, a bolt lags behind its
+# lever and a heavy door sinks into its stop
 _STIFF = "0.005 1"
 _COUPLING_IMPEDANCE = "0.99 0.9999 0.0001"
 _CONTACT_IMPEDANCE = "0.95 0.99 0.0005"
-_FRICTION_IMPEDANCE = "0.9999 0.9999 0.001"  # by default a rod that friction holds creeps 16 mm in 5 s
+_FRICTION_IMPEDANCE = "0.9999 0.9999 0.001"  # with the default, a rod that friction holds creeps 16 mm in 5 s
 
 
 def write_mjcf(asset: Asset, textures: int = 0) -> Written:
     """Write an asset as MJCF, with its meshes.
 
-    The model's initial state is `asset.positions()`: every joint as near to 0 as its limits let it.
+    The initial state of the model is `asset.positions()`, with every joint as near to 0 as its limits allow.
 
     Args:
         asset: The asset.
-        textures: Texels on a side of the materials' maps; 0 for colors alone.
+        textures: Texels per side of the material maps; 0 for colors only.
 
     Returns:
-        The MJCF, mesh and map files, and what MJCF cannot say.
+        The MJCF, mesh and map files, and the losses of MJCF.
     """
     meshes = mesh_files(asset, textures)
     root = mjcf_tree(asset, meshes)
@@ -66,9 +66,9 @@ def write_mjcf(asset: Asset, textures: int = 0) -> Written:
 
 
 def mjcf_tree(asset: Asset, meshes: MeshFiles) -> ET.Element:
-    """Return an asset as the elements of an MJCF file that lies beside the directory of its meshes."""
+    """Return an asset as elements of an MJCF file next to the directory of its meshes."""
     root = ET.Element("mujoco", model=asset.name)
-    # no directories here: in a scene that includes the file, files would no longer be found
+    # no directories here: a scene that includes the file would not find its files
     ET.SubElement(root, "compiler", angle="radian", autolimits="true")
     _add_defaults(root, asset)
     _add_assets(root, asset, meshes)
@@ -110,7 +110,7 @@ def _add_assets(root: ET.Element, asset: Asset, meshes: MeshFiles) -> None:
     add_materials(parent, asset, meshes.maps)
     for link in asset.links:
         for file in meshes.surfaces[link.name]:
-            # its faces are seen, not weighed: a surface need not be closed
+            # its faces have no mass: a surface need not be closed
             ET.SubElement(parent, "mesh", name=_stem(file), file=MeshFiles.path(file), inertia="shell")
         for file in meshes.colliders[link.name].values():
             ET.SubElement(parent, "mesh", name=_stem(file), file=MeshFiles.path(file), inertia="convex")
@@ -135,7 +135,7 @@ def _add_body(parent: ET.Element, asset: Asset, frame: BodyFrame, meshes: MeshFi
     for hold in (*link.grasps, *link.pushes):
         site = {"name": hold.name, **_placed(local(asset, link.name, hold.frame))}
         if isinstance(hold, Grasp):
-            site["user"] = numbers([hold.width])  # where `<custom>` is left behind, the site still has it
+            site["user"] = numbers([hold.width])  # the site keeps the data if `<custom>` is dropped
         ET.SubElement(body, "site", site)
     return body
 
@@ -143,7 +143,7 @@ def _add_body(parent: ET.Element, asset: Asset, frame: BodyFrame, meshes: MeshFi
 def _add_colliders(body: ET.Element, asset: Asset, link: Link, meshes: MeshFiles) -> None:
     for number, collider in enumerate(link.colliders):
         name = f"{link.name}_collider_{number}"
-        # sliding friction only: whether contacts also resist torsion is up to the hand that touches them
+        # sliding friction only: resistance to torsion depends on the hand
         geom = {
             "name": name,
             "class": _class(asset, "collision"),
@@ -201,7 +201,7 @@ def _add_couplings(root: ET.Element, asset: Asset) -> None:
         if found is None:
             continue
         equality = ET.SubElement(root, "equality") if equality is None else equality
-        # the polynomial is of the differences from the initial state, in which the coupling holds
+        # the polynomial relates displacements from the initial state, in which the coupling holds
         ET.SubElement(
             equality,
             "joint",
@@ -227,7 +227,7 @@ def _add_custom(root: ET.Element, asset: Asset) -> None:
 
 
 def _placed(matrix: Array) -> dict[str, str]:
-    """Return position and orientation, without what says nothing."""
+    """Return position and orientation, without default values."""
     attributes = {}
     position, turn = np.round(matrix[:3, 3], 12), np.round(quaternion(matrix), 12)
     if position.any():
@@ -242,7 +242,7 @@ def _stem(file: str) -> str:
 
 
 def mjcf_losses(asset: Asset, textures: int) -> tuple[Loss, ...]:
-    """List the losses of MJCF for an asset with maps of that size."""
+    """Return the losses of MJCF for an asset with a size of maps."""
 
     def moving(joint: AssetJoint) -> bool:
         return not joint.locked

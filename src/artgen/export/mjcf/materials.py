@@ -1,4 +1,4 @@
-"""Materials of MJCF, for MuJoCo's two renderers: the classic one, by Phong, and the physically based one."""
+"""Materials of MJCF for both renderers of MuJoCo: the classic Phong renderer and the physically based one."""
 
 import xml.etree.ElementTree as ET
 from collections.abc import Iterable
@@ -16,12 +16,12 @@ _GREATEST = 128.0  # exponent of the classic renderer at shininess 1
 
 
 def add_materials(parent: ET.Element, asset: Asset, maps: MapFiles) -> None:
-    """Add the materials of an asset, each with its maps as layers, to `<asset>`.
+    """Add the materials of an asset to `<asset>`, with their maps as layers.
 
-    Their names and those of the maps begin with the asset's, since assets that are included in one scene may
-    be of the same materials.
+    Their names and those of the maps begin with the asset's name, because assets in one scene may share
+    materials.
 
-    The classic renderer shows the color map as it is only if its color space is left to MuJoCo: it decodes
+    The classic renderer shows the color map unchanged only if MuJoCo chooses its color space: it decodes
     sRGB, but does not encode again.
     """
     added: set[str] = set()
@@ -48,7 +48,7 @@ def material_name(asset: Asset, material: Material) -> str:
 
 
 def _attributes(asset: Asset, material: Material, layers: Iterable[str]) -> dict[str, str]:
-    """Return a material's numbers; MuJoCo multiplies them with its maps."""
+    """Return the numbers of a material; MuJoCo multiplies them with its maps."""
     color = (1.0, 1.0, 1.0) if "rgb" in layers else material.base_color
     specular, exponent = highlight(material, _GREATEST)
     attributes = {
@@ -65,12 +65,12 @@ def _attributes(asset: Asset, material: Material, layers: Iterable[str]) -> dict
 
 
 def _emission(material: Material) -> float:
-    """Return the emission as the factor of the color that MuJoCo's classic renderer takes."""
+    """Return the emission as a factor of the color, for MuJoCo's classic renderer."""
     return max(material.emission) / max(*material.base_color, 1e-3)
 
 
 def _add_emission(parent: ET.Element, asset: Asset, material: Material) -> str:
-    """Add the color of the light as a map of one texel; without it the other renderer's light is white."""
+    """Add the color of the light as a map of one texel, which the other renderer needs."""
     name = f"{material_name(asset, material)}_emission"
     color = [channel / _emission(material) for channel in material.emission]
     ET.SubElement(
@@ -80,7 +80,7 @@ def _add_emission(parent: ET.Element, asset: Asset, material: Material) -> str:
 
 
 def numbers(values: Iterable[float]) -> str:
-    """Spell numbers so far that no two machines differ in the last digit."""
+    """Format numbers with the digits in which all machines agree."""
     return " ".join(f"{float(value) + 0.0:.12g}" for value in values)
 
 

@@ -1,7 +1,7 @@
-"""URDF through yourdfpy's model; elements that its XML writer omits are added to the tree.
+"""URDF with yourdfpy's model; elements that its XML writer omits are added to the tree.
 
-The base link is the root. URDF has no word for a base that is fixed to the world or free: each client is told
-when it loads the file, so neither a `world` link nor a floating joint is written, which would impose one.
+The base link is the root. URDF cannot express a fixed or free base: each simulator has an option for it, so
+neither a `world` link nor a floating joint is written.
 """
 
 from collections.abc import Iterator, Sequence
@@ -29,8 +29,8 @@ from artgen.export.meshes import MeshFiles, display_color, mesh_files
 from artgen.export.urdf.losses import add, add_spring, digits, material_losses, motion_losses, primitives
 from artgen.materials import Material
 
-# Of the link that marks a grasp or push. Where there is none, PyBullet makes up 1 kg and warns; where it is
-# 0, SAPIEN makes up a moment of 1e-6 kg m^2, and below 1e-10 kg m^2 Newton does: as much as a latch has.
+# mass properties of links that mark grasps or pushes: without a mass, PyBullet assumes 1 kg and warns; with
+# 0, SAPIEN assumes moments of 1e-6 kg m^2, as does Newton below 1e-10 kg m^2, which equals that of a latch
 _MARKER_MASS = 1e-9  # [kg]
 _MARKER_INERTIA = 2e-10  # [kg m^2]
 _NUMERIC = (
@@ -43,10 +43,10 @@ def write_urdf(asset: Asset, textures: int = 0) -> Written:
 
     Args:
         asset: The asset.
-        textures: Texels on a side of the materials' maps; 0 for colors alone.
+        textures: Texels per side of the material maps; 0 for colors only.
 
     Returns:
-        The URDF, mesh and map files, and what URDF cannot say.
+        The URDF, mesh and map files, and the losses of URDF.
     """
     from yourdfpy import urdf as model
 
@@ -55,7 +55,7 @@ def write_urdf(asset: Asset, textures: int = 0) -> Written:
     robot = model.Robot(name=asset.name)
     robot.materials = [_material(material) for material in asset.materials if _is_plain(material, meshes)]
     robot.links = [_link(asset, asset.links[0], meshes)]
-    for segment in segments:  # in the order of the joints, as some readers number both at once
+    for segment in segments:  # in the order of the joints, because some readers number both together
         child = segment.child
         robot.links.append(
             _small_link(child.name, INTERMEDIATE_MASS, INTERMEDIATE_INERTIA)
@@ -74,7 +74,7 @@ def write_urdf(asset: Asset, textures: int = 0) -> Written:
 
 
 def _tree(robot: Any) -> Any:
-    """Return the XML tree of yourdfpy's model, materials first as a reader expects them."""
+    """Return the XML tree of yourdfpy's model with the materials first."""
     from yourdfpy import urdf as model
 
     # the null handler: the mesh files do not exist yet
@@ -93,9 +93,9 @@ def _material(material: Material) -> Any:
 
 
 def _is_plain(material: Material, meshes: MeshFiles) -> bool:
-    """Return whether a material's color may stand in the URDF.
+    """Return whether the URDF may have a material's color.
 
-    Beside a color map it may not: PyBullet multiplies the map with it, SAPIEN shows it in place of the map.
+    With a color map it may not: PyBullet multiplies the map with it, SAPIEN shows it instead of the map.
     """
     return "albedo" not in meshes.maps.of(material)
 
@@ -125,7 +125,7 @@ def _link(asset: Asset, link: Link, meshes: MeshFiles) -> Any:
 
 
 def _small_link(name: str, mass: float, moment: float) -> Any:
-    """Return a link without extent, with a small mass: clients refuse massless links or invent a mass."""
+    """Return a link without geometry, with a small mass, which simulators require."""
     from yourdfpy import urdf as model
 
     return model.Link(name, model.Inertial(np.eye(4), mass, moment * np.eye(3)))
@@ -159,7 +159,7 @@ def _joint(segment: Segment) -> Any:
 
 
 def _add_affordances(robot: Any, asset: Asset) -> None:
-    """Mark each grasp and push by a link that is fixed there, which is how URDF names a frame."""
+    """Mark each grasp and push by a fixed link, which is a named frame in URDF."""
     from yourdfpy import urdf as model
 
     taken = {link.name for link in robot.links} | {joint.name for joint in robot.joints}
@@ -184,7 +184,7 @@ def _add_couplings(tree: Any, asset: Asset) -> None:
 
 
 def _text(tree: Any) -> bytes:
-    """Return the XML text, its numbers rounded so far that no two machines differ in the last digit."""
+    """Return the XML text with numbers rounded to the digits in which all machines agree."""
     for element in tree.getroot().iter(*_NUMERIC):
         lengths = element.tag in {"origin", "axis"}
         for key, value in element.items():

@@ -1,4 +1,4 @@
-"""Features that no URDF can express, and elements that all layouts share."""
+"""Features that URDF cannot express, and elements shared by all layouts."""
 
 from collections.abc import Iterable
 from typing import Any
@@ -12,7 +12,7 @@ from artgen.export.losses import Loss, contact_losses, dependency_losses, joints
 
 
 def primitives(convex: Convex) -> list[tuple[str, Convex]]:
-    """Return the primitives of a piece that is no hull, each with a suffix for its name.
+    """Return the primitives of a piece that is not a hull, each with a suffix for its name.
 
     URDF has no capsule: a cylinder between two balls is the same solid.
     """
@@ -25,13 +25,13 @@ def primitives(convex: Convex) -> list[tuple[str, Convex]]:
 
 
 def add_spring(robot: Any, name: str, joint: AssetJoint, rest: float) -> None:
-    """Add Gazebo's word for a spring, which other clients pass over, where a joint has one.
+    """Add Gazebo's element for the spring of a joint, which other simulators ignore.
 
     Args:
-        robot: The root of the tree.
-        name: What the joint is called in it.
+        robot: Root of the tree.
+        name: Name of the joint in the tree.
         joint: The joint.
-        rest: Where the spring is at ease, with the sign of the joint there [rad or m].
+        rest: Rest position of the spring, with the sign of the joint in the tree [rad or m].
     """
     if not joint.stiffness or joint.locked:
         return
@@ -48,16 +48,16 @@ def add(parent: Any, tag: str, **attributes: str) -> Any:
 
 
 def digits(value: float) -> str:
-    """Write a number with as many digits as `asset.json`."""
+    """Format a number with the digits of `asset.json`."""
     return f"{value + 0.0:.12g}"
 
 
 def motion_losses(asset: Asset, inserted: Iterable[str]) -> tuple[Loss, ...]:
-    """List the losses of the motion of joints.
+    """Return the losses of the motion of joints.
 
     Args:
         asset: The asset.
-        inserted: Names of the links that were put between two joints of one pair of links.
+        inserted: Names of the links inserted between two joints of one pair of links.
     """
     moving = {joint.name for joint in asset.joints if not joint.locked}
     return (
@@ -90,7 +90,7 @@ def motion_losses(asset: Asset, inserted: Iterable[str]) -> tuple[Loss, ...]:
 
 
 def material_losses(asset: Asset) -> tuple[Loss, ...]:
-    """List the losses of the materials of links."""
+    """Return the losses of the materials of links."""
     return (
         *loss(
             "contact friction",

@@ -1,4 +1,4 @@
-"""Writing assets to USD: a light text layer with the physics, and a binary layer with the meshes."""
+"""USD: a light text layer with the physics, and a binary layer with the meshes."""
 
 import json
 from collections.abc import Mapping
@@ -51,16 +51,16 @@ from artgen.export.usd.runtimes import write_runtime_body, write_runtime_root
 def write_usd(asset: Asset, textures: int = 0) -> Written:
     """Write an asset to USD.
 
-    `<name>.usda` has the bodies, joints, primitive colliders, materials and labels; as sublayer it has
-    `<name>_geometry.usdc`, which has the meshes. Bodies are siblings below the default prim, unscaled; their
-    frames are the link frames as the asset stands. Joints move along or about x of their frames, in degrees.
+    `<name>.usda` has the bodies, joints, primitive colliders, materials and labels; its sublayer
+    `<name>_geometry.usdc` has the meshes. Bodies are unscaled siblings below the default prim; their frames
+    are the link frames at the initial positions. Joints move along or about x of their frames, in degrees.
 
     Args:
         asset: The asset.
-        textures: Texels on a side of the materials' maps; 0 for colors alone.
+        textures: Texels per side of the material maps; 0 for colors only.
 
     Returns:
-        Both layers and the map files, and what USD cannot say.
+        Both layers and the map files, and the losses of USD.
     """
     main, geometry = new_layer(".usda", asset.name), new_layer(".usdc", asset.name)
     written = author(asset, Layers(main, geometry, main, maps=f"./{TEXTURE_DIRECTORY}"), textures)
@@ -75,11 +75,11 @@ def author(asset: Asset, layers: Layers, textures: int) -> Written:
 
     Args:
         asset: The asset.
-        layers: The layers, in each of which the default prim is named as the asset.
-        textures: Texels on a side of the materials' maps; 0 for colors alone.
+        layers: The layers; the default prim of each has the name of the asset.
+        textures: Texels per side of the material maps; 0 for colors only.
 
     Returns:
-        The map files, and what USD cannot say.
+        The map files, and the losses of USD.
     """
     maps = map_files(asset, textures)
     writer = _Writer(asset, layers, maps)
@@ -93,7 +93,7 @@ def author(asset: Asset, layers: Layers, textures: int) -> Written:
 
 
 class _Writer:
-    """The layers of one asset while they are written."""
+    """The layers of one asset under construction."""
 
     def __init__(self, asset: Asset, layers: Layers, maps: MapFiles) -> None:
         # the asset
@@ -102,7 +102,7 @@ class _Writer:
         self.layers = layers
         # the maps of the materials
         self.maps = maps
-        # the joints with the frames that they join
+        # joints with their frames
         self.segments = chain(asset)
         self._affordances = asset.affordances
         taken = {segment.child.name for segment in self.segments} | {asset.links[0].name}
@@ -143,7 +143,7 @@ class _Writer:
             _mass(physics, INTERMEDIATE_MASS, np.zeros(3), np.full(3, INTERMEDIATE_INERTIA), np.eye(3))
         else:
             if link is self.asset.links[0] and self.asset.base == "free":
-                # which body is the root of a free articulation is left to chance unless one is marked
+                # the root of a free articulation is undefined unless one body is marked
                 apply(physics, "PhysicsArticulationRootAPI")
                 write_runtime_root(self.layers, prim)
             write_label(prim, "part", [link.label])
@@ -154,7 +154,7 @@ class _Writer:
         place(prim, frame.placement)
 
     def _content(self, prim: Sdf.PrimSpec, link: Link, origin: Array) -> None:
-        """Write surfaces, colliders and grasps of the links; meshes go to a layer of their own."""
+        """Write surfaces, colliders and grasps of the links; meshes go to their own layer."""
         looks = self._root.path.AppendChild(self._looks_name)
         meshes = define(self._meshes, link.name)
         define(prim, "visuals", "Scope")
@@ -195,7 +195,7 @@ def _root(asset: Asset, layers: Layers) -> Sdf.PrimSpec:
 
 
 def _mass(prim: Sdf.PrimSpec, mass: float, center: Array, moments: Array, axes: Array) -> None:
-    """Write all four mass properties: simulators derive those that are missing from the colliders."""
+    """Write all four mass properties: simulators derive missing ones from the colliders."""
     write(prim, TYPES.Float, {"physics:mass": mass})
     write(prim, TYPES.Point3f, {"physics:centerOfMass": vec3(center)})
     write(prim, TYPES.Float3, {"physics:diagonalInertia": vec3(moments)})
@@ -203,12 +203,12 @@ def _mass(prim: Sdf.PrimSpec, mass: float, center: Array, moments: Array, axes: 
 
 
 def _dictionary(values: Mapping[str, Any]) -> dict[str, Any]:
-    """Return values as metadata, which has no word for None."""
+    """Return values as metadata, which cannot hold None."""
     return {str(name): _custom(value) for name, value in values.items() if value is not None}
 
 
 def _custom(value: Any) -> Any:
-    """Return a value of a type that metadata can hold, as JSON text where there is no such type."""
+    """Return a value of a type that metadata support, as JSON text for other types."""
     if isinstance(value, bool | str | float):
         return value
     if isinstance(value, int) and -(2**31) <= value < 2**31:

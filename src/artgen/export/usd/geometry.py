@@ -27,19 +27,19 @@ from artgen.export.usd.layer import (
 from artgen.export.usd.runtimes import write_runtime_collider
 
 _THICKNESS = 0.002
-"""Width of the drawn line [m]."""
+"""Width of the line between the fingers [m]."""
 
 
 def write_holds(prim: Sdf.PrimSpec, asset: Asset, found: Sequence[Affordance]) -> None:
-    """Add the grasps and pushes of a link, unseen by cameras.
+    """Add the grasps and pushes of a link, invisible to cameras.
 
     Each is a frame with z along the approach; x of a grasp is the closing direction. Its custom data have the
-    kind, the opening that the fingers need [m] and the joints that a hand moves there, the nearest first.
+    kind, the opening of the fingers [m] and the joints that a hand moves, the nearest first.
 
     Args:
         prim: The prim of the link.
         asset: The asset.
-        found: What a hand can do with the link.
+        found: Affordances of the link.
     """
     for kind, scope_name in (("grasp", "grasps"), ("push", "pushes")):
         of_kind = [each for each in found if each.kind == kind]
@@ -62,9 +62,9 @@ def _hold(scope: Sdf.PrimSpec, affordance: Affordance, pose: Array) -> None:
 
 
 def _line(prim: Sdf.PrimSpec, affordance: Affordance) -> None:
-    """Add the line from finger to finger through what they hold; SimReady knows it by its name."""
+    """Add the line between the fingers; SimReady identifies it by its name."""
     line = define(prim, f"grasp_identifier_{affordance.name}", "BasisCurves")
-    # in single precision from here on, since readers compute the extent of what is written
+    # in single precision from here on: readers compute the extent of the written values
     half, margin = np.float32(0.5 * affordance.width), np.float32(0.5) * np.float32(_THICKNESS)
     ends = np.array([[-half, 0.0, 0.0], [half, 0.0, 0.0]], np.float32)
     write(line, TYPES.Point3fArray, {"points": vec3_array(ends)})
@@ -81,7 +81,7 @@ def write_surface(scope: Sdf.PrimSpec, surface: Surface, origin: Array, material
     """Add the mesh of a surface.
 
     Args:
-        scope: The prim that it belongs to.
+        scope: The parent prim.
         surface: The faces, in asset coordinates.
         origin: The origin of the link's frame, shape (3,) [m].
         material: The prim of its material.
@@ -95,7 +95,7 @@ def write_surface(scope: Sdf.PrimSpec, surface: Surface, origin: Array, material
     values, indices = _indexed(texture_coordinates(mesh, surface.material))
     write(prim, TYPES.TexCoord2fArray, {"primvars:st": values}, interpolation="vertex")
     write(prim, TYPES.IntArray, {"primvars:st:indices": indices})
-    # for viewers that read no materials
+    # for viewers that do not read materials
     color = Vt.Vec3fArray([vec3(surface.material.base_color)])
     write(prim, TYPES.Color3fArray, {"primvars:displayColor": color}, interpolation="constant")
     if surface.material.opacity < 1.0:
@@ -104,11 +104,11 @@ def write_surface(scope: Sdf.PrimSpec, surface: Surface, origin: Array, material
 
 
 def write_hull(layers: Layers, scope: Sdf.PrimSpec, name: str, hull: Hull, material: Sdf.Path) -> None:
-    """Add a hull that simulators collide with, unseen by cameras.
+    """Add a hull collider, invisible to cameras.
 
     Args:
-        layers: Where its physics is written.
-        scope: The prim that it belongs to.
+        layers: Layers for its physics.
+        scope: The parent prim.
         name: Its name.
         hull: Its surface.
         material: The prim of its material, for friction.
@@ -123,11 +123,11 @@ def write_hull(layers: Layers, scope: Sdf.PrimSpec, name: str, hull: Hull, mater
 def write_primitive(
     layers: Layers, scope: Sdf.PrimSpec, name: str, convex: Convex, origin: Array, material: Sdf.Path
 ) -> None:
-    """Add a box or round piece that simulators collide with, unseen by cameras.
+    """Add a box or round collider, invisible to cameras.
 
     Args:
-        layers: Where its physics is written.
-        scope: The prim that it belongs to.
+        layers: Layers for its physics.
+        scope: The parent prim.
         name: Its name.
         convex: The piece, in asset coordinates.
         origin: The origin of the link's frame, shape (3,) [m].
@@ -169,7 +169,7 @@ def _primitive(prim: Sdf.PrimSpec, convex: Convex, origin: Array) -> None:
     size = convex.size
     pose = translation(-origin) @ convex.pose
     if convex.kind == "box":
-        # a cube has one size only, so a box is a scaled unit cube; the body above it stays unscaled
+        # a cube has a single size, so a box is a scaled unit cube; the body above it stays unscaled
         write(prim, TYPES.Double, {"size": 1.0})
         _extent(prim, np.array([[-0.5] * 3, [0.5] * 3]))
         place(prim, pose, size)
@@ -204,9 +204,9 @@ def _extent(prim: Sdf.PrimSpec, corners: Array) -> None:
 
 
 def _indexed(uvs: Array) -> tuple[Vt.Vec2fArray, Vt.IntArray]:
-    """Return the distinct texture coordinates and the number of each vertex' own."""
+    """Return the distinct texture coordinates and the number of each vertex's own."""
     single = np.ascontiguousarray(uvs, np.float32) + np.float32(0.0)
-    # a pair of singles is one 64-bit key: sorting keys is many times faster than sorting rows
+    # a pair of floats is one 64-bit key: sorting keys is many times faster than sorting rows
     keys, indices = np.unique(single.view(np.int64).ravel(), return_inverse=True)
     values = keys.view(np.float32).reshape(-1, 2)
     return Vt.Vec2fArray.FromNumpy(np.ascontiguousarray(values)), int_array(indices)

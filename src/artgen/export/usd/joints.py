@@ -1,7 +1,7 @@
 """Joints as USD prims: frames, limits, springs, friction and couplings.
 
-Plain UsdPhysics knows frames, limits and drives. Friction, armature, largest speed and couplings are written
-with the API schemas of the simulators that read USD, see `artgen.export.usd.runtimes`.
+Plain UsdPhysics has frames, limits and drives. API schemas of simulators express friction, armature, largest
+speed and couplings, see `artgen.export.usd.runtimes`.
 """
 
 import math
@@ -26,9 +26,9 @@ def write_fixed_joint(
     """Join two bodies rigidly.
 
     Args:
-        scope: The prim that the joint belongs to.
+        scope: The parent prim.
         name: Its name.
-        bodies: Parent and child; no parent stands for the world.
+        bodies: Parent and child; None as the parent is the world.
         frame: The child's frame in the parent's, shape (4, 4) [m].
     """
     prim = define(scope, name, "PhysicsFixedJoint")
@@ -43,10 +43,10 @@ def write_joints(layers: Layers, scope: Sdf.PrimSpec, asset: Asset, segments: Se
     """Add every joint.
 
     Args:
-        layers: Where is written what one simulator alone knows.
-        scope: The prim that the joints belong to; the bodies are its siblings.
+        layers: Layers for attributes of single simulators.
+        scope: The parent prim; the bodies are its siblings.
         asset: The asset.
-        segments: Its joints with the frames that they join.
+        segments: Its joints with their frames.
     """
     root = scope.path.GetParentPath()
     limits = _written_limits(asset)
@@ -68,12 +68,12 @@ def write_joints(layers: Layers, scope: Sdf.PrimSpec, asset: Asset, segments: Se
 
 
 def joint_losses(asset: Asset, segments: Sequence[Segment], *, apart: bool = False) -> tuple[Loss, ...]:
-    """List the losses of plain UsdPhysics.
+    """Return the losses of plain UsdPhysics.
 
     Args:
         asset: The asset.
-        segments: Its joints with the frames that they join.
-        apart: Whether each simulator's own words are in a variant of its own.
+        segments: Its joints with their frames.
+        apart: Whether each simulator's attributes are in a separate variant.
     """
     movable = [joint for joint in asset.joints if not joint.locked]
     leading = [joint for joint in movable if joint.follows is None]
@@ -154,7 +154,7 @@ _TYPE_NAMES = {"revolute": "PhysicsRevoluteJoint", "prismatic": "PhysicsPrismati
 
 
 def _written_limits(asset: Asset) -> dict[str, tuple[float, float] | None]:
-    """Return the limits to write, with wide ones for coupled joints that have none."""
+    """Return the limits to write, wide ones for coupled joints without limits."""
     coupled = {joint.name for joint in asset.joints if joint.follows is not None}
     coupled |= {joint.follows.leader for joint in asset.joints if joint.follows is not None}
     return {
@@ -172,7 +172,7 @@ def _wide(asset: Asset, joint: AssetJoint) -> tuple[float, float]:
 
 
 def _frames(prim: Sdf.PrimSpec, position: Array, turn0: Array, turn1: Array) -> None:
-    """Write the joint's frame in either body; it is at the origin of the child."""
+    """Write the joint's frame in both bodies, at the origin of the child."""
     write(
         prim,
         TYPES.Point3f,
@@ -190,7 +190,7 @@ def _frames(prim: Sdf.PrimSpec, position: Array, turn0: Array, turn1: Array) -> 
 
 def _turn_from_x(axis: Array) -> Array:
     """Return a rotation that takes x to a unit axis, shape (3, 3)."""
-    # the smallest rotation, after half a turn where the axis points backwards: it loses digits near there
+    # the smallest rotation, after half a turn for an axis that points backwards, near which it loses digits
     sign = math.copysign(1.0, axis[0])
     x, y, z = sign * axis
     cross = np.array([[0.0, -y, -z], [y, 0.0, 0.0], [z, 0.0, 0.0]])
@@ -199,7 +199,7 @@ def _turn_from_x(axis: Array) -> Array:
 
 
 def _drive(prim: Sdf.PrimSpec, joint: AssetJoint) -> None:
-    """Write the joint's spring and damper, which are also the handle for an actuator."""
+    """Write the joint's spring and damper as a drive, which actuators use as well."""
     prefix = f"drive:{instance_of(joint)}:physics:"
     units = units_of(joint)
     write(prim, TYPES.Token, {prefix + "type": "force"}, uniform=True)
@@ -214,10 +214,10 @@ def _drive(prim: Sdf.PrimSpec, joint: AssetJoint) -> None:
 
 
 def _effort_holds(joint: AssetJoint) -> bool:
-    """Tell whether the spring and the damper always stay below the effort.
+    """Tell whether spring and damper always stay below the effort.
 
-    `maxForce` bounds the drive, which is a passive spring and damper here, while the effort bounds an
-    actuator: written where the spring is stronger, it would change how the part returns by itself.
+    `maxForce` limits the drive, which is a passive spring and damper here, while the effort limits an
+    actuator: for a stronger spring, it would change the passive motion of the part.
     """
     strongest = joint.damping * joint.velocity
     if joint.stiffness > 0.0:

@@ -1,7 +1,7 @@
-"""Helpers for writing USD layers, and Wikidata codes of categories.
+"""Helpers for USD layers, and Wikidata codes of categories.
 
-Prims are authored as specs (`Sdf`), not through a stage: a stage composes and notifies after every word,
-which takes ten times as long. What a stage would check is checked by the validators of `pxr` in the tests.
+Prims are authored as specs (`Sdf`) instead of through a stage, which composes and notifies after every change
+and takes ten times as long. Tests run the validators of `pxr` on the result.
 """
 
 import tempfile
@@ -20,7 +20,7 @@ from artgen.errors import ExportError
 from artgen.export.frames import quaternion
 
 THING = "Q223557"
-"""A physical object: what every asset is whose category has no code here."""
+"""Code of a physical object, for categories without their own code."""
 
 CATEGORY_CODES = {
     "box": "Q188075",
@@ -31,20 +31,21 @@ CATEGORY_CODES = {
     "oven": "Q36539",
     "refrigerator": "Q37828",
     "toaster": "Q14890",
-    "trashcan": "Q216530",  # Wikidata says waste container
+    "trashcan": "Q216530",  # Wikidata: waste container
     "window": "Q35473",
 }
-"""Codes by name of the category; a code stands here only if somebody has looked it up."""
+"""Wikidata codes by category; each was looked up."""
 
 
 def category_code(category: str) -> str:
-    """Return the Q-code of a category; that of a physical object if the category has no code."""
+    """Return the Wikidata code of a category; the code of a physical object if it has none."""
     return CATEGORY_CODES.get(category, THING)
 
 
 TYPES = Sdf.ValueTypeNames
 
-_TURN_DECIMALS = 13  # of a quaternion: one more than of positions, for its errors add up in a rotation
+# decimals of a quaternion: one more than of positions, because errors add up in a rotation
+_TURN_DECIMALS = 13
 
 _PLACED = Vt.TokenArray(["xformOp:translate", "xformOp:orient"])
 _PLACED_AND_SCALED = Vt.TokenArray([*_PLACED, "xformOp:scale"])
@@ -53,22 +54,22 @@ _PLACED_AND_SCALED = Vt.TokenArray([*_PLACED, "xformOp:scale"])
 Runtime = Literal["physx", "newton", "mujoco"]
 
 RUNTIMES: tuple[Runtime, ...] = ("physx", "newton", "mujoco")
-"""The simulators that have words of their own in USD."""
+"""Simulators with their own attributes in USD."""
 
 
 @dataclass(frozen=True, eq=False)
 class Layers:
-    """The layers that an asset is written to, each the place of one concern.
+    """Layers of an asset, each for one concern.
 
     Attributes:
-        structure: Bodies, where they stand, their labels and where hands act.
+        structure: Bodies with their poses and labels, and grasp frames.
         geometry: Meshes.
         looks: Materials.
-        physics: What every simulator knows; None leaves it on the prims that it is about.
-        runtimes: What only one simulator knows, by simulator; empty leaves it on the prims as well, so that
-            every simulator has to read past the words of the others.
+        physics: Physics for every simulator; None writes it to the prims themselves.
+        runtimes: Attributes of single simulators, by simulator; empty writes them to the prims as well, so
+            that every simulator has to ignore those of the others.
         scope: Name of the scope of the materials.
-        maps: Where the materials' maps lie, seen from the layer of the materials.
+        maps: Path of the material maps, relative to the layer of the materials.
         openpbr: Whether materials are written as OpenPBR networks as well.
     """
 
@@ -83,11 +84,11 @@ class Layers:
 
     @property
     def apart(self) -> bool:
-        """Whether no simulator sees the words of another."""
+        """Whether the attributes of simulators are separate."""
         return bool(self.runtimes)
 
     def physical(self, prim: Sdf.PrimSpec) -> Sdf.PrimSpec:
-        """Return where a prim's physics is written."""
+        """Return the prim for the physics of a prim."""
         return prim if self.physics is None else over(self.physics, prim.path)
 
     def runtime(self, name: Runtime, prim: Sdf.PrimSpec) -> Sdf.PrimSpec:
@@ -96,7 +97,7 @@ class Layers:
 
 
 def new_layer(extension: str, default_prim: str) -> Sdf.Layer:
-    """Make an empty layer in memory with the conventions of every asset: z up, metres, kilograms."""
+    """Make an empty layer in memory with the conventions of all assets: z up, metres, kilograms."""
     layer = Sdf.Layer.CreateAnonymous(extension)
     layer.defaultPrim = default_prim
     root = layer.pseudoRoot
@@ -109,10 +110,10 @@ def new_layer(extension: str, default_prim: str) -> Sdf.Layer:
 def define(
     parent: Sdf.PrimSpec | Sdf.Layer, name: str, type_name: str = "", schemas: Sequence[str] = ()
 ) -> Sdf.PrimSpec:
-    """Add a prim; one without a type only adds to what a stronger layer defines.
+    """Add a prim; a prim without a type only extends the definition of a stronger layer.
 
     Args:
-        parent: The prim, or the layer, that it belongs to.
+        parent: Parent prim or layer.
         name: Identifier, unique in the parent.
         type_name: Its schema.
         schemas: The API schemas applied to it.
@@ -125,12 +126,12 @@ def define(
 
 
 def over(layer: Sdf.Layer, path: Sdf.Path) -> Sdf.PrimSpec:
-    """Return the prim at a path of a layer; one that is not there yet adds to what other layers define."""
+    """Return the prim at a path of a layer; a new prim only extends the definition of other layers."""
     return layer.GetPrimAtPath(path) or Sdf.CreatePrimInLayer(layer, path)
 
 
 def apply(prim: Sdf.PrimSpec, *schemas: str) -> None:
-    """Apply API schemas to a prim, after those that it has."""
+    """Apply API schemas to a prim, after its existing ones."""
     known = prim.GetInfo("apiSchemas").prependedItems
     prim.SetInfo("apiSchemas", Sdf.TokenListOp.Create(prependedItems=[*known, *schemas]))
 
@@ -147,10 +148,10 @@ def write(
 
     Args:
         prim: The prim.
-        kind: Their type.
-        values: Their values by name.
-        uniform: Whether their schema says that they cannot vary in time.
-        interpolation: Which elements of a mesh the values belong to, for primvars and normals.
+        kind: Type of the attributes.
+        values: Values by name.
+        uniform: Whether the schema declares them as uniform: constant in time.
+        interpolation: Interpolation of the values on a mesh, for primvars and normals.
     """
     variability = Sdf.VariabilityUniform if uniform else Sdf.VariabilityVarying
     for name, value in values.items():
@@ -161,7 +162,7 @@ def write(
 
 
 def connect(prim: Sdf.PrimSpec, name: str, source: Sdf.Path, kind: Sdf.ValueTypeName = TYPES.Token) -> None:
-    """Add an attribute that takes its value from another attribute."""
+    """Add an attribute connected to another attribute."""
     spec = Sdf.AttributeSpec(prim, name, kind)
     spec.connectionPathList.explicitItems = [source]
 
@@ -178,7 +179,7 @@ def place(prim: Sdf.PrimSpec, pose: Array, scale: Sequence[float] | None = None)
     Args:
         prim: The prim.
         pose: Rigid transform, shape (4, 4) [m].
-        scale: Factors along its own axes, which act first; None leaves the prim unscaled.
+        scale: Factors along its own axes, applied first; None leaves the prim unscaled.
     """
     write(prim, TYPES.Double3, {"xformOp:translate": Gf.Vec3d(*_plain(np.round(pose[:3, 3], DECIMALS)))})
     write(prim, TYPES.Quatd, {"xformOp:orient": Gf.Quatd(*_turn(pose))})
@@ -228,11 +229,11 @@ def binary(layer: Sdf.Layer) -> bytes:
 
 
 def _plain(values: Array | Sequence[float]) -> list[float]:
-    """Return numbers without negative zeros, which would read oddly in the text."""
+    """Return numbers without negative zeros."""
     plain: list[float] = (np.asarray(values) + 0.0).tolist()
     return plain
 
 
 def _turn(matrix: Array) -> list[float]:
-    """Return a rotation as a quaternion, to the decimals in which machines agree."""
+    """Return a rotation as a quaternion, rounded to the decimals in which machines agree."""
     return _plain(np.round(quaternion(matrix), _TURN_DECIMALS))

@@ -27,7 +27,7 @@ def write_openpbr(material_prim: Sdf.PrimSpec, material: Material, maps: Mapping
         "base_metalness": material.base_metalness,
         "coat_roughness": material.coat_roughness,
         "coat_weight": material.coat_weight,
-        # a preview surface thins glass, since it cannot refract
+        # a preview surface shows thin glass, because it cannot refract
         "geometry_opacity": 1.0 if clear else material.opacity,
         "specular_ior": 1.5,
         "specular_roughness": material.specular_roughness,
@@ -70,7 +70,7 @@ def _write_openpbr_maps(prim: Sdf.PrimSpec, surface: Sdf.PrimSpec, maps: Mapping
 
 
 def _turned_to_surface(prim: Sdf.PrimSpec, texel: Sdf.AttributeSpec) -> Sdf.AttributeSpec:
-    """Add the node that takes a map's normal, in 0..1, to the surface's frame; return its output."""
+    """Add the node that transforms a map's normal, in 0..1, to the surface's frame; return its output."""
     turned = define(prim, "openpbr_normal_map", "Shader")
     write(turned, TYPES.Token, {"info:id": "ND_normalmap_float"}, uniform=True)
     connect(turned, "inputs:in", texel.path, TYPES.Float3)
@@ -88,11 +88,11 @@ def write_material(
     """Add a material.
 
     Args:
-        layers: Where its physics is written, and where its maps lie.
-        scope: The prim that it belongs to.
+        layers: Layers for its physics, and location of its maps.
+        scope: The parent prim.
         material: The material.
         maps: File name of each of its maps.
-        seen: Whether it is on a surface, and not on colliders alone.
+        seen: Whether it is on a surface, not only on colliders.
     """
     prim = define(scope, material.name, "Material", ["SemanticsLabelsAPI:material"])
     substance = substance_of(material)
@@ -116,7 +116,7 @@ def write_material(
 
 
 def _sensed(prim: Sdf.PrimSpec, material: Material) -> None:
-    """Write the attributes for lidar, radar and sonar models of SimReady."""
+    """Write SimReady's attributes for models of lidar, radar and sonar."""
     attributes = ["emissive"] if any(material.emission) else []
     if material.transmission_weight >= 0.5 or material.opacity < 0.9:
         attributes.append("visually_transparent")
@@ -130,7 +130,7 @@ def _sensed(prim: Sdf.PrimSpec, material: Material) -> None:
 
 
 def _preview(prim: Sdf.PrimSpec, material: Material, maps: Mapping[Kind, str]) -> None:
-    """Add the surface that every reader of USD knows."""
+    """Add the preview surface, which every reader of USD supports."""
     shader = define(prim, "surface", "Shader")
     write(shader, TYPES.Token, {"info:id": "UsdPreviewSurface"}, uniform=True)
     colors = {"diffuseColor": material.base_color, "emissiveColor": material.emission}
@@ -160,7 +160,7 @@ def _preview(prim: Sdf.PrimSpec, material: Material, maps: Mapping[Kind, str]) -
 def _write_maps(
     prim: Sdf.PrimSpec, shader: Sdf.PrimSpec, material: Material, maps: Mapping[Kind, str]
 ) -> None:
-    """Add the readers of the maps, and of the texture coordinates, and connect the surface to them."""
+    """Add readers of the maps and of the texture coordinates, and connect the surface to them."""
     coordinates = define(prim, "coordinates", "Shader")
     write(coordinates, TYPES.Token, {"info:id": "UsdPrimvarReader_float2"}, uniform=True)
     write(coordinates, TYPES.String, {"inputs:varname": "st"})
@@ -194,7 +194,7 @@ def _write_maps(
 
 
 def _fallback(kind: Kind, material: Material) -> Gf.Vec4f:
-    """Return what a renderer shows that cannot read the map; it scales and biases no fallback."""
+    """Return the fallback of a renderer that cannot read the map, which is not scaled or biased."""
     if kind == "albedo":
         return Gf.Vec4f(*material.base_color, 1.0)
     if kind == "normal":

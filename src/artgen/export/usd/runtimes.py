@@ -1,6 +1,6 @@
-"""Attributes of a USD stage for one simulator: PhysX, Newton or MuJoCo, without their packages.
+"""USD attributes for PhysX, Newton and MuJoCo, without their packages.
 
-Readers ignore unknown schemas. The numbers are those of the MJCF.
+Readers ignore unknown schemas. The numbers equal those of the MJCF.
 """
 
 import math
@@ -10,23 +10,23 @@ from pxr import Sdf, Vt
 from artgen.asset import Asset, AssetCoupling, AssetJoint
 from artgen.export.usd.layer import TYPES, Layers, apply, relate, write
 
-# as in the MJCF, where the reasons stand
+# as in the MJCF, which gives the reasons
 _STIFF = Vt.DoubleArray([0.005, 1.0])
 _CONTACT_IMPEDANCE = Vt.DoubleArray([0.95, 0.99, 0.0005, 0.5, 2.0])
 _COUPLING_IMPEDANCE = Vt.DoubleArray([0.99, 0.9999, 0.0001, 0.5, 2.0])
 _FRICTION_IMPEDANCE = Vt.DoubleArray([0.9999, 0.9999, 0.001, 0.5, 2.0])
 
 _ITERATIONS = 32
-"""Of PhysX on the positions of an articulation: couplings and heavy doors need more than single bodies."""
+"""Position iterations of PhysX for an articulation with couplings and heavy doors."""
 
 
 def driven(joint: AssetJoint) -> bool:
-    """Tell whether a joint has a drive: a coupled one has none but for a spring or damper of its own."""
+    """Tell whether a joint has a drive: a coupled joint has one only for its own spring or damper."""
     return joint.follows is None or joint.stiffness > 0.0 or joint.damping > 0.0
 
 
 def instance_of(joint: AssetJoint) -> str:
-    """Return the name of the drive, axis and state of a joint's only degree of freedom."""
+    """Return the instance name of the drive, axis and state of a joint's degree of freedom."""
     return "angular" if joint.kind == "revolute" else "linear"
 
 
@@ -36,9 +36,9 @@ def units_of(joint: AssetJoint) -> float:
 
 
 def write_runtime_root(layers: Layers, prim: Sdf.PrimSpec) -> None:
-    """Write how each simulator treats the articulation whose root a prim is.
+    """Write how each simulator treats the articulation with its root at a prim.
 
-    Its parts collide with each other, as in MJCF: what joins a bolt and its strike is their contact.
+    Its parts collide with each other, as in MJCF: a bolt and its strike interact by contact.
     """
     physx = layers.runtime("physx", prim)
     apply(physx, "PhysxArticulationAPI")
@@ -51,14 +51,14 @@ def write_runtime_root(layers: Layers, prim: Sdf.PrimSpec) -> None:
 
 
 def write_runtime_body(layers: Layers, prim: Sdf.PrimSpec) -> None:
-    """Write that nothing but its joints slows a body: PhysX would damp its rotation."""
+    """Write that only joints slow a body: by default, PhysX damps its rotation."""
     physx = layers.runtime("physx", prim)
     apply(physx, "PhysxRigidBodyAPI")
     write(physx, TYPES.Float, {"physxRigidBody:angularDamping": 0.0})
 
 
 def write_runtime_collider(layers: Layers, prim: Sdf.PrimSpec, *, hull: bool) -> None:
-    """Write how stiff MuJoCo makes a collider's contacts, and that Newton takes a hull for one."""
+    """Write the stiffness of a collider's contacts for MuJoCo, and that Newton uses it as one hull."""
     if hull:
         apply(layers.runtime("newton", prim), "NewtonMeshCollisionAPI")
     mujoco = layers.runtime("mujoco", prim)
@@ -70,7 +70,7 @@ def write_runtime_collider(layers: Layers, prim: Sdf.PrimSpec, *, hull: bool) ->
 def write_runtime_joint(
     layers: Layers, prim: Sdf.PrimSpec, asset: Asset, joint: AssetJoint, position: float
 ) -> None:
-    """Write friction, armature, largest speed and coupling of a joint, and where it stands."""
+    """Write friction, armature, largest speed, coupling and initial position of a joint."""
     physx = layers.runtime("physx", prim)
     _physx_joint(physx, joint)
     if position != 0.0:
@@ -89,7 +89,7 @@ def _physx_joint(prim: Sdf.PrimSpec, joint: AssetJoint) -> None:
         "dynamicFrictionEffort": joint.friction,
         "staticFrictionEffort": joint.friction,
     }
-    # a coupled joint has its leader's speed: a bound of its own would fight the coupling
+    # a coupled joint has its leader's speed: its own limit would fight the coupling
     if joint.follows is None:
         values["maxJointVelocity"] = joint.velocity * units_of(joint)
     write(prim, TYPES.Float, {prefix + name: values[name] for name in sorted(values)})
@@ -106,8 +106,8 @@ def _newton_joint(prim: Sdf.PrimSpec, joint: AssetJoint) -> None:
 def _mujoco_joint(layers: Layers, prim: Sdf.PrimSpec, joint: AssetJoint, position: float) -> None:
     """Write the joint attributes of MJCF.
 
-    MuJoCo reads no drives, so that its variant has the spring and the damper as its own words, and none in
-    the drive. Newton adds both, so that they are in the drive alone where all stand together.
+    MuJoCo does not read drives, so its variant has the spring and the damper as MuJoCo attributes, and none
+    in the drive. Newton adds both, so without variants they are in the drive only.
     """
     mujoco = layers.runtime("mujoco", prim)
     apply(mujoco, "MjcJointAPI")
@@ -136,7 +136,7 @@ def _mujoco_joint(layers: Layers, prim: Sdf.PrimSpec, joint: AssetJoint, positio
 
 
 def _state(prim: Sdf.PrimSpec, joint: AssetJoint, position: float) -> None:
-    """Write where the joint stands: PhysX takes 0 unless it is told otherwise, wherever the bodies are."""
+    """Write the initial position of the joint: PhysX assumes 0 by default, regardless of the bodies."""
     apply(prim, f"PhysicsJointStateAPI:{instance_of(joint)}")
     write(prim, TYPES.Float, {f"state:{instance_of(joint)}:physics:position": units_of(joint) * position})
 
@@ -162,7 +162,7 @@ def _couple(
     if layers.apart or joint.kind != leader.kind:
         apply(mujoco, "MjcEqualityJointAPI")
         relate(mujoco, "mjc:target", leader_path)
-        # MuJoCo counts from where the joints stand, in which the coupling holds; Newton counts from 0
+        # MuJoCo counts from the initial positions, in which the coupling holds; Newton counts from 0
         offset = 0.0 if layers.apart else coupling.offset
         write(mujoco, TYPES.Double, {"mjc:coef0": offset, "mjc:coef1": coupling.ratio}, uniform=True)
         solver = {"mjc:solimp": _COUPLING_IMPEDANCE, "mjc:solref": _STIFF}
@@ -172,7 +172,7 @@ def _couple(
 
 def _physx_coupling(prim: Sdf.PrimSpec, pair: tuple[AssetJoint, AssetJoint], coupling: AssetCoupling) -> None:
     joint, leader = pair
-    # PhysX wants the name of a rotation axis for slides as well
+    # PhysX requires the name of a rotation axis for slides as well
     apply(prim, "PhysxMimicJointAPI:rotX")
     prefix = "physxMimicJoint:rotX:"
     gearing = coupling.ratio * units_of(joint) / units_of(leader)

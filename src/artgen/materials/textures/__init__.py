@@ -1,4 +1,4 @@
-"""Procedural textures: tileable maps in metric scale, baked once per recipe and kept on disk."""
+"""Procedural textures: tileable maps in metric scale, baked once per recipe and cached on disk."""
 
 from artgen.materials.textures import finishes, stone, wood, woven  # noqa: F401 - they register recipes
 from artgen.materials.textures.bake import Maps, as_bytes, displayed

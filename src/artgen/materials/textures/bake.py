@@ -1,4 +1,4 @@
-"""Baking: a recipe's pattern as pixels in the recipe's own color, kept in memory and on disk."""
+"""Baking of a recipe's pattern to pixels in the recipe's own color, cached in memory and on disk."""
 
 import hashlib
 import threading
@@ -21,7 +21,7 @@ Pixels = NDArray[np.uint8]
 Value = TypeVar("Value")
 
 _KIND = "textures"
-_DARKEST, _BRIGHTEST = 0.012, 0.92  # albedo that real surfaces have
+_DARKEST, _BRIGHTEST = 0.012, 0.92  # albedo range of real surfaces
 
 
 class Memory:
@@ -34,7 +34,7 @@ class Memory:
         self._lock = threading.Lock()
 
     def get(self, key: Hashable, make: Callable[[], Value], weigh: Callable[[Value], int]) -> Value:
-        """Return the value under a key; make and keep it if it is missing."""
+        """Return the value of a key; compute and store it if it is missing."""
         with self._lock:
             if key in self._kept:
                 self._kept.move_to_end(key)
@@ -50,14 +50,14 @@ class Memory:
         return made
 
     def clear(self) -> None:
-        """Forget everything."""
+        """Remove all values."""
         with self._lock:
             self._kept.clear()
             self._total = 0
 
 
 MEMORY = Memory(96 * 2**20)
-"""Maps and files of the last assets: 19 % of requests miss, 18 % with four times the memory."""
+"""Maps and files of recent assets: 19 % of requests miss, 18 % with four times the memory."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -65,10 +65,10 @@ class Maps:
     """The maps of a material; row 0 is the top.
 
     Attributes:
-        albedo: sRGB, shape (n, n, 3); None where it is the material's `base_color` everywhere.
+        albedo: sRGB, shape (n, n, 3); None if it is uniform, equal to the material's `base_color`.
         roughness: 0..255 for 0..1, shape (n, n).
-        metalness: 0..255 for 0..1, shape (n, n); None where it is the material's everywhere.
-        normal: Tangent space, y towards greater v (OpenGL), shape (n, n, 3); None where the surface is even.
+        metalness: 0..255 for 0..1, shape (n, n); None if it is uniform.
+        normal: Tangent space, y towards greater v (OpenGL), shape (n, n, 3); None for a smooth surface.
     """
 
     albedo: Pixels | None
@@ -78,12 +78,12 @@ class Maps:
 
     @property
     def arrays(self) -> dict[str, Pixels]:
-        """The maps that the material has, by name."""
+        """The existing maps by name."""
         return {name: pixels for name, pixels in vars(self).items() if pixels is not None}
 
 
 def baked(recipe: Recipe, variant: int, size: int) -> Maps:
-    """Return a recipe's maps; they are made once for all processes where the recipe is kept."""
+    """Return a recipe's maps; maps of kept recipes are computed once for all processes."""
     return MEMORY.get(
         (recipe, variant, size),
         lambda: _kept(recipe, variant, size) if recipe.kept else bake(recipe, variant, size),
@@ -92,7 +92,7 @@ def baked(recipe: Recipe, variant: int, size: int) -> Maps:
 
 
 def _kept(recipe: Recipe, variant: int, size: int) -> Maps:
-    """Return a recipe's maps from the disk, or make and keep them."""
+    """Return a recipe's maps from disk, or compute and store them."""
     name = f"{recipe.name}_{variant}_{size}"
     stored = disk_cache.unpacked(read(name, "npz")) or {}
     sound = all(pixels.dtype == np.uint8 and pixels.shape[:2] == (size, size) for pixels in stored.values())
@@ -105,7 +105,7 @@ def _kept(recipe: Recipe, variant: int, size: int) -> Maps:
 
 
 def bake(recipe: Recipe, variant: int, size: int) -> Maps:
-    """Make a recipe's maps; the roughness is its deviation from the material's, plus 128."""
+    """Compute a recipe's maps; the roughness is the deviation from the material's, plus 128."""
     stream = np.random.default_rng(np.random.SeedSequence([zlib.crc32(recipe.name.encode()), variant]))
     pattern = recipe.make(stream, size)
     return Maps(
@@ -132,7 +132,7 @@ def _colored(albedo: Array) -> Pixels:
 
 
 def _normals(height: Array, tile: tuple[float, float]) -> Pixels:
-    """Return the tangent-space normals of a relief [m] over a tile of that size [m]."""
+    """Return the tangent-space normals of a relief [m] on a tile of a size [m]."""
     size = len(height)
     along_u = (np.roll(height, -1, axis=1) - np.roll(height, 1, axis=1)) * (size / (2.0 * tile[0]))
     along_v = (np.roll(height, 1, axis=0) - np.roll(height, -1, axis=0)) * (size / (2.0 * tile[1]))
@@ -160,12 +160,12 @@ def _version() -> str:
 
 
 def read(name: str, suffix: str) -> bytes | None:
-    """Return the file on disk under a name, written by this version of the code, or None."""
+    """Return a file on disk by name, written by this version of the code, or None."""
     return disk_cache.read(_KIND, f"{name}_{_version()}.{suffix}") if _version() else None
 
 
 def write(name: str, suffix: str, content: bytes) -> None:
-    """Keep content on disk under a name for this version of the code.
+    """Store content on disk by name for this version of the code.
 
     Raises:
         ExportError: The folder of the cache cannot be written.

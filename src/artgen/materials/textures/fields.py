@@ -1,7 +1,7 @@
-"""Fields: numbers over one tile that repeat in both directions, with features in metres.
+"""Fields: numbers on a tile that repeat in both directions, with features in metres.
 
-Every field is the same at every size but for detail: noise is drawn by frequency, so that more texels add
-finer waves to those that fewer texels show, and cells lie where they lie however finely they are drawn.
+Every field is the same at every size except for detail: noise is drawn by frequency, so that more texels add
+finer waves, and cells keep their places.
 """
 
 from collections.abc import Callable, Sequence
@@ -18,21 +18,21 @@ Color = tuple[float, float, float]
 Varying = Literal["albedo", "metalness", "normal"]
 
 SEEN: tuple[Varying, ...] = ("albedo", "normal")
-"""The maps of surfaces with a pattern of colors and a relief."""
+"""Maps of surfaces with a pattern of colors and a relief."""
 
 _GREY: Color = (0.5, 0.5, 0.5)
 
 
 @dataclass(frozen=True, eq=False)
 class Pattern(FrozenArrays):
-    """One tile of a surface; row 0 is its top (greatest v), column 0 its left (least u).
+    """One tile of a surface; row 0 is its top (largest v), column 0 its left side (smallest u).
 
     Attributes:
-        albedo: Linear RGB albedo whose mean is the recipe's `base_color`, shape (n, n, 3); None where it does
-            not vary enough to be seen.
+        albedo: Linear RGB albedo with the recipe's `base_color` as its mean, shape (n, n, 3); None without
+            visible variation.
         roughness: Deviation of the GGX roughness from the material's, mean 0, shape (n, n).
-        metalness: Share of bare metal, shape (n, n); None where it is the material's everywhere.
-        height: Relief [m], shape (n, n); None where there is none to be seen.
+        metalness: Share of bare metal, shape (n, n); None if it is uniform.
+        height: Relief [m], shape (n, n); None without a visible relief.
     """
 
     albedo: Array | None
@@ -43,21 +43,21 @@ class Pattern(FrozenArrays):
 
 @dataclass(frozen=True)
 class Recipe:
-    """How a texture is made.
+    """Recipe of a texture.
 
     Attributes:
         name: Identifier.
-        base_color: Linear RGB mean of the albedo as baked; materials of other colors are tinted.
-        make: Makes a pattern: `make(stream, size)` with a random stream of the recipe and variant, and how
-            many texels the tile has on a side.
-        tile: The size of one repeat, across and along the grain (u and v) [m].
-        variants: How many different patterns there are.
-        varying: Which maps it has besides roughness, of `albedo`, `metalness` and `normal`; None where that
-            is to be found out by baking it small.
-        shifts: Whether the pattern of a part may begin anywhere across and along the grain: not where it has
-            to meet the part's edges.
-        kept: Whether its maps are kept on disk, by a digest of this package's code: not where other code
-            makes them.
+        base_color: Linear RGB mean of the baked albedo; materials of other colors are tinted.
+        make: Function `make(stream, size)` for a pattern, from a random stream of the recipe and variant, and
+            the number of texels per side.
+        tile: Size of one repeat, across and along the grain (u and v) [m].
+        variants: Number of different patterns.
+        varying: Maps in addition to roughness: `albedo`, `metalness` and `normal`; None determines them by
+            baking a small tile.
+        shifts: Whether the pattern of a part may begin anywhere across and along the grain; False if it has
+            to meet the edges of parts.
+        kept: Whether its maps are cached on disk by a digest of this package's code; False for recipes in
+            other code.
     """
 
     name: str
@@ -75,29 +75,29 @@ RECIPES: dict[str, Recipe] = {}
 
 Value = TypeVar("Value", bound=np.generic)
 
-_FIRST = 256  # texels on a side of the smallest maps: its waves are drawn first, then those of twice as many
-_WHOLE = 1024  # texels on a side that show all of a noise: its deviation there is 1
-_NEGLIGIBLE = 1e-4  # of the greatest amplitude
-_STRIP = 1 << 16  # texels worked on at a time
+_FIRST = 256  # texels per side of the smallest maps: their waves are drawn first, then those of twice as many
+_WHOLE = 1024  # texels per side that show all of a noise: its deviation there is 1
+_NEGLIGIBLE = 1e-4  # share of the largest amplitude
+_STRIP = 1 << 16  # texels processed at a time
 
 
 class Cells(NamedTuple):
-    """Distances from the nearest of points strewn over a tile."""
+    """Distances to the nearest of random points on a tile."""
 
-    nearest: Array  # distance from the nearest point [m], shape (n, n)
-    second: Array  # distance from the second nearest point [m], shape (n, n)
-    number: NDArray[np.int64]  # which point is the nearest, shape (n, n)
-    total: int  # how many points there are
+    nearest: Array  # distance to the nearest point [m], shape (n, n)
+    second: Array  # distance to the second nearest point [m], shape (n, n)
+    number: NDArray[np.int64]  # number of the nearest point, shape (n, n)
+    total: int  # number of points
 
 
 class Tile:
-    """A tile of a pattern that is being made.
+    """A tile of a pattern under construction.
 
     Attributes:
-        size: How many texels it has on a side.
-        extent: Its size across and along the grain, shape (2,) [m].
-        u: Place of the texels' centers across the grain, 0 at the left, shape (1, n) [m].
-        v: Place of the texels' centers along the grain, 0 at the bottom, shape (n, 1) [m].
+        size: Texels per side.
+        extent: Size across and along the grain, shape (2,) [m].
+        u: Position of the texels' centers across the grain, 0 at the left, shape (1, n) [m].
+        v: Position of the texels' centers along the grain, 0 at the bottom, shape (n, 1) [m].
         stream: Random numbers that do not depend on the size.
     """
 
@@ -110,7 +110,7 @@ class Tile:
         self.v: Array = centers[::-1, None] * extent[1]
 
     def noise(self, spectrum: Callable[[Array, Array], Array]) -> Array:
-        """Return noise of some spectrum, mean 0 and deviation 1, shape (n, n)."""
+        """Return noise with a spectrum, mean 0 and deviation 1, shape (n, n)."""
         half = max(self.size, _WHOLE) // 2
         wave = np.arange(half)
         amplitude = np.broadcast_to(
@@ -119,7 +119,7 @@ class Tile:
         amplitude[0, 0] = 0.0
         coefficients = _coefficients(self.stream, self.size, amplitude)
         coefficients /= _deviation(coefficients, amplitude)
-        # The waves' phases are those at the centers of the texels
+        # phases of the waves at the centers of the texels
         phase = np.exp(1j * np.pi * np.fft.fftfreq(self.size))
         columns = coefficients.shape[1]
         coefficients *= phase[:, None] * phase[None, :columns]
@@ -129,11 +129,11 @@ class Tile:
         return np.asarray(result)
 
     def streaks(self, across: float, along: float) -> Array:
-        """Return smooth noise, its features about so large [m], mean 0 and deviation 1, shape (n, n)."""
+        """Return smooth noise with features of a size [m], mean 0 and deviation 1, shape (n, n)."""
         return self.noise(lambda u, v: np.exp(-((0.8 * across * u) ** 2)) * np.exp(-((0.8 * along * v) ** 2)))
 
     def fibres(self, along: float, slope: float = 0.6) -> Array:
-        """Return noise of lines along the grain, of all widths and about that long [m], shape (n, n)."""
+        """Return noise of lines along the grain, of all widths and about a length [m], shape (n, n)."""
         return self.noise(
             lambda u, v: np.maximum(u, 8.0 / self.extent[0]) ** -slope * np.exp(-((0.8 * along * v) ** 2))
         )
@@ -150,13 +150,13 @@ class Tile:
         )
 
     def smudges(self, longest: float = 0.12) -> Array:
-        """Return where a surface was touched and wiped: soft patches, mean 0, about -1..3, shape (n, n)."""
+        """Return soft patches where a surface was touched and wiped, mean 0, about -1..3, shape (n, n)."""
         patches = self.cloud(longest, 2.4)
         wiped = self.cloud(longest / 3.0, 1.6)
         return centered(np.maximum(patches, -0.6) + 0.35 * wiped * smoothstep(-0.5, 1.5, patches))
 
     def cells(self, spacing: float, jitter: float = 1.0) -> Cells:
-        """Strew points over the tile, about that far apart [m], and return the distances from them."""
+        """Place random points about a distance [m] apart, and return the distances to them."""
         across, along = (max(3, round(length / spacing)) for length in self.extent)
         place = 0.5 + jitter * (self.stream.random((2, along, across)) - 0.5)
         u, v = self.u[0] * (across / self.extent[0]), self.v[:, 0] * (along / self.extent[1])
@@ -180,7 +180,7 @@ class Tile:
         return Cells(np.sqrt(nearest), np.sqrt(second), number, along * across)
 
     def moved(self, values: Array, across: Array | float, along: Array | float) -> Array:
-        """Return what a field is some way to the right and upwards [m] of each texel, shape (n, n)."""
+        """Return the value of a field at an offset to the right and up [m] from each texel, shape (n, n)."""
         numbers = np.arange(self.size)
         field = (self.size, self.size)
 
@@ -207,7 +207,7 @@ def recipe(
     varying: tuple[Varying, ...] = ("normal",),
     shifts: tuple[bool, bool] = (True, True),
 ) -> Callable[[Callable[[Tile], Pattern]], None]:
-    """Register the function below, which draws a tile of some size [m], as a recipe whose maps are kept."""
+    """Register a function that draws a tile of a size [m] as a recipe with cached maps."""
 
     def register(draw: Callable[[Tile], Pattern]) -> None:
         def make(stream: np.random.Generator, size: int) -> Pattern:
@@ -219,7 +219,7 @@ def recipe(
 
 
 def _coefficients(stream: np.random.Generator, size: int, amplitude: Array) -> NDArray[np.complex128]:
-    """Return the amplitudes of the waves that maps of some size show, as `numpy.fft.irfft2` wants them."""
+    """Return the amplitudes of the waves of maps of a size, as `numpy.fft.irfft2` expects them."""
     blocks: list[tuple[int, np.random.Generator]] = []
     halves = [_FIRST // 2 * 2**number for number in range((size // _FIRST).bit_length())]
     for half, child in zip(halves, stream.spawn(4), strict=False):
@@ -236,14 +236,14 @@ def _coefficients(stream: np.random.Generator, size: int, amplitude: Array) -> N
         result[-(block - 1) :, :block] = drawn[: block - 1]
     result[:half, :] *= amplitude[:half, :half]
     result[-(half - 1) :, :] *= amplitude[half - 1 : 0 : -1, :half]
-    # Waves along the grain alone stand twice in that column, once for each direction
+    # waves along the grain appear twice in that column, once for each direction
     result[1:, 0] = (result[1:, 0] + result[:0:-1, 0].conj()) * np.sqrt(0.5)
     result *= np.sqrt(0.5)
     return result
 
 
 def _deviation(coefficients: NDArray[np.complex128], amplitude: Array) -> float:
-    """Return the deviation of noise, for all sizes: of coarse waves as they are, of finer on average."""
+    """Return the deviation of noise at all sizes: exact for coarse waves, average for finer ones."""
     half = _FIRST // 2
     coarse = np.concatenate([coefficients[:half, :half], coefficients[-(half - 1) :, :half]])
     power = np.abs(coarse) ** 2
@@ -254,14 +254,14 @@ def _deviation(coefficients: NDArray[np.complex128], amplitude: Array) -> float:
 
 
 def centered(values: Array) -> Array:
-    """Return values less their mean."""
+    """Return values minus their mean."""
     return np.asarray(values - values.mean())
 
 
 def in_strips(make: Callable[..., NDArray[Value]], *fields: NDArray[Any]) -> NDArray[Value]:
-    """Return what a function makes of fields, texel by texel, worked out some rows at a time.
+    """Apply a function to fields texel by texel, in strips of rows.
 
-    Large maps are many pages of memory, which cost more to get than to work on.
+    Large maps span many pages of memory, whose allocation costs more than the computation.
     """
     rows = max(1, _STRIP // max(1, *(field[0].size for field in fields)))
     first = make(*(field[:rows] for field in fields))
@@ -273,14 +273,14 @@ def in_strips(make: Callable[..., NDArray[Value]], *fields: NDArray[Any]) -> NDA
 
 
 def hairlines(tile: Tile, width: float, length: float, least: float) -> Array:
-    """Return scarce fine scratches of some width and length [m] along and across, 0..2, shape (n, n)."""
+    """Return sparse fine scratches of a width and length [m] along and across, 0..2, shape (n, n)."""
     ways = ((width, length), (length, width))
     along, across = (smoothstep(least, 3.4, tile.streaks(*way)) for way in ways)
     return along + across
 
 
 def smoothstep(low: float, high: float, values: Array) -> Array:
-    """Return 0 below low, 1 above high, and a smooth rise between; falls where low is above high."""
+    """Return 0 below low, 1 above high, and a smooth transition between; it falls for low above high."""
 
     def risen(values: Array) -> Array:
         share = np.clip((values - low) / (high - low), 0.0, 1.0)
@@ -300,5 +300,5 @@ def blend(values: Array, stops: Sequence[tuple[float, tuple[float, float, float]
 
 
 def with_mean(albedo: Array, mean: tuple[float, float, float]) -> Array:
-    """Return linear albedo whose mean is a color, shape (n, n, 3)."""
+    """Return linear albedo with a color as its mean, shape (n, n, 3)."""
     return np.asarray(albedo * (np.array(mean) / albedo.mean(axis=(0, 1))))

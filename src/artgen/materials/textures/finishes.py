@@ -1,4 +1,4 @@
-"""Finishes: metals, plastics, coats, paint, glaze and glass, most of an even color. Brushing runs along v."""
+"""Finishes: metals, plastics, coats, paint, glaze and glass. Brushing runs along v."""
 
 import numpy as np
 
@@ -18,7 +18,7 @@ from artgen.materials.textures.fields import (
 _BRONZE: Color = (0.090, 0.063, 0.045)
 _HAMMERED: Color = (0.20, 0.13, 0.075)
 _FOAM: Color = (0.80, 0.78, 0.70)
-_KNURL = (12, 6)  # grooves across a tile, and how far each runs on along it
+_KNURL = (12, 6)  # grooves across a tile, and the length of each along it
 
 
 def _grained(
@@ -29,9 +29,9 @@ def _grained(
     smudges: tuple[float, float],
     height: float,
 ) -> None:
-    """Register a fine even grain on a square tile [m].
+    """Register a fine uniform grain on a square tile [m].
 
-    The grain has a wavelength [m] and its spread, a deviation of roughness, and a height [m]; the smudges
+    The grain has a wavelength [m] with its spread, a deviation of roughness and a height [m]; the smudges
     have a deviation of roughness and a size [m].
     """
 
@@ -45,7 +45,7 @@ def _grained(
 
 _grained("anodised", 0.10, (0.0006, 0.6), 0.018, (0.020, 0.08), 3e-6)
 _grained("blasted", 0.06, (0.0007, 0.6), 0.025, (0.020, 0.05), 4.5e-6)
-_grained("fine_grain", 0.08, (0.0008, 0.6), 0.020, (0.022, 0.06), 4e-6)  # of a spark-eroded mold
+_grained("fine_grain", 0.08, (0.0008, 0.6), 0.020, (0.022, 0.06), 4e-6)  # grain of a spark-eroded mold
 _grained("sprayed_paint", 0.20, (0.0042, 0.45), 0.008, (0.025, 0.15), 11e-6)  # orange peel
 _grained("frosted_glass", 0.06, (0.0007, 0.7), 0.025, (0.020, 0.06), 5e-6)
 
@@ -59,10 +59,10 @@ def _brushed(
     smudge: float,
     height: float,
 ) -> None:
-    """Register metal that a belt brushed along v.
+    """Register metal brushed along v by a belt.
 
-    Strokes, and the bundles of strokes that are seen from farther away, have a width and length [m]; the
-    deviations of roughness are those of strokes, bundles and smudges.
+    Strokes, and bundles of strokes that are visible from a distance, have a width and length [m]; the
+    deviations of roughness belong to strokes, bundles and smudges.
     """
 
     @recipe(name, extent, variants=2)
@@ -82,7 +82,7 @@ _brushed("satin", (0.09, 0.36), (0.0003, 0.03), (0.0018, 0.06), (0.022, 0.010, 0
 
 
 def _glossy(name: str, hair: tuple[float, float, float], hairs: float, smudges: tuple[float, float]) -> None:
-    """Register a polished surface that only hairlines and finger marks tell from a mirror."""
+    """Register a polished surface with hairlines and finger marks only."""
 
     @recipe(name, (0.25, 0.25), variants=2, varying=())
     def drawn(tile: Tile) -> Pattern:
@@ -117,7 +117,7 @@ def _rolled(tile: Tile) -> Pattern:
 
 @recipe("aged_bronze", (0.16, 0.16), _BRONZE, variants=2, varying=("albedo", "metalness", "normal"))
 def _aged_bronze(tile: Tile) -> Pattern:
-    """Draw oil-rubbed bronze: a dark patina, and broad soft areas where hands wore it to the metal."""
+    """Draw oil-rubbed bronze: a dark patina, with broad soft areas that hands wore down to the metal."""
     mottle = tile.cloud(0.004, 1.0)
     worn = smoothstep(-0.7, 1.9, tile.cloud(0.09, 2.8))
     grain = tile.band(0.0010, 0.7)
@@ -130,10 +130,10 @@ def _aged_bronze(tile: Tile) -> Pattern:
 
 @recipe("hammered", (0.12, 0.12), _HAMMERED, varying=("albedo", "metalness", "normal"))
 def _hammered(tile: Tile) -> Pattern:
-    """Draw hammered bronze: dents beside dents, dark between them, bright on their ridges."""
+    """Draw hammered bronze: adjacent dents, dark between them, bright on their ridges."""
     cells = tile.cells(0.0095, 0.8)
     sides = [(distance / 0.0062) ** 2 for distance in (cells.nearest, cells.second)]
-    dent = sides[0] - 0.25 * np.log1p(np.exp((sides[0] - sides[1]) / 0.25))  # ridges that wear has rounded
+    dent = sides[0] - 0.25 * np.log1p(np.exp((sides[0] - sides[1]) / 0.25))  # ridges rounded by wear
     ridge = 1.0 - smoothstep(0.0, 0.0035, cells.second - cells.nearest)
     mottle = tile.cloud(0.02, 1.4)
     share = np.clip(0.40 + 0.10 * ridge + 0.12 * mottle, 0.0, 1.0)
@@ -146,9 +146,9 @@ def _hammered(tile: Tile) -> Pattern:
 
 @recipe("knurl", (0.0096, 0.0144))
 def _knurl(tile: Tile) -> Pattern:
-    """Draw a diamond knurl: two sets of grooves cross and leave blunt pyramids."""
+    """Draw a diamond knurl: two crossing sets of grooves with blunt pyramids."""
     across, along = tile.u / tile.extent[0], tile.v / tile.extent[1]
-    # Crests, not grooves, lie on the border of the tile
+    # crests, not grooves, lie on the border of the tile
     sets = [
         0.5 + 0.5 * np.cos(2.0 * np.pi * (_KNURL[0] * across + sign * _KNURL[1] * along)) for sign in (1, -1)
     ]
@@ -189,7 +189,7 @@ def _foam(tile: Tile) -> Pattern:
 
 @recipe("powder_coat", (0.12, 0.12))
 def _powder_coat(tile: Tile) -> Pattern:
-    """Draw powder coat: orange peel with a fine grain on it."""
+    """Draw powder coat: orange peel with a fine grain."""
     peel = tile.band(0.0024, 0.45)
     grain = tile.band(0.0008, 0.5)
     roughness = 0.012 * peel + 0.016 * grain + 0.02 * tile.smudges(0.10)
@@ -198,14 +198,14 @@ def _powder_coat(tile: Tile) -> Pattern:
 
 @recipe("enamel", (0.30, 0.30), varying=())
 def _enamel(tile: Tile) -> Pattern:
-    """Draw vitreous or stoved enamel: glossy; its waves are flatter than the levels of a normal map."""
+    """Draw vitreous or stoved enamel: glossy, with waves flatter than the levels of a normal map."""
     hairs = smoothstep(2.5, 3.6, tile.streaks(0.0012, 0.04))
     return Pattern(None, centered(0.020 * tile.smudges(0.15) + 0.006 * tile.band(0.009, 0.5) + 0.02 * hairs))
 
 
 @recipe("brushed_paint", (0.30, 0.60), variants=2)
 def _brushed_paint(tile: Tile) -> Pattern:
-    """Draw paint that a brush laid off along the grain: faint ridges that remained as it leveled."""
+    """Draw paint brushed along the grain: faint ridges that remained after levelling."""
     ridges = tile.fibres(0.35, 0.7)
     ends = tile.fibres(0.08, 0.4)
     height = 8e-6 * ridges + 3e-6 * ends + 8e-6 * tile.band(0.006, 0.5, 2.0)
@@ -214,7 +214,7 @@ def _brushed_paint(tile: Tile) -> Pattern:
 
 @recipe("glaze", (0.30, 0.30), varying=())
 def _glaze(tile: Tile) -> Pattern:
-    """Draw glazed ceramic: a few pin holes, wiped; its waves are flatter than a normal map's levels."""
+    """Draw glazed ceramic: a few pin holes, wiped, with waves flatter than the levels of a normal map."""
     holes = smoothstep(3.3, 3.9, tile.band(0.0028, 0.5))
     return Pattern(None, centered(0.018 * tile.smudges(0.15) + 0.10 * holes))
 
@@ -228,5 +228,5 @@ def _clear_glass(tile: Tile) -> Pattern:
 
 @recipe("flat", (0.5, 0.5), varying=())
 def _flat(tile: Tile) -> Pattern:
-    """Draw a surface that is even but for a slight variation of roughness."""
+    """Draw a uniform surface with a slight variation of roughness."""
     return Pattern(None, 0.02 * tile.cloud(0.25, 1.8))

@@ -17,7 +17,7 @@ from artgen.materials.textures.fields import RECIPES, Recipe
 
 _SIGNATURE = b"\x89PNG\r\n\x1a\n"
 _GREY, _COLOR = 0, 2
-_UP = 2  # each texel as difference from the one above: patterns run along v
+_UP = 2  # each texel as the difference from the one above: patterns run along v
 
 
 def png(pixels: NDArray[np.uint8]) -> bytes:
@@ -39,20 +39,20 @@ def _chunk(kind: bytes, data: bytes) -> bytes:
 
 
 Kind = Literal["albedo", "orm", "roughness", "metalness", "normal"]
-"""`orm` has occlusion, roughness and metalness in its channels, as glTF and MuJoCo read them."""
+"""`orm` has occlusion, roughness and metalness in its channels, for glTF and MuJoCo."""
 
 Form = Literal["png", "jpg"]
 
 KINDS: tuple[Kind, ...] = ("albedo", "orm", "roughness", "metalness", "normal")
 
 SIZES = (256, 512, 1024, 2048)
-"""Texels on a side that maps may have."""
+"""Allowed texels per side of maps."""
 
 _QUALITY: dict[Kind, int] = {"normal": 92}
 
 
 def check_size(size: int) -> None:
-    """Raise a ParameterError unless maps may have that many texels on a side."""
+    """Raise a ParameterError for a number of texels per side that is not allowed."""
     if type(size) is not int or size not in SIZES:
         raise ParameterError(f"textures have {', '.join(map(str, SIZES))} texels on a side, not {size!r}")
 
@@ -72,7 +72,7 @@ def recipe_of(material: Material) -> Recipe:
 
 
 def kinds(material: Material) -> tuple[Kind, ...]:
-    """Return which maps a material has, of `KINDS`; none where it has no texture."""
+    """Return the maps of a material, a subset of `KINDS`; empty without a texture."""
     if not material.texture:
         return ()
     varying = _varying(recipe_of(material))
@@ -88,15 +88,15 @@ def _varying(recipe: Recipe) -> tuple[str, ...]:
 
 
 def maps(material: Material, size: int) -> Maps:
-    """Return the maps of a material; they are shared, so leave them as they are.
+    """Return the maps of a material; they are shared and read-only.
 
     Args:
-        material: One with a texture.
-        size: Texels on a side, of `SIZES`.
+        material: A material with a texture.
+        size: Texels per side, one of `SIZES`.
 
     Raises:
         ParameterError: The material has no texture, or the size is not allowed.
-        ExportError: They cannot be kept on disk.
+        ExportError: They cannot be stored on disk.
     """
     check_size(size)
     recipe = recipe_of(material)
@@ -118,7 +118,7 @@ def shifts_of(material: Material) -> tuple[bool, bool]:
 
 
 def _tint(material: Material, recipe: Recipe) -> tuple[float, float, float]:
-    """Return what each linear channel of the albedo is multiplied by."""
+    """Return the factors of the linear albedo channels."""
     red, green, blue = (
         wanted / own for wanted, own in zip(material.base_color, recipe.base_color, strict=True)
     )
@@ -140,14 +140,14 @@ def encoded(material: Material, kind: Kind, size: int, form: Form) -> bytes:
     """Return a map of a material as an image file; grey for roughness and metalness.
 
     Args:
-        material: One with such a map, see `kinds`.
+        material: A material with such a map, see `kinds`.
         kind: Which map.
-        size: Texels on a side, of `SIZES`.
-        form: PNG, or JPEG as GLB takes it.
+        size: Texels per side, one of `SIZES`.
+        form: PNG, or JPEG for GLB.
 
     Raises:
         ParameterError: The material has no such map, or the size is not allowed.
-        ExportError: The file cannot be kept on disk.
+        ExportError: The file cannot be stored on disk.
     """
     check_size(size)
     recipe = recipe_of(material)
@@ -170,7 +170,7 @@ def _kept_file(material: Material, kind: Kind, size: int, form: Form, name: str)
 
 
 def _is_kept(material: Material, kind: Kind) -> bool:
-    """Say whether a file is kept on disk: not in a color drawn for one asset, or the disk would fill."""
+    """Tell whether a file is cached on disk; maps in a color of one asset are not."""
     recipe = recipe_of(material)
     if kind != "albedo" or not recipe.kept:
         return recipe.kept
@@ -200,14 +200,14 @@ def _file(pixels: Pixels, kind: Kind, form: Form) -> bytes:
     from PIL import Image
 
     file = io.BytesIO()
-    # Only colors may lose some of their resolution: other channels are numbers of their own
+    # only colors may be subsampled: other channels are independent numbers
     subsampling = "4:2:0" if kind == "albedo" else "4:4:4"
     Image.fromarray(pixels).save(file, "JPEG", quality=_QUALITY.get(kind, 90), subsampling=subsampling)
     return file.getvalue()
 
 
 def map_name(material: Material, kind: Kind) -> str:
-    """Return the name of a map's file without its suffix: equal for two materials only if the pixels are."""
+    """Return the name of a map's file without its suffix, unique for its pixels."""
     recipe = recipe_of(material)
     name = f"{recipe.name}_{material.variant % recipe.variants}_{kind}"
     if kind == "albedo" and material.base_color != recipe.base_color:

@@ -25,10 +25,10 @@ class Granite:
     """The minerals of a granite."""
 
     mean: Color  # linear RGB mean of its albedo
-    # linear RGB of each, size of its grains [m], and how common it is; the first to the last
+    # linear RGB of each, size of its grains [m], and its frequency
     minerals: tuple[tuple[Color, float, float], ...]
     mica: Color  # linear RGB of dark flecks
-    flecks: float  # how many deviations of noise a fleck must exceed: lower is more
+    flecks: float  # deviations of noise above which there is a fleck: lower values give more flecks
 
 
 _GRANITES = {
@@ -57,12 +57,12 @@ _GRANITES = {
 
 
 def _granite(kind: Granite, tile: Tile) -> Pattern:
-    """Draw polished granite: a mineral grows where its noise is the greatest, so that grains interlock."""
+    """Draw polished granite: each place has the mineral with the largest noise, so that grains interlock."""
     strength = [
         0.75 * tile.band(grain, 0.5) + 0.40 * tile.band(0.4 * grain, 0.5) + common
         for _, grain, common in kind.minerals
     ]
-    # Crystals have straight sides: within one, no mineral gains on another
+    # crystals have straight sides: within one, the order of the minerals is constant
     cells = tile.cells(0.0021)
     push = tile.stream.standard_normal((len(kind.minerals), cells.total))
 
@@ -117,7 +117,7 @@ _MARBLES = {
 def _marble(kind: Marble, tile: Tile) -> Pattern:
     """Draw polished marble: clouds, and veins where a slope crosses levels, bent by noise."""
     across, along = tile.cloud(0.55, 2.4), tile.cloud(0.55, 2.4)
-    # Levels of a slope that runs aslant over the tile: their lines cross it, as faults in rock do
+    # levels of an oblique slope over the tile: their lines cross it like faults in rock
     slope = tile.u / tile.extent[0] + 2.0 * tile.v / tile.extent[1]
     folds = tile.cloud(0.8, 2.2)
     strong = _veins(tile, np.sin(2.0 * np.pi * slope + 0.9 * folds), 0.045 * across, 0.045 * along, 0.045)
@@ -128,7 +128,7 @@ def _marble(kind: Marble, tile: Tile) -> Pattern:
     clouds = tile.cloud(0.45, 1.9)
     grain = tile.band(0.0035, 0.6)
     cloud = np.clip(0.32 + 0.17 * clouds + 0.34 * mist * smoothstep(-0.8, 1.2, where), 0.0, 1.0)
-    # Veins that run on look alike everywhere: one that stood alone would show where the tile repeats
+    # continuous veins look alike everywhere: a single vein would show the repeat of the tile
     faint = 0.55 + 0.45 * smoothstep(-1.3, 0.9, where)
     vein = 0.46 * strong * faint + 0.32 * thin * (0.30 + 0.70 * smoothstep(-1.0, 1.0, -across))
     vein = np.clip(vein * (0.85 + 0.12 * clouds), 0.0, 0.55)
@@ -140,7 +140,7 @@ def _marble(kind: Marble, tile: Tile) -> Pattern:
 
 
 def _veins(tile: Tile, level: Array, across: Array, along: Array, width: float) -> Array:
-    """Return 1 where noise, bent by other noise [m], is 0, and less beside it to some width [deviations]."""
+    """Return 1 where noise, bent by other noise [m], is 0, and less near it up to a width [deviations]."""
     beside = np.abs(tile.moved(level, across, along)) / width
     return np.asarray(1.0 / (1.0 + beside**2) ** 1.5)
 

@@ -1,9 +1,9 @@
 """Woods: grain along v, growth rings, rays and pores.
 
-A board shows the rings of the trunk that it was cut from. Cut through the pith (straight grain) they are
-lines that wander slowly; cut beside it (flat-sawn) they are arches over arches, one above the other, with
-lines at their sides. Within a ring the wood darkens slowly and ends sharply. Pores are fine dark grooves,
-in ring-porous woods crowded where a ring begins.
+A board shows the growth rings of its trunk. Cut through the pith (straight grain), they are slowly wandering
+lines; cut beside it (flat-sawn), they are stacked arches with lines at their sides. Within a ring the wood
+darkens slowly and ends sharply. Pores are fine dark grooves, in ring-porous woods dense at the start of a
+ring.
 """
 
 from collections.abc import Callable
@@ -26,14 +26,14 @@ from artgen.materials.textures.fields import (
     with_mean,
 )
 
-_SPREAD = 0.45  # of the logarithm of lengths
-_AT_ONCE = 1 << 14  # pores drawn at once: more are many pages of memory
+_SPREAD = 0.45  # deviation of the logarithm of lengths
+_AT_ONCE = 1 << 14  # pores drawn at once: more would need many pages of memory
 
 
 def pores(tile: Tile, chance: Array, density: float, length: float, width: float) -> Array:
-    """Strew pores over a tile, and return how much of each texel they take, shape (n, n).
+    """Place random pores on a tile, and return their share of each texel, shape (n, n).
 
-    A texel that is wider than a pore is darkened by its share, so that small maps are large ones, averaged.
+    A texel wider than a pore is darkened by the pore's share, so that small maps are averages of large ones.
     """
     count = round(density * tile.extent[0] * tile.extent[1])
     drawn = tile.stream.random((4, count))
@@ -44,7 +44,7 @@ def pores(tile: Tile, chance: Array, density: float, length: float, width: float
     along = lengths[there] * (tile.size / tile.extent[1])
     placed = np.stack([column[there], row[there], across, along])
     covered = np.zeros(tile.size**2)
-    order = np.argsort(along, kind="stable")  # those of one length take equally many texels
+    order = np.argsort(along, kind="stable")  # pores of one length cover equally many texels
     for start in range(0, len(order), _AT_ONCE):
         where, share = _covered(tile.size, *placed[:, order[start : start + _AT_ONCE]])
         covered += np.bincount(where, share, tile.size**2)
@@ -54,14 +54,14 @@ def pores(tile: Tile, chance: Array, density: float, length: float, width: float
 def _covered(
     size: int, column: Array, row: Array, across: Array, along: Array
 ) -> tuple[NDArray[np.int64], Array]:
-    """Return which texels grooves lie in and how much of each they take; lengths are in texels."""
+    """Return the texels of grooves and their shares; lengths are in texels."""
     left, top = column - 0.5 * across, row - 0.5 * along
     columns = np.floor(left)[:, None] + np.arange(int(across.max()) + 2)
     rows = np.floor(top)[:, None] + np.arange(int(along.max()) + 2)
     share_across = np.clip(
         np.minimum(columns + 1.0, (left + across)[:, None]) - np.maximum(columns, left[:, None]), 0.0, 1.0
     )
-    # A groove is deepest at its middle and runs out at its ends
+    # a groove is deepest at its center and shallow at its ends
     edges = np.concatenate([rows, rows[:, -1:] + 1.0], axis=1)
     part = np.clip((edges - row[:, None]) * (2.0 / along)[:, None], -1.0, 1.0)
     depth = part - part**3 / 3.0
@@ -72,10 +72,10 @@ def _covered(
 
 _Cut = Callable[[Tile, "Species"], tuple[Array, int, float]]
 
-_TILE = (0.256, 1.024)  # [m]: features are long along the grain, and a door has few repeats
+_TILE = (0.256, 1.024)  # tile size: features are long along the grain, and a door has few repeats [m]
 
 _PORE_DEPTH = 90e-6  # [m]
-_EARLY = (0.12, 0.42)  # until where in a ring pores are crowded, and from where on there are few
+_EARLY = (0.12, 0.42)  # ring phase up to which pores are dense, and from which they are rare
 
 
 @dataclass(frozen=True)
@@ -83,21 +83,21 @@ class Species:
     """The characteristics of a species of wood."""
 
     mean: Color  # linear RGB mean of its albedo
-    early: Color  # color where a ring begins, relative to the mean
-    late: Color  # color where it ends, relative to the mean
-    rings: int  # how many rings the width of a tile has in straight grain
-    contrast: float  # how much of the way from early to late a ring goes
-    sharpness: float = 2.2  # exponent of the rise within a ring: 1 even, 4 dark at its end only
-    pores: float = 0.0  # how much darker a pore is
-    # share of the pores that lie only where a ring begins: 1 ring-porous, 0 diffuse-porous
+    early: Color  # color at the start of a ring, relative to the mean
+    late: Color  # color at the end of a ring, relative to the mean
+    rings: int  # number of rings across a tile with straight grain
+    contrast: float  # range of a ring between early and late wood
+    sharpness: float = 2.2  # exponent of the transition within a ring: 1 is even, 4 is dark only at its end
+    pores: float = 0.0  # darkness of a pore
+    # share of the pores at the start of rings only: 1 is ring-porous, 0 diffuse-porous
     porous: float = 0.0
-    density: float = 0.0  # how many pores there are where they are the most [1/m^2]
+    density: float = 0.0  # largest density of pores [1/m^2]
     length: float = 0.004  # median length of a pore [m]
     width: float = 0.00015  # mean width of a pore [m]
-    flecks: float = 0.0  # how much darker rays make short flecks
-    stripes: float = 0.3  # how much broad ribbons and colored streaks vary
-    fibre: float = 0.26  # how much fine fibres vary
-    curl: float = 0.0  # how much figure shimmers across the grain
+    flecks: float = 0.0  # darkness of the short flecks of rays
+    stripes: float = 0.3  # variation of broad ribbons and colored streaks
+    fibre: float = 0.26  # variation of fine fibres
+    curl: float = 0.0  # strength of figure across the grain
 
 
 SPECIES = {
@@ -130,18 +130,18 @@ SPECIES = {
         pores=0.42, porous=0.96, density=6.0e5, length=0.0050, width=0.00020,
     ),
 }  # fmt: skip
-"""The woods by name."""
+"""Species of wood by name."""
 
 
 def _strengths(tile: Tile, count: int, spread: float) -> Array:
-    """Return how strong each ring is, about 1, shape (count,); good years come in runs."""
+    """Return the strength of each ring, about 1, shape (count,); good years are clustered."""
     drawn = tile.stream.standard_normal(count)
     runs = 0.6 * drawn + 0.5 * np.roll(drawn, 1) + 0.5 * np.roll(drawn, -1)
     return np.asarray(np.exp(spread * (runs - runs.mean())))
 
 
 def _profile(strengths: Array, sharpness: float, width: float) -> Array:
-    """Return how late the wood is along the rings, blurred by a texel's width in rings, shape (m,)."""
+    """Return the lateness of the wood along the rings, blurred by a texel's width in rings, shape (m,)."""
     steps = 512
     within = (np.arange(steps) + 0.5) / steps
     rise = within**sharpness * (1.0 - smoothstep(0.94, 1.0, within))
@@ -153,15 +153,15 @@ def _profile(strengths: Array, sharpness: float, width: float) -> Array:
 
 
 def _along_rings(table: Array, count: int, rings: Array) -> Array:
-    """Return what a table over a number of rings has at places counted in rings."""
+    """Return the values of a table over rings at positions counted in rings."""
     steps = len(table) // count
     return np.asarray(table[np.floor(rings * steps).astype(np.int64) % len(table)])
 
 
 def _straight(tile: Tile, species: Species) -> tuple[Array, int, float]:
-    """Return at which ring each texel lies, how many there are, and how many a texel spans."""
+    """Return the ring at each texel, the number of rings, and the rings per texel."""
     share = tile.u / tile.extent[0]
-    spacing = tile.streaks(0.06, 50.0)  # wider and narrower years, the same along a board
+    spacing = tile.streaks(0.06, 50.0)  # wider and narrower years, constant along a board
     wander = tile.streaks(0.14, 1.1)
     waves = tile.streaks(0.03, 0.35)
     fibres = tile.streaks(0.004, 0.09)
@@ -170,11 +170,11 @@ def _straight(tile: Tile, species: Species) -> tuple[Array, int, float]:
 
 
 def _flat_sawn(tile: Tile, species: Species) -> tuple[Array, int, float]:
-    """Return at which ring each texel lies, how many there are, and how many a texel spans."""
+    """Return the ring at each texel, the number of rings, and the rings per texel."""
     arches = max(6, round(species.rings / 10))
     wander = tile.streaks(0.30, 0.9)
     across = (tile.u / tile.extent[0] + 0.018 * wander + tile.stream.random()) % 1.0 - 0.5
-    heart = 0.13  # how far from the pith the cut passes, in widths of the tile
+    heart = 0.13  # distance of the cut from the pith, in widths of the tile
     distance = np.sqrt(across**2 + heart**2) - heart
     slow = tile.streaks(0.10, 0.60)
     waves = tile.streaks(0.030, 0.25)
@@ -213,7 +213,7 @@ def _wood(species: Species, cut: _Cut, tile: Tile) -> Pattern:
 
 
 def _grooves(tile: Tile, species: Species, rings: Array, short: Array, broad: Array) -> Array:
-    """Return how much of each texel pores take: crowded in some years, and along some fibres."""
+    """Return the share of pores in each texel: dense in some years and along some fibres."""
     within = rings - np.floor(rings)
     early = smoothstep(_EARLY[1], _EARLY[0], within)
     crowded = np.clip(0.55 + 0.20 * short + 0.15 * broad, 0.08, 1.0)
@@ -234,16 +234,16 @@ for _name, _species in SPECIES.items():
 
 
 _PLYWOOD: Color = (0.62, 0.45, 0.28)
-_PLIES = 24  # of 1.4 mm each
+_PLIES = 24  # plies of 1.4 mm each
 _MDF: Color = (0.42, 0.31, 0.21)
 _CARDBOARD: Color = (0.48, 0.33, 0.19)
-_CARDBOARD_EDGE: Color = (0.23, 0.155, 0.088)  # mostly hollows
-_FLUTE = 0.008  # wavelength of the standard's C flute [m]
+_CARDBOARD_EDGE: Color = (0.23, 0.155, 0.088)  # mostly hollow
+_FLUTE = 0.008  # wavelength of the standard C flute [m]
 
 
 @recipe("plywood", (0.60, 1.20), _PLYWOOD, variants=2, varying=SEEN)
 def _plywood(tile: Tile) -> Pattern:
-    """Draw the face of birch plywood: peeled around the trunk, so with broad vague figure."""
+    """Draw the face of birch plywood: peeled around the trunk, with a broad vague figure."""
     level = 3.2 * tile.cloud(0.45, 2.0, 3.5) + 0.12 * tile.streaks(0.012, 0.10)
     rings = smoothstep(0.35, 1.0, np.sin(2.0 * np.pi * level)) * 0.5 + 0.5 * level / 6.0
     fine = tile.fibres(0.12, 0.25)
@@ -259,9 +259,9 @@ def _plywood(tile: Tile) -> Pattern:
 
 @recipe("plywood_edge", (0.0336, 0.30), _PLYWOOD, variants=2, varying=SEEN)
 def _plywood_edge(tile: Tile) -> Pattern:
-    """Draw the edge of plywood: plies that show their long grain and their end grain in turn, and glue."""
+    """Draw the edge of plywood: plies with alternating long grain and end grain, and glue."""
     wander = 0.05 * tile.streaks(0.02, 0.15)
-    # The border of the tile lies in the middle of a ply
+    # the border of the tile lies at the center of a ply
     place = tile.u * (_PLIES / tile.extent[0]) + 0.5 + wander
     ply = np.floor(place).astype(np.int64) % _PLIES
     within = place - np.floor(place)
@@ -295,7 +295,7 @@ def _mdf(tile: Tile) -> Pattern:
 
 @recipe("cardboard", (0.20, 0.256), _CARDBOARD, variants=2, varying=SEEN)
 def _cardboard(tile: Tile) -> Pattern:
-    """Draw the face of corrugated board: kraft paper of long fibres, over flutes that run across."""
+    """Draw the face of corrugated board: kraft paper with long fibres over transverse flutes."""
     flute = np.cos(2.0 * np.pi * (tile.v / _FLUTE + 0.03 * tile.cloud(0.15, 2.0)))
     wash = tile.cloud(0.02, 1.1)
     fibre = smoothstep(1.2, 2.6, tile.streaks(0.0007, 0.0030)) + smoothstep(
@@ -309,10 +309,10 @@ def _cardboard(tile: Tile) -> Pattern:
     return Pattern(with_mean(albedo, _CARDBOARD), centered(0.02 * wash - 0.03 * pale), height=height)
 
 
-# The liners are the board's faces
+# the liners are the board's faces
 @recipe("cardboard_edge", (0.004, 0.064), _CARDBOARD_EDGE, varying=SEEN, shifts=(False, True))
 def _cardboard_edge(tile: Tile) -> Pattern:
-    """Draw the cut edge of corrugated board: a liner at either face, and between them the flutes' wave."""
+    """Draw the cut edge of corrugated board: a liner at either face, and the wave of the flutes between."""
     place = tile.u / tile.extent[0] + 0.5  # the border of the tile lies in the liners
     place = place - np.floor(place) - 0.5
     texel = 1.0 / tile.size
@@ -332,5 +332,5 @@ def _cardboard_edge(tile: Tile) -> Pattern:
 
 
 def _sheet(distance: Array, half: float, texel: Array | float) -> Array:
-    """Return 1 in a sheet of some half thickness and 0 beside it, softly over a texel."""
+    """Return 1 in a sheet of a half thickness and 0 outside, with a soft edge of one texel."""
     return 0.5 - 0.5 * np.tanh((distance - half) / (0.6 * texel))

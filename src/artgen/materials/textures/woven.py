@@ -1,4 +1,4 @@
-"""Woven and perforated sheets: threads over and under each other, holes in rows."""
+"""Woven and perforated sheets: crossing threads, and rows of holes."""
 
 from dataclasses import dataclass
 from functools import partial
@@ -24,14 +24,14 @@ class Weave:
 
     mean: Color  # linear RGB mean of its albedo
     tile: tuple[float, float]  # the size of one repeat [m]
-    threads: int  # how many lie side by side across the tile, and as many along it; even
-    width: float  # share of its place that a thread fills
-    depth: float  # how high a thread rises over the one it crosses [m]
-    unevenness: float  # how much threads differ in lightness
-    slubs: float  # how much their thickness varies along them
-    twist: float  # how much the strands of a thread show
-    gap: float  # how dark it is between threads, relative to them
-    split: bool = False  # whether threads are split canes, with lines along them, instead of twisted strands
+    threads: int  # number of threads side by side across the tile and along it, even
+    width: float  # share of the pitch that a thread fills
+    depth: float  # height of a thread above the one it crosses [m]
+    unevenness: float  # variation of lightness between threads
+    slubs: float  # variation of thickness along threads
+    twist: float  # visibility of the strands of a thread
+    gap: float  # darkness between threads, relative to them
+    split: bool = False  # whether threads are split canes with lines along them instead of twisted strands
 
 
 _WEAVES = {
@@ -45,7 +45,7 @@ _WEAVES = {
 def _weave(kind: Weave, tile: Tile) -> Pattern:
     """Draw a plain weave."""
     pitch = tile.extent[0] / kind.threads
-    # The border of the tile lies in the middle of a thread
+    # the border of the tile lies at the center of a thread
     warp = _Threads(tile, kind, tile.u, tile.v, tile.streaks(0.3 * pitch, 6.0 * pitch))
     weft = _Threads(tile, kind, tile.v, tile.u, tile.streaks(6.0 * pitch, 0.3 * pitch))
     if kind.split:
@@ -73,18 +73,18 @@ class _Threads:
     def __init__(self, tile: Tile, kind: Weave, across: Array, along: Array, wander: Array) -> None:
         pitch = tile.extent[0] / kind.threads
         place = across / pitch + 0.5 + 0.06 * kind.slubs / 0.14 * wander
-        # of the thread that is nearest
+        # number of the nearest thread
         self.number = np.floor(place).astype(np.int64) % kind.threads
-        # place across it, -1..1 over its pitch
+        # position across it, -1..1 over its pitch
         self.offset = 2.0 * (place - np.floor(place)) - 1.0
         # its lightness, about 1
         tone = tile.stream.standard_normal(kind.threads)[self.number]
         self.tone = 1.0 + kind.unevenness * (tone + 0.5 * wander) / 1.1
         width = kind.width * np.clip(1.0 + kind.slubs * wander, 0.6, 1.0 / kind.width)
-        # height of its section, 0 beside it and 1 at its middle
+        # height of its section, 0 at its sides and 1 at its center
         self.round = np.sqrt(np.clip(1.0 - (self.offset / width) ** 2, 0.0, 1.0))
         turns = along * (1.5 * kind.threads / tile.extent[0])
-        # the strands that it is twisted of, -1..1; or the lines of a split cane
+        # strands of its twist, -1..1, or the lines of a split cane
         self.strand = np.sin(2.0 * np.pi * (turns + 0.6 * self.offset))
 
 
@@ -97,7 +97,7 @@ _HOLES = (12, 14)
 
 @recipe("perforated", (0.0240, 0.02425), _PERFORATED, varying=SEEN)  # rows of hexagons, 2 mm apart
 def _perforated(tile: Tile) -> Pattern:
-    """Draw the screen of a microwave oven's door: round holes in staggered rows, seen as dark dots."""
+    """Draw the screen of a microwave oven's door: round holes in staggered rows as dark dots."""
     across, along = tile.u / tile.extent[0] * _HOLES[0], tile.v / tile.extent[1] * _HOLES[1]
     row = np.floor(along)
     shifted = across + 0.5 * (row % 2.0) + 0.25  # no hole lies on the border of the tile

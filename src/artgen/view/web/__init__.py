@@ -1,4 +1,4 @@
-"""The web viewer: an asset, or a gallery of many, as pages that need no network."""
+"""The web viewer: an asset, or a gallery of many, as offline pages."""
 
 from artgen.view.web.page import TEXTURES, Page, check_page, page_of
 

@@ -1,4 +1,4 @@
-"""The gallery: a page of many assets with pictures and filters, each of which leads to its viewer."""
+"""The gallery: a page of many assets with pictures and filters, with links to their viewers."""
 
 import html
 import io
@@ -21,16 +21,16 @@ from artgen.view.web.record import plain_value
 Pixels = NDArray[np.uint8]
 
 INDEX = "index.html"
-"""The gallery's page in its folder."""
+"""File name of the gallery's page."""
 
-_MARK = '<meta name="generator" content="artgen gallery">'  # in the page: what stands beside it is ours
-_PICTURE = 288  # pixels on a side
-_SAMPLES = 8  # how finely shadows and edges are drawn
+_MARK = '<meta name="generator" content="artgen gallery">'  # marks in the page the files that belong to it
+_PICTURE = 288  # pixels per side
+_SAMPLES = 8  # quality of shadows and edges
 _QUALITY = 84  # of JPEG
 
 
 def find_assets(directory: Path) -> list[Path]:
-    """Return the directories of exported assets in a folder, in order; the folder may be one itself."""
+    """Return the directories of exported assets in a folder, sorted; the folder itself may be one."""
     found = sorted(
         path.parent
         for path in directory.rglob(ASSET_FILE)
@@ -78,7 +78,7 @@ def write_gallery(
 
 
 class _Pictures:
-    """Draws the pictures of assets: closed and open by MuJoCo, or closed alone where it cannot draw."""
+    """Draws the pictures of assets: closed and open by MuJoCo, or closed only without it."""
 
     def __init__(self) -> None:
         self._draws = True
@@ -97,7 +97,7 @@ class _Pictures:
             render(asset, q, camera=view, size=_PICTURE, textures=256, samples=_SAMPLES).color
             for q, view in shots(asset)[:2]
         ]
-        close()  # a gallery may be long, and no asset is drawn again
+        close()  # a gallery may be long, and no asset is drawn twice
         return [_jpeg(picture) for picture in pictures]
 
 
@@ -137,7 +137,7 @@ def _index(title: str, entries: Sequence[Mapping[str, Any]]) -> str:
 
 
 def _check_target(target: Path) -> None:
-    """Refuse a folder that holds anything but an earlier gallery."""
+    """Raise ExportError for a folder that holds anything but an earlier gallery."""
     try:
         names = {path.name for path in target.iterdir()} if target.exists() else set()
         known = INDEX in names and _MARK in (target / INDEX).read_text(encoding="utf-8")[:2000]
@@ -148,7 +148,7 @@ def _check_target(target: Path) -> None:
 
 
 def _ready(path: Path) -> Path:
-    """Return a path whose folder is there."""
+    """Return a path and create its folder."""
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
     except OSError as error:

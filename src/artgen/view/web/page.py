@@ -1,4 +1,4 @@
-"""The viewer of an asset as one HTML page, which needs no network and no other file."""
+"""The viewer of an asset as one offline HTML page."""
 
 import base64
 import html
@@ -21,7 +21,7 @@ from artgen.materials.textures import check_size
 from artgen.view.web.record import viewer_data
 
 TEXTURES = 512
-"""Texels on a side of the maps of a page, unless said otherwise."""
+"""Default texels per side of the maps of a page."""
 
 _SCRIPTS = (
     "elements.js",
@@ -33,19 +33,17 @@ _SCRIPTS = (
     "panel.js",
     "main.js",
 )
-_OWN_VIEWER = (
-    "var camera,controls,scene"  # where three.js ends in trimesh's page, and trimesh's viewer begins
-)
+_OWN_VIEWER = "var camera,controls,scene"  # end of three.js and start of trimesh's viewer in trimesh's page
 
 
 @dataclass(frozen=True)
 class Page:
-    """An asset in a viewer: in a notebook it shows itself; elsewhere save it and open it in a browser.
+    """An asset in a viewer: a notebook shows it; otherwise save it and open it in a browser.
 
     Attributes:
         name: Name of the asset.
         html: The page.
-        height: Of the cell of a notebook [pixels].
+        height: Height of the notebook cell [pixels].
     """
 
     name: str
@@ -60,7 +58,7 @@ class Page:
         )
 
     def __repr__(self) -> str:
-        """Name its type and its size."""
+        """Return its type and its size."""
         return f"<Page of {self.name}: {len(self.html) / 1e6:.1f} MB; save(path) writes it>"
 
     def save(self, path: str | Path) -> Path:
@@ -79,11 +77,11 @@ def page_of(asset: Asset, *, textures: int = TEXTURES, height: int = 600) -> Pag
 
     Args:
         asset: The asset.
-        textures: Texels on a side of the materials' maps; 0 for colors alone.
-        height: Of the cell of a notebook [pixels].
+        textures: Texels per side of the material maps; 0 for colors only.
+        height: Height of the notebook cell [pixels].
 
     Raises:
-        ParameterError: Maps cannot have that many texels.
+        ParameterError: The size of maps is not allowed.
         AssetError: The asset was read from files that have no surfaces.
     """
     if textures:
@@ -109,7 +107,7 @@ def filled(template: str, parts: dict[str, str]) -> str:
 
 
 def packed(content: bytes) -> str:
-    """Return bytes as text that a page can hold: compressed, in base64."""
+    """Return bytes as text for a page: compressed, in base64."""
     return base64.b64encode(zlib.compress(content, 9)).decode()
 
 
@@ -121,7 +119,7 @@ def read(name: str) -> str:
 
 @lru_cache(maxsize=1)
 def three_js() -> str:
-    """Return three.js with its loader of glTF, which come with trimesh: a script that defines `THREE`."""
+    """Return three.js with its glTF loader from trimesh: a script that defines `THREE`."""
     content = files("trimesh").joinpath("resources/templates/viewer.zip").read_bytes()
     with zipfile.ZipFile(BytesIO(content)) as archive:
         page = archive.read("viewer.html.template").decode()
@@ -135,15 +133,15 @@ def three_js() -> str:
 
 
 def script_data(value: Any) -> str:
-    """Return data as JSON that can stand in a script of a page."""
+    """Return data as JSON that is safe in a script of a page."""
     return json.dumps(value, separators=(",", ":"), allow_nan=False).replace("<", "\\u003c")
 
 
 def check_page(path: Path) -> None:
-    """Refuse a name that no page has, or one in no folder, before anything is made.
+    """Check the name of a page before anything is generated.
 
     Raises:
-        ExportError: The name ends otherwise, it is that of a folder, or its folder is not there.
+        ExportError: The name has another suffix, it is the name of a folder, or its folder does not exist.
     """
     if path.suffix.lower() not in (".html", ".htm") or path.is_dir():
         raise ExportError(f"cannot write {path}: give a file whose name ends in .html")
@@ -152,7 +150,7 @@ def check_page(path: Path) -> None:
 
 
 def write_file(path: Path, content: bytes) -> Path:
-    """Write a file as a whole or not at all."""
+    """Write a file completely or not at all."""
     part = path.with_name(f".{path.name}.part")
     try:
         part.write_bytes(content)

@@ -1,4 +1,4 @@
-"""Data of the viewer as JSON: joints, links, signs, exploded view, parameters and proof of an asset."""
+"""Data of the viewer as JSON: joints, links, symbols, exploded view, parameters and proof of an asset."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -16,33 +16,33 @@ from artgen.view.overlays import Overlays, overlays
 from artgen.view.sheet import shots
 
 _GAP = 0.06  # free space between two boxes, as a share of the asset's size
-_FAR = 0.5  # share of its own length by which something slides that comes out that way, unlike a bolt
+_FAR = 0.5  # share of its own length above which a slide comes out in its direction, unlike a bolt
 _SIDES = np.concatenate([np.eye(3), -np.eye(3)])
 
 
 @dataclass
 class _Group:
-    """A link with all that hangs on it, already apart."""
+    """A link with its descendants, already separated."""
 
-    box: Array  # the corners of the space that it takes, shape (2, 3) [m]
-    shifts: dict[str, Array]  # how far each of its links is moved, by name, shape (3,) [m]
+    box: Array  # corners of its bounding box, shape (2, 3) [m]
+    shifts: dict[str, Array]  # offset of each of its links by name, shape (3,) [m]
 
     def moved(self, shift: Array) -> "_Group":
-        """Return the group moved as a whole, by shape (3,) [m]."""
+        """Return the group with an offset, shape (3,) [m]."""
         return _Group(self.box + shift, {name: before + shift for name, before in self.shifts.items()})
 
 
 def exploded(asset: Asset) -> dict[str, Array]:
-    """Return how far each link is moved in an exploded view, in asset coordinates at rest, shape (3,) [m].
+    """Return the offset of each link in an exploded view, in asset coordinates at rest, shape (3,) [m].
 
-    What slides far goes the way it slides, everything else the shortest way out of the box of its parent.
+    Long slides move in their direction, all other links by the shortest way out of the box of their parent.
     """
     low, high = asset.bounds()
     return _group(asset, asset.links[0].name, _GAP * float(np.linalg.norm(high - low))).shifts
 
 
 def _group(asset: Asset, link: str, gap: float) -> _Group:
-    """Move what hangs on a link away from it, that which is nearest to the link first."""
+    """Move the children of a link away from it, the nearest first."""
     whole = _Group(asset.link(link).bounds(), {link: np.zeros(3)})
     own = whole.box
     children = []
@@ -50,7 +50,7 @@ def _group(asset: Asset, link: str, gap: float) -> _Group:
         if parent == link:
             side = _side(own, asset.link(child).bounds(), joints)
             children.append((side, _group(asset, child, gap)))
-    # of those that go to one side, the outer ones have to leave room for the inner ones
+    # on one side, outer children have to leave room for inner ones
     children.sort(key=lambda each: round(float((each[0] @ each[1].box.T).max()), 6))
     placed: list[_Group] = []
     for side, group in children:
@@ -77,18 +77,18 @@ def _side(parent: Array, child: Array, joints: Sequence[AssetJoint]) -> Array:
 
 
 def _way(box: Array, other: Array, side: Array, gap: float) -> float:
-    """Return how far a box goes to one side until another one is behind it; 0 if it passes beside it [m]."""
+    """Return the distance of a box in one direction until another one is behind it; 0 if it passes it [m]."""
     across = side == 0.0
     if ((box[0] >= other[1]) | (box[1] <= other[0]))[across].any():
         return 0.0
     return float((side @ other.T).max() - (side @ box.T).min()) + gap
 
 
-_DECIMALS = 5  # of what is only drawn: 10 micrometres
+_DECIMALS = 5  # decimals of drawn points: 10 micrometres
 
 
 def viewer_data(asset: Asset) -> dict[str, Any]:
-    """Return all that the viewer knows of an asset but its meshes."""
+    """Return the data of the viewer for an asset, without its meshes."""
     signs = overlays(asset)
     low, high = asset.bounds()
     view = shots(asset)[1][1]
@@ -112,7 +112,7 @@ def viewer_data(asset: Asset) -> dict[str, Any]:
 
 
 def _space(asset: Asset, poses: Sequence[Mapping[str, float]]) -> Any:
-    """Return the corners of the box that an asset takes in some poses, shape (2, 3) [m]."""
+    """Return the corners of the bounding box of an asset in several poses, shape (2, 3) [m]."""
     corners = []
     for q in poses:
         for name, matrix in asset.pose(q).items():
@@ -158,7 +158,7 @@ def _links(asset: Asset, signs: Overlays) -> list[dict[str, Any]]:
 
 
 def _joint(asset: Asset, joint: AssetJoint, signs: Overlays) -> dict[str, Any]:
-    """Return what `asset.positions`, `asset.blocked` and `asset.pose` use of a joint, and its sign."""
+    """Return the data of a joint for `asset.positions`, `asset.blocked` and `asset.pose`, and its symbol."""
     sign = signs.joints.get(joint.name)
     needs = None if joint.needs is None else {**joint.needs.to_data(), "text": str(joint.needs)}
     stops = opening(asset, joint) if joint in asset.free_joints else None
@@ -190,11 +190,12 @@ def _certificate(asset: Asset) -> dict[str, Any] | None:
 
 
 def _measured(asset: Asset) -> Certificate | None:
-    """Return the certificate of an asset with the pose at which each pair is nearest, if all is proven."""
+    """Return the certificate of an asset with the nearest pose of each pair, if all pairs are proven."""
     certificate = asset.certificate
     if certificate is None or not certificate.proven or any(pair.found_at for pair in certificate.pairs):
         return certificate
-    return replace(asset).certify(certificate.tolerance, measure=True)  # a copy: the asset keeps its own
+    # a copy: the asset keeps its own certificate
+    return replace(asset).certify(certificate.tolerance, measure=True)
 
 
 def _room(pair: PairResult) -> tuple[float, tuple[str, str]]:
@@ -222,9 +223,10 @@ def _pair(asset: Asset, pair: PairResult) -> dict[str, Any]:
 
 
 def _allowed(asset: Asset, pose: Mapping[str, float]) -> dict[str, float]:
-    """Return a pose of some joints with the others where what these need allows them to stand there.
+    """Return a pose of several joints, with the others where the dependencies of these joints hold.
 
-    A drawer behind two doors may be nearest to the one while the other, which it needs open, is not said.
+    For a drawer behind two doors, the nearest pose to one door does not include the other door, which has to
+    be open.
     """
     result = dict(pose)
     for name in asset.blocked(pose):
@@ -239,7 +241,7 @@ def _allowed(asset: Asset, pose: Mapping[str, float]) -> dict[str, float]:
 
 
 def _middle(asset: Asset, name: str, interval: tuple[float, float]) -> float:
-    """Return the middle of what an interval and the limits of a joint have in common."""
+    """Return the center of the intersection of an interval with the limits of a joint."""
     limits = asset.joint(name).limits or (-np.pi, np.pi)
     low, high = max(interval[0], limits[0]), min(interval[1], limits[1])
     return float(min(max((low + high) / 2.0, limits[0]), limits[1]))
@@ -251,5 +253,5 @@ def plain_value(value: Any) -> Any:
 
 
 def _drawn(points: Array) -> Any:
-    """Return points as lists, with as many digits as are seen."""
+    """Return points as lists, with the visible digits."""
     return (np.round(points, _DECIMALS) + 0.0).tolist()

@@ -1,11 +1,11 @@
-"""The layout of the PartNet-Mobility dataset, which SAPIEN, ManiSkill and loaders of GAPartNet's kind read.
+"""Layout of the PartNet-Mobility dataset for SAPIEN, ManiSkill and loaders such as GAPartNet's.
 
-`mobility.urdf` has one collider for each convex piece, so its convex twin, which ManiSkill asks for, says the
-same. The dataset's closed end is the lower limit: a joint that closes at its upper limit is turned round; one
-that closes between its limits, as a knob that turns both ways, keeps them.
+`mobility.urdf` has one collider per convex piece, so its convex twin for ManiSkill is equal. The closed end
+of joints in the dataset is the lower limit: a joint that closes at its upper limit is reversed; a joint that
+closes between its limits, such as a knob that turns both ways, keeps them.
 
-The dataset has no couplings. SAPIEN 3.0 reads one between two joints of the same body the wrong way round,
-which blocks both, so those are left to the table of names.
+The dataset has no couplings. SAPIEN 3.0 reads a coupling between two joints of the same body in the wrong
+direction, which blocks both, so those are only in the table of names.
 """
 
 from artgen.asset import Asset
@@ -17,14 +17,14 @@ from artgen.export.losses import Layout, Loss, Written, look_losses, loss
 from artgen.export.urdf.losses import material_losses, motion_losses
 
 MAIN = "mobility.urdf"
-"""The file that most loaders open."""
+"""File for most loaders."""
 
 TWIN = "mobility_cvx.urdf"
-"""The file that ManiSkill opens, which in the dataset has convex colliders."""
+"""File for ManiSkill, which has convex colliders in the dataset."""
 
 
 def write_partnet(asset: Asset, name: str, textures: int) -> Written:
-    """Write an asset as PartNet-Mobility has it; see `Layout.write`."""
+    """Write an asset in the layout of PartNet-Mobility; see `Layout.write`."""
     assert name == "urdf"
     named = naming(asset)
     meshes = object_meshes(asset, textures)
@@ -74,7 +74,7 @@ def _losses(asset: Asset, named: Naming, textures: int) -> tuple[Loss, ...]:
 
 
 def _closes_at_an_end(limits: tuple[float, float] | None) -> bool:
-    """Return whether the position nearest to 0 is an end of the limits; without limits there is none."""
+    """Return whether the position nearest to 0 is a limit; False without limits."""
     return limits is None or not limits[0] < 0.0 < limits[1]
 
 

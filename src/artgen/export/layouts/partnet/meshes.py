@@ -1,7 +1,7 @@
-"""The meshes of the PartNet-Mobility layout: in coordinates of the whole object, y up, as in the dataset.
+"""Meshes of the PartNet-Mobility layout: in coordinates of the whole object, y up, as in the dataset.
 
-What is seen lies in `textured_objs`, where readers take every OBJ file for a visible one; so colliders lie
-apart.
+Visual meshes lie in `textured_objs`, where readers take every OBJ file as visible; colliders have another
+directory.
 """
 
 from collections.abc import Mapping
@@ -18,10 +18,10 @@ from artgen.export.maps import TEXTURE_DIRECTORY, map_files
 from artgen.export.meshes import hull_texts, mtl_text, surface_text
 
 VISUALS = "textured_objs"
-"""Directory of what is seen, with its MTL file, and with the maps below it."""
+"""Directory of visual meshes with their MTL file and maps."""
 
 COLLIDERS = "convex_objs"
-"""Directory of the convex pieces."""
+"""Directory of convex pieces."""
 
 _LIBRARY = "materials.mtl"
 
@@ -31,10 +31,10 @@ class ObjectMeshes:
     """The mesh files of an asset."""
 
     files: Mapping[str, bytes]  # content by path relative to the asset's directory, maps included
-    surfaces: Mapping[str, tuple[str, ...]]  # file name of each surface, by link, in the link's order
-    # file name of each collider, by link and number of the collider; hulls only, each in its own frame
+    surfaces: Mapping[str, tuple[str, ...]]  # file name of each surface in the link's order, by link
+    # file name of each hull collider, in its own frame, by link and number of the collider
     colliders: Mapping[str, Mapping[int, str]]
-    # where that frame lies in the dataset's coordinates of the asset, shape (3,) [m]
+    # position of that frame in the dataset's coordinates of the asset, shape (3,) [m]
     middles: Mapping[str, Mapping[int, Array]]
 
 
@@ -43,7 +43,7 @@ def object_meshes(asset: Asset, textures: int) -> ObjectMeshes:
 
     Args:
         asset: The asset.
-        textures: Texels on a side of the materials' maps; 0 for no maps.
+        textures: Texels per side of the material maps; 0 for no maps.
     """
     maps = map_files(asset, textures)
     surfaces = mesh_names({link.name: [surface.name for surface in link.surfaces] for link in asset.links})
@@ -84,7 +84,7 @@ def _hull_files(
             for number in found
         ]
     )
-    # a quarter turn only swaps and negates rounded coordinates, so the pieces stay convex as written
+    # a quarter turn only swaps and negates rounded coordinates, so the pieces stay convex
     texts = hull_texts([replace(hull, vertices=hull.vertices @ UPRIGHT.T) for hull in hulls])
     paths = [f"{COLLIDERS}/{name}" for found in names.values() for name in found]
     by_number = {link: dict(zip(found, names[link], strict=True)) for link, found in numbers.items()}

@@ -1,7 +1,7 @@
-"""How PartNet-Mobility counts and calls the bodies, joints and parts of an asset.
+"""Numbers and names of the bodies, joints and parts of an asset in PartNet-Mobility.
 
-Its loaders look for `base`, `link_0`, `link_1`, ... by number: the number is the key between the URDF,
-`semantics.txt` and `mobility_v2.json`. The links that move come first, the asset's base is the last one.
+Its loaders look for `base`, `link_0`, `link_1`, ... by number: the number links the URDF, `semantics.txt` and
+`mobility_v2.json`. Moving links come first, the asset's base is last.
 """
 
 from collections.abc import Mapping, Sequence
@@ -15,15 +15,15 @@ from artgen.asset import Asset, AssetJoint, Link, Mesh
 from artgen.export.frames import Segment, chain, coupling
 
 ROOT = "base"
-"""Name of the body that has no geometry and carries the asset's base, turned upright."""
+"""Name of the body without geometry that carries the asset's base, turned upright."""
 
 NAMES_FILE = "artgen_names.json"
-"""The file that says which of artgen's links and joints a number stands for."""
+"""File with artgen's link and joint names for each number."""
 
 UPRIGHT = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]])
 """From asset coordinates (z up, front -y) to those of the dataset's bodies and meshes (y up, front z)."""
 
-_HANDLE = "handle"  # what loaders search for in the names of visuals
+_HANDLE = "handle"  # substring that loaders search in the names of visuals
 _DOORS = ("door", "freezer_door", "pane")  # a refrigerator or an oven has a `door`, a door a `rotation_door`
 _WORDS: Mapping[tuple[str, str], str] = {
     ("box", "flap_major"): "rotation_lid",
@@ -47,7 +47,7 @@ _WORDS: Mapping[tuple[str, str], str] = {
     ("trashcan", "bucket"): "container",
     ("trashcan", "pedal"): "foot_pad",
 }
-"""The dataset's words for moving links, by category and label, where they are not artgen's labels."""
+"""Words of the dataset for moving links, by category and label, where they differ from artgen's labels."""
 
 _BASES: Mapping[str, str] = {
     "box": "box_body",
@@ -57,21 +57,21 @@ _BASES: Mapping[str, str] = {
     "plier": "leg",
     "soap_dispenser": "dispenser_body",
 }
-"""The dataset's words for bases, by category, where they are not the category and artgen's label."""
+"""Words of the dataset for bases, by category, where they differ from the category and artgen's label."""
 
 _TURNS_OR_SLIDES = {"cabinet": "door", "door": "door", "window": "window"}
-"""Categories whose doors and panes are called after how they move, as `rotation_door`."""
+"""Categories whose doors and panes are named after their motion, such as `rotation_door`."""
 
 _KINDS = {"prismatic": "slider", "revolute": "hinge"}
 
 
 @dataclass(frozen=True)
 class Part:
-    """The visible faces of a link that share a semantic label."""
+    """Visible surfaces of a link with a common semantic label."""
 
-    number: int  # its number in `result.json`
-    name: str  # what it is called; holds "handle" where a hand takes hold
-    label: str  # the label of its surfaces
+    number: int  # number in `result.json`
+    name: str  # name; contains "handle" for parts that a hand grasps
+    label: str  # label of its surfaces
 
 
 @dataclass(frozen=True, eq=False)
@@ -80,13 +80,13 @@ class Step:
 
     name: str  # name of the joint
     parent: str  # name of the body nearer to the base
-    child: str  # name of the body that moves
-    sign: int  # -1 where the joint is turned round so that its lower limit is the closed end, else 1
-    segment: Segment  # the joint with its frames, in artgen's names and coordinates
+    child: str  # name of the moving body
+    sign: int  # 1 for a joint that is reversed so that its lower limit is the closed end, else 1
+    segment: Segment  # joint with its frames, in artgen's names and coordinates
 
     @property
     def limits(self) -> tuple[float, float] | None:
-        """Lowest and highest position as written [rad or m]."""
+        """Lowest and highest position in the file [rad or m]."""
         limits = self.segment.joint.limits
         if limits is None or self.sign > 0:
             return limits
@@ -100,16 +100,16 @@ class Step:
 
 @dataclass(frozen=True, eq=False)
 class Coupled:
-    """A joint that follows another, as written."""
+    """A joint that follows another, as in the file."""
 
-    follower: Step  # the joint that follows
-    leader: Step  # the joint that it follows
-    ratio: float  # positions of the follower for one of the leader
-    offset: float  # position of the follower where the leader is at 0 [rad or m]
+    follower: Step  # following joint
+    leader: Step  # leading joint
+    ratio: float  # ratio of follower to leader
+    offset: float  # position of the follower while the leader is at 0 [rad or m]
 
     @property
     def siblings(self) -> bool:
-        """Whether both joints start from one body."""
+        """Whether both joints have the same parent."""
         return self.follower.parent == self.leader.parent
 
 
@@ -121,7 +121,7 @@ class Naming:
         links: Number of each link.
         steps: The joints, parents before children.
         parts: The parts of each link.
-        couplings: The joints that follow others.
+        couplings: Joints that follow others.
     """
 
     links: Mapping[str, int]
@@ -138,7 +138,7 @@ class Naming:
         return tuple(step for step in self.steps if step.segment.joint.child == link)
 
     def to_data(self) -> dict[str, Any]:
-        """Return as JSON data what each number stands for."""
+        """Return the meaning of each number as JSON data."""
         return {
             "links": {self.body(name): name for name in self.links},
             "joints": {
@@ -152,7 +152,7 @@ class Naming:
 
 
 def naming(asset: Asset) -> Naming:
-    """Give the bodies, joints and parts of an asset their numbers."""
+    """Number the bodies, joints and parts of an asset."""
     base, *moving = asset.links
     links = {link.name: number for number, link in enumerate([*moving, base])}
     steps = _steps(asset, links)
@@ -160,7 +160,7 @@ def naming(asset: Asset) -> Naming:
 
 
 def closed_end_first(joint: AssetJoint) -> int:
-    """Return -1 where a joint is to be turned round, so that it is closed at its lower limit, else 1."""
+    """Return -1 for a joint that must be reversed to be closed at its lower limit, else 1."""
     if joint.limits is None or joint.locked:
         return 1
     low, high = joint.limits
@@ -193,7 +193,7 @@ def semantic(asset: Asset, link: Link, joints: Sequence[AssetJoint]) -> str:
 
 
 def _steps(asset: Asset, links: Mapping[str, int]) -> tuple[Step, ...]:
-    """Name the joints: `joint_3` moves `link_3`; a further joint of that pair moves `link_3_helper`."""
+    """Name the joints: `joint_3` moves `link_3`; a further joint of the pair moves `link_3_helper`."""
     helpers: dict[str, str] = {}
     spare = len(links)
     result = []
@@ -225,7 +225,7 @@ def _couplings(asset: Asset, steps: Sequence[Step]) -> tuple[Coupled, ...]:
 
 
 def _parts(asset: Asset, links: Sequence[Link]) -> dict[str, tuple[Part, ...]]:
-    """Number the parts of all links; 0 is the object as a whole."""
+    """Number the parts of all links; 0 is the whole object."""
     result, number = {}, 1
     for link in links:
         held = _held_label(asset, link)
@@ -239,10 +239,10 @@ def _parts(asset: Asset, links: Sequence[Link]) -> dict[str, tuple[Part, ...]]:
 
 
 def _held_label(asset: Asset, link: Link) -> str:
-    """Return the label that gets "handle" into its name, empty if none needs it.
+    """Return the label whose name gets "handle", empty if none needs it.
 
-    That is where a hand takes hold of the link: the label next to its grasps. A link that is moved by a
-    handle with a joint of its own, as a door leaf by its lever, has the rose or plate on which that sits.
+    It is the label nearest to the link's grasps. A link that moves by a handle with its own joint, such as a
+    door leaf with a lever, uses the rose or plate below the lever.
     """
     labels = dict.fromkeys(surface.label for surface in link.surfaces)
     if any(_HANDLE in label for label in labels):
@@ -260,7 +260,7 @@ def _held_label(asset: Asset, link: Link) -> str:
     def distance(label: str) -> float:
         if points:
             return round(min(_distance(mesh, point) for mesh in meshes[label] for point in points), 6)
-        # readers aim at the middle of the box; a pane of glass comes near to any lever, its middle does not
+        # readers aim at the center of the box; a pane of glass is near every lever, but its center is not
         corners = np.concatenate([mesh.vertices for mesh in meshes[label]])
         middle = (corners.min(axis=0) + corners.max(axis=0)) / 2.0
         return round(min(float(np.linalg.norm(middle - point)) for point in apart), 6)
@@ -269,7 +269,7 @@ def _held_label(asset: Asset, link: Link) -> str:
 
 
 def _borrowed(asset: Asset, link: Link) -> list[Array]:
-    """Return where a hand moves a link by another one, on handles alone if there are some [m]."""
+    """Return the points at which a hand moves a link by another link, preferably by handles [m]."""
     own = {joint.name for joint in asset.joints if joint.child == link.name and not joint.locked}
     found = [item for item in asset.affordances if item.kind == "grasp" and own & set(item.joints)]
     handles = [item for item in found if _HANDLE in asset.link(item.link).label]
@@ -277,7 +277,7 @@ def _borrowed(asset: Asset, link: Link) -> list[Array]:
 
 
 def _distance(mesh: Mesh, point: Array) -> float:
-    """Return how far a point, shape (3,), is from the faces of a mesh [m]."""
+    """Return the distance of a point, shape (3,), from the faces of a mesh [m]."""
     corners = mesh.vertices[mesh.triangles] - point
     ends = np.roll(corners, -1, axis=1)
     sides = ends - corners

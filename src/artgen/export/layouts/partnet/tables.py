@@ -1,4 +1,4 @@
-"""The tables of the PartNet-Mobility layout: names of parts, their motion, their files."""
+"""Tables of the PartNet-Mobility layout: names of parts, their motion, their files."""
 
 import math
 from collections.abc import Mapping, Sequence
@@ -20,9 +20,10 @@ CATEGORIES: Mapping[str, str] = {
     "trash_can": "TrashCan",
     "trashcan": "TrashCan",
 }
-"""The dataset's categories that are not artgen's names in camel case."""
+"""Categories of the dataset whose names differ from artgen's in camel case."""
 
-_FRONT = np.array([[0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])  # asset to `base`: the front to -x
+# rotation from asset to `base`: the front towards -x
+_FRONT = np.array([[0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])
 
 
 def tables(asset: Asset, named: Naming, surfaces: Mapping[str, Sequence[str]]) -> dict[str, bytes]:
@@ -82,7 +83,7 @@ def _box(corners: Array) -> dict[str, list[float]]:
 
 
 def _mobility(asset: Asset, named: Naming, link: Link) -> dict[str, Any]:
-    """Describe a link and its joint; degrees for hinges."""
+    """Describe a link and its joint, in degrees for hinges."""
     joints = _joints(named, link)
     kind = kind_of(joints, asset.base)
     moved = {"slider+": "slider", "static": "fixed" if joints else "static"}.get(kind, kind)
@@ -136,7 +137,7 @@ def _hierarchy(
 
 
 def _maniskill(asset: Asset, named: Naming, links: Sequence[Link]) -> dict[str, Any]:
-    """Return what ManiSkill keeps of a model in its own `info_..._train.json`: the asset is in metres."""
+    """Return the entry of a model in ManiSkill's `info_..._train.json`, with lengths in metres."""
     box = _box(asset.bounds() @ _FRONT.T)
     moved = [link for link in links if kind_of(_joints(named, link)) not in ("static", "free")]
     held = [link for link in moved if any("handle" in part.name for part in named.parts[link.name])]

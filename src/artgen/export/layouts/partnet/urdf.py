@@ -1,8 +1,8 @@
 """The URDF of the PartNet-Mobility layout.
 
-All bodies have frames that are parallel, y up, when every joint stands at 0; a fixed joint below `base` turns
-them upright, z up with the front to -x. Meshes are in coordinates of the whole object, so each is shifted by
-where its body's frame lies.
+The frames of all bodies are parallel, y up, when every joint stands at 0; a fixed joint below `base` turns
+them upright, z up with the front towards -x. Meshes have coordinates of the whole object, so each is shifted
+by the origin of its body's frame.
 """
 
 import math
@@ -27,11 +27,11 @@ from artgen.export.layouts.partnet.names import ROOT, UPRIGHT, Naming, Step
 from artgen.export.urdf.losses import add_spring, digits, primitives
 
 ROOT_MASS = 1e-9
-"""Mass of the body without geometry [kg]; clients make up a mass where there is none."""
+"""Mass of the body without geometry [kg]; simulators invent a mass if there is none."""
 
-_ROOT_INERTIA = 2e-10  # [kg m^2]; smaller ones are corrected by Newton, with a warning
-_TURN = {"rpy": "1.570796326794897 0 -1.570796326794897", "xyz": "0 0 0"}  # y up to z up, front to -x
-_LEVEL = 1e-6  # cosine of the pitch below which roll and yaw turn about one axis
+_ROOT_INERTIA = 2e-10  # Newton corrects smaller moments with a warning [kg m^2]
+_TURN = {"rpy": "1.570796326794897 0 -1.570796326794897", "xyz": "0 0 0"}  # y up to z up, front towards -x
+_LEVEL = 1e-6  # cosine of the pitch below which roll and yaw share an axis
 
 
 def urdf_text(asset: Asset, named: Naming, meshes: ObjectMeshes) -> bytes:
@@ -137,8 +137,8 @@ def _origin(parent: ET.Element, pose: Array) -> None:
 
 
 def roll_pitch_yaw(pose: Array) -> tuple[float, float, float]:
-    """Return the angles about the fixed axes x, y and z, in that order, that turn as a pose does [rad]."""
-    # rounding first keeps a turn by pi from jumping to -pi on another machine
+    """Return the angles about the fixed axes x, y and z, in that order, of a rotation [rad]."""
+    # rounding first prevents a jump from pi to -pi on other machines
     rows = (np.round(pose[:3, :3], 12) + 0.0).tolist()
     (xx, _, _), (yx, yy, yz), (zx, zy, zz) = rows
     level = math.hypot(xx, yx)
@@ -149,7 +149,7 @@ def roll_pitch_yaw(pose: Array) -> tuple[float, float, float]:
 
 
 def _lengths(values: Sequence[float] | Array) -> str:
-    """Write lengths, angles or directions with 12 decimals: the digits beyond differ between machines."""
+    """Format lengths, angles or directions with 12 decimals: machines differ in the digits beyond."""
     return " ".join(digits(round(float(value), 12)) for value in values)
 
 

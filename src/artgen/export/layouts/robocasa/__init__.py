@@ -1,12 +1,12 @@
-"""The layout of RoboCasa and robosuite: one `model.xml` of an object that their scenes are put together of.
+"""Layout of RoboCasa and robosuite: one `model.xml` of an object for their scenes.
 
-Both read the XML themselves and take the file apart: they know only default classes that are not nested,
-files relative to the model, colliders by group 0 and what is seen by group 1. The links are below a body
-`object`, beside which three sites tell the size; RoboCasa reads geoms whose names begin with `reg_`, and its
-first version sites such as `ext_p0` and `int_px`, all boxes in the frame of the object.
+Both parse the XML themselves and take the file apart. They support only default classes that are not nested,
+files relative to the model, colliders in group 0 and visuals in group 1. The links are below a body `object`
+with three sites that give the size; RoboCasa reads geoms whose names begin with `reg_`, and its first version
+sites such as `ext_p0`.
 
-An object must not be given the name of one of its links: robosuite puts `<name>_` before all names, but not
-before those that begin with it already.
+Do not name an object after one of its links: robosuite puts `<name>_` before all names, except those that
+begin with it already.
 """
 
 import xml.etree.ElementTree as ET
@@ -24,10 +24,10 @@ from artgen.export.mjcf import mjcf_losses, mjcf_text, mjcf_tree
 from artgen.export.mjcf.materials import numbers
 
 FILE = "model.xml"
-"""What RoboCasa opens in the directory of an object."""
+"""File that RoboCasa opens in the directory of an object."""
 
 _OBJECT = "object"
-_RESERVED = (_OBJECT, "main")  # the second is what robosuite calls the first
+_RESERVED = (_OBJECT, "main")  # robosuite renames the first to the second
 _CLASSES = {
     "visual": {"type": "mesh", "group": "1", "contype": "0", "conaffinity": "0", "mass": "0"},
     "collision": {"group": "0", "rgba": "0.5 0 0 0.5"},
@@ -43,7 +43,7 @@ def write_robocasa(asset: Asset, name: str, textures: int) -> Written:
     """Write an asset as an object of RoboCasa; see `Layout.write`.
 
     Raises:
-        ExportError: A link has a name that robosuite or RoboCasa gives to something else.
+        ExportError: A link has a name that is reserved by robosuite or RoboCasa.
     """
     assert name == "mjcf"
     for link in asset.links:
@@ -63,7 +63,7 @@ def write_robocasa(asset: Asset, name: str, textures: int) -> Written:
 
 
 def _spell_defaults(root: ET.Element) -> None:
-    """Put the defaults of all but geoms at their elements, and those of geoms into classes of one level."""
+    """Copy defaults to the elements, except for geoms, whose defaults become classes of one level."""
     defaults = _found(root, "default")
     outer = _found(defaults, "default")
     prefix = f"{outer.get('class')}_"
@@ -82,20 +82,20 @@ def _spell_defaults(root: ET.Element) -> None:
             if element.get("type") == "sphere":
                 element.set(
                     "size", " ".join([element.attrib["size"]] * 3)
-                )  # RoboCasa scales no single number
+                )  # RoboCasa cannot scale single numbers
         for key, value in everywhere.get(element.tag, {}).items():
             element.attrib.setdefault(key, value)
 
 
 def _wrap(root: ET.Element, asset: Asset) -> None:
-    """Put the links into the body that the readers look for, with its sites and regions."""
+    """Put the links into the body that the readers expect, with its sites and regions."""
     world = _found(root, "worldbody")
     base = _found(world, "body")
     world.remove(base)
     outer = ET.SubElement(world, "body")
     for joint in base.findall("freejoint"):
         base.remove(joint)
-        outer.append(joint)  # which the readers leave behind, for they give the object a joint themselves
+        outer.append(joint)  # the readers drop it and give the object their own joint
     inner = ET.SubElement(outer, "body", name=_OBJECT)
     inner.append(base)
     box, rooms = seen_box(asset), interiors(asset)
@@ -116,7 +116,7 @@ def _wrap(root: ET.Element, asset: Asset) -> None:
 
 
 def _extent(box: Array) -> dict[str, Array]:
-    """Return where the sites are that tell robosuite the size, as the origin sees it."""
+    """Return the positions of the sites that give robosuite the size, relative to the origin."""
     low, high = box[:, 2]
     radii = np.abs(box[:, :2]).max(axis=0)
     return {
@@ -127,7 +127,7 @@ def _extent(box: Array) -> dict[str, Array]:
 
 
 def _box(corners: Array) -> dict[str, str]:
-    """Return middle and half lengths of a box."""
+    """Return center and half lengths of a box."""
     corners = np.round(corners, 6)
     return {"pos": numbers(corners.mean(axis=0).round(7)), "size": numbers((corners[1] - corners[0]) / 2.0)}
 

@@ -1,8 +1,8 @@
-"""Boxes of an asset that say where it is and where things go in: the regions of RoboCasa.
+"""Boxes for the extent and the interior of an asset: the regions of RoboCasa.
 
-The room inside is found on a grid, from the colliders alone: a cell is inside where solids stand on all six
-sides, the top excepted, while every joint is closed. It is room for things if some of it lies open where
-every joint is at the end of its range.
+The interior is found on a grid from the colliders alone. A cell is inside if solids surround it on all six
+sides, except above, while every joint is closed. It is usable if some of it is open when every joint is at
+the end of its range.
 """
 
 from collections.abc import Iterable, Mapping
@@ -16,16 +16,16 @@ from artgen.export.frames import seen_box
 
 Cells = NDArray[np.bool_]
 
-_CELLS = 128  # along the longest side
-_STEP = (0.008, 0.02)  # least and greatest side of a cell [m]: wider than the gap around a closed door
-_LEAST = 0.08  # side of a region [m]: less is the room behind a handle
-_MOST = 8  # regions
-_OFFSET = 1.37  # of the grid from the asset, in cells: faces that lie on it would be decided by rounding
+_CELLS = 128  # cells along the longest side
+_STEP = (0.008, 0.02)  # smallest and largest side of a cell, wider than the gap around a closed door [m]
+_LEAST = 0.08  # least side of a region; smaller ones are spaces behind handles [m]
+_MOST = 8  # most regions
+_OFFSET = 1.37  # margin of the grid around the asset, in cells: rounding would decide about faces on the grid
 _DECIMALS = 6
 
 
 def interiors(asset: Asset) -> list[Array]:
-    """Return boxes of free room inside a closed asset, the largest first, each of shape (2, 3) [m]."""
+    """Return boxes of free space inside a closed asset, the largest first, each of shape (2, 3) [m]."""
     grid = _Grid(seen_box(asset))
     occupied = grid.occupied(asset, {})
     free = ~occupied & _surrounded(occupied)
@@ -47,7 +47,7 @@ def interiors(asset: Asset) -> list[Array]:
 
 
 def _far(limits: tuple[float, float] | None, closed: float) -> float:
-    """Return the end of a range that is farther from where the joint is closed."""
+    """Return the end of a range that is farther from the closed position."""
     if limits is None:
         return closed
     return max(limits, key=lambda end: abs(end - closed))
@@ -63,7 +63,7 @@ class _Grid:
         self.shape = tuple(int(count) for count in np.ceil((box[1] - self.origin) / self.step) + 1)
 
     def occupied(self, asset: Asset, q: Mapping[str, float]) -> Cells:
-        """Return the cells that a collider may reach into at positions of free joints."""
+        """Return the cells that a collider may reach at positions of free joints."""
         result = np.zeros(self.shape, dtype=bool)
         for link, matrix in asset.pose(q).items():
             for collider in asset.link(link).colliders:
@@ -75,7 +75,7 @@ class _Grid:
         return result
 
     def _fill(self, cells: Cells, points: Array, normals: Array, distances: Array) -> None:
-        """Mark the cells that a convex piece may reach into; a few beside its edges are marked as well."""
+        """Mark the cells that a convex piece may reach, and a few more at its edges."""
         first = np.floor((points.min(axis=0) - self.origin) / self.step).astype(int)
         last = np.floor((points.max(axis=0) - self.origin) / self.step).astype(int) + 1
         first, last = np.clip(first, 0, self.shape), np.clip(last, 0, self.shape)
@@ -94,7 +94,7 @@ class _Grid:
 
 
 def _surrounded(occupied: Cells, *, top: bool = False) -> Cells:
-    """Return the cells that have occupied ones on all six sides, or on five where the top need not be."""
+    """Return the cells with occupied cells on all six sides, or on five sides if the top may be open."""
     result = np.ones_like(occupied)
     for axis, backwards in _sides(top=top):
         view = np.flip(occupied, axis) if backwards else occupied
@@ -108,9 +108,9 @@ def _sides(*, top: bool) -> Iterable[tuple[int, bool]]:
 
 
 def _grown(free: Cells) -> NDArray[np.int64]:
-    """Return a box of free cells that no side can grow out of, as first and last + 1, shape (2, 3).
+    """Return a maximal box of free cells as first and last + 1, shape (2, 3).
 
-    It grows evenly from the cell that is farthest from all others.
+    It grows evenly from the cell that is farthest from all occupied cells.
     """
     from scipy.ndimage import distance_transform_cdt
 

@@ -1,4 +1,4 @@
-"""The layout of NVIDIA's SimReady profile: a light interface before the asset, a variant per simulator."""
+"""Layout of NVIDIA's SimReady profile: a light interface layer, with a variant per simulator."""
 
 from artgen._arrays import OPENUSD
 from artgen.asset import Asset
@@ -21,4 +21,4 @@ SIMREADY = Layout(
     1,
     write_simready,
 )
-"""One folder that is named as the asset; see `artgen.export.layouts.simready.usd`."""
+"""One folder named like the asset; see `artgen.export.layouts.simready.usd`."""

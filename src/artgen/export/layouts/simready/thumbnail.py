@@ -1,4 +1,4 @@
-"""The picture of an asset that goes with a package: drawn without a graphics library, the same everywhere."""
+"""Thumbnail of an asset for a package, drawn without a graphics library, equal on all machines."""
 
 from dataclasses import dataclass
 
@@ -11,22 +11,22 @@ from artgen.materials import Material
 from artgen.materials.textures.bake import displayed
 
 _GRID = 16
-"""Places within a pixel, in each direction, on which corners lie."""
+"""Grid positions of corners within a pixel, in each direction."""
 
 NOTHING = -1
-"""In the place of a triangle where none is seen."""
+"""Number for pixels without a triangle."""
 
 
 @dataclass(frozen=True, eq=False)
 class Seen:
-    """The triangle and depth at each pixel."""
+    """The visible triangle and depth at each pixel."""
 
-    owner: Indices  # number of the triangle, `NOTHING` where there is none, shape (size, size)
-    depth: Array  # how far it is along the view, infinity where there is none, shape (size, size) [m]
+    owner: Indices  # number of the triangle, `NOTHING` without one, shape (size, size)
+    depth: Array  # depth along the view, infinite without a triangle, shape (size, size) [m]
 
 
 def rasterize(corners: Array, size: int) -> Seen:
-    """Find the nearest triangle that faces the viewer at each pixel."""
+    """Find the nearest front-facing triangle at each pixel."""
     grid = np.rint(corners[:, :, :2] * _GRID).astype(np.int64)
     facing = np.flatnonzero(_doubled_area(grid) > 0)
     number, row = _rows(grid[facing], size)
@@ -48,7 +48,7 @@ def rasterize(corners: Array, size: int) -> Seen:
 
 
 def weights(corners: Array, column: Array, row: Array) -> Array:
-    """Return how much each corner of a triangle counts at the middle of a pixel, shape (n, 3)."""
+    """Return the barycentric weights of the corners of a triangle at the center of a pixel, shape (n, 3)."""
     x, y = corners[:, :, 0], corners[:, :, 1]
     px, py = (column + 0.5)[:, None], (row + 0.5)[:, None]
     ahead, behind = np.roll(np.arange(3), -1), np.roll(np.arange(3), 1)
@@ -64,7 +64,7 @@ def _doubled_area(grid: Indices) -> Indices:
 
 
 def _rows(grid: Indices, size: int) -> tuple[Indices, Indices]:
-    """Return each row that each triangle reaches, as the triangle's number and the row's."""
+    """Return the rows of pixels of each triangle, as number of the triangle and of the row."""
     half = _GRID // 2
     low = np.maximum(-((half - grid[:, :, 1].min(axis=1)) // _GRID), 0)
     high = np.minimum((grid[:, :, 1].max(axis=1) - half) // _GRID, size - 1)
@@ -75,14 +75,14 @@ def _rows(grid: Indices, size: int) -> tuple[Indices, Indices]:
 
 
 def _spans(grid: Indices, row: Indices, size: int) -> tuple[Indices, Indices]:
-    """Return the first and last pixel whose middle is in each triangle, in one row of each."""
+    """Return the first and last pixel with its center inside each triangle, in one row each."""
     half = _GRID // 2
     y = row * _GRID + half
     first, last = np.zeros(len(row), np.int64), np.full(len(row), size - 1)
     for corner in range(3):
         start, end = grid[:, corner], grid[:, (corner + 1) % 3]
         run, rise = end[:, 0] - start[:, 0], end[:, 1] - start[:, 1]
-        # a pixel is inside where its cross product with each side is not negative
+        # a pixel is inside if its cross products with all sides are not negative
         bound = run * (y - start[:, 1]) + rise * start[:, 0] - rise * half
         step = rise * _GRID
         up, down = rise > 0, rise < 0
@@ -93,7 +93,7 @@ def _spans(grid: Indices, row: Indices, size: int) -> tuple[Indices, Indices]:
 
 
 def _depths(corners: Array, grid: Indices, number: Indices, column: Indices, row: Indices) -> Array:
-    """Return the depth of each triangle's plane at the middle of pixels."""
+    """Return the depth of each triangle's plane at the centers of pixels."""
     points = grid / _GRID
     one, other = points[:, 1] - points[:, 0], points[:, 2] - points[:, 0]
     area = one[:, 0] * other[:, 1] - one[:, 1] * other[:, 0]
@@ -102,23 +102,23 @@ def _depths(corners: Array, grid: Indices, number: Indices, column: Indices, row
     upwards = (rise_other * one[:, 0] - rise_one * other[:, 0]) / area
     right, up = column + 0.5 - points[number, 0, 0], row + 0.5 - points[number, 0, 1]
     plane: Array = corners[number, 0, 2] + to_right[number] * right + upwards[number] * up
-    # slivers have steep planes: no triangle is nearer or farther than its corners
+    # slivers have steep planes: clip depths to those of the corners
     nearest, farthest = corners[:, :, 2].min(axis=1), corners[:, :, 2].max(axis=1)
     return np.clip(plane, nearest[number], farthest[number])
 
 
 SIZE = 256
-"""Pixels on a side."""
+"""Pixels per side."""
 
-_FINE = 2  # samples in a pixel, in each direction
+_FINE = 2  # samples per pixel, in each direction
 _FILLED = 0.84  # share of the picture that the asset fills
-_SHADOW = 384  # samples on a side of the key light's view
+_SHADOW = 384  # samples per side of the view of the key light
 _FLOOR = 0.80  # linear grey
-_SOFT = 5  # samples on a side of which the edge of a shadow is made
+_SOFT = 5  # samples per side of the kernel of a shadow's edge
 
 
 def thumbnail(asset: Asset) -> NDArray[np.uint8]:
-    """Draw an asset as it stands, from its front, its right and above, shape (256, 256, 3)."""
+    """Draw an asset from the front, right and above, shape (256, 256, 3)."""
     scene = _scene(asset)
     size = SIZE * _FINE
     camera = _fitted(_View.along((-0.62, 1.0, -0.42)), scene.corners, size)
@@ -136,9 +136,9 @@ def thumbnail(asset: Asset) -> NDArray[np.uint8]:
 class _Scene:
     """The triangles of an asset."""
 
-    corners: Array  # where their corners are, shape (n, 3, 3) [m]
-    normals: Array  # normals at their corners, shape (n, 3, 3)
-    stuff: Indices  # number of the material of each, shape (n,)
+    corners: Array  # corners, shape (n, 3, 3) [m]
+    normals: Array  # normals at the corners, shape (n, 3, 3)
+    stuff: Indices  # number of the material of each triangle, shape (n,)
     materials: tuple[Material, ...]  # the materials
 
 
@@ -146,9 +146,9 @@ class _Scene:
 class _View:
     """A parallel projection."""
 
-    axes: Array  # right, up and the view in asset coordinates, in rows, shape (3, 3)
-    scale: float = 1.0  # pixels a metre
-    shift: tuple[float, float] = (0.0, 0.0)  # pixels to the right and upwards at which the asset's origin is
+    axes: Array  # right, up and view direction in asset coordinates as rows, shape (3, 3)
+    scale: float = 1.0  # pixels per metre
+    shift: tuple[float, float] = (0.0, 0.0)  # position of the asset's origin in pixels, to the right and up
 
     @staticmethod
     def along(direction: tuple[float, float, float]) -> "_View":
@@ -164,12 +164,12 @@ class _View:
         return _View(np.array([right, up, forward]))
 
     def project(self, points: Array) -> Array:
-        """Return pixels to the right and upwards and the depth of points, shape (..., 3)."""
+        """Return pixel coordinates to the right and up, and the depth of points, shape (..., 3)."""
         right, up, depth = (_dot(points, axis) for axis in self.axes)
         return np.stack([right * self.scale + self.shift[0], up * self.scale + self.shift[1], depth], axis=-1)
 
     def place(self, column: Array, row: Array, depth: Array) -> Array:
-        """Return the points in asset coordinates that are seen at pixels, shape (n, 3)."""
+        """Return the points in asset coordinates that are visible at pixels, shape (n, 3)."""
         right = (column - self.shift[0]) / self.scale
         up = (row - self.shift[1]) / self.scale
         parts = (right, up, depth)
@@ -178,10 +178,10 @@ class _View:
 
 @dataclass(frozen=True, eq=False)
 class _Picture:
-    """A picture while it is drawn, with its lowest row first."""
+    """A picture under construction, with its lowest row first."""
 
     light: Array  # linear RGB, shape (size, size, 3)
-    depth: Array  # how far what is drawn already is, shape (size, size) [m]
+    depth: Array  # depth of the drawn surfaces, shape (size, size) [m]
 
 
 def _scene(asset: Asset) -> _Scene:
@@ -226,12 +226,12 @@ def _floor(scene: _Scene, camera: _View, light: _View, shadow: Seen, size: int) 
 def _draw(
     picture: _Picture, scene: _Scene, camera: _View, light: _View, shadow: Seen, *, clear: bool
 ) -> None:
-    """Draw the opaque or the clear triangles over a picture."""
+    """Draw the opaque or the transparent triangles over a picture."""
     opacity = np.array([material.opacity for material in scene.materials])[scene.stuff]
     chosen = np.flatnonzero((opacity < 1.0) == clear)
     corners = camera.project(scene.corners[chosen])
     seen = rasterize(corners, len(picture.depth))
-    # a floor hides nothing: what stands on it may reach below by rounding
+    # the floor hides nothing: rounding may put things slightly below it
     nearer = (seen.owner != NOTHING) & ((seen.depth < picture.depth) | (not clear))
     column, row = _pixels(nearer)
     owner = seen.owner[nearer]
@@ -251,7 +251,7 @@ def _draw(
 
 
 def _shaded(scene: _Scene, stuff: Indices, normals: Array, view: Array, light: Array, lit: Array) -> Array:
-    """Return the light that surfaces send to the viewer, shape (n, 3)."""
+    """Return the light from surfaces to the viewer, shape (n, 3)."""
     color, emission = (
         np.array([getattr(material, name) for material in scene.materials])[stuff]
         for name in ("base_color", "emission")
@@ -275,7 +275,7 @@ def _shaded(scene: _Scene, stuff: Indices, normals: Array, view: Array, light: A
 
 
 def _studio(direction: Array, light: Array, rough: Array) -> Array:
-    """Return the light that comes from a direction: a bright ceiling, a lamp, a grey floor."""
+    """Return the light from a direction: a bright ceiling, a lamp, a grey floor."""
     rise = direction[:, 2]
     sharp = np.clip(0.5 + rise / (0.25 + rough), 0.0, 1.0)
     smooth = sharp * sharp * (3.0 - 2.0 * sharp)
@@ -284,11 +284,11 @@ def _studio(direction: Array, light: Array, rough: Array) -> Array:
 
 
 def _lit(points: Array, light: _View, shadow: Seen) -> Array:
-    """Return which share of the key light reaches points, shape (n,)."""
+    """Return the share of the key light that reaches points, shape (n,)."""
     size = len(shadow.depth)
     place = light.project(points)
     column, row = (np.floor(place[:, axis]).astype(np.int64) for axis in (0, 1))
-    bias = 3.0 / light.scale  # soft edges look beside the point
+    bias = 3.0 / light.scale  # soft edges sample around the point
     reach = range(-(_SOFT // 2), _SOFT // 2 + 1)
     total = np.zeros(len(points))
     for right in reach:
@@ -301,7 +301,7 @@ def _lit(points: Array, light: _View, shadow: Seen) -> Array:
 
 
 def _openness(depth: Array, camera: _View) -> Array:
-    """Return how open the surroundings of pixels are: less in corners and gaps, shape (size, size)."""
+    """Return the ambient openness of pixels: less in corners and gaps, shape (size, size)."""
     from scipy.ndimage import uniform_filter
 
     result = np.ones_like(depth)
@@ -313,7 +313,7 @@ def _openness(depth: Array, camera: _View) -> Array:
 
 
 def _pixels(mask: NDArray[np.bool_]) -> tuple[Array, Array]:
-    """Return the middles of the pixels of a mask: to the right and upwards."""
+    """Return the centers of the pixels of a mask: to the right and up."""
     row, column = np.nonzero(mask)
     return np.asarray(column + 0.5, float), np.asarray(row + 0.5, float)
 

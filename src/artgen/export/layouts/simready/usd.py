@@ -1,4 +1,4 @@
-"""The files of the SimReady layout.
+"""Files of the SimReady layout.
 
     <asset>/usd/<asset>.usda                       interface: metadata, the variants of the simulators
     <asset>/usd/.thumbs/256x256/<asset>.usda.png   picture
@@ -26,19 +26,19 @@ from artgen.export.usd.layer import RUNTIMES, Layers, Runtime, binary, category_
 from artgen.materials.textures.maps import png
 
 PROFILE = ("Robotics-Prop", "4.0.0")
-"""The profile that the layout is made for, and its version."""
+"""The SimReady profile of the layout, and its version."""
 
 LICENCE = "Apache-2.0"
-"""Of artgen, under which also stands what it makes."""
+"""License of artgen, which also covers its assets."""
 
 UNDATED = "undated: equal bytes for equal seeds, whenever they are made"
-"""In the place of a date, which would make two exports of one asset differ."""
+"""Replaces a date, which would make two exports of one asset differ."""
 
 
 def metadata(asset: Asset, variants: Sequence[str]) -> dict[str, Any]:
-    """Return the metadata of the layer that is opened."""
+    """Return the metadata of the root layer."""
     found = _simready(asset, variants)
-    # the oldest version of the profile's core wants these outside as well
+    # the oldest version of the profile's core requires these outside as well
     outside = ("asset_name", "asset_type", "source_file", "usd_date_generated")
     return {"SimReady_Metadata": found, **{name: found[name] for name in outside}}
 
@@ -101,7 +101,7 @@ def write_package(asset: Asset, textures: int) -> Written:
 
 
 def _interface(asset: Asset) -> Sdf.Layer:
-    """Return the layer that is opened: it refers to the base and offers each simulator's own words."""
+    """Return the root layer, which references the base and has a variant for each simulator."""
     layer = new_layer(".usda", asset.name)
     prim = define(layer, asset.name, "Xform")
     prim.SetInfo("kind", "component")
