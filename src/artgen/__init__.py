@@ -4,7 +4,7 @@
     asset.export("out/door_7", formats=("urdf", "mjcf", "usd"))
 
 A category is a typed function over the handles (`Float`, `Solid`, `Body`, ...) and the operations below; its
-signature says what varies. Importing the package loads no simulator, no USD and no category.
+signature declares the parameters. Importing the package loads no simulator, no USD and no category.
 """
 
 from artgen import asset_methods, catalog

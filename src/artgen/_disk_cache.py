@@ -1,8 +1,8 @@
 """Disk cache for files that are expensive to compute, shared by all processes of a user.
 
-They lie below `$ARTGEN_CACHE`, or `$XDG_CACHE_HOME/artgen`, or `~/.cache/artgen`; `ARTGEN_CACHE=off` keeps
-nothing. A file is written beside its place first, so that other processes see all of it or nothing, and it
-begins with a checksum, so that a damaged one is as good as none.
+The folder is `$ARTGEN_CACHE`, `$XDG_CACHE_HOME/artgen` or `~/.cache/artgen`; `ARTGEN_CACHE=off` disables the
+cache. A file is first written under a temporary name, so that other processes see all of it or nothing. It
+begins with a checksum: a damaged file counts as missing.
 """
 
 import io
@@ -22,11 +22,11 @@ _CHECK = 12  # bytes of checksum and length
 
 
 def cache_directory() -> Path | None:
-    """Return where files are kept, or None where nothing is: it is off, or the user has no home."""
+    """Return the folder of the cache, or None if the cache is off or the user has no home directory."""
     if chosen := os.environ.get("ARTGEN_CACHE"):
         return None if chosen == "off" else Path(chosen)
     shared = os.environ.get("XDG_CACHE_HOME", "")
-    if Path(shared).is_absolute():  # others are to be ignored, its specification says
+    if Path(shared).is_absolute():  # relative paths must be ignored according to the specification
         return Path(shared) / "artgen"
     try:
         return Path.home() / ".cache" / "artgen"
@@ -35,7 +35,7 @@ def cache_directory() -> Path | None:
 
 
 def read(kind: str, key: str) -> bytes | None:
-    """Return the content of a kind under a key; None where it is missing or damaged."""
+    """Return the content of a kind under a key; None if it is missing or damaged."""
     directory = cache_directory()
     if directory is None:
         return None
@@ -49,7 +49,7 @@ def read(kind: str, key: str) -> bytes | None:
 
 
 def write(kind: str, key: str, content: bytes) -> None:
-    """Keep content of a kind under a key, if the cache is enabled."""
+    """Store content of a kind under a key, if the cache is enabled."""
     directory = cache_directory()
     if directory is None:
         return
@@ -68,14 +68,14 @@ def write(kind: str, key: str, content: bytes) -> None:
 
 
 def packed(arrays: dict[str, NDArray[Any]]) -> bytes:
-    """Return arrays as the content of a file, to be read by `unpacked`."""
+    """Return arrays as the content of a file for `unpacked`."""
     file = io.BytesIO()
     np.savez(file, allow_pickle=False, **arrays)
     return file.getvalue()
 
 
 def unpacked(content: bytes | None) -> dict[str, NDArray[Any]] | None:
-    """Return the arrays in the content of a file; None where it is missing or holds something else."""
+    """Return the arrays in the content of a file; None if it is missing or invalid."""
     try:
         with np.load(io.BytesIO(content or b""), allow_pickle=False) as stored:
             return dict(stored)

@@ -9,10 +9,10 @@ from typing import Any
 from artgen.errors import AssetError, ExportError
 
 NAME_RULE = "letters, digits and _, at most 100"
-"""The rule of names, for messages; the length leaves room for files named after a link and a part."""
+"""Rule of names for messages; the length leaves room for files named after a link and a part."""
 
-_LONGEST = 100  # characters of a name
-_NAMED = frozenset(  # keys of asset.json
+_LONGEST = 100  # most characters of a name
+_NAMED = frozenset(  # keys of asset.json with names
     [
         "category",
         "child",
@@ -27,7 +27,7 @@ _NAMED = frozenset(  # keys of asset.json
         "parent",
     ]
 )
-_PART = re.compile(r"(?!\.+\Z)[A-Za-z0-9_.-]{1,200}")  # of a path: no parent and no drive
+_PART = re.compile(r"(?!\.+\Z)[A-Za-z0-9_.-]{1,200}")  # parts of a path: no parent and no drive
 
 
 def is_identifier(name: object) -> bool:
@@ -41,10 +41,10 @@ def is_plain_path(path: object) -> bool:
 
 
 def check_names(data: Mapping[str, Any], source: Path) -> None:
-    """Refuse the data of an `asset.json` whose names or paths artgen would not write.
+    """Check the names and paths in the data of an `asset.json`.
 
     Raises:
-        AssetError: A name is no identifier, or a path leaves the folder of the asset.
+        AssetError: A name is not an identifier, or a path leaves the folder of the asset.
     """
     for key, name in _names({**data, "parameters": {}, "formats": {}, "digests": {}, "certificate": {}}):
         if not is_identifier(name):
@@ -78,10 +78,10 @@ def _paths(data: Mapping[str, Any]) -> Iterator[Any]:
 
 
 def inside(folder: Path, path: str) -> Path:
-    """Return the place of a file below a folder, before it is read or written.
+    """Return the path of a file below a folder, before it is read or written.
 
     Raises:
-        ExportError: The path leaves the folder, also through a symbolic link.
+        ExportError: The path leaves the folder, possibly through a symbolic link.
     """
     if not is_plain_path(path):
         raise ExportError(f"cannot use {path!r} below {folder}: it must be a relative path that stays there")

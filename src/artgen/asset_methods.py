@@ -1,4 +1,4 @@
-"""The methods of `Asset` that need the layers above the data: proof, checks, writers, pictures.
+"""Methods of `Asset` that need higher layers: proof, checks, writers, pictures.
 
 `artgen/__init__.py` binds them, so that `artgen.asset` imports nothing above itself.
 """
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 def certify(self: Asset, tolerance: float = 0.0, *, measure: bool = False) -> Certificate:
     """Prove that no two links collide anywhere in the joint ranges; see `artgen.proof.certify.certify`.
 
-    The asset keeps the certificate: `export` writes it beside the asset.
+    The asset keeps the certificate, and `export` writes it.
 
     Args:
         tolerance: Clearance to prove between links that move against each other [m].
@@ -46,7 +46,7 @@ def safe_limits(self: Asset) -> dict[str, tuple[float, float]]:
 
 
 def clearance(self: Asset, q: Mapping[str, float] | None = None) -> dict[tuple[str, str], float]:
-    """Return the distance between the links of each pair at one pose, negative where they overlap [m].
+    """Return the distance between the links of each pair at one pose, negative for overlaps [m].
 
     See `artgen.proof.limits.clearance`.
     """
@@ -59,7 +59,7 @@ def validate(self: Asset, *, behavior: bool = True) -> "Report":
     """Export the asset to a temporary directory and run every check on the files.
 
     Args:
-        behavior: Whether to try the asset out in MuJoCo, if that is installed.
+        behavior: Whether to simulate the asset in MuJoCo, if it is installed.
     """
     from artgen.validate import validate
 
@@ -101,7 +101,7 @@ def render(
     textures: int = 512,
     samples: int = 32,
 ) -> "Picture":
-    """Take a picture of the asset, with masks, depth and normals; see `artgen.view.render`."""
+    """Render a picture of the asset, with masks, depth and normals; see `artgen.view.render`."""
     from artgen import view
 
     return view.render(
@@ -131,7 +131,7 @@ def load(directory: str | Path) -> Asset:
 
 
 def _reduce(self: Asset) -> tuple[Any, ...]:
-    """Pickle the asset as its files hold it: unpickled, it has no solids, like a loaded asset."""
+    """Pickle the asset like its files: the unpickled asset has no solids, like a loaded one."""
     from artgen.asset.files import pack, unpack
 
     return unpack, pack(self)

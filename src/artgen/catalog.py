@@ -1,4 +1,4 @@
-"""The catalog: categories of artgen and of other packages by name, or by file."""
+"""The catalog: categories of artgen and of other packages, by name or by file."""
 
 import functools
 import hashlib
@@ -19,21 +19,21 @@ from artgen.generator import CATEGORIES, Generator, collected
 from artgen.graph.node import line_in
 
 ENTRY_POINTS = "artgen.categories"
-"""Group of entry points by which other packages bring categories; each names a module that defines some."""
+"""Group of entry points for categories of other packages; each names a module that defines categories."""
 
 _FILE = re.compile(r"(?P<path>.+\.py)(?::(?P<name>[^:/\\]*))?", re.DOTALL)
 
 
 @functools.cache
 def _own() -> frozenset[str]:
-    """Return the names of artgen's categories: each has the package of its name."""
+    """Return the names of artgen's categories, which are the names of their packages."""
     folders = find_spec("artgen.categories").submodule_search_locations  # type: ignore[union-attr]
     return frozenset(found.name for found in iter_modules(folders)) - {"shared"}
 
 
 @functools.cache
 def broken() -> Mapping[str, str]:
-    """Import the categories of other packages, and tell by entry point why some cannot be."""
+    """Import the categories of other packages, and return the errors by entry point."""
     from importlib.metadata import entry_points
 
     messages = {}
@@ -49,16 +49,17 @@ def broken() -> Mapping[str, str]:
 
 
 def _culprit(error: BaseException) -> str:
-    """Return the innermost file of a package that failed while it was imported; none if it is not there."""
+    """Return the innermost file of a package that failed during its import; None if there is none."""
     files = [frame.f_code.co_filename for frame, _ in walk_tb(error.__traceback__)]
-    files = [file for file in files if not file.startswith("<") and "importlib" not in file][1:]  # not ours
+    # artgen's own error
+    files = [file for file in files if not file.startswith("<") and "importlib" not in file][1:]
     if isinstance(error, SyntaxError) and error.filename:
         files.append(error.filename)
     return next((file for file in reversed(files) if Path(file).is_relative_to(Path(files[0]).parent)), "")
 
 
 def _refuse_own_names() -> None:
-    """Remove foreign categories with the name of one of artgen's from the catalog."""
+    """Remove foreign categories with names of artgen's categories from the catalog."""
     for name in sorted(_own() & set(CATEGORIES)):
         if CATEGORIES[name].function.__module__ != f"artgen.categories.{name}":
             other = CATEGORIES.pop(name)
@@ -66,19 +67,19 @@ def _refuse_own_names() -> None:
 
 
 def categories() -> tuple[str, ...]:
-    """Return the names of all categories in alphabetical order; `broken` names the packages left out."""
+    """Return the names of all categories, sorted; `broken` returns packages that cannot be imported."""
     broken()
     return tuple(sorted({*_own(), *CATEGORIES}))
 
 
 def find(name: str) -> Generator:
-    """Return the category of that name, or that of a file: see `load_file`.
+    """Return the category with a name, or the category in a file: see `load_file`.
 
-    Of artgen's own, only the package of that name is imported.
+    Only the package of that name is imported.
 
     Raises:
-        ParameterError: There is none; the message has the nearest name.
-        BuildError: It is a file that cannot be loaded, or of a package that cannot be imported.
+        ParameterError: There is no such category; the message suggests the nearest name.
+        BuildError: A file cannot be loaded, or a package cannot be imported.
     """
     if is_file(name):
         return load_file(name)
@@ -95,24 +96,24 @@ def find(name: str) -> Generator:
 
 
 def is_file(name: str) -> bool:
-    """Tell whether it means a file rather than a name: `stapler.py`, or `shop.py:stapler`."""
+    """Tell whether a text is a file rather than a name: `stapler.py`, or `shop.py:stapler`."""
     return _FILE.fullmatch(name) is not None
 
 
 def load_file(path: str | Path) -> Generator:
-    """Run a Python file and return the category that it defines.
+    """Execute a Python file and return the category that it defines.
 
-    It runs each time, so that edits take effect. The category does not enter the catalog: the
-    file may be a copy of an installed one. As for a script, the folder of the file is searched for what it
-    imports.
+    The file is executed each time, so that edits take effect. The category does not enter the catalog,
+    because the file may be a copy of an installed one. The folder of the file is in the import path, as for a
+    script.
 
     Args:
-        path: The file; of one with several categories, `file.py:name` picks.
+        path: The file; `file.py:name` selects one of several categories.
 
     Raises:
-        ParameterError: There is no such file, or no category of that name in it; or there are several, and
-            none is picked.
-        BuildError: The file is faulty, or defines no category; the message has the author's line.
+        ParameterError: The file does not exist or has no category of that name, or it has several and none is
+            selected.
+        BuildError: The file has an error, or defines no category; the message has the author's line.
     """
     parts = _FILE.fullmatch(str(path))
     file = Path(parts["path"] if parts else path)
@@ -139,16 +140,16 @@ def load_file(path: str | Path) -> Generator:
 
 
 def _run(file: Path) -> dict[str, Generator]:
-    """Run a file as a module of its own and return the categories that it defines.
+    """Execute a file as a separate module and return the categories that it defines.
 
-    Its text is compiled here: Python's own cache takes an edit within one second for no edit.
+    The text is compiled here, because Python's cache misses edits within one second.
     """
     path = str(file)
     name = f"category_file_{hashlib.blake2b(path.encode(), digest_size=6).hexdigest()}"
     before = sys.modules.get(name)
     module = ModuleType(name)
     module.__file__ = path
-    sys.modules[name] = module  # dataclasses look their module up
+    sys.modules[name] = module  # dataclasses look up their module
     sys.path.insert(0, str(file.parent))
     try:
         with collected(name) as found:
@@ -166,7 +167,7 @@ def _run(file: Path) -> dict[str, Generator]:
 
 
 def _told(path: str, error: BaseException) -> str:
-    """Spell an error in a file, with the line of the file at fault."""
+    """Format an error in a file, with the faulty line of the file."""
     if isinstance(error, ArtgenError) and f"{path}:" in str(error):
         return str(error)
     if isinstance(error, ArtgenError):
@@ -183,18 +184,18 @@ def generate(category: str | Generator, /, seed: int = 0, **overrides: Any) -> A
     """Generate an asset.
 
     Args:
-        category: Name of a category, file that defines one, or a category or generator itself.
-        seed: Decides every draw: the same seed gives the same asset, byte for byte.
-        **overrides: What `Generator.generate` takes: `name`, `base` ("fixed" or "free"), `certify=False` to
-            skip the proof that no two links collide, `tolerance` [m] and `on_collision` ("redraw", "fail" or
-            "keep") for it, and a value or a distribution by parameter name. `handle__length` stands for
+        category: Name of a category, a file that defines one, or a category or generator.
+        seed: Seed of all draws: the same seed gives the same asset, byte for byte.
+        **overrides: Options of `Generator.generate`: `name`, `base` ("fixed" or "free"), `certify=False` to
+            skip the proof that no two links collide, its `tolerance` [m] and `on_collision` ("redraw", "fail"
+            or "keep"); and a value or a distribution by parameter name. Write `handle__length` for
             `handle.length`.
 
     Raises:
         ParameterError: The category, the seed, an option or an override is unknown or not allowed.
-        BuildError: The category is written wrongly.
+        BuildError: The category has an error.
         EvaluationError: A kernel failed.
-        InfeasibleError: No draw met the category's requirements, or none is proven free of collisions.
+        InfeasibleError: No draw met the requirements of the category, or none is proven free of collisions.
         CheckError: The links are not proven apart, and `on_collision` is "fail".
     """
     chosen = find(category) if isinstance(category, str) else category

@@ -1,4 +1,4 @@
-"""The command line: list categories, show their parameters, generate, prove and check assets."""
+"""The command line: lists categories, shows parameters, generates, proves and checks assets."""
 
 import sys
 from collections.abc import Sequence
@@ -27,7 +27,7 @@ from artgen.version import __version__
 
 _FAULT = 1  # exit code
 _WRONG_INPUT = 2  # exit code
-_PLAIN_WIDTH = 1000  # columns of a table that goes to a file or pipe: one line for each row
+_PLAIN_WIDTH = 1000  # columns of tables in files and pipes: one line per row
 
 
 app = typer.Typer(
@@ -43,10 +43,10 @@ def main(arguments: Sequence[str] | None = None) -> NoReturn:
     """Run the command line.
 
     Args:
-        arguments: What follows the command's name; by default what the process was started with.
+        arguments: Arguments after the name of the command; by default those of the process.
 
     Raises:
-        SystemExit: It is done; the code is 0, 1 where an asset has a fault, or 2 for wrong input, which one
+        SystemExit: At the end, with the code 0, 1 for an asset with a fault, or 2 for wrong input, which one
             line on stderr explains.
     """
     try:
@@ -133,7 +133,7 @@ def _range(least: int, most: int) -> str:
 
 
 def _kind(parameter: Parameter) -> str:
-    """Spell the type of a parameter as authors annotate it."""
+    """Format the type of a parameter like its annotation."""
     if isinstance(parameter.kind, type):
         return parameter.kind.__name__
     return str(parameter.kind).removeprefix("typing.")
@@ -147,5 +147,5 @@ def _table(*columns: str) -> Table:
 
 
 def _console() -> Console:
-    """Return where tables go: as wide as the terminal, or wide enough for a file."""
+    """Return the console for tables, as wide as the terminal, or wide enough for a file."""
     return Console(width=None if sys.stdout.isatty() else _PLAIN_WIDTH, highlight=False)

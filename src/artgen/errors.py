@@ -13,8 +13,8 @@
     ├── EnvError(RuntimeError)          a task cannot be set up, or a package that it needs is not there
     └── RenderError(RuntimeError)       a renderer, or a library that it needs, is not there
 
-Each is also the natural builtin, so `except ValueError` works. A message says what is wrong, where
-(the author's file and line), the offending value, what is allowed or the nearest name, and what to do.
+Each also derives from a suitable builtin, so `except ValueError` works. A message has the fault, its place
+(the author's file and line), the value, the allowed values or the nearest name, and the remedy.
 """
 
 import difflib
@@ -22,15 +22,15 @@ from collections.abc import Iterable
 
 
 class ArtgenError(Exception):
-    """Base of every error that artgen raises on purpose."""
+    """Base of all errors that artgen raises intentionally."""
 
 
 class BuildError(ArtgenError, ValueError):
-    """A category or generator is written wrongly."""
+    """A category or generator has an error."""
 
 
 class GraphError(BuildError):
-    """A graph, or a file that holds one, is malformed."""
+    """A graph or its file is malformed."""
 
 
 class ParameterError(ArtgenError, ValueError):
@@ -38,7 +38,7 @@ class ParameterError(ArtgenError, ValueError):
 
 
 class EvaluationError(ArtgenError, RuntimeError):
-    """A kernel failed on the values it was given."""
+    """A kernel failed on its values."""
 
 
 class InfeasibleError(ArtgenError, RuntimeError):
@@ -46,11 +46,11 @@ class InfeasibleError(ArtgenError, RuntimeError):
 
 
 class AssetError(ArtgenError, ValueError):
-    """An asset is inconsistent, or was asked for something it does not have.
+    """An asset is inconsistent, or does not have a requested part.
 
     Attributes:
-        joint: Name of the joint at fault, if one is; tells a generator which line of its author to name.
-        link: Name of the link at fault, if one is.
+        joint: Name of the faulty joint, if any; a generator uses it to find the author's line.
+        link: Name of the faulty link, if any.
     """
 
     def __init__(self, message: str, *, joint: str = "", link: str = "") -> None:
@@ -68,19 +68,19 @@ class ExportError(ArtgenError, OSError):
 
 
 class ClientError(ArtgenError, RuntimeError):
-    """The environment of a client could not be made."""
+    """The environment of a client could not be created."""
 
 
 class EnvError(ArtgenError, RuntimeError):
-    """A manipulation task cannot be set up: an asset lacks the part, or a package is not there."""
+    """A manipulation task cannot be set up: the asset lacks a part, or a package is missing."""
 
 
 class RenderError(ArtgenError, RuntimeError):
-    """A picture could not be drawn: a renderer, or a library that it needs, is not there."""
+    """A picture could not be rendered: a renderer or one of its libraries is missing."""
 
 
 def nearest(name: str, allowed: Iterable[str]) -> str:
-    """Describe the allowed names, the likeliest first: ` Did you mean 'width'?` or ` Allowed: a, b.`."""
+    """Return the allowed names, the likeliest first: ` Did you mean 'width'?` or ` Allowed: a, b.`."""
     options = sorted(allowed)
     close = difflib.get_close_matches(name, options, 1, cutoff=0.5)
     if close:

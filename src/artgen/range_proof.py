@@ -1,4 +1,4 @@
-"""The range proof of a category: certificates of samples and of the corners of its parameter ranges."""
+"""Range proof of a category: certificates of samples and of corners of its parameter ranges."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
@@ -15,10 +15,10 @@ from artgen.sampling.distributions import shown
 
 Outcome = Literal["proven", "collision", "not proven", "error", "infeasible"]
 Progress = Callable[[int, int], None]
-"""Told after each sample and corner how many are done, and how many there are."""
+"""Called after each sample and corner with the number of finished ones and the total."""
 
 MOST_FAILURES = 10
-"""So many failures are described; all are counted."""
+"""Most failures that are described; all are counted."""
 
 _WORDS: Mapping[Outcome, str] = {
     "proven": "proven",
@@ -27,8 +27,8 @@ _WORDS: Mapping[Outcome, str] = {
     "error": "cannot be made",
     "infeasible": "infeasible",
 }
-_ATTEMPTS = 100  # draws of one seed before its sample counts as infeasible
-_HOPELESS = 10  # samples; where none of the first ones is feasible, nothing else is tried
+_ATTEMPTS = 100  # draws per seed before its sample counts as infeasible
+_HOPELESS = 10  # first samples; if none of them is feasible, the proof stops
 _MOST_MEASURED = 16  # assets whose clearance is measured to find the smallest
 
 
@@ -37,10 +37,10 @@ class Failure:
     """A sample or corner that is not proven free of collisions.
 
     Attributes:
-        outcome: `collision`, `not proven`, or `error` where no asset could be made.
-        origin: Which one it is: `seed 12` or `corner 3`.
-        message: The witness, what is not proven, or the error.
-        parameters: All its parameters; as overrides they make the same asset.
+        outcome: `collision`, `not proven`, or `error` for an asset that cannot be generated.
+        origin: `seed 12` or `corner 3`.
+        message: The witness, the unproven region, or the error.
+        parameters: All its parameters; as overrides they generate the same asset.
     """
 
     outcome: Outcome
@@ -60,16 +60,16 @@ class Failure:
 
 @dataclass(frozen=True)
 class SmallestClearance:
-    """The smallest clearance that was found between two links of samples and corners that are proven.
+    """The smallest clearance between two links in proven samples and corners.
 
     Attributes:
-        bound: No two links of any of them are ever closer; negative for a contact by design [m].
-        guaranteed: The two links are never closer [m].
-        found: The convex pieces around them come as close as this; None where it was not measured [m].
-        links: Their names.
-        positions: Where the joints stand then [rad or m].
-        origin: Of which sample or corner they are: `seed 12` or `corner 3`.
-        parameters: All its parameters; as overrides they make the same asset.
+        bound: Lower bound of the distance of any two links; negative for an allowed contact [m].
+        guaranteed: Lower bound of the distance of these two links [m].
+        found: Distance of the convex pieces around them; None if it was not measured [m].
+        links: Names of the links.
+        positions: Joint positions at that distance [rad or m].
+        origin: `seed 12` or `corner 3`.
+        parameters: All its parameters; as overrides they generate the same asset.
     """
 
     bound: float
@@ -95,18 +95,18 @@ class SmallestClearance:
 
 @dataclass(frozen=True)
 class RangeProof:
-    """The certificates of samples and corners of the parameter ranges of a category.
+    """Certificates of samples and corners of the parameter ranges of a category.
 
     Attributes:
-        category: Its name.
+        category: Name of the category.
         seed: The seed of the first sample.
-        tolerance: Clearance that had to be proven [m].
-        overrides: What took the place of parameters' own distributions, as text.
-        samples: How many samples were drawn.
-        corners: How many corners of the parameter ranges were looked at.
-        counts: How many of both had each outcome.
-        clearance: The smallest clearance of those that are proven; None if nothing moves in them.
-        failures: The first that are not proven.
+        tolerance: Required clearance [m].
+        overrides: Overrides of parameters, as text.
+        samples: Number of samples.
+        corners: Number of corners of the parameter ranges.
+        counts: Number of samples and corners by outcome.
+        clearance: The smallest clearance of the proven ones; None if nothing moves in them.
+        failures: The first ones that are not proven.
     """
 
     category: str
@@ -121,22 +121,22 @@ class RangeProof:
 
     @property
     def tried(self) -> int:
-        """How many samples and corners there were."""
+        """Number of samples and corners."""
         return self.samples + self.corners
 
     @property
     def feasible(self) -> int:
-        """How many of them the category does not rule out by a requirement."""
+        """Number of feasible samples and corners."""
         return self.tried - self.counts["infeasible"]
 
     @property
     def fraction(self) -> float:
-        """The share of the feasible ones that is proven."""
+        """Share of the feasible ones that is proven."""
         return self.counts["proven"] / self.feasible
 
     @property
     def sound(self) -> bool:
-        """Whether all that are feasible are proven."""
+        """Whether all feasible ones are proven."""
         return self.counts["proven"] == self.feasible
 
     def to_data(self) -> dict[str, Any]:
@@ -182,7 +182,8 @@ class RangeProof:
 
     def _failure_lines(self) -> list[str]:
         lines: list[str] = []
-        first = {failure.message: failure for failure in reversed(self.failures)}  # most have one cause
+        # most failures have one cause
+        first = {failure.message: failure for failure in reversed(self.failures)}
         told = sorted(first.values(), key=self.failures.index)
         for failure in told:
             lines += [f"{failure.origin}: {failure.message}", f"  {_listed(failure.parameters)}"]
@@ -202,21 +203,20 @@ def prove_range(
 ) -> RangeProof:
     """Certify samples of a category, and the corners of its parameter ranges.
 
-    A range proof is no proof of what lies between the samples; it tells where a range reaches too far.
+    A range proof does not prove the values between the samples; it shows where a range is too wide.
 
     Args:
-        category: Name of a category, or a category or generator itself.
-        samples: How many seeds are drawn; each gives its first feasible draw.
-        corners: Whether the corners of the parameter ranges are certified too; see
-            `artgen.generator.corners`.
+        category: Name of a category, or a category or generator.
+        samples: Number of seeds; each gives its first feasible draw.
+        corners: Whether to certify the corners of the parameter ranges; see `artgen.generator.corners`.
         seed: The first seed.
         overrides: A value or a distribution by parameter name.
-        tolerance: Clearance that has to be proven [m].
-        progress: Told how far it is.
+        tolerance: Required clearance [m].
+        progress: Callback for the progress.
 
     Raises:
         ParameterError: The category, the seed, an option or an override is unknown or not allowed, or there
-            is neither a sample nor a corner.
+            are neither samples nor corners.
         InfeasibleError: No sample and no corner is feasible.
     """
     generator = find(category) if isinstance(category, str) else category
@@ -250,7 +250,7 @@ def prove_range(
 
 @dataclass(frozen=True)
 class _Trial:
-    """A sample or corner: the value of each parameter, and the seed that its asset bears."""
+    """A sample or corner: the value of each parameter, and the seed of its asset."""
 
     origin: str
     seed: int
@@ -258,7 +258,7 @@ class _Trial:
 
     @property
     def parameters(self) -> dict[str, Any]:
-        """The values as JSON data: generators and materials by their names."""
+        """The values as JSON data: generators and materials by name."""
         named = {name: getattr(value, "name", value) for name, value in self.values.items()}
         return {name: list(value) if isinstance(value, tuple) else value for name, value in named.items()}
 
@@ -277,7 +277,7 @@ class _Trial:
 
 @dataclass
 class _Run:
-    """A range proof under way."""
+    """A range proof in progress."""
 
     category: Generator
     tolerance: float
@@ -304,11 +304,11 @@ class _Run:
         self._enter(self._certify(_Trial(f"corner {number}", seed, values)), self.total)
 
     def smallest_clearance(self) -> SmallestClearance | None:
-        """Measure those with the smallest guaranteed clearances, until no other can come closer."""
+        """Measure assets with the smallest guaranteed clearances, until no other can have a smaller one."""
         best: SmallestClearance | None = None
         bounds: list[float] = []
         for number, (bound, trial) in enumerate(sorted(self._proven, key=lambda item: item[0])):
-            # what is guaranteed without a measurement may be much less than there is
+            # without a measurement, the guaranteed clearance may be far below the real one
             if number == _MOST_MEASURED or (best is not None and bound >= _reached(best)):
                 bounds.append(bound)
                 break
@@ -347,7 +347,7 @@ class _Run:
         return outcome
 
     def _enter(self, outcome: Outcome, hopeless: int) -> None:
-        """Count a sample or corner; give up where so many are all that there were, and none is feasible."""
+        """Count a sample or corner; give up after several infeasible ones without any feasible one."""
         self.counts[outcome] += 1
         done = sum(self.counts.values())
         if self.counts["infeasible"] == done >= hopeless:
@@ -364,7 +364,7 @@ def _reached(clearance: SmallestClearance) -> float:
 
 
 def _listed(values: Mapping[str, Any]) -> str:
-    """Spell values as the command line takes them, with 6 digits."""
+    """Format values like the command line, with 6 digits."""
     return ", ".join(
         f"{name}={value:.6g}" if isinstance(value, float) else f"{name}={value}"
         for name, value in values.items()

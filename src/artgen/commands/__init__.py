@@ -1,1 +1,1 @@
-"""The commands of the command line, one module each; `artgen.cli` registers them."""
+"""Commands of the command line, one module each; `artgen.cli` registers them."""

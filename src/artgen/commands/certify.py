@@ -41,7 +41,7 @@ def certify(
         typer.Option("--json", metavar="FILE", help="Write all that was found to a file as well."),
     ] = None,
 ) -> None:
-    """Prove samples and corners of a category free of collisions; exit code 1 if one is not."""
+    """Prove samples and corners of a category free of collisions; exit code 1 if a proof fails."""
     if json_file is not None and (json_file.is_dir() or not json_file.absolute().parent.is_dir()):
         raise ExportError(f"cannot write {json_file}: give a file in a directory that exists")
     with progress_bar() as bar:

@@ -1,4 +1,4 @@
-"""`artgen clients`: which simulators, validators and converters are here, and how to get the others."""
+"""`artgen clients`: installed simulators, validators and converters, and installation of others."""
 
 import os
 import sys
@@ -22,7 +22,7 @@ from artgen.validate.clients.install_location import (
 from artgen.validate.clients.registry import ALL, CLIENTS, chosen_clients
 
 _FAULT = 1  # exit code
-_PLAIN_WIDTH = 1000  # columns where no terminal shows them: one line for each row
+_PLAIN_WIDTH = 1000  # columns without a terminal: one line per row
 
 
 def clients(
@@ -39,9 +39,9 @@ def clients(
         typer.Option(metavar="PROGRAM", help="The Python that they are made of; artgen's own by default."),
     ] = None,
 ) -> None:
-    """List the clients that read exports, or install them into environments of their own.
+    """List the clients that read exports, or install them into their own environments.
 
-    The environments lie in the folder that ARTGEN_CLIENTS names, or in artgen's cache.
+    The environments are in the folder ARTGEN_CLIENTS, or in artgen's cache.
     """
     if install is not None:
         _install(install, python)
@@ -62,7 +62,7 @@ def clients(
 
 
 def _install(names: str, python: Path | None) -> None:
-    """Make the environments of the named clients as far as possible, and report the result."""
+    """Create the environments of the named clients as far as possible, and report the result."""
     found, by_name = chosen_clients(names)
     directory = environments_directory()
     program = "" if python is None else os.path.abspath(python)  # noqa: PTH100 - a link stays a link
@@ -85,7 +85,7 @@ def _install(names: str, python: Path | None) -> None:
 
 
 def _needs_one(client: Client, by_name: bool) -> bool:  # noqa: FBT001 - private
-    """Return whether an environment has to be made for a client: not if artgen's own has it."""
+    """Return whether a client needs an environment, because artgen's own does not have it."""
     if client.environment not in REQUIREMENTS:
         return False
     return by_name or not (client.light and interpreters(None)[0] in interpreters(client))

@@ -1,4 +1,4 @@
-"""`artgen colliders`: the colliders of an exported asset beside those of other ways to make them."""
+"""`artgen colliders`: comparison of the colliders of an exported asset with other kinds."""
 
 import json
 import sys
@@ -14,7 +14,7 @@ from artgen.asset import Asset
 if TYPE_CHECKING:
     from artgen.validate.collider_table import ColliderRow
 
-_PLAIN_WIDTH = 1000  # columns where no terminal shows them: one line for each row
+_PLAIN_WIDTH = 1000  # columns without a terminal: one line per row
 _COLUMNS = (
     "colliders",
     "pieces",

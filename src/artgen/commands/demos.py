@@ -9,7 +9,7 @@ from artgen.commands.progress import rate_bar
 from artgen.dataset.disk import GO_ON
 
 _INTERRUPTED = 130  # exit code
-_SHOWN = 20  # failed seeds that are spelt out
+_SHOWN = 20  # most listed seeds that failed
 
 
 def demos(
@@ -41,7 +41,7 @@ def demos(
 ) -> None:
     """Write successful demonstrations of a task in robomimic's HDF5 layout; needs artgen[demos].
 
-    Run again, it goes on where it was interrupted.
+    A repeated command continues an interrupted run.
     """
     from artgen.demos import make_demos
 

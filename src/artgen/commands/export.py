@@ -1,4 +1,4 @@
-"""`artgen export`: an exported asset again, in another layout or other formats."""
+"""`artgen export`: export an asset again in another layout or other formats."""
 
 from pathlib import Path
 from typing import Annotated
@@ -47,7 +47,7 @@ def export(
         check_size(texture_size)
     asset = Asset.load(directory)
     target = Path(f"{asset.name}_{layout.replace('-', '_')}") if out is None else out
-    source = directory.parent if directory.suffix == ".json" else directory  # as `Asset.load` takes it
+    source = directory.parent if directory.suffix == ".json" else directory  # as `Asset.load` accepts it
     if target.resolve() == source.resolve():
         raise ExportError(
             f"cannot export {source} to itself: its surfaces are read from there; choose another --out"
@@ -58,15 +58,15 @@ def export(
 
 
 def check_formats(layout: str, formats: str | None) -> tuple[str, ...]:
-    """Return the formats that a command is to write in a layout.
+    """Return the formats that a command writes in a layout.
 
     Args:
         layout: Name of the layout.
-        formats: Names separated by commas; None for what is usual in the layout.
+        formats: Names separated by commas; None for the default formats of the layout.
 
     Raises:
-        BadParameter: `formats` names none.
-        ExportError: There is no such layout, no such format, or not in the layout.
+        BadParameter: `formats` is empty.
+        ExportError: The layout or a format does not exist, or the layout does not have the format.
     """
     found = find_layout(layout)
     chosen = None if formats is None else [item.strip() for item in formats.split(",") if item.strip()]

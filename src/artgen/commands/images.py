@@ -80,9 +80,10 @@ def images(
         typer.Option(help="If that is not proven: draw another sample, fail, or keep the asset."),
     ] = "redraw",
 ) -> None:
-    """Take pictures of many assets, with masks and joints in the layout of COCO; needs artgen[images].
+    """Render pictures of many assets, with masks and joints in the layout of COCO; needs artgen[images].
 
-    Writes train.json, val.json and test.json, split by asset. Run again, it goes on where it was interrupted.
+    Writes train.json, val.json and test.json, split by asset. A repeated command continues an interrupted
+    run.
     """
     plan = ImagePlan(
         tuple(categories),

@@ -1,4 +1,4 @@
-"""`artgen new`: a small package that brings a category, to start from."""
+"""`artgen new`: a small package with a starter category."""
 
 import importlib.util
 import keyword
@@ -14,14 +14,14 @@ from artgen.catalog import categories
 from artgen.errors import ExportError, ParameterError
 from artgen.export.files import write_files
 
-_NAME = "my_category"  # what the starter is called
+_NAME = "my_category"  # name of the starter category
 _FILES = {
     "README.md": "README.md",
-    "package.toml": "pyproject.toml",  # by its own name, tools would take artgen for two projects
+    "package.toml": "pyproject.toml",  # with its own name, tools would find two projects named artgen
     f"src/{_NAME}.py": "src/{name}.py",
     f"tests/test_{_NAME}.py": "tests/test_{name}.py",
 }
-"""The files of the starter, and where they go."""
+"""Files of the starter with their targets."""
 
 
 def new(
@@ -31,7 +31,7 @@ def new(
         Path, typer.Option("--dir", metavar="DIRECTORY", help="Where the folder of the package is made.")
     ] = Path(),
 ) -> None:
-    """Write a package with a starter category, its test, and the entry point by which artgen finds it."""
+    """Write a package with a starter category, its test, and its entry point."""
     _check_name(name)
     target = folder / name
     if target.exists():
@@ -48,7 +48,7 @@ def new(
 
 
 def _check_name(name: str) -> None:
-    """Refuse a name that cannot be that of a category and of its module."""
+    """Check that a name is possible for a category and its module."""
     import artgen
 
     if not is_identifier(name) or keyword.iskeyword(name) or name != name.lower():
@@ -58,7 +58,7 @@ def _check_name(name: str) -> None:
     if name in artgen.__all__:
         raise ParameterError(f"{name!r} is a word of artgen, which categories import; choose another name")
     module = importlib.util.find_spec(name)
-    if module is not None and module.origin is not None:  # a mere folder has none
+    if module is not None and module.origin is not None:  # a plain folder has no loader
         raise ParameterError(f"there is a Python module {name!r}; choose another name")
 
 

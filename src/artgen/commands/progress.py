@@ -1,4 +1,4 @@
-"""Progress bars of long commands, and the run of commands that make many assets."""
+"""Progress bars of long commands, and the run of commands that process many assets."""
 
 from collections.abc import Callable
 from pathlib import Path
@@ -22,17 +22,17 @@ from artgen.dataset.disk import GO_ON
 
 
 def progress_bar() -> Progress:
-    """Return a bar on stderr, which is shown on a terminal only and leaves nothing behind."""
+    """Return a progress bar on stderr, which appears on terminals only and is removed at the end."""
     return _bar()
 
 
 def rate_bar() -> Progress:
-    """Return such a bar that also says how many a second there are; its tasks have a field `failed`."""
+    """Return a progress bar with the rate per second; its tasks have a field `failed`."""
     return _bar(_Rate(), TextColumn("[red]{task.fields[failed]}"))
 
 
 class _Rate(ProgressColumn):
-    """How many steps a second there are."""
+    """Steps per second."""
 
     def render(self, task: Task) -> Text:
         """Return the rate as text."""
@@ -56,23 +56,24 @@ def _bar(*columns: ProgressColumn) -> Progress:
 
 _FAULT = 1  # exit code
 _INTERRUPTED = 130  # exit code
-_SHOWN = 20  # failed seeds that are spelt out
+_SHOWN = 20  # most listed seeds that failed
 
 Step = Callable[[dict[str, Any]], None]
 Begin = Callable[[int], None]
 
 
 def many(work: Callable[[Step, Begin], Summary], out: str, *, each: int = 1, what: str = "assets") -> None:
-    """Make a dataset, show its progress, and list the failures.
+    """Run the work on a dataset, show its progress, and list the failures.
 
     Args:
-        work: Makes it: given what to call with each line of the manifest, and with how many are missing.
-        out: Where to.
-        each: How many things are made of an asset.
-        what: What these are.
+        work: Function that does the work; its arguments are a callback for each line of the manifest and a
+            callback for the number of missing lines.
+        out: Target folder.
+        each: Number of results per asset.
+        what: Plural noun for the results.
 
     Raises:
-        Exit: An asset cannot be made.
+        Exit: An asset failed.
     """
     try:
         with rate_bar() as bar:

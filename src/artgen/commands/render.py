@@ -46,7 +46,7 @@ def render(
         Path | None, typer.Option(metavar="FILE", help="PNG or JPEG; ./<name of the asset>.png by default.")
     ] = None,
 ) -> None:
-    """Take a picture of an asset and print its path; needs artgen[sim]."""
+    """Render a picture of an asset and print its path; needs artgen[sim]."""
     from artgen.view import opened
     from artgen.view.picture import check_suffix, save_image
 

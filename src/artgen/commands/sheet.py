@@ -63,6 +63,6 @@ def sheet(
 
 
 def _asset(category: Any, seed: int, overrides: Any) -> Asset:
-    """Generate a sample, which needs no proof to be seen."""
+    """Generate a sample without a proof."""
     asset: Asset = category.evaluate(seed, certify=False, overrides=overrides)[0]
     return asset

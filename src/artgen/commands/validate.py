@@ -23,7 +23,7 @@ from artgen.validate.clients.registry import ALL, chosen_clients
 from artgen.validate.clients.run import ask_clients
 
 _FAULT = 1  # exit code
-_PLAIN_WIDTH = 1000  # columns where no terminal shows them: one line for each row
+_PLAIN_WIDTH = 1000  # columns without a terminal: one line per row
 _STYLES = {
     "passed": "green",
     "failed": "bold red",
@@ -59,7 +59,7 @@ def validate(
         bool, typer.Option("--json", help="Print the reports as JSON, not as tables.")
     ] = False,
 ) -> None:
-    """Run all checks on exported assets, and write a report.json into each; exit code 1 on a fault."""
+    """Run all checks on exported assets, and write a report.json into each; exit code 1 for a fault."""
     chosen, by_name = ((), False) if clients is None else chosen_clients(clients)
     console = Console(width=None if sys.stdout.isatty() else _PLAIN_WIDTH, highlight=False, markup=False)
     reports: list[tuple[Path, Report]] = []
@@ -84,10 +84,10 @@ def validate(
 
 
 def exports_in(directories: Sequence[Path]) -> list[Path]:
-    """Return the directories of exported assets: those given, and those directly in one that is given.
+    """Return the directories of exported assets: given ones, and those directly inside given directories.
 
     Raises:
-        ExportError: There is no asset in a directory, or no such directory.
+        ExportError: A directory does not exist or holds no asset.
     """
     found: dict[str, Path] = {}
     for directory in directories:
@@ -107,13 +107,13 @@ def exports_in(directories: Sequence[Path]) -> list[Path]:
 
 def _children(directory: Path) -> Iterator[Path]:
     for child in sorted(directory.iterdir()):
-        # an export in progress, or one that it replaces, begins with a dot
+        # names of unfinished and replaced exports begin with a dot
         if not child.name.startswith(".") and (child / ASSET_FILE).is_file():
             yield child
 
 
 def _show(console: Console, directory: Path, report: Report) -> None:
-    """Print a table of the checks, and their findings below."""
+    """Print a table of the checks, with their findings below."""
     title = Text.assemble((report.asset, "bold"), f" in {directory}")
     console.print(title, soft_wrap=True)
     table = Table(box=None, pad_edge=False, header_style="bold")
@@ -132,7 +132,7 @@ def _show(console: Console, directory: Path, report: Report) -> None:
 
 
 def _show_clients(console: Console, outcomes: Sequence[Outcome]) -> None:
-    """Print a table of the results of clients, and further faults below."""
+    """Print a table of the results of clients, with further faults below."""
     table = Table(box=None, pad_edge=False, header_style="bold")
     for column in ("client", "version", "result", "first message"):
         table.add_column(column, overflow="fold")
@@ -156,7 +156,7 @@ def _detail(result: CheckResult) -> str:
 
 
 def _described(finding: Finding) -> Text:
-    """Spell a finding over lines: what and where, the number and the pose, the hint."""
+    """Format a finding over several lines: fault and place, number and pose, hint."""
     place = ", ".join(
         f"{kind} {name}" for kind, name in (("link", finding.link), ("joint", finding.joint)) if name
     )
@@ -169,7 +169,7 @@ def _described(finding: Finding) -> Text:
 
 
 def write_report(report: Report, path: str | Path) -> Path:
-    """Write a report as JSON, all of it or nothing."""
+    """Write a report as JSON, completely or not at all."""
     target = Path(path)
     target = target / REPORT_FILE if target.is_dir() else target
     partial = target.with_name(f".{target.name}.{os.getpid()}.partial")

@@ -38,14 +38,14 @@ def asset_from(source: str, seed: int, overrides: list[str], *, certify: bool = 
     """Load an exported asset, or generate one of a category.
 
     Args:
-        source: The directory of an exported asset or its `asset.json`, a category, or a file with one.
-        seed: Of a category.
+        source: Directory of an exported asset or its `asset.json`, a category, or a file with one.
+        seed: Seed for a category.
         overrides: The same: `NAME=VALUE`.
         certify: The same: whether to prove it; one that is only to be seen needs no proof.
 
     Raises:
-        ParameterError: Overrides are given for an exported asset, or cannot be read.
-        ArtgenError: There is no such asset or category, or it cannot be made.
+        ParameterError: Overrides are given for an exported asset, or cannot be parsed.
+        ArtgenError: There is no such asset or category, or it cannot be generated.
     """
     from artgen.catalog import find
 
@@ -58,7 +58,7 @@ def asset_from(source: str, seed: int, overrides: list[str], *, certify: bool = 
 
 
 TEXELS = 512
-"""Texels on a side of the maps, unless said otherwise."""
+"""Default texels per side of maps."""
 
 
 def view(
@@ -79,7 +79,7 @@ def view(
 ) -> None:
     """Write an asset as a page with a slider for each joint, print its path, and open it in the browser.
 
-    The page is one file, which needs no network.
+    The page is one offline file.
     """
     from artgen.materials.textures import check_size
     from artgen.view.web import check_page, page_of
@@ -96,7 +96,7 @@ def view(
 
 
 def show_file(path: Path) -> None:
-    """Open a file in the browser, or say that there is none."""
+    """Open a file in the browser, or report that there is none."""
     if not webbrowser.open(path.resolve().as_uri()):
         typer.echo(f"note: no browser was found here; open {path} in one", err=True)
 
@@ -164,7 +164,7 @@ def graph(
 ) -> None:
     """Write the node graph of a category as a page, print its path, and open it; needs artgen[studio].
 
-    Of each node it tells value, time, state, the author's line, and how it looks.
+    The page shows value, time, state, author's line and geometry of each node.
     """
     from artgen.graph_view import graph_page
     from artgen.view.web import check_page
@@ -197,9 +197,9 @@ def studio(
     ] = Path("out"),
     opening: Annotated[bool, typer.Option("--open/--no-open", help="Open it in the browser.")] = True,
 ) -> None:
-    """Turn the parameters and joints of a category in the browser; needs artgen[studio].
+    """Edit the parameters and joints of a category in the browser; needs artgen[studio].
 
-    The file of the category is loaded again when it is saved. Ctrl-C ends the studio.
+    The studio loads the file of the category again when it is saved. Ctrl-C ends the studio.
     """
     from artgen.studio import CategorySource, Session
     from artgen.studio.app import Studio

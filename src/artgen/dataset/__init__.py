@@ -1,4 +1,4 @@
-"""Many assets in a folder, made by worker processes in runs that can be interrupted."""
+"""Datasets: many assets in a folder, made by worker processes in interruptible runs."""
 
 from artgen.dataset.plan import Item, Plan, TextureMode
 from artgen.dataset.reading import Dataset

@@ -1,6 +1,6 @@
-"""A dataset in a folder of a disk, which one run at a time may write to.
+"""A dataset in a folder of a disk, with one writing run at a time.
 
-An asset is made below `.staging` and then renamed to its place, so that its directory is complete or absent.
+An asset is written below `.staging` and then renamed, so that its directory is complete or absent.
 """
 
 import os
@@ -22,7 +22,7 @@ STAGING = ".staging"
 TEXTURE_DIRECTORY = "textures"
 
 GO_ON = "what is done stays, and the same command goes on from there"
-"""The end of each message about a run that was interrupted."""
+"""The end of each message about an interrupted run."""
 
 
 class Disk:
@@ -37,7 +37,7 @@ class Disk:
 
     def __init__(self, path: Path) -> None:
         self.path = path
-        self._staging = path / STAGING  # assets are made here; the folder is there during a run only
+        self._staging = path / STAGING  # assets are written here; the folder exists during a run only
 
     def __str__(self) -> str:
         return str(self.path)
@@ -59,7 +59,7 @@ class Disk:
                 shutil.rmtree(self._staging, ignore_errors=True)
 
     def names(self) -> list[str]:
-        """Return the names of the files and folders in the place, without those of a run itself."""
+        """Return the names of the files and folders in the place, without those of the run."""
         if not self.path.exists():
             return []
         if not self.path.is_dir():
@@ -71,7 +71,7 @@ class Disk:
         return self.contents([path]).get(path)
 
     def contents(self, paths: Iterable[str]) -> dict[str, bytes]:
-        """Return the contents of those files that exist."""
+        """Return the contents of the existing files."""
         found = {}
         for path in paths:
             with suppress(FileNotFoundError, NotADirectoryError):
@@ -92,17 +92,17 @@ class Disk:
             raise
 
     def lines(self, path: str, text: str) -> "Lines":
-        """Begin a file that grows by a line at a time."""
+        """Open a file that grows by one line at a time."""
         self.write(path, text.encode())
         return Lines(self.path / path)
 
     def complete(self, paths: Iterable[str]) -> set[str]:
-        """Return those directories that have an `asset.json`."""
+        """Return the directories that have an `asset.json`."""
         return {path for path in paths if (self.path / path / ASSET_FILE).is_file()}
 
     def put(self, files: Mapping[str, bytes], path: str, *, share: bool) -> None:
         """Put an asset in its directory, which is complete or absent."""
-        if not self._staging.is_dir():  # another machine would create a folder of its own
+        if not self._staging.is_dir():  # another machine would create its own folder
             raise unseen(self)
         made = self._staging / uuid.uuid4().hex
         store = self.path / TEXTURE_DIRECTORY if share else None
@@ -133,7 +133,7 @@ class Lines:
 
 
 def unseen(place: object) -> ExportError:
-    """Return the error of a worker that has no access to the place of the run."""
+    """Return the error of a worker without access to the place of the run."""
     return ExportError(
         f"process {os.getpid()} on {socket.gethostname()} does not see {place}; choose a folder or URL that "
         "all processes share"
@@ -142,7 +142,7 @@ def unseen(place: object) -> ExportError:
 
 @contextmanager
 def locked(place: Path) -> Iterator[None]:
-    """Hold the lock of a folder or a file; the system frees it at the end of the process, even if killed."""
+    """Hold the lock of a folder or a file; the system releases it at the end of the process."""
     kind = "folder" if place.is_dir() else "file"
     lock = place / LOCK_FILE if kind == "folder" else place.with_name(f".{place.name}{LOCK_FILE}")
     try:
@@ -181,7 +181,7 @@ def _take(descriptor: int) -> None:
 
 
 def _put(made: Path, place: Path) -> None:
-    """Put a complete directory in its place; one of an earlier run stays."""
+    """Put a complete directory in its place; an existing one stays."""
     place.parent.mkdir(parents=True, exist_ok=True)
     try:
         made.rename(place)

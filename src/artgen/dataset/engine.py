@@ -1,4 +1,4 @@
-"""Engines that run the tasks of a job: processes of this machine, or a Ray cluster."""
+"""Engines for the tasks of a job: processes of this machine, or a Ray cluster."""
 
 import logging
 import os
@@ -15,10 +15,10 @@ from artgen.version import __version__
 
 EngineName = Literal["local", "ray"]
 
-_ONE_THREAD = {"OMP_NUM_THREADS": "1"}  # each task has one core; OpenBLAS and MKL obey it, too
-_AHEAD = 2  # tasks for each core of the cluster: one runs, and one waits
+_ONE_THREAD = {"OMP_NUM_THREADS": "1"}  # one core per task; OpenBLAS and MKL obey this variable as well
+_AHEAD = 2  # tasks per core of the cluster: one runs, one waits
 _SILENCE = 5.0  # time limit for the answer of a head node [s]
-# a connection of HTTP/2, the protocol of Ray, begins with a frame of settings from both sides
+# a connection of HTTP/2, the protocol of Ray, begins with a settings frame from both sides
 _SETTINGS, _FRAME = 4, 9  # kind of the frame, and length of its head [bytes]
 _HELLO = b"PRI * HTTP/2.0\r\n\r\nSM\r\n\r\n" + bytes([0, 0, 0, _SETTINGS, 0, 0, 0, 0, 0])
 _LOOK = 1.0  # interval between checks of time limits [s]
@@ -68,7 +68,7 @@ def cluster(address: str | None, jobs: int | None) -> Iterator[Engine]:
 
 
 def _call(address: str) -> None:
-    """Refuse an address without a head node; Ray itself would try for minutes."""
+    """Raise ExportError for an address without a head node; Ray would try for minutes."""
     host, _, port = address.rpartition("/")[2].rpartition(":")
     if not host or not port.isdigit():
         return
@@ -100,7 +100,7 @@ def _run(
 ) -> Iterator[Ending]:
     """Run a task for each item on a Ray cluster, and yield the endings as they come.
 
-    The time limit of a task starts at its begin, as it may wait long for a core of a shared cluster.
+    The time limit of a task starts when it begins, because it may wait long for a core of a shared cluster.
     """
     import ray
 
@@ -112,7 +112,7 @@ def _run(
     )(_work)
     waiting = iter(items)
     given: dict[Any, Any] = {}  # items of the tasks in the cluster, by stream of answers
-    deadlines: dict[Any, float] = {}  # of tasks that have begun, on the monotonic clock [s]
+    deadlines: dict[Any, float] = {}  # start of running tasks on the monotonic clock [s]
     try:
         while True:
             room = most or max(_AHEAD * int(ray.cluster_resources().get("CPU", 0)), 1)
@@ -140,7 +140,7 @@ def _run(
 
 
 def _work(task: Callable[[Any], Any], item: Any, version: str) -> Iterator[Any]:
-    """Yield None at the begin of a task, and then its answer; an error message if versions differ."""
+    """Yield None at the start of a task, then its answer; an error message for different versions."""
     if version != __version__:
         yield (
             f"{socket.gethostname()} has artgen {__version__}, and this is {version}: the same seeds may "

@@ -1,8 +1,8 @@
-"""The folder of a dataset: its plan, its manifest, a directory for each asset, and the maps that they share.
+"""The folder of a dataset: its plan, its manifest, a directory for each asset, and shared maps.
 
-The directory of an asset is complete or absent. The manifest line of an asset is made from its `asset.json`
-alone: if a run is killed between both, the next run writes the same line. During a run, the lines are in the
-order in which the assets were finished; at its end, in the order of the plan.
+The directory of an asset is complete or absent. The manifest line of an asset depends on its `asset.json`
+only: if a run is killed between both, the next run writes the same line. During a run, the lines are in the
+order of completion; at its end, in the order of the plan.
 """
 
 import hashlib
@@ -34,13 +34,13 @@ Record = dict[str, Any]
 
 
 class Folder:
-    """A folder that a run fills; as a `Job`, its items are those of the plan that have no record.
+    """A folder that a run fills; as a `Job`, its items are those of the plan without a record.
 
     Attributes:
-        target: Where it is.
+        target: The place of the folder.
         plan: The plan of its content.
-        records: The manifest line of each asset that is done or failed, by its name.
-        task: Makes an item in a worker process.
+        records: Manifest line of each finished or failed asset, by name.
+        task: Function that makes an item in a worker process.
     """
 
     def __init__(self, target: Target, plan: Draws) -> None:
@@ -74,7 +74,7 @@ class Folder:
         return [item for item in self.plan.items() if item.name not in self.records]
 
     def add(self, ending: Ending) -> Record:
-        """Add the line of an asset that is done or failed, and return it."""
+        """Add the line of a finished or failed asset, and return it."""
         assert self._lines is not None
         item: Item = ending.item
         if ending.state != "done":
@@ -89,7 +89,7 @@ class Folder:
         return record
 
     def finish(self) -> list[Record]:
-        """Bring the manifest into the order of the plan, and return its lines."""
+        """Sort the manifest in the order of the plan, and return its lines."""
         assert self._lines is not None
         records = [self.records[item.name] for item in self.plan.items() if item.name in self.records]
         with writing(self.target):
@@ -123,8 +123,8 @@ class Folder:
 class Made:
     """The result of an item in a worker process."""
 
-    record: Record | None  # its line in the manifest; None where the disk refused
-    refusal: str = ""  # message of the disk: nothing else can be written either
+    record: Record | None  # line in the manifest; None for a disk error
+    refusal: str = ""  # message of the disk: nothing else can be written
 
 
 def make(item: Item, *, plan: Draws, target: Target) -> Made:
@@ -206,7 +206,7 @@ def _read_plan(target: Target, kind: type[Draws]) -> Draws | None:
 
 
 def read_manifest(target: Target) -> Iterator[Record]:
-    """Yield the lines of a manifest; a last line that a killed run left incomplete is skipped."""
+    """Yield the lines of a manifest; an incomplete last line of a killed run is skipped."""
     *lines, _ = (target.read(MANIFEST_FILE) or b"").decode(errors="replace").split("\n")
     for number, line in enumerate(lines):
         try:
@@ -221,7 +221,7 @@ def read_manifest(target: Target) -> Iterator[Record]:
 
 
 def _read_records(target: Target, paths: Sequence[str]) -> Iterator[tuple[str, Record]]:
-    """Yield the directory and the line of each asset that exists."""
+    """Yield the directory and the line of each existing asset."""
     for start in range(0, len(paths), _BATCH):
         texts = target.contents(f"{path}/{ASSET_FILE}" for path in paths[start : start + _BATCH])
         for name, text in texts.items():
@@ -236,7 +236,7 @@ def _read_records(target: Target, paths: Sequence[str]) -> Iterator[tuple[str, R
 
 
 def _check_same(target: Target, before: Draws, plan: Draws) -> None:
-    """Refuse a plan that differs from the stored one in anything but a larger count."""
+    """Raise ExportError for a plan that differs from the stored one in more than a larger count."""
     if before.count > plan.count:
         raise ExportError(
             f"{target} holds a dataset of {before.count} assets: ask for as many or for more, or choose "
@@ -261,7 +261,7 @@ def _line(record: Mapping[str, Any]) -> str:
 
 @contextmanager
 def writing(target: Target) -> Iterator[None]:
-    """Turn an error of the disk into an ExportError that names the place."""
+    """Convert a disk error to an ExportError that names the place."""
     try:
         yield
     except ExportError:

@@ -21,11 +21,11 @@ from artgen.generator.overrides import parse_overrides
 from artgen.materials.textures import check_size
 
 TextureMode = Literal["shared", "embedded", "none"]
-"""Place of the texture maps: once for the whole dataset, with each asset, or nowhere."""
+"""Place of the texture maps: shared by the dataset, with each asset, or none."""
 
 TABLE_DIRECTORY = "parameters"
 
-_EVERY = ""  # stands for all categories in overrides
+_EVERY = ""  # key for all categories in overrides
 _COMMON = ("name", "seed", "path", "attempt", "proven", "mass", "links")  # columns of every table
 
 
@@ -56,19 +56,19 @@ class Item:
 class Draws(ABC):
     """The assets of a folder and how they are drawn; subclasses define the files that are written."""
 
-    FORMAT: ClassVar[str]  # stands in the plan file of such folders
+    FORMAT: ClassVar[str]  # format in the plan file of such folders
 
     categories: tuple[str, ...]  # names of the categories, each once
-    count: int  # number of assets, shared evenly among the categories; the first ones get the remainder
-    seed: int = 0  # the first seed of each category; the others follow it
+    count: int  # number of assets, divided evenly among the categories; the first ones get the remainder
+    seed: int = 0  # first seed of each category
     overrides: tuple[str, ...] = ()  # `NAME=VALUE` for all categories, or `CATEGORY:NAME=VALUE` for one
     base: Base = "fixed"  # whether assets are fixed to the world
-    certify: bool = True  # whether each is proven free of collisions
-    tolerance: float = 0.0  # clearance between links that has to be proven [m]
-    on_collision: OnCollision = "redraw"  # reaction where that is not proven
+    certify: bool = True  # whether each asset is proven free of collisions
+    tolerance: float = 0.0  # required clearance between links [m]
+    on_collision: OnCollision = "redraw"  # reaction to a missing proof
 
     def __post_init__(self) -> None:
-        """Refuse an impossible plan before anything is written."""
+        """Check the plan before anything is written."""
         if not self.categories:
             raise ParameterError("a dataset needs at least one category")
         twice = next((name for name in self.categories if self.categories.count(name) > 1), None)
@@ -77,7 +77,7 @@ class Draws(ABC):
         if self.count < 1:
             raise ParameterError(f"a dataset holds at least one asset, not {self.count}")
         for name in self.categories:
-            if is_file(name):  # a name of assets; other machines may lack the file
+            if is_file(name):  # part of asset names; other machines may not have the file
                 raise ParameterError(
                     f"a dataset takes the names of categories, not the file {name}; `artgen new` makes a "
                     "package, which brings its category to every machine that installs it"
@@ -85,7 +85,7 @@ class Draws(ABC):
             find(name).sample(self.seed, overrides=self.overrides_of(name))
 
     def items(self) -> Iterator[Item]:
-        """Yield the assets, categories in turn: a longer plan begins with the assets of a shorter one."""
+        """Yield the assets, categories in turn: a longer plan begins with the assets of a shorter plan."""
         several = len(self.categories)
         for number in range(self.count):
             yield Item(self.categories[number % several], self.seed + number // several)
@@ -103,7 +103,7 @@ class Draws(ABC):
         return asset
 
     def overrides_of(self, category: str) -> dict[str, Any]:
-        """Return the overrides for a category; its own replace those for all categories."""
+        """Return the overrides for a category; its own overrides replace those for all categories."""
         found = self._overrides
         return found.get(_EVERY, {}) | found.get(category, {})
 
@@ -123,16 +123,16 @@ class Draws(ABC):
 
     @property
     def shares_maps(self) -> bool:
-        """Whether the assets of the folder share texture maps by links."""
+        """Whether the assets of the folder share texture maps through links."""
         return False
 
     @abstractmethod
     def files(self, item: Item) -> dict[str, bytes]:
-        """Return the files of an item by path; one of them is its `asset.json`."""
+        """Return the files of an item by path, including its `asset.json`."""
 
     @abstractmethod
     def finish(self, target: Target, records: Sequence[Mapping[str, Any]]) -> None:
-        """Write the files that are common to all assets."""
+        """Write the files common to all assets."""
 
     def placed(self, target: Target) -> Self:
         """Return the plan with the defaults of a place."""
@@ -165,7 +165,7 @@ class Plan(Draws):
         layout: Layout of its files.
         collision: Kind of its colliders.
         textures: Place of its texture maps; by default shared in a folder and embedded at a URL.
-        texture_size: Texels on a side of a map.
+        texture_size: Texels per side of a map.
         mesh_precision: Largest deviation of exported meshes from the shape [m].
     """
 
@@ -179,7 +179,7 @@ class Plan(Draws):
     mesh_precision: float = 0.0
 
     def __post_init__(self) -> None:
-        """Refuse an impossible plan before anything is written.
+        """Check the plan before anything is written.
 
         Raises:
             ParameterError: A category, number or override is unknown or not allowed.
@@ -194,12 +194,12 @@ class Plan(Draws):
 
     @property
     def shares_maps(self) -> bool:
-        """Whether the assets of the folder share texture maps by links."""
+        """Whether the assets of the folder share texture maps through links."""
         return self.textures == "shared"
 
     @property
     def texels(self) -> int:
-        """Texels on a side of the maps; 0 where there are none."""
+        """Texels per side of the maps; 0 for none."""
         return 0 if self.textures == "none" else self.texture_size
 
     def files(self, item: Item) -> dict[str, bytes]:
@@ -225,7 +225,7 @@ class Plan(Draws):
         """Return the plan with the place of texture maps: shared where the target supports links.
 
         Raises:
-            ExportError: Maps are to be shared, and the target does not support links.
+            ExportError: Maps shall be shared, but the target does not support links.
         """
         if self.textures == "shared" and not target.links:
             raise ExportError(
@@ -236,7 +236,7 @@ class Plan(Draws):
 
 
 def rows(records: Iterable[Mapping[str, Any]]) -> dict[str, list[dict[str, Any]]]:
-    """Return a row for each asset that is done, by category: common columns, then parameters."""
+    """Return a row for each finished asset, by category: common columns, then parameters."""
     found: dict[str, list[dict[str, Any]]] = {}
     for record in records:
         if record["state"] == "done":

@@ -1,4 +1,4 @@
-"""Reading a dataset: assets are loaded when they are accessed."""
+"""Reading of a dataset: assets are loaded on access."""
 
 import hashlib
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
@@ -18,7 +18,7 @@ _SHARES = {"train": 0.8, "val": 0.1, "test": 0.1}
 
 
 class Dataset(Sequence[Asset]):
-    """The assets of a folder made by `artgen generate -n`, or a part of them.
+    """The assets of a folder made by `artgen generate -n`, or a subset of them.
 
         assets = artgen.Dataset("doors").filter("door", hand="left")
         parts = assets.split()
@@ -97,17 +97,17 @@ class Dataset(Sequence[Asset]):
         where: Callable[[Mapping[str, Any]], bool] | None = None,
         **parameters: Any,
     ) -> "Dataset":
-        """Return the dataset of those assets that meet all conditions.
+        """Return the dataset of the assets that satisfy all conditions.
 
         Args:
             category: Name of a category, or several names.
             joint: Kind of a joint: `revolute` or `prismatic`.
             where: Condition on the manifest line of an asset.
-            **parameters: Values of drawn parameters: a value, several in a list or set, or a range as a tuple
-                of its lowest and highest value. An asset without the parameter does not meet it.
+            **parameters: Values of drawn parameters: a value, several values in a list or set, or a range as
+                a tuple of its lowest and highest value. Assets without the parameter are excluded.
 
         Raises:
-            ParameterError: No asset here is of such a category, or has such a joint or parameter.
+            ParameterError: No asset here has such a category, joint or parameter.
         """
         wanted = None if category is None else {category} if isinstance(category, str) else set(category)
         self._refuse_unknown("category", wanted or (), (record["category"] for record in self.records))
@@ -129,14 +129,14 @@ class Dataset(Sequence[Asset]):
         return self._of(tuple(record for record in self.records if meets(record)))
 
     def split(self, **shares: float) -> dict[str, "Dataset"]:
-        """Divide the assets by seed, so that no seed is in two parts; by default 80, 10 and 10 %.
+        """Divide the assets by seed, so that each seed is in one part; by default 80, 10 and 10 %.
 
-        Assets of one seed share draws, such as materials, even across categories. The part of a seed depends
-        on the seed and the shares alone: an asset stays in its part when a dataset grows. The sizes of the
-        parts meet the shares on average.
+        Assets with the same seed share draws, such as materials, even across categories. The part of a seed
+        depends only on the seed and the shares: an asset stays in its part when a dataset grows. The sizes of
+        the parts match the shares on average.
 
         Args:
-            **shares: Share of each part, by the name of the part; their sum is 1.
+            **shares: Share of each part by name; their sum is 1.
 
         Raises:
             ParameterError: Their sum is not 1.
@@ -191,7 +191,7 @@ def _matches(drawn: Any, wanted: Any) -> bool:
 
 
 def _part_of(seed: int, shares: Mapping[str, float]) -> str:
-    """Return the part of a seed, the same on every machine."""
+    """Return the part of a seed, equal on every machine."""
     word = hashlib.blake2b(f"split {seed}".encode(), digest_size=8).digest()
     left = int.from_bytes(word, "big") / 2.0**64
     for name, share in shares.items():

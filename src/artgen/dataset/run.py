@@ -1,4 +1,4 @@
-"""The run that fills the folder of a dataset: worker processes make the assets that are missing."""
+"""The run that fills the folder of a dataset: worker processes make missing assets."""
 
 import time
 from collections.abc import Callable
@@ -12,7 +12,7 @@ from artgen.dataset.store import target_of
 from artgen.dataset.workers import run_job
 from artgen.errors import ParameterError
 
-_TRIES = 3  # for an item that ends its process or takes too long
+_TRIES = 3  # tries of an item that ends its process or exceeds the time limit
 
 
 @dataclass(frozen=True)
@@ -20,9 +20,9 @@ class Summary:
     """The result of a run.
 
     Attributes:
-        made: Number of assets that it made.
+        made: Number of assets made in this run.
         kept: Number of assets that existed before.
-        failed: The manifest lines of the assets that cannot be made, of this run and of earlier ones.
+        failed: Manifest lines of the assets that failed, in this run and earlier ones.
         seconds: Duration of the run [s].
     """
 
@@ -45,26 +45,26 @@ def generate_many(
 ) -> Summary:
     """Make all assets of a plan in a folder or at a URL, with a manifest and tables of their parameters.
 
-    The files depend on the plan alone, not on the number of processes or of interruptions: a run in a folder
-    of the same plan makes the missing assets. An asset that cannot be made is a line of the manifest with
-    its error; an asset that ended its process, or took too long, is tried again twice, and by the next run.
+    The files depend only on the plan, not on the number of processes or interruptions: a run in a folder with
+    the same plan makes the missing assets. A failed asset is a line of the manifest with its error. An asset
+    that ended its process or exceeded the time limit is tried twice again, and by the next run.
 
     Args:
-        plan: The plan: a `Plan`, or an `ImagePlan` for pictures instead of files of the assets.
-        directory: A folder, or a URL that fsspec can open; created if necessary. An existing one is empty or
-            holds a dataset of the same plan.
+        plan: A `Plan`, or an `ImagePlan` for pictures instead of files of the assets.
+        directory: A folder, or a URL that fsspec can open; created if necessary. An existing one must be
+            empty or hold a dataset with the same plan.
         jobs: Number of processes; by default the number of cores of this process or of the cluster.
         engine: `local` processes, or `ray`.
         address: Address of a running Ray cluster; by default that of the variable RAY_ADDRESS, or a cluster
             is started here.
         limit: Time limit for one asset [s].
-        progress: Called with each line that is added to the manifest.
+        progress: Called with each new line of the manifest.
         begin: Called at the beginning with the number of missing assets.
 
     Raises:
         ParameterError: `jobs` is less than one, or there is no such engine.
-        ExportError: The folder holds something else, another run writes to it, the disk refuses, or there is
-            no such cluster; finished assets stay.
+        ExportError: The folder holds something else, another run writes to it, the disk reports an error, or
+            there is no such cluster; finished assets stay.
     """
     if jobs is not None and jobs < 1:
         raise ParameterError(f"at least one process has to work, not {jobs}")

@@ -1,7 +1,7 @@
 """A dataset at a URL that fsspec can open: `s3://bucket/set`, `gs://`, `sftp://`, ...
 
-Object stores support no renaming, links or locks. Therefore the `asset.json` of an asset is written last, a
-directory without one counts as absent, and an object with the name of the process marks a run.
+Object stores have no renaming, links or locks. Therefore the `asset.json` of an asset is written last, a
+directory without it counts as absent, and an object with the name of the process marks a run.
 """
 
 import atexit
@@ -26,7 +26,7 @@ from artgen.dataset.disk import LOCK_FILE, PLAN_FILE, Disk, unseen
 from artgen.errors import ExportError
 from artgen.export.files import write_files
 
-_EVERY = 30.0  # time between two writes of a file that grows [s]
+_EVERY = 30.0  # time between two writes of a growing file [s]
 
 
 class Store:
@@ -42,13 +42,13 @@ class Store:
     def __init__(self, url: str) -> None:
         self.url = url.rstrip("/")
         with self._told():
-            self._files.invalidate_cache()  # other processes write to it too
+            self._files.invalidate_cache()  # other processes write to it as well
 
     def __str__(self) -> str:
         return self.url
 
     def __reduce__(self) -> tuple[type["Store"], tuple[str]]:
-        """Pickle the URL alone: another process makes its own connections and cache."""
+        """Pickle the URL only: another process makes its own connections and cache."""
         return Store, (self.url,)
 
     def absolute(self) -> "Store":
@@ -71,7 +71,7 @@ class Store:
                     self._files.rm_file(self._at(LOCK_FILE))
 
     def names(self) -> list[str]:
-        """Return the names of the files and folders in the place, without those of a run itself."""
+        """Return the names of the files and folders in the place, without those of the run."""
         with self._told():
             try:
                 found = self._files.ls(self._root, detail=True)
@@ -88,7 +88,7 @@ class Store:
         return self.contents([path]).get(path)
 
     def contents(self, paths: Iterable[str]) -> dict[str, bytes]:
-        """Return the contents of those files that exist."""
+        """Return the contents of the existing files."""
         places = {self._at(path): path for path in paths}
         if not places:
             return {}
@@ -105,11 +105,11 @@ class Store:
             self._pipe({path: content})
 
     def lines(self, path: str, text: str) -> "StoreLines":
-        """Begin a file that grows by a line at a time."""
+        """Open a file that grows by one line at a time."""
         return StoreLines(self, path, text)
 
     def complete(self, paths: Iterable[str]) -> set[str]:
-        """Return those directories that have an `asset.json`."""
+        """Return the directories that have an `asset.json`."""
         with self._told():
             self._files.invalidate_cache()
             there = set(self._files.find(self._root))
@@ -160,7 +160,7 @@ class Store:
             raise ExportError(f"{self.url} needs fsspec: pip install 'artgen[url]'") from error
         try:
             files, root = url_to_fs(self.url)
-        except (ImportError, ValueError) as error:  # no such protocol, or its package is missing
+        except (ImportError, ValueError) as error:  # unknown protocol, or its package is missing
             raise ExportError(f"{self.url} cannot be opened: {error}") from error
         return files, root.rstrip("/")
 
@@ -184,18 +184,18 @@ class Store:
         self._in_folders(files, lambda: self._files.pipe(content))
 
     def _in_folders(self, paths: Iterable[str], write: Callable[[], None]) -> None:
-        """Write files; create their folders where the store has folders."""
+        """Write files; create their folders in stores with folders."""
         try:
             write()
         except FileNotFoundError:
             parents = {self._at(str(each)) for path in paths for each in PurePosixPath(path).parents[:-1]}
             for folder in sorted({self._root, *parents} - {""}):  # parents first
                 with suppress(FileExistsError):
-                    self._files.mkdir(folder, create_parents=False)  # a bucket that is missing is a mistake
+                    self._files.mkdir(folder, create_parents=False)  # a missing bucket is a mistake
             write()
 
     def _own(self, owner: bytes) -> None:
-        """Mark the place as held by this run; refuse it if another run holds it."""
+        """Mark the place as held by this run; raise ExportError if another run holds it."""
         other = self.read(LOCK_FILE)
         if other is None:
             try:
@@ -203,7 +203,7 @@ class Store:
             except FileExistsError:
                 other = self.read(LOCK_FILE) or owner
             else:
-                other = self.read(LOCK_FILE)  # the last writer, where a store cannot refuse
+                other = self.read(LOCK_FILE)  # the last writer wins if a store cannot refuse
         if other != owner:
             holder = (other or b"unknown").decode(errors="replace")
             raise ExportError(
@@ -225,12 +225,12 @@ class Store:
 
     @contextmanager
     def _told(self) -> Iterator[None]:
-        """Turn any error of a store into an ExportError that names the place."""
+        """Convert any error of a store to an ExportError that names the place."""
         try:
             yield
         except ExportError:
             raise
-        except Exception as error:  # each package has errors of its own
+        except Exception as error:  # each package has its own errors
             reason = " ".join(str(error).split()) or type(error).__name__
             raise ExportError(
                 f"{self} cannot be used: {reason}; check the URL and its credentials"
@@ -238,7 +238,7 @@ class Store:
 
 
 class StoreLines:
-    """A file that grows; it is written as a whole from time to time, because objects cannot grow."""
+    """A growing file; it is written as a whole at intervals, because objects cannot grow."""
 
     def __init__(self, store: Store, path: str, text: str) -> None:
         self._store, self._path = store, path
@@ -253,7 +253,7 @@ class StoreLines:
             self._write()
 
     def close(self) -> None:
-        """Write the lines that are still missing."""
+        """Write the remaining lines."""
         if self._new:
             self._write()
 

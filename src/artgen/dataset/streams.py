@@ -1,4 +1,4 @@
-"""Endless assets, generated on the fly for training."""
+"""Endless assets for training, generated on demand."""
 
 import logging
 import sys
@@ -16,7 +16,7 @@ _log = logging.getLogger("artgen")
 
 
 class Stream(Iterable[Asset]):
-    """Endless assets of some categories in turn, from consecutive seeds; see `stream`.
+    """Endless assets of several categories in turn, from consecutive seeds; see `stream`.
 
     Attributes:
         categories: Names of the categories.
@@ -32,7 +32,7 @@ class Stream(Iterable[Asset]):
         return _stream_of, (self.categories, self.seed, self.options)
 
     def __iter__(self) -> Iterator[Asset]:
-        """Yield assets without end; a worker of a PyTorch DataLoader yields its share of them."""
+        """Yield assets endlessly; a worker of a PyTorch DataLoader yields its share."""
         number, step = _share()
         while True:
             category = self.categories[number % len(self.categories)]
@@ -45,16 +45,16 @@ class Stream(Iterable[Asset]):
 
 
 def stream(categories: str | Iterable[str], *, seed: int = 0, **options: Any) -> Stream:
-    """Return an endless stream of assets, generated when they are accessed.
+    """Return an endless stream of assets, generated on access.
 
     Each iteration begins with the first seed. In a PyTorch DataLoader, each worker, forked or spawned,
-    generates its share; pass `batch_size=None` or a `collate_fn`, as assets are not tensors. The stream is an
-    `IterableDataset` if torch was imported before.
+    generates its share; pass `batch_size=None` or a `collate_fn`, because assets are not tensors. The stream
+    is an `IterableDataset` if torch was imported before.
 
         loader = torch.utils.data.DataLoader(artgen.stream("door"), batch_size=None, num_workers=4)
 
     Args:
-        categories: Name of a category, or several names, which take turns.
+        categories: Name of a category, or several names in turn.
         seed: The first seed.
         **options: Options of `artgen.generate`: values and distributions of parameters, `certify=False`, ...
 

@@ -1,4 +1,4 @@
-"""Jobs whose tasks run in processes of their own with a time limit, and that can be interrupted."""
+"""Jobs whose tasks run in worker processes with a time limit and can be interrupted."""
 
 import multiprocessing
 import os
@@ -17,7 +17,7 @@ from multiprocessing.process import BaseProcess
 from types import ModuleType
 from typing import Any, Literal, Protocol
 
-_THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")  # each process has one core
+_THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")  # one core per process
 _START = 60.0  # time limit for the start of a process, added to that of its first task [s]
 
 State = Literal["done", "failed", "timed out", "crashed"]
@@ -29,8 +29,8 @@ class Ending:
 
     item: Any  # the argument of the task
     state: State  # `failed`: it raised an exception; `crashed`: its process died
-    value: Any = None  # return value; None unless it is done
-    message: str = ""  # error message or traceback; empty if it is done
+    value: Any = None  # return value; None unless it succeeded
+    message: str = ""  # error message or traceback; empty after success
 
     @property
     def reason(self) -> str:
@@ -43,21 +43,21 @@ Engine = Callable[..., Iterator[Ending]]
 
 
 class Job(Protocol):
-    """Work on many items that can be interrupted, because each item is on record as soon as it is done."""
+    """Interruptible work on many items; each item is recorded as soon as it is done."""
 
     @property
     def task(self) -> Callable[[Any], Any]:
         """The function that runs in a worker process, on one item."""
 
     def left(self) -> Iterable[Any]:
-        """Return the items that are not on record."""
+        """Return the items without a record."""
 
     def add(self, ending: Ending) -> Any:
-        """Put an item on record, and return the record."""
+        """Record an item, and return the record."""
 
 
 def run_job(job: Job, engine: Engine, *, limit: float, tries: int = 1) -> Iterator[Any]:
-    """Do the remaining items of a job, and yield each record after it was added.
+    """Process the remaining items of a job, and yield each record after it was added.
 
     A task that ends its process, or takes longer than `limit` [s], runs up to `tries` times.
     """
@@ -174,11 +174,11 @@ def _unnamed_main() -> Iterator[None]:
 
 @contextmanager
 def _deaf() -> Iterator[None]:
-    """Block Ctrl-C for new processes while they start; they inherit the blocked signals."""
+    """Block Ctrl-C in new processes while they start; they inherit the blocked signals."""
     if not hasattr(signal, "pthread_sigmask"):
         yield
         return
-    resource_tracker.ensure_running()  # started later, it would lift the block
+    resource_tracker.ensure_running()  # a later process would unblock it
     before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
     try:
         yield
@@ -187,7 +187,7 @@ def _deaf() -> Iterator[None]:
 
 
 def _work(task: Callable[[Any], Any], pipe: Connection) -> None:
-    """Answer one item after another, until the other end of the pipe is closed or the parent is gone."""
+    """Answer one item after another, until the other end of the pipe is closed or the parent has ended."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the parent
     threading.Thread(target=_end_with_parent, daemon=True).start()
     pipe.send(None)

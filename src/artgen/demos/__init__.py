@@ -1,6 +1,6 @@
 """Demonstrations of the scripted policy in a task, in the HDF5 layout of robomimic; needs `artgen[demos]`.
 
-`artgen demos OpenDrawer -n 100 --out DIR` and `make_demos` write `DIR/demo.hdf5`, which imitation code reads.
+`artgen demos OpenDrawer -n 100 --out DIR` and `make_demos` write `DIR/demo.hdf5` for imitation learning.
 """
 
 from artgen.demos.episode import Demo, record

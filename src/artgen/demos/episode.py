@@ -10,7 +10,7 @@ from artgen.errors import EnvError, ParameterError, nearest
 
 Array = NDArray[Any]
 
-_AFTERWARDS = 40  # most steps after success, in which the hand lets go
+_AFTERWARDS = 40  # most steps after success, in which the hand releases
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,7 +44,7 @@ class Demo:
 
 
 def check_task(task: str) -> None:
-    """Refuse an unknown task, or any task where the environments are not installed."""
+    """Check that a task exists and the environments are installed."""
     try:
         from artgen.envs import TASKS
     except ImportError as error:
@@ -59,8 +59,8 @@ def record(task: str, seed: int, *, image: int = 0, noise: float = 0.0) -> Demo:
     Args:
         task: Name of the task.
         seed: Seed of the asset and of all random numbers.
-        image: Pixels on a side of the pictures among the observations; 0 for none.
-        noise: Standard deviation of the noise that is added to the motion of the arm.
+        image: Pixels per side of the pictures in the observations; 0 for none.
+        noise: Standard deviation of the noise on the motion of the arm.
 
     Raises:
         ParameterError: There is no such task.
@@ -83,7 +83,7 @@ def record(task: str, seed: int, *, image: int = 0, noise: float = 0.0) -> Demo:
 
 
 def _episode(env: Any, policy: Any, seed: int, image: int, noise: float) -> Demo:
-    """Step through an episode, and some more steps after success."""
+    """Step through an episode, with some more steps after success."""
     env.reset(seed=seed, options={"asset": seed})
     scene, rng = env.unwrapped, np.random.default_rng((seed, 1))
     states, seen = [_state(scene)], [_observations(scene, image)]

@@ -1,4 +1,4 @@
-"""Many demonstrations of a task, made by processes and written in the order of their seeds.
+"""Many demonstrations of a task, recorded by processes and written in the order of their seeds.
 
 The HDF5 layout is that of robomimic: a group for each demonstration, and lists for training and validation.
 
@@ -35,15 +35,15 @@ DEMO_FILE = "demo.hdf5"
 """The file with all demonstrations."""
 
 VALID_EVERY = 10
-"""One of so many demonstrations is for validation."""
+"""Every n-th demonstration is for validation."""
 
 _ATTEMPTS = ".attempts"  # folder of the attempts of an unfinished run
 _PLAN = "plan.json"
 _LIMIT = 900.0  # time limit for one attempt [s]
 _SPARE = 10  # attempts in addition to twice the number of demonstrations
 _SERIES = ("actions", "applied", "rewards", "dones", "states")
-_OBSERVED = "obs/"  # begins the names of observations in the file of an attempt
-_GYM = 2  # number of robomimic for environments of Gymnasium
+_OBSERVED = "obs/"  # prefix of the names of observations in the file of an attempt
+_GYM = 2  # robomimic's type of Gymnasium environments
 
 
 @dataclass(frozen=True)
@@ -54,7 +54,7 @@ class DemoSummary:
         file: The file that it wrote.
         demos: Number of demonstrations.
         steps: Number of their steps in all.
-        failed: The reason why a seed gave no demonstration, by seed.
+        failed: Reason for each seed without a demonstration.
         seconds: Duration of the run [s].
     """
 
@@ -76,17 +76,17 @@ def make_demos(
     jobs: int | None = None,
     progress: Callable[[bool], None] = lambda succeeded: None,
 ) -> DemoSummary:
-    """Record successes of the scripted policy in a task, each with another asset.
+    """Record successful demonstrations of the scripted policy in a task, each with another asset.
 
-    The bytes of the file depend on the task, the count, the seed, the image size and the noise alone.
+    The bytes of the file depend only on the task, count, seed, image size and noise.
 
     Args:
         task: Name of the task, such as `OpenDrawer`.
         count: Number of demonstrations.
-        out: Folder for `demo.hdf5`, which is complete or absent; one of an earlier run is replaced. An
-            interrupted run is continued from its attempts, which are in the folder `.attempts` until the end.
+        out: Folder for `demo.hdf5`, which is complete or absent and replaces one of an earlier run. An
+            interrupted run continues from its attempts, which are in the folder `.attempts` until the end.
         seed: Seed of the first asset; the others follow.
-        image: Pixels on a side of the pictures among the observations; 0 for none.
+        image: Pixels per side of the pictures in the observations; 0 for none.
         noise: Standard deviation of a disturbance of the arm's actions, so that demonstrations include
             corrections; `actions` are those of the policy, `applied` the disturbed ones.
         jobs: Number of processes; by default the number of cores.
@@ -95,7 +95,8 @@ def make_demos(
     Raises:
         ParameterError: There is no such task, or a number is out of its range.
         EnvError: A package of the environments is not installed.
-        ExportError: h5py is not installed, `demo.hdf5` exists and is not of artgen, or the disk refuses.
+        ExportError: h5py is not installed, `demo.hdf5` exists and was not written by artgen, or the disk
+            reports an error.
         CheckError: The policy fails too often; nothing is written.
     """
     check_task(task)
@@ -158,7 +159,7 @@ class Attempts:
         return [seed for seed in self._seeds if not self._path(seed).exists()]
 
     def add(self, ending: Ending) -> Ending:
-        """Write the file of an attempt; one that was killed has none, so that the next run repeats it."""
+        """Write the file of an attempt; a killed attempt has none, so the next run repeats it."""
         if ending.state in ("done", "failed"):
             content: dict[str, Any] = {"message": np.array(ending.message)}
             demo: Demo | None = ending.value
@@ -235,7 +236,7 @@ def write_demos(path: Path, demos: Iterable[Demo], environment: str, arguments: 
 
 
 def _put(group: Any, key: str, series: Any) -> None:
-    """Add an array; pictures are compressed one by one."""
+    """Add an array; pictures are compressed individually."""
     packed = series.ndim == 4  # time, rows, columns and colors
     options = {"chunks": (1, *series.shape[1:]), "compression": "gzip"} if packed and len(series) else {}
     group.create_dataset(key, data=series, **options)
@@ -252,7 +253,7 @@ def _hdf5() -> Any:
 
 
 def is_replaceable(path: Path) -> bool:
-    """Tell whether there is no such file, or one with demonstrations of artgen."""
+    """Tell whether there is no such file, or one with demonstrations by artgen."""
     h5py = _hdf5()
     if not path.exists():
         return True

@@ -15,10 +15,10 @@ from artgen.asset import rotation
 from artgen.envs.robot import HAND, PREFIX, simulator
 
 POSITION, ROTATION = 0.05, 0.5
-"""Shift and turn of the tip for an action of 1 [m], [rad]."""
+"""Translation and rotation of the tip for an action of 1 [m], [rad]."""
 
-STIFFNESS = 300.0  # the maximum of robosuite; with its default of 150, seals keep doors shut [1/s^2]
-DAMPING = 2.0 * np.sqrt(STIFFNESS)  # critical [1/s]
+STIFFNESS = 300.0  # maximum of robosuite; with its default of 150, seals keep doors shut [1/s^2]
+DAMPING = 2.0 * np.sqrt(STIFFNESS)  # critical damping [1/s]
 POSTURE = 10.0  # stiffness of the posture in the null space of the tip [1/s^2]
 POSTURE_DAMPING = 2.0 * np.sqrt(POSTURE)
 
@@ -43,7 +43,7 @@ class Control:
         self.at = _slice([joint.qposadr[0] for joint in joints])
         self.dofs = _slice([joint.dofadr[0] for joint in joints])
         self.actuators = _slice([model.actuator(f"{PREFIX}torq_j{number}").id for number in range(1, 8)])
-        # permanent views: to create one takes as long as to read it
+        # permanent views: creating one takes as long as reading it
         whole, inertia = np.zeros((6, model.nv)), np.zeros((model.nv, model.nv))
         self._into, self._jacobian = (whole[:3], whole[3:]), whole[:, self.dofs]
         self._whole_inertia, self._inertia = inertia, inertia[self.dofs, self.dofs]
@@ -54,7 +54,7 @@ class Control:
         self._goal, self._goal_turn = np.zeros(3), np.eye(3)
 
     def begin(self) -> None:
-        """Take the current posture as the one to keep, and the current pose of the tip as its goal."""
+        """Use the current posture as the null-space goal, and the current pose of the tip as its goal."""
         self._posture = self._angles.copy()
         self._goal, self._goal_turn = self._place.copy(), self._turn.copy()
 
@@ -64,7 +64,7 @@ class Control:
         return np.asarray(self._jacobian @ self._speeds)
 
     def aim(self, action: Array) -> None:
-        """Set the goal to a shift and turn of the tip, in units of `POSITION` and `ROTATION`, shape (6,)."""
+        """Set the goal to a translation and rotation of the tip, in units of `POSITION` and `ROTATION`."""
         self._goal = self._place + POSITION * action[:3]
         self._goal_turn = _rotation(ROTATION * action[3:]) @ self._turn
 
@@ -95,7 +95,7 @@ def _slice(indices: Sequence[int]) -> slice:
 
 
 def _turn_between(of: Array, to: Array) -> Array:
-    """Return the turn from one frame to another as an axis times the sine of the angle, shape (3,)."""
+    """Return the rotation between two frames as an axis times the sine of the angle, shape (3,)."""
     turn = to @ of.T
     return 0.5 * np.array([turn[2, 1] - turn[1, 2], turn[0, 2] - turn[2, 0], turn[1, 0] - turn[0, 1]])
 

@@ -1,4 +1,4 @@
-"""Manipulation tasks as environments of Gymnasium: a Panda and an asset, another one in each episode."""
+"""Manipulation tasks as Gymnasium environments: a Panda and an asset, which changes with each episode."""
 
 import math
 from collections.abc import Mapping, Sequence
@@ -21,7 +21,7 @@ RATE = round(1.0 / (STEPS * TIME_STEP))
 """Actions per second [1/s]."""
 
 PROPRIOCEPTION = 30
-"""Size of the observation of the robot alone."""
+"""Size of the observation of the robot only."""
 
 STATE = PROPRIOCEPTION + 17
 """Size of the observation of robot and asset."""
@@ -33,23 +33,23 @@ BONUS = 20.0
 """Reward of success, once."""
 
 NEAR, ALONG = 0.3, 0.7  # shares of nearness and of progress in the reward of a stage
-STEEPNESS = 5.0  # at 0.2 m a quarter of the reward of nearness is left [1/m]
+STEEPNESS = 5.0  # rate of decay of the reward of nearness: a quarter is left at 0.2 m [1/m]
 ACTION = 0.05  # cost of an action of 1 in all directions, as a share of all stages
 _SPEED = 0.5  # factor of speeds in observations, so that most numbers are within 1
 
 _MOST_TRIES = 50  # unsuitable assets in a row before the reset fails
-_SIZES = (16, 4096)  # range of pixels on a side of a picture
+_SIZES = (16, 4096)  # range of pixels per side of a picture
 _OBSERVATIONS = ("state", "rgb")
 _NOT_BEGUN = "{} has not begun; call reset() first"
-JITTER = 0.02  # of the angles of the arm at reset, as in robosuite [rad]
+JITTER = 0.02  # deviation of the arm's angles at reset, as in robosuite [rad]
 
 
 class ManipulationEnv(gymnasium.Env[Any, NDArray[np.float32]]):
     """A Panda that moves the joints of an asset.
 
-    An action has 7 numbers within -1 and 1, at 20 Hz: a shift of the tip, of at most 0.05 m along each axis
-    of the world, a turn, of at most 0.5 rad about each, and the opening of the hand: -1 wide open, 1 closed,
-    with force. The frame of the world is that of the asset.
+    An action has 7 numbers in -1..1, at 20 Hz: a translation of the tip, at most 0.05 m along each world
+    axis, a rotation, at most 0.5 rad about each, and the opening of the hand: -1 wide open, 1 closed, with
+    force. The world frame is that of the asset.
 
     Args:
         task: Name of a task, or a task.
@@ -59,8 +59,8 @@ class ManipulationEnv(gymnasium.Env[Any, NDArray[np.float32]]):
         in_turn: Whether each reset takes the next asset rather than a random one; a reset with a seed
             continues from the asset at that index, modulo their number.
         terminate_on_success: Whether an episode ends when the task is done.
-        size: Pixels on a side of the pictures.
-        textures: Texels on a side of the texture maps in pictures; 0 for plain colors.
+        size: Pixels per side of the pictures.
+        textures: Texels per side of the texture maps in pictures; 0 for plain colors.
         scenes: Number of compiled assets that the process caches for all its environments; one takes about
             15 MB.
         places: Number of variants of the task on each asset: the place of the robot, the pose of its hand,
@@ -121,7 +121,7 @@ class ManipulationEnv(gymnasium.Env[Any, NDArray[np.float32]]):
         """Begin an episode with another asset.
 
         Args:
-            seed: Seed of all random numbers from this reset on.
+            seed: Seed of all random numbers after this reset.
             options: `asset`: the number of the asset: its index in the folder or list, or its seed.
 
         Raises:
@@ -142,7 +142,7 @@ class ManipulationEnv(gymnasium.Env[Any, NDArray[np.float32]]):
         return self._observed(), self._info()
 
     def step(self, action: Any) -> tuple[Any, float, bool, bool, dict[str, Any]]:
-        """Do an action; return observation, reward, terminated, truncated and info."""
+        """Apply an action; return observation, reward, terminated, truncated and info."""
         scene = self.scene
         taken = np.clip(np.asarray(action, float), -1.0, 1.0)
         if taken.shape != (7,) or not np.isfinite(taken).all():
@@ -202,7 +202,7 @@ class ManipulationEnv(gymnasium.Env[Any, NDArray[np.float32]]):
         return self.scene.data
 
     def tip(self) -> Array:
-        """Return the pose of the middle between the fingers' pads, shape (4, 4) [m]."""
+        """Return the pose of the center between the fingers' pads, shape (4, 4) [m]."""
         return self.scene.tip()
 
     def q(self, joint: str) -> float:
@@ -210,7 +210,7 @@ class ManipulationEnv(gymnasium.Env[Any, NDArray[np.float32]]):
         return self.scene.q(joint)
 
     def reached(self) -> tuple[bool, ...]:
-        """Tell for each stage whether it is done: its joint was at the goal, or still is if it must stay."""
+        """Tell for each stage whether it is done: its joint was at the goal, and still is if it must stay."""
         return tuple(self._done)
 
     def state(self) -> NDArray[np.float32]:
@@ -222,8 +222,8 @@ class ManipulationEnv(gymnasium.Env[Any, NDArray[np.float32]]):
         """Return a picture of the current scene, shape (size, size, 3).
 
         Args:
-            size: Pixels on a side.
-            camera: `front`, beside the robot, or `hand`, on the hand.
+            size: Pixels per side.
+            camera: `front`, next to the robot, or `hand`, on the hand.
             shadows: Whether there are shadows; without a graphics card they take more than twice the time.
 
         Raises:
@@ -271,7 +271,7 @@ class ManipulationEnv(gymnasium.Env[Any, NDArray[np.float32]]):
         return found.scene(), target
 
     def _note(self) -> None:
-        """Update the progress of the stages; a stage is done only after those before it."""
+        """Update the progress of the stages; a stage can be done only after the earlier ones."""
         before = True
         for number, stage in enumerate(self.target.stages):
             position = self.scene.q(stage.joint)
@@ -281,7 +281,7 @@ class ManipulationEnv(gymnasium.Env[Any, NDArray[np.float32]]):
         self._handle = handle(self.scene, self._stage()[1])
 
     def _stage(self) -> tuple[int, Stage]:
-        """Return the current stage, the last one if all are done, with its number."""
+        """Return the current stage, or the last one if all are done, with its number."""
         stages = self.target.stages
         number = self._done.index(False) if False in self._done else len(stages) - 1
         return number, stages[number]
@@ -347,7 +347,7 @@ def handle(scene: TaskScene, stage: Stage) -> Array:
 
 
 def proprioception(scene: TaskScene, base: Array) -> NDArray[np.float32]:
-    """Return the observation of the robot alone, shape (30,).
+    """Return the observation of the robot only, shape (30,).
 
     In order: angles of the arm (7) [rad], half their speeds (7) [rad/s], vector from base to tip (3) [m],
     x and z axes of the tip (6), half its velocity (3) [m/s], half its angular velocity (3) [rad/s], opening

@@ -11,10 +11,10 @@ from artgen.asset.affordance import Affordance
 from artgen.asset.gripper import GRIPPER
 
 OPEN = GRIPPER.stroke
-"""Widest opening of the hand [m]."""
+"""Largest opening of the hand [m]."""
 
 BACK, FAR_BACK = 0.10, 0.16
-"""Distance at which the hand begins its approach: usually, and where chance would do the task [m]."""
+"""Distance of the start of the approach: usually, and if random motion would do the task [m]."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,7 +35,7 @@ class Move:
 
     joint: str  # name of the joint that it moves
     until: float  # position at which the joint is released [rad or m]
-    contact: Contact | None  # None to keep the last contact
+    contact: Contact | None  # None keeps the last contact
 
 
 @dataclass(frozen=True, eq=False)
@@ -48,7 +48,7 @@ class Stage:
         goal: Position at which the stage is reached, or beyond it in the direction from `start` [rad or m].
         affordance: Grasp or push that moves it.
         moves: Motions of the scripted policy.
-        holds: Whether the joint must stay at the goal in later stages; a lever need not.
+        holds: Whether the joint must stay at the goal in later stages, unlike a lever.
     """
 
     joint: str
@@ -63,7 +63,7 @@ class Stage:
         return float(np.clip((position - self.start) / (self.goal - self.start), 0.0, 1.0))
 
     def reached(self, position: float) -> bool:
-        """Tell whether a position is the goal or beyond it."""
+        """Tell whether a position is at the goal or beyond it."""
         return position >= self.goal if self.goal > self.start else position <= self.goal
 
 
@@ -73,8 +73,8 @@ class Target:
 
     Attributes:
         stages: The joints to move, in order.
-        start: Positions of free joints at reset; the others are at rest [rad or m].
-        base: Pose of the base of the robot in asset coordinates, turned about z only, shape (4, 4) [m].
+        start: Positions of free joints at reset; others are at rest [rad or m].
+        base: Pose of the base of the robot in asset coordinates, rotated about z only, shape (4, 4) [m].
         arm: Angles of the arm at reset, shape (7,) [rad].
         hand: Pose of the tip at reset in asset coordinates, shape (4, 4) [m].
     """
@@ -104,14 +104,14 @@ def lifted(pose: Array, along: float) -> Array:
 
 
 def turned(pose: Array, axis: int, angle: float) -> Array:
-    """Return a pose turned in place about one of its own axes, shape (4, 4)."""
+    """Return a pose rotated in place about one of its own axes, shape (4, 4)."""
     result = pose.copy()
     result[:3, :3] = rotation(pose[:3, axis], angle) @ pose[:3, :3]
     return result
 
 
 def between(first: Array, second: Array, shift: float, turn: float) -> list[Array]:
-    """Return poses between two, without both, at most a shift [m] and a turn [rad] apart."""
+    """Return poses between two, without both, at most a distance [m] and an angle [rad] apart."""
     vector = rotation_vector(second[:3, :3] @ first[:3, :3].T)
     angle = float(np.linalg.norm(vector))
     apart = second[:3, 3] - first[:3, 3]

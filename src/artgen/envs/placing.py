@@ -1,4 +1,4 @@
-"""Places of the robot and orientations of its hand from which the whole of a task is within reach."""
+"""Places of the robot and orientations of its hand from which a whole task is within reach."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -22,20 +22,21 @@ _ROUNDS = 4
 _BATCH = 4  # paths of the hand that are compared
 _GOOD = 0.4  # score at which the search ends
 _POSTURES = 2  # initial postures of the arm at each base
-_DISTANCES = (0.40, 0.50, 0.60, 0.70)  # from the contact to the base [m]
-_ANGLES = np.radians([0.0, 20.0, -20.0, 40.0, -40.0, 60.0, -60.0, 85.0, -85.0])  # of the base [rad]
+_DISTANCES = (0.40, 0.50, 0.60, 0.70)  # distance from the contact to the base [m]
+# directions of the base [rad]
+_ANGLES = np.radians([0.0, 20.0, -20.0, 40.0, -40.0, 60.0, -60.0, 85.0, -85.0])
 _ABOVE = (0.15, 0.30, 0.45, 0.60)  # height of the hand over the base [m]
-_STEP = 0.05  # least height of a table over the base beside it [m]
+_STEP = 0.05  # least height of a table above the base next to it [m]
 _FOOT = 0.16  # half the width of the pedestal [m]
 _MISS = 2e-3  # largest error of the tip [m]
 _MOST_COMBINED, _COMBINED = 5000, 24  # combinations that are sorted, and that are tried
 _APART = (0.15, 0.4)  # largest step between poses of the tip [m], [rad]
 _JUMP = 1.0  # largest change of an angle between poses [rad]
 _TILTS = np.radians([0.0, 25.0, -25.0, 45.0, -45.0, 60.0, -60.0])
-_JITTER = 0.02  # of the hand at reset [m]
+_JITTER = 0.02  # distances of the hand at reset [m]
 _ROOM = 0.004  # clearance of the hand [m]
 _FARTHER = (0.03, 0.08)  # distance of the reset pose beyond the start of the approach [m]
-_TABLE = 1.0  # its height, more than a robot reaches down [m]
+_TABLE = 1.0  # height of a table, more than a robot reaches down [m]
 _GRAZE = 0.001  # gap between the table and the asset [m]
 _UNIT = np.stack(np.meshgrid(*[[-1.0, 1.0]] * 3, indexing="ij"), axis=-1).reshape(-1, 3)
 
@@ -138,10 +139,10 @@ def place(
 ) -> Target | None:
     """Return a target with a place for the robot; None if there is no place.
 
-    The hand is turned about its approach, and tilted where it would collide; bases are tried around the
-    contact at several distances and heights. The result is the base that is farthest from singular postures,
-    among those from which the arm follows the whole path within its limits and without collision. A raised
-    asset stands on a table, and the robot stands lower.
+    The hand is rotated about its approach, and tilted if it would collide; bases are tried around the contact
+    at several distances and heights. The result is the base farthest from singular postures, among those from
+    which the arm follows the whole path within its limits and without collision. A raised asset stands on a
+    table, and the robot stands next to it.
     """
     obstacles = Obstacles(asset, raised=raised)
     options = [

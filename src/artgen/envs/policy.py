@@ -15,14 +15,14 @@ if TYPE_CHECKING:
 
 
 _NEAR, _AT = 0.015, 0.004  # accuracy of intermediate poses and of contacts [m]
-_TURN_MATTERS = 0.05  # distance that counts as much as a turn of 1 rad [m]
+_TURN_MATTERS = 0.05  # distance equivalent to a rotation of 1 rad [m]
 _SLOW = 0.4  # speed of an approach, over the full speed
-_CLOSING = 10  # actions for the closing of the fingers
-_OPENING = 6  # actions for their opening
+_CLOSING = 10  # actions for closing the fingers
+_OPENING = 6  # actions for opening them
 _LEAD = (0.02, 0.10)  # least and largest distance of the aim ahead of the hand [m]
 _MORE = 0.004  # growth of that distance with each action without progress [m]
-_STUCK = 60  # actions without progress after which the hand grasps again
-_IDLE, _NEARER = 8, 0.001  # actions in which the hand has to come nearer by this distance [m]
+_STUCK = 60  # actions without progress before the hand grasps again
+_IDLE, _NEARER = 8, 0.001  # actions in which the hand has to approach by this distance [m]
 _TAKEN = 3  # attempts at one contact
 
 Aim = tuple[Array, float]
@@ -30,7 +30,7 @@ Aim = tuple[Array, float]
 
 
 class ScriptedPolicy:
-    """Does the task of an environment with the true positions of joints and the true frames of grasps.
+    """Performs the task of an environment with the true positions of joints and the true frames of grasps.
 
     It starts again after each reset of the environment.
 
@@ -45,7 +45,7 @@ class ScriptedPolicy:
         self._last: Aim | None = None
         self._opening = OPEN
         self._kept: dict[str, float] = {}  # positions of joints that the hand still holds
-        self._ahead: dict[str, float] = {}  # offsets of the aim that keep them there
+        self._ahead: dict[str, float] = {}  # offsets of the aim for these joints
         self.done = False
         """Whether it has finished and released the asset."""
 
@@ -108,7 +108,7 @@ class ScriptedPolicy:
         yield from self._go(lifted(here, -contact.back), _NEAR)
 
     def _go(self, pose: Array, near: float, speed: float = 1.0) -> Iterator[Aim]:
-        """Go straight to a pose, until the hand is near it or comes no nearer."""
+        """Move straight to a pose, until the hand is near it or stops approaching."""
         best, idle = np.inf, 0
         while idle < _IDLE:
             tip = self._env.tip()

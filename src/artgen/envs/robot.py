@@ -37,13 +37,13 @@ OPENING = 0.04
 ROBOT_BIT, ASSET_BIT = 2, 1
 """Bits of MuJoCo's `contype` for contacts: an asset is exported with the first bit alone."""
 
-_PEDESTAL = (0.11, 0.11)  # half its width and depth [m]
+_PEDESTAL = (0.11, 0.11)  # half of its width and depth [m]
 _PEDESTAL_MIDDLE = -0.04  # x of the pedestal, under the foot of the arm [m]
 _INSTALL = "pip install 'artgen[envs]'"
-_SQUEEZE = 40.0  # largest force of a finger [N]; with the 20 N of robosuite, heavy doors slip
+_SQUEEZE = 40.0  # largest force of a finger [N]; with robosuite's 20 N, heavy doors slip
 _FINGER_STIFFNESS = 4000.0  # [N/m]
 
-# from each joint to the next at angle 0, as in the model of robosuite: a turn about x and a shift
+# from each joint to the next at angle 0, as in robosuite's model: a rotation about x and a translation
 _TURNS = (0.0, -0.5, 0.5, 0.5, -0.5, 0.5, 0.5)  # [pi]
 _SHIFTS = np.array(
     [
@@ -82,11 +82,11 @@ the joints, shape (n, 3), and radii, shape (n,) [m]."""
 _MIDDLE = LIMITS.mean(axis=1)
 _DAMPING = 0.03
 _MARGIN = 0.05  # distance from the limits [rad]
-_LONGEST = 0.35  # largest change of an angle in one step [rad]
+_LONGEST = 0.35  # largest change of an angle per step [rad]
 
 
 def files() -> Path:
-    """Return the directory of the models of robosuite, without the import of robosuite, which takes seconds.
+    """Return the directory of robosuite's models, without importing robosuite, which takes seconds.
 
     Raises:
         EnvError: robosuite is not installed.
@@ -136,7 +136,7 @@ def _strengthen_fingers(arm: Any) -> None:
 
 
 def _strip(arm: Any, *, visual: bool) -> None:
-    """Remove sensors and, if not wanted, visual surfaces; set the bits of contacts."""
+    """Remove sensors and optionally visual surfaces; set the bits of contacts."""
     for sensor in list(arm.sensors):
         arm.delete(sensor)
     for geom in list(arm.geoms):
@@ -155,7 +155,7 @@ def _strip(arm: Any, *, visual: bool) -> None:
 
 
 def _slim(finger: Any, side: float, box: Any) -> None:
-    """Make a finger the box of certified grasps; the hull of its mesh is up to three times as thick."""
+    """Replace a finger by the box of certified grasps; the hull of its mesh is up to three times as thick."""
     half = np.array([GRIPPER.wide, GRIPPER.thick, GRIPPER.long]) / 2.0
     finger.type, finger.meshname = box, ""
     finger.size, finger.pos = half, (0.0, side * half[1], half[2])
@@ -172,7 +172,7 @@ def simulator() -> Any:
 
 
 def _link(axis: int, turn: float, shift: Array) -> Array:
-    """Return the pose of a shift and a turn about one of its axes, shape (4, 4) [m, rad]."""
+    """Return the pose of a translation and a rotation about one of its axes, shape (4, 4) [m, rad]."""
     result, first = np.eye(4), (axis + 1) % 3
     sine, cosine = np.sin(turn), np.cos(turn)
     result[first : first + 2, first : first + 2] = [[cosine, -sine], [sine, cosine]]  # axis 0 or 2
@@ -204,7 +204,7 @@ def frames(angles: Array) -> Array:
 
 
 def reach(angles: Array, tips: Array, steps: int) -> tuple[Array, Array]:
-    """Solve inverse kinematics by some steps of damped least squares within the limits of the joints.
+    """Solve inverse kinematics by several steps of damped least squares within the limits of the joints.
 
     From initial postures, shape (n, 7) [rad], to poses of the tips in the frame of the base, shape (n, 4, 4).
     Returns the postures and the errors of the tips: meters plus a tenth of the radians, shape (n,).
@@ -218,7 +218,7 @@ def reach(angles: Array, tips: Array, steps: int) -> tuple[Array, Array]:
         lever = np.cross(axes, poses[:, None, 7, :3, 3] - places)
         jacobian = np.concatenate([lever, axes], axis=2)  # (n, 7, 6)
         square = np.einsum("nji,njk->nik", jacobian, jacobian) + _DAMPING**2 * np.eye(6)
-        # a pull towards the middle of the ranges that does not move the tip
+        # a pull towards the centers of the ranges that does not move the tip
         pull = 0.02 * (_MIDDLE - angles)
         wanted = error - np.einsum("nji,nj->ni", jacobian, pull)
         step = pull + np.einsum("nij,nj->ni", jacobian, np.linalg.solve(square, wanted[..., None])[..., 0])
@@ -229,7 +229,7 @@ def reach(angles: Array, tips: Array, steps: int) -> tuple[Array, Array]:
 
 
 def _error(poses: Array, tips: Array) -> Array:
-    """Return the shifts and turns from poses to desired tips, shape (n, 6) [m, rad]."""
+    """Return the translations and rotations from poses to desired tips, shape (n, 6) [m, rad]."""
     result = np.empty((len(poses), 6))
     result[:, :3] = tips[:, :3, 3] - poses[:, :3, 3]
     turn = tips[:, :3, :3] @ poses[:, :3, :3].transpose(0, 2, 1)

@@ -1,4 +1,4 @@
-"""An asset and a Panda in one MuJoCo model, in the coordinates of the asset, and pictures of it."""
+"""An asset and a Panda in one MuJoCo model, in asset coordinates, and pictures of it."""
 
 import warnings
 import xml.etree.ElementTree as ET
@@ -24,22 +24,22 @@ TIME_STEP = 0.0025
 """Time step of the physics [s]: half the time constant of contacts and limits in the exports."""
 
 STEPS = 20
-"""Steps of the physics in one action."""
+"""Physics steps per action."""
 
 CAMERAS = {"front": "scene_front", "hand": f"{PREFIX}eye_in_hand"}
-"""Names in the model of a camera beside the robot, and of one on its hand."""
+"""Names of a camera next to the robot, and of one on its hand."""
 
-STEPS_OF_TORQUES = 4  # steps of the physics with the same torques of the arm
+STEPS_OF_TORQUES = 4  # physics steps with the same torques of the arm
 SHUT = 0.001  # smaller openings of each finger mean that the hand squeezes [m]
 _FLOOR, _TABLE, _LIGHT = "scene_floor", "scene_table", "scene_light"
 _AMBIENT, _HEADLIGHT, _LAMP = 0.28, 0.3, 0.5  # ambient light, light from the camera and from above
 _LIGHT_GOES = (0.3, 0.5, -1.0)
 _DEEP = 0.02  # least height of the pedestal [m]
-_VISUAL_GROUP, _GROUPS = 2, 6  # the geom group of visual surfaces, and the number of groups
+_VISUAL_GROUP, _GROUPS = 2, 6  # geom group of visual surfaces, and number of groups
 
 
 class TaskScene:
-    """A compiled model with its state; `place` sets the beginning of a task.
+    """A compiled model with its state; `place` sets up a task.
 
     The names of the asset are unchanged; those of the robot begin with `robot_`.
 
@@ -50,7 +50,7 @@ class TaskScene:
         control: Controller of the arm.
         fingers: Indices of the two motors of the hand.
         finger_at: Indices of the two fingers in `qpos`.
-        speeds: Speeds of the joints of asset and robot, a view of the state.
+        speeds: Speeds of the joints of asset and robot, as a view of the state.
     """
 
     def __init__(self, asset: Asset, model: Any) -> None:
@@ -74,7 +74,7 @@ class TaskScene:
         self._qpos, self.speeds = self.data.qpos, self.data.qvel
 
     def place(self, target: Target, arm: Array) -> None:
-        """Set the beginning of a task, with the arm at some angles, shape (7,) [rad], and all at rest."""
+        """Set up a task, with the arm at given angles, shape (7,) [rad], and everything at rest."""
         self._mujoco.mj_resetData(self.model, self.data)
         self._put_robot(target.base)
         for name, position in self.asset.positions(target.start).items():
@@ -137,7 +137,7 @@ class TaskScene:
         return pose
 
     def _put_robot(self, base: Array) -> None:
-        """Put the robot on a pedestal, on the floor of the asset or on a lower one beside a table."""
+        """Put the robot on a pedestal, on the floor of the asset or on a lower one next to a table."""
         body = self.model.body(f"{PREFIX}base")
         floor = float(base[2, 3]) if base[2, 3] < -_DEEP else 0.0
         body.pos[:], body.quat[:] = base[:3, 3], quaternion(base)
@@ -152,13 +152,13 @@ class TaskScene:
         if floor < 0.0:
             middle[2], half[2] = 0.5 * (float(low[2]) + floor), 0.5 * (float(low[2]) - floor)
         else:
-            middle[2], half[2] = floor - 1.0, _DEEP  # out of sight
+            middle[2], half[2] = floor - 1.0, _DEEP  # out of view
         self._put_box(self.model.geom(_TABLE), middle, half)
 
     def _put_box(self, box: Any, middle: Array, half: Sequence[float]) -> None:
         """Set center and half sizes of a box of the model."""
         box.pos[:], box.size[:] = middle, half
-        # bounds of collision detection
+        # bounds for collision detection
         self.model.geom_aabb[box.id][3:] = half
         self.model.geom_rbound[box.id] = np.linalg.norm(half)
 
@@ -202,7 +202,7 @@ def compiled(asset: Asset, *, visual: bool = False, textures: int = 0) -> Any:
         name=_FLOOR,
         type=mujoco.mjtGeom.mjGEOM_PLANE,
         size=(0.0, 0.0, 0.05),
-        pos=(0.0, 0.0, -1.0),  # anywhere but the origin, where it would stay
+        pos=(0.0, 0.0, -1.0),  # anywhere but the origin, where the camera would stay
         rgba=(0.72, 0.71, 0.69, 1.0),
         group=2,
         # a fixed asset needs no floor: only the robot touches it
@@ -222,7 +222,7 @@ def compiled(asset: Asset, *, visual: bool = False, textures: int = 0) -> Any:
     )
     for first, second in apart(asset):
         spec.add_exclude(bodyname1=first, bodyname2=second)
-    with warnings.catch_warnings():  # the files of the robot are on the disk, those of the asset in memory
+    with warnings.catch_warnings():  # the robot's files are on disk, those of the asset in memory
         warnings.filterwarnings("ignore", message="Attaching a child without asset dict")
         spec.attach(panda(visual=visual), frame=world.add_frame(), prefix=PREFIX)
     world.add_camera(name=CAMERAS["front"], fovy=45.0)
@@ -242,9 +242,9 @@ def compiled(asset: Asset, *, visual: bool = False, textures: int = 0) -> Any:
 def apart(asset: Asset) -> list[tuple[str, str]]:
     """Return the pairs of links of an asset that cannot collide.
 
-    Links never collide as long as the dependencies of the asset hold, and contacts enforce these, such as
-    that of a bolt. So only pairs can collide that are separated by a joint and by another joint on which it
-    depends, and pairs that touch by design. The other pairs would take most of the time of a simulation.
+    Links never collide as long as the dependencies of the asset hold, which contacts enforce, such as that of
+    a bolt. So only pairs can collide that are separated by a joint and by another joint on which it depends,
+    and pairs with allowed contacts. The other pairs would take most of the simulation time.
     """
     chains: dict[str, frozenset[str]] = {asset.links[0].name: frozenset()}
     for parent, child, joints in asset.pairs():
@@ -279,7 +279,7 @@ def _strip(root: ET.Element) -> None:
 
 
 class Pictures:
-    """Draws scenes without a window; it keeps the graphics resources of the last one."""
+    """Renders scenes without a window; it keeps the graphics resources of the last one."""
 
     def __init__(self) -> None:
         self._scene: TaskScene | None = None

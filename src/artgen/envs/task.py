@@ -25,8 +25,8 @@ Chooser = Callable[[Asset, np.random.Generator], Iterator[Choice]]
 """Yields the possible stages of a task on an asset, in random order."""
 
 _AJAR = 0.40  # opening of a dishwasher by its handle [rad]
-_STEEP = 1.0  # least opening of a dishwasher in all [rad]
-_PAST = 0.08  # distance of the scripted policy beyond a goal, over the distance to the goal
+_STEEP = 1.0  # least total opening of a dishwasher [rad]
+_PAST = 0.08  # distance of the scripted policy beyond a goal, relative to the distance to the goal
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,7 +40,7 @@ class Task:
         doc: Description, in one sentence.
         choose: Yields the possible stages of the task on an asset.
         overrides: Values or distributions of parameters for assets that have the part.
-        raised: Whether the asset stands on a table beside the robot.
+        raised: Whether the asset stands on a table next to the robot.
     """
 
     name: str
@@ -52,14 +52,14 @@ class Task:
     raised: bool = False
 
     def generate(self, seed: int) -> Asset:
-        """Generate an asset that is suitable for the task; it is not certified."""
+        """Generate an asset that is suitable for the task, without a certificate."""
         return generate(self.category, seed, certify=False, **self.overrides)
 
     def target(self, asset: Asset, rng: np.random.Generator) -> Target:
         """Return the stages of the task on an asset, and a place of a Panda from which it reaches them.
 
         Args:
-            asset: An asset of any category that has the parts.
+            asset: An asset of any category with the required parts.
             rng: Draws the part, the place of the robot, and the pose of its hand.
 
         Raises:
@@ -98,9 +98,9 @@ def one_joint(
         part: Part of the names of its links.
         kind: Kind of the contact.
         joint_kind: Kind of the joint.
-        share: Goal, over the range of the joint.
-        at_least: Goal where `share` is 0 [rad or m].
-        back: Start of the approach; far for joints that chance moves easily [m].
+        share: Goal as a share of the range of the joint.
+        at_least: Goal if `share` is 0 [rad or m].
+        back: Start of the approach; far for joints that random motion moves easily [m].
     """
 
     def choose(asset: Asset, rng: np.random.Generator) -> Iterator[Choice]:
@@ -138,7 +138,7 @@ def shuffled(items: list[Affordance], rng: np.random.Generator) -> list[Affordan
 def stage(
     asset: Asset, affordance: Affordance, share: float, at_least: float = 0.0, *, back: float = BACK
 ) -> Stage:
-    """Return the stage that moves the nearest joint of an affordance from rest upwards."""
+    """Return the stage that moves the nearest joint of an affordance from rest towards larger positions."""
     joint = asset.joint(affordance.joints[0])
     assert joint.limits is not None
     start, end = joint.closed, joint.limits[1]
@@ -149,7 +149,7 @@ def stage(
 
 
 def push_door(asset: Asset, rng: np.random.Generator) -> Iterator[Choice]:
-    """Yield the turn of a lever, which frees the latch, and the push of the leaf with the same grasp."""
+    """Yield the rotation of a lever, which frees the latch, and the push of the leaf with the same grasp."""
     for grasp in shuffled(found(asset, "handle", "grasp", "revolute"), rng):
         lever, *others = (asset.joint(name) for name in grasp.joints)
         hinge = next((each for each in others if each.kind == "revolute" and each.needs is not None), None)
@@ -194,9 +194,9 @@ def _frees(asset: Asset, blocked: str, lever: str) -> float:
 
 
 def open_dishwasher(asset: Asset, rng: np.random.Generator) -> Iterator[Choice]:
-    """Yield the door, pulled ajar and then pressed down from within, and a rack behind it.
+    """Yield the door, pulled ajar and then pressed down from inside, and a rack behind it.
 
-    Racks that need the door less open come first.
+    Racks that need a smaller opening of the door come first.
     """
     grasp = found(asset, "door", "grasp", "revolute")[0]
     door = asset.joint(grasp.joints[0])
@@ -216,7 +216,7 @@ def open_dishwasher(asset: Asset, rng: np.random.Generator) -> Iterator[Choice]:
 
 
 def _from_within(asset: Asset, grasp: Affordance, ajar: Array, beside: float) -> Contact:
-    """Return the contact of closed fingers with the inner side of the upper edge of a door that is ajar.
+    """Return the contact of closed fingers with the inside of the upper edge of a door that is ajar.
 
     They point to the hinge, come from above the edge, and press the door down.
     """
@@ -311,7 +311,7 @@ _TASKS = (
 )
 
 TASKS = {task.name: task for task in _TASKS}
-"""Every task by its name."""
+"""All tasks by name."""
 
 
 Source = str | Path | Dataset | Sequence[Asset] | range | None
@@ -321,14 +321,14 @@ _SEEDS = 2**31  # number of all seeds
 
 
 class Assets:
-    """The assets of a task by number, made or read on access.
+    """Assets of a task by number, made or read on access.
 
     Args:
         task: The task.
-        source: Their source; in a folder or dataset, those of the task's category.
+        source: Source of the assets; in a folder or dataset, those of the task's category.
 
     Raises:
-        EnvError: There are none, or some in a list are of another category.
+        EnvError: There are no assets, or some in a list have another category.
         ExportError: The folder holds no dataset.
 
     Attributes:
@@ -361,7 +361,7 @@ class Assets:
         return int(self.keys[int(rng.integers(len(self.keys)))])
 
     def identity(self, key: int) -> Hashable:
-        """Return the key of an asset in the cache, the same for equal sources and tasks."""
+        """Return the key of an asset in the cache, equal for equal sources and tasks."""
         if self._known is None:
             return self.task
         if isinstance(self._known, Dataset):
@@ -416,11 +416,11 @@ class CompiledAsset:
         return compiled(self.asset, visual=self._visual, textures=self._textures)
 
     def scene(self) -> TaskScene:
-        """Return a scene with a model of its own, whose robot can move."""
+        """Return a scene with its own model, whose robot can move."""
         return TaskScene(self.asset, copy.copy(self._model))
 
     def target(self, number: int) -> Target:
-        """Return a variant of the task; it depends on the asset and the number alone."""
+        """Return a variant of the task, which depends only on the asset and the number."""
         if number not in self._targets:
             try:
                 self._targets[number] = self._task.target(
@@ -438,7 +438,7 @@ _cache: OrderedDict[Hashable, CompiledAsset] = OrderedDict()
 
 
 def compiled_asset(assets: Assets, key: int, *, visual: bool, textures: int, most: int) -> CompiledAsset:
-    """Return the compiled asset of a number from the cache of the process, which keeps the `most` recent."""
+    """Return the compiled asset of a number from the cache of the process with the `most` recent ones."""
     name = (assets.identity(key), key, visual, textures)
     if name not in _cache:
         while len(_cache) >= most:

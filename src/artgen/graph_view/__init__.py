@@ -20,7 +20,7 @@ from artgen.view.web.page import Page, filled, packed, three_js
 from artgen.view.web.page import read as read_viewer
 
 _ABSENT = object()
-_ALL = 10**7  # values: a cache that forgets nothing
+_ALL = 10**7  # most values in the cache: unlimited
 
 
 def graph_record(
@@ -63,7 +63,7 @@ def graph_record(
 
 
 def _declared(name: str, values: Mapping[str, Any]) -> str:
-    """Return the name by which a category declares what is drawn as `leaf.stile`: `leaf.panelled.stile`."""
+    """Return the declared name of a parameter with the drawn name `leaf.stile`: `leaf.panelled.stile`."""
     chooser, _, last = name.rpartition(".")
     return f"{_declared(chooser, values)}.{values[chooser].name}.{last}" if chooser else name
 
@@ -73,7 +73,7 @@ def _value(node: Node, evaluation: Evaluation, cache: Cache) -> Any:
 
 
 def _described(node: Node, number: Mapping[str, int], authors: Authors) -> dict[str, Any]:
-    """Describe the operation of a node, and the author's line."""
+    """Return the operation of a node and the author's line."""
     where, source = authors.line_of(node)
     given = node.inputs.get("label") or node.inputs.get("name")
     return {
@@ -89,8 +89,8 @@ def _described(node: Node, number: Mapping[str, int], authors: Authors) -> dict[
 
 
 def _outcome(node: Node, value: Any, evaluation: Evaluation, gallery: Gallery) -> dict[str, Any]:
-    """Say what a node gave, what that took, and how it looks."""
-    if value is _ABSENT:  # the other branch of a switch
+    """Return the value of a node, its cost, and its geometry."""
+    if value is _ABSENT:  # in the other branch of a switch
         return {"state": "unused", "value": "", "ms": 0.0, "shape": []}
     seconds = evaluation.node_seconds.get(node.key)
     ran = "cached" if seconds is None else "computed"
@@ -104,7 +104,7 @@ def _outcome(node: Node, value: Any, evaluation: Evaluation, gallery: Gallery) -
 
 _OF_VIEWER = ("elements.js", "orbit.js", "signs.js")
 _SCRIPTS = ("visible.js", "drawing.js", "geometry.js", "details.js", "main.js")
-_EXPORT = "export const { layout, Graph } = dagre;"  # how dagre ends, as a module
+_EXPORT = "export const { layout, Graph } = dagre;"  # end of dagre as a module
 
 
 def graph_page(
@@ -119,16 +119,16 @@ def graph_page(
 
     Args:
         generator: A category or generator.
-        seed: Decides every draw.
+        seed: Seed of all draws.
         overrides: A value or a distribution by parameter name.
-        change: Overrides with which the graph is evaluated a second time, from the cache of the first: the
-            page then shows which nodes were computed again.
-        height: Of the cell of a notebook [pixels].
+        change: Overrides of a second evaluation with the cache of the first: the page then shows which nodes
+            were computed again.
+        height: Height of the notebook cell [pixels].
 
     Raises:
         ParameterError: The seed, an override or a change is unknown or not allowed.
         ArtgenError: The graph cannot be built or evaluated.
-        RenderError: The library that lays graphs out is not installed.
+        RenderError: The library for graph layout is not installed.
     """
     layout = dagre_js()
     data, meshes = graph_record(generator, seed, overrides or {}, change or {})
@@ -146,7 +146,7 @@ def graph_page(
 
 @lru_cache(maxsize=1)
 def dagre_js() -> str:
-    """Return dagre, which lays out layered graphs and comes with Netron: a script that defines `dagre`."""
+    """Return dagre, which lays out layered graphs, from Netron: a script that defines `dagre`."""
     try:
         script = files("netron").joinpath("dagre.js").read_text(encoding="utf-8")
     except (ModuleNotFoundError, FileNotFoundError) as error:

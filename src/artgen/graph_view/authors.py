@@ -1,4 +1,4 @@
-"""Which function of an author made a node, and with which statement."""
+"""The author's function and statement of a node."""
 
 import ast
 import linecache
@@ -8,24 +8,24 @@ from pathlib import PurePath
 from artgen.graph.node import PARAMETER, Node
 
 PARAMETERS = "parameters"
-"""The group of the nodes that stand for what is drawn."""
+"""Group of the nodes of parameters."""
 
-_LINES = 12  # of a statement that are shown
+_LINES = 12  # most lines of a statement that are shown
 
 
 class Source:
-    """The functions and statements of a file, or of a cell of a notebook.
+    """Functions and statements of a file, or of a notebook cell.
 
     Attributes:
         functions: The functions.
-        statements: First and last line of each statement that holds no other.
+        statements: First and last line of each statement without inner statements.
     """
 
     def __init__(self, file: str) -> None:
         self._lines = linecache.getlines(file)
         try:
             tree = ast.parse("".join(self._lines))
-        except (SyntaxError, ValueError):  # edited since it was run
+        except (SyntaxError, ValueError):  # edited since it was executed
             tree = ast.Module([], [])
         nodes = list(ast.walk(tree))
         self.functions = [node for node in nodes if isinstance(node, ast.FunctionDef)]
@@ -36,7 +36,7 @@ class Source:
         ]
 
     def function(self, line: int) -> ast.FunctionDef | None:
-        """Return the innermost function at a line, its decorators included."""
+        """Return the innermost function at a line, including its decorators."""
         inside = [each for each in self.functions if _first(each) <= line <= (each.end_lineno or 0)]
         return max(inside, key=_first, default=None)
 
@@ -54,7 +54,7 @@ class Source:
         return None
 
     def text(self, first: int, last: int) -> str:
-        """Return some lines as they are written, without their common indent."""
+        """Return lines without their common indentation."""
         lines = self._lines[first - 1 : min(last, first + _LINES - 1)]
         return textwrap.dedent("".join(lines)).rstrip()
 
@@ -66,7 +66,7 @@ class Authors:
         self._sources: dict[str, Source] = {}
 
     def group_of(self, node: Node) -> str:
-        """Return the name of the author's function that made a node, such as `doors.shelf`."""
+        """Return the name of the author's function of a node, such as `doors.shelf`."""
         if node.op == PARAMETER:
             return PARAMETERS
         file, line = _place(node)
@@ -76,7 +76,7 @@ class Authors:
         return module if function is None else f"{module}.{function.name}"
 
     def line_of(self, node: Node) -> tuple[str, str]:
-        """Return the place of the line that made a node, without folders, and its statement."""
+        """Return the place of the line of a node, without folders, and its statement."""
         file, line = _place(node)
         source = self._source(file)
         found = None

@@ -1,4 +1,4 @@
-"""The geometry of nodes: each mesh once, and where it stands in the value of which node."""
+"""Geometry of nodes: each mesh once, with its places in the values of nodes."""
 
 from typing import Any
 
@@ -9,17 +9,17 @@ from artgen.asset.shape import Curve, MovedShape, Outline, Shape
 from artgen.asset.tree import Tree
 
 _BLANK = (0.72, 0.74, 0.76)  # linear color of a solid without a material
-_MOST_POINTS = 400  # of a cloud
-_STEPS = 65535  # places along one side of a mesh: a hundredth of a millimetre on a door
-_DIGITS = 6  # of positions [m]
+_MOST_POINTS = 400  # most points of a cloud
+_STEPS = 65535  # positions along one side of a mesh: a hundredth of a millimetre on a door
+_DIGITS = 6  # tolerance of positions [m]
 
 
 class Gallery:
     """Collects the geometry of the nodes of a graph.
 
     Attributes:
-        meshes: For each mesh, how many vertices and triangles it has, and its bounding box; the numbers
-            themselves are in `blob`, one mesh after the other.
+        meshes: Number of vertices and triangles and bounding box of each mesh; the numbers themselves are in
+            `blob`, one mesh after the other.
         items: Meshes in their places, lines, points and axes.
     """
 
@@ -30,7 +30,7 @@ class Gallery:
         self._size = 0
         self._numbers: dict[int, int] = {}
         self._placed: dict[Any, int] = {}
-        self._kept: list[Shape] = []  # so that no other shape gets the identity of one that is gone
+        self._kept: list[Shape] = []  # kept, so that no other shape gets the same identity
 
     @property
     def blob(self) -> bytes:
@@ -38,7 +38,7 @@ class Gallery:
         return b"".join(self._content)
 
     def add(self, value: Any) -> list[int]:
-        """Enter the value of a node and return the numbers of its items; there are none of a number."""
+        """Add the value of a node and return the numbers of its items; empty for a number."""
         if isinstance(value, Shape):
             return [self._shape(value, _BLANK)]
         if isinstance(value, Tree):
@@ -66,7 +66,7 @@ class Gallery:
         if key not in self._placed:
             item = {"mesh": mesh, "color": [round(part, 3) for part in color]}
             if not np.array_equal(matrix, np.eye(4)):
-                item["matrix"] = np.round(matrix.T.ravel(), _DIGITS).tolist()  # by columns, as WebGL has it
+                item["matrix"] = np.round(matrix.T.ravel(), _DIGITS).tolist()  # by columns, for WebGL
             self._placed[key] = self._item(item)
         return self._placed[key]
 
@@ -83,7 +83,8 @@ class Gallery:
             mesh.triangles.astype("<u4" if wide else "<u2"),
         ):
             content = numbers.tobytes()
-            self._content.append(content + bytes(-len(content) % 4))  # the next one begins at a multiple of 4
+            # the next mesh begins at a multiple of 4
+            self._content.append(content + bytes(-len(content) % 4))
         self.meshes.append(
             {
                 "vertices": len(mesh.vertices),

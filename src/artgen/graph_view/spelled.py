@@ -1,4 +1,4 @@
-"""Values and inputs of nodes in a few words."""
+"""Short texts for values and inputs of nodes."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -10,8 +10,8 @@ from artgen.asset.shape import Curve, Outline, Shape
 from artgen.asset.tree import Tree
 from artgen.graph.node import Node
 
-_NAMES = 4  # so many names are spelled out
-_LONGEST = 60  # characters of a literal
+_NAMES = 4  # most names in a text
+_LONGEST = 60  # most characters of a literal
 _TURNED = (4, 4)  # shape of a frame
 
 
@@ -40,7 +40,7 @@ def value_text(value: Any) -> str:
 
 
 def input_text(value: Any, number: Mapping[str, int]) -> list[str | int]:
-    """Describe an input; numbers in the result stand for nodes."""
+    """Describe an input; numbers in the result refer to nodes."""
     if isinstance(value, Node):
         return [number[value.key]]
     if isinstance(value, tuple):
@@ -48,7 +48,7 @@ def input_text(value: Any, number: Mapping[str, int]) -> list[str | int]:
         for index, item in enumerate(value):
             parts += [", "] * (index > 0) + input_text(item, number)
         return [*parts, ")"]
-    if isinstance(value, Mapping):  # JSON data that stand for an object: {"$material": {"name": ...}}
+    if isinstance(value, Mapping):  # JSON data of an object: {"$material": {"name": ...}}
         tag, data = next(iter(value.items()), ("", ""))
         named = data.get("name") if isinstance(data, Mapping) else data
         return [_cut(f"{str(tag).removeprefix('$')} {named}")]

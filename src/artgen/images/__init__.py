@@ -1,4 +1,4 @@
-"""Pictures for training: random cameras, lights and poses, with masks of the parts in the format of COCO."""
+"""Pictures for training: random cameras, lights and poses, with masks of the parts in COCO format."""
 
 from artgen.images.plan import ImagePlan, make_images
 

@@ -29,15 +29,15 @@ _PLAIN_SKY = (0.80, 0.80, 0.80)
 
 _ASIDE = 0.7  # largest shift of the asset off the center, over the free width beside it
 _MOVED = 0.7  # share of the joints that are away from rest
-_FREED = 0.7  # probability that a blocking joint is moved, rather than the blocked joint put back
+_FREED = 0.7  # probability that a blocking joint is moved instead of the blocked joint
 _ROUNDS = 8  # rounds of freeing blocked joints
 
 
 def random_positions(asset: Asset, draw: np.random.Generator) -> dict[str, float]:
     """Return positions of the free joints that satisfy all dependencies [rad or m].
 
-    Most joints stand anywhere between their limits, some at rest. For a blocked joint, the joint that blocks
-    it is moved (the door for a rack), or the joint is put back. A certified asset has no collision there.
+    Most joints stand anywhere between their limits, some at rest. For a blocked joint, either the blocking
+    joint is moved (the door for a rack), or the joint is put back. A certified asset has no collision there.
     """
     free = {joint.name: joint for joint in asset.free_joints}
     limits = {name: joint.limits or (-math.pi, math.pi) for name, joint in free.items()}
@@ -48,7 +48,7 @@ def random_positions(asset: Asset, draw: np.random.Generator) -> dict[str, float
         for name in asset.blocked(q):
             joint = asset.joint(name)
             q |= _freeing(asset, joint, free, draw) if freed[name] else _back(asset, joint, free)
-    # joints that are still blocked go back, which may block others: until nothing changes
+    # joints that are still blocked go back, which may block others: repeat until nothing changes
     while blocked := [name for name in asset.blocked(q) if _is_away(asset, name, q, free)]:
         for name in blocked:
             q |= _back(asset, asset.joint(name), free)
@@ -100,7 +100,7 @@ def random_camera(
     azimuth: float,
     margin: tuple[float, float],
 ) -> Camera:
-    """Return a camera with all points in its square picture, somewhat off the center."""
+    """Return a camera with all points in its square picture, slightly off center."""
     height = draw.uniform(math.sin(elevation[0]), math.sin(elevation[1]))
     view = View(
         float(draw.uniform(-azimuth, azimuth)),
@@ -176,30 +176,30 @@ class Setting:
     zenith: Color = _PLAIN_SKY  # color of the sky at the zenith
     floor: int = -1  # index of the floor; -1 for none
     floor_tint: Color = (1.0, 1.0, 1.0)  # factor of its colors
-    floor_turn: float = 0.0  # turn about z [rad]
+    floor_turn: float = 0.0  # rotation about z [rad]
     wall: int = -1  # index of the wall behind the asset; -1 for none
     wall_tint: Color = (1.0, 1.0, 1.0)  # factor of its colors
-    wall_turn: float = 0.0  # turn about z [rad]
-    wall_distance: float = 1.5  # from the center of the asset, over the radius of the asset
+    wall_turn: float = 0.0  # rotation about z [rad]
+    wall_distance: float = 1.5  # distance from the center of the asset, relative to its radius
 
 
 @dataclass(frozen=True)
 class Surroundings:
-    """The floors and walls that the pictures of one asset choose from."""
+    """Floors and walls for the pictures of one asset."""
 
     floors: tuple[str, ...] = ()  # materials of the floors
     walls: tuple[str, ...] = ()  # materials of the walls
 
 
 def random_surroundings(random: Collection[str], draw: np.random.Generator) -> Surroundings:
-    """Return three random floors and walls for the pictures of an asset, as far as they are random."""
+    """Return three random floors and walls for the pictures of an asset, as far as they vary."""
     floors = tuple(str(each) for each in draw.choice(FLOORS, 3, replace=False))
     walls = tuple(str(each) for each in draw.choice(WALLS, 3, replace=False))
     return Surroundings(floors if "floor" in random else (), walls if "backdrop" in random else ())
 
 
 def random_setting(around: Surroundings, random: Collection[str], draw: np.random.Generator) -> Setting:
-    """Return random light and surroundings of a picture; the rest is plain."""
+    """Return random light and surroundings of a picture; parts that do not vary are plain."""
     light = _random_light(draw) if "light" in random else Light()
     plain = "backdrop" not in random
     horizon, zenith = (_PLAIN_SKY,) * 2 if plain else (_random_color(draw), _random_color(draw))

@@ -1,4 +1,4 @@
-"""The pictures of one asset with their annotations, and the COCO files of a set."""
+"""Pictures of one asset with their annotations, and the COCO files of a set."""
 
 import json
 from collections.abc import Mapping, Sequence
@@ -41,7 +41,7 @@ if TYPE_CHECKING:
 _SKY_TEXELS = 32
 _WIDE = 40.0  # half the size of floors and walls, over the radius of the asset
 _NEARER = 0.15  # nearest depth with a floor, over that of the asset alone
-_SHADOW_TEXELS = {False: 1024, True: 2048}  # of small and of large pictures
+_SHADOW_TEXELS = {False: 1024, True: 2048}  # samples of small and of large pictures
 _LARGE = 640  # least size of large pictures [pixels]
 _TILES = 6  # faces of the sky: right, left, up, down, front, back
 _PNG_LEVEL = 1  # compression: higher levels take longer and save little
@@ -54,7 +54,7 @@ class ImageDress(ClassicDress):
     """Adds floors and walls to the materials of other pictures."""
 
     around: Surroundings = field(default_factory=Surroundings)
-    textures_around: int = 0  # texels on a side of the maps of floors and walls
+    textures_around: int = 0  # texels per side of the maps of floors and walls
     large: bool = True  # whether pictures are large, with finer shadows
 
     def surroundings(self, spec: Any, place: Backdrop) -> None:
@@ -86,7 +86,7 @@ class ImageScene(RenderScene):
 
 
 class ImageRenderer(ClassicRenderer):
-    """Takes pictures of one asset in changing settings; `close` frees the graphics memory."""
+    """Renders one asset in changing settings; `close` frees the graphics memory."""
 
     def __init__(self, asset: Asset, around: Surroundings, textures: int, size: int) -> None:
         dress = ImageDress(around=around, textures_around=textures, large=size >= _LARGE)
@@ -112,7 +112,7 @@ class ImageRenderer(ClassicRenderer):
         return color, *self.surfaces(placed, moved, self._size_of_picture)
 
     def _furnish(self, points: Array) -> None:
-        """Put sky, floor and wall around an asset with some vertices, in studio coordinates."""
+        """Put sky, floor and wall around an asset with given vertices, in studio coordinates."""
         setting, place = self._setting, self.scene.place
         self._paint_sky()
         floor = min(place.floor, float(points[:, 2].min()) - 1e-4 * place.radius)
@@ -213,7 +213,7 @@ PARTS = ("train", "val", "test")
 _BATCH = 64  # number of assets that are read at once
 
 ANNOTATION_FILE = "annotations.json"
-"""The annotations of the pictures of one asset, in its directory; the COCO files are made of these."""
+"""Annotations of the pictures of one asset, in its directory; the COCO files are made from them."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -252,7 +252,7 @@ def pictures_of(item: Item, plan: "ImagePlan") -> dict[str, bytes]:
 
 
 def _shot(asset: Asset, item: Item, plan: "ImagePlan", around: Surroundings, number: int) -> Shot:
-    """Draw one picture's pose, camera and setting."""
+    """Draw pose, camera and setting of one picture."""
     draw = stream(item.seed, f"{item.category}/images/{number}")
     q = random_positions(asset, draw)
     poses = asset.pose(q)
@@ -276,7 +276,7 @@ def _shot(asset: Asset, item: Item, plan: "ImagePlan", around: Surroundings, num
 def _annotated(
     asset: Asset, item: Item, plan: "ImagePlan", shot: Shot, surfaces: NDArray[np.int32], depth: Array
 ) -> tuple[dict[str, bytes], dict[str, Any]]:
-    """Return the files of depth and normals, as far as the plan has them, and the data of a picture."""
+    """Return the files of depth and normals requested by the plan, and the data of a picture."""
     files: dict[str, bytes] = {}
     matrix = extrinsics(shot.camera)
     data: dict[str, Any] = {
@@ -314,7 +314,7 @@ def _annotated(
 def _coded(
     surfaces: NDArray[np.int32], parts: list[tuple[str, str]], ids: Mapping[str, int]
 ) -> list[dict[str, Any]]:
-    """Return the COCO annotation of each visible part of each link, without the ids of a file."""
+    """Return the COCO annotation of each visible part of each link, without file-specific ids."""
     from pycocotools import mask as coder
 
     wanted = list(dict.fromkeys(part for part in parts if part[1]))
@@ -402,8 +402,8 @@ def write_coco(target: Target, records: Sequence[Mapping[str, Any]], plan: "Imag
 def split_of(first: int, count: int, shares: Sequence[float]) -> Mapping[int, str]:
     """Return the part of each seed, the same for all categories.
 
-    Assets of one seed share draws, such as materials, even across categories: so seeds are divided. A seed
-    stays in its part when the set grows, and every part has its share of any number of seeds.
+    Assets with the same seed share draws, such as materials, even across categories; so seeds are divided. A
+    seed stays in its part when the set grows, and the parts match the shares for any number of seeds.
     """
     taken = [0] * len(PARTS)
     found = {}

@@ -1,4 +1,4 @@
-"""A set of images: its plan, and the run that takes the pictures of each asset."""
+"""A set of images: its plan, and the run that renders the pictures of each asset."""
 
 import math
 import os
@@ -23,29 +23,29 @@ PictureFormat = Literal["png", "jpg"]
 Range = tuple[float, float]
 
 RANDOM = ("backdrop", "floor", "light")
-"""Possible random parts of each picture."""
+"""Parts of a picture that can vary."""
 
 
 @dataclass(frozen=True)
 class ImagePlan(Draws):
     """The content of a set of images; two runs with equal plans write the same numbers.
 
-    The bytes of the pictures are the same on one machine; other graphics drivers may color edges differently.
+    The bytes of the pictures are equal on one machine; other graphics drivers may color edges differently.
 
     Attributes:
         images: Number of pictures of each asset.
         size: Width and height of a picture [pixels].
-        labels: Labels that have masks: NAME, or NEW=OLD+OLD to join several, each after CATEGORY: if for one
+        labels: Labels with masks: NAME, or NEW=OLD+OLD to join several, with a prefix CATEGORY: for one
             category only; all labels by default.
-        random: Random parts of each picture, of `RANDOM`; the others are plain.
-        depth: Whether depths are written.
-        normals: Whether normals are written.
+        random: Parts of each picture that vary, a subset of `RANDOM`; the others are plain.
+        depth: Whether to write depths.
+        normals: Whether to write normals.
         field_of_view: Range of the field of view [rad].
         elevation: Range of the camera's angle above the horizon, uniform on the sphere [rad].
         azimuth: Largest angle of the camera to each side of the front; pi is all around [rad].
-        margin: Range of the free margin of a picture, over its size; it determines the distance.
+        margin: Range of the free margin of a picture, relative to its size; it determines the distance.
         samples: Number of samples of shadows and edges.
-        texture_size: Texels on a side of texture maps; 0 for plain colors.
+        texture_size: Texels per side of texture maps; 0 for plain colors.
         picture: File format of pictures.
         split: Shares of the assets for training, validation and test; their sum is 1.
     """
@@ -68,7 +68,7 @@ class ImagePlan(Draws):
     split: tuple[float, ...] = (0.8, 0.1, 0.1)
 
     def __post_init__(self) -> None:
-        """Refuse an impossible plan before anything is written.
+        """Check the plan before anything is written.
 
         Raises:
             ParameterError: A category, label, number or override is unknown or not allowed.
@@ -98,7 +98,7 @@ class ImagePlan(Draws):
         self.vocabulary()
 
     def vocabulary(self) -> "Vocabulary":
-        """Return the labels that have masks.
+        """Return the labels with masks.
 
         Raises:
             ParameterError: A label is unknown, or named twice.
@@ -139,28 +139,28 @@ def make_images(
     progress: Callable[[dict[str, Any]], None] | None = None,
     begin: Callable[[int], None] | None = None,
 ) -> Summary:
-    """Take all pictures of a plan, and list them in the files of COCO: `train.json`, `val.json`, `test.json`.
+    """Render all pictures of a plan, and write the COCO files `train.json`, `val.json` and `test.json`.
 
-    The pictures depend on the plan alone, not on the number of processes or of interruptions: a run in a
-    folder of the same plan makes the missing ones.
+    The pictures depend only on the plan, not on the number of processes or interruptions: a run in a folder
+    with the same plan makes the missing ones.
 
     Args:
         plan: The plan.
-        directory: A folder, or a URL that fsspec can open; created if necessary. An existing one is empty or
-            holds images of the same plan.
+        directory: A folder, or a URL that fsspec can open; created if necessary. An existing one must be
+            empty or hold images of the same plan.
         jobs: Number of processes; by default the number of cores of this process.
-        limit: Time limit for one asset; by default ten minutes, and one more for each picture [s].
-        progress: Called with each line that is added to the manifest.
+        limit: Time limit for one asset; by default ten minutes, and one more per picture [s].
+        progress: Called with each new line of the manifest.
         begin: Called at the beginning with the number of missing assets.
 
     Raises:
         ParameterError: `jobs` is less than one.
         RenderError: MuJoCo, OpenGL or a package is missing; nothing was written.
-        ExportError: The folder holds something else, another run writes to it, or the disk refuses; finished
-            assets stay.
+        ExportError: The folder holds something else, another run writes to it, or the disk reports an error;
+            finished assets stay.
     """
     _check_tools(plan)
-    os.environ.setdefault("LP_NUM_THREADS", "0")  # else Mesa uses all cores in every process
+    os.environ.setdefault("LP_NUM_THREADS", "0")  # otherwise Mesa uses all cores in every process
     limit = 600.0 + 60.0 * plan.images if limit is None else limit
     return generate_many(plan, directory, jobs=jobs, limit=limit, progress=progress, begin=begin)
 
@@ -180,13 +180,13 @@ def _check_tools(plan: ImagePlan) -> None:
 
 @dataclass(frozen=True)
 class Vocabulary:
-    """The labels that have masks."""
+    """Labels with masks."""
 
     names: Mapping[str, Mapping[str, str]]  # name of the mask of a label, by category and label
 
     @staticmethod
     def of(categories: Sequence[str], texts: Sequence[str]) -> "Vocabulary":
-        """Read the labels that have masks; all of them if there are no texts."""
+        """Parse the labels with masks; all labels for an empty list."""
         known = {name: find(name).labels for name in categories}
         if not texts:
             return Vocabulary({name: {label: label for label in labels} for name, labels in known.items()})

@@ -1,6 +1,7 @@
 """The studio: a category in the browser with live parameters and joints.
 
-`session` and what it uses know no browser; `app` serves one with viser, of the extra `artgen[studio]`.
+`session` and its modules are independent of a browser; `app` serves a session with viser, from the extra
+`artgen[studio]`.
 """
 
 from artgen.studio.session import Session

@@ -21,25 +21,25 @@ from artgen.studio.stage import Viewport
 HOST, PORT = "127.0.0.1", 8080
 OUT = Path("out")
 
-_BREATH = 0.1  # after which files, proofs and what was replaced are looked at [s]
-_CALM = 0.5  # that nothing must have changed before a proof is begun [s]
+_BREATH = 0.1  # interval between checks for changed files, finished proofs and replaced objects [s]
+_CALM = 0.5  # time without changes before a proof begins [s]
 _PORTS = 65535
 
 
 class Studio:
     """A session served to browsers.
 
-    Wishes of browsers are kept by name, the last of each; one thread grants them, evaluates, and sends what
-    changed. Whatever goes wrong there is a message in the panel.
+    Requests from browsers are kept by name, the latest of each. One thread handles them, evaluates, and sends
+    the changes. Errors become messages in the panel.
 
     Attributes:
-        session: What is shown; only the studio's thread touches it.
+        session: The session; only the studio's thread uses it.
         stage: The scene.
         panel: The controls.
-        host: Where it is served.
-        port: The same.
-        out: The folder that browsers export below.
-        updates: How long each of the last changes took, from the wish to all being sent [s].
+        host: Address of the server.
+        port: Port of the server.
+        out: Folder below which browsers can export.
+        updates: Durations of the last changes, from the request to the end of sending [s].
     """
 
     def __init__(
@@ -51,7 +51,7 @@ class Studio:
         out: Path = OUT,
         rich_light: bool = True,
     ) -> None:
-        """Begin to serve."""
+        """Start the server."""
         self.session = session
         self.host = host
         self.out = out.resolve()
@@ -88,7 +88,7 @@ class Studio:
         return f"http://{host}:{self.port}/?token={self._token}"
 
     def ask(self, name: str, wish: Callable[[], None]) -> None:
-        """Take a wish; an earlier one of that name that is not granted yet is forgotten."""
+        """Queue a request; it replaces an unhandled request of the same name."""
         with self._changed:
             since = self._wishes.pop(name, (time.monotonic(), wish))[0]
             self._wishes[name] = (since, wish)
@@ -153,7 +153,7 @@ class Studio:
         self.panel.show_fault()
 
     def _look_around(self) -> None:
-        """Look at the file of the category, at the proof, and at what was replaced."""
+        """Check the file of the category, the proof, and replaced objects."""
         self.stage.tidy()
         if self.session.source.saved():
             if self.session.reload():
@@ -176,7 +176,7 @@ class Studio:
             self._prover.start(task)
             self.panel.show_proof("being proven ...")
 
-    # wishes
+    # requests
 
     def _actions(self) -> dict[str, Callable[..., None]]:
         return {
@@ -196,7 +196,7 @@ class Studio:
         }
 
     def set(self, name: str, value: Any) -> None:
-        """Set a parameter; a wish, for `ask`."""
+        """Set a parameter; a request for `ask`."""
         self.session.set(name, value)
         self._stale = True
 
@@ -213,7 +213,7 @@ class Studio:
         self._stale = True
 
     def _move(self, joint: str, position: float) -> None:
-        if joint in self.session.asset.positions():  # it may be gone since
+        if joint in self.session.asset.positions():  # it may not exist any more
             self.session.move(joint, position)
             self._posed(joint)
 
@@ -259,10 +259,10 @@ class Studio:
             tell(self.panel.exported, f"written to {path.resolve()}", "plain")
 
     def _below(self, folder: str) -> Path:
-        """Return a folder below `out`, links followed."""
+        """Return a folder below `out`, with links resolved."""
         try:
             path = (self.out / folder.strip()).resolve()
-        except (OSError, RuntimeError, ValueError):  # a loop of links, a NUL character
+        except (OSError, RuntimeError, ValueError):  # a loop of links, or a NUL character
             path = None
         if path is None or not path.is_relative_to(self.out):
             raise ParameterError(
@@ -273,7 +273,7 @@ class Studio:
 
 
 def _server(host: str, port: int) -> tuple[Any, str]:
-    """Return a guarded viser server at this very port, not the next free one, and the token of its guard."""
+    """Return a guarded viser server at exactly this port, and the token of its guard."""
     try:
         import viser
 
@@ -294,14 +294,14 @@ def _server(host: str, port: int) -> tuple[Any, str]:
             f"viser {viser.__version__} cannot be guarded against other web pages: install another one, "
             'such as pip install "viser==1.1.1"'
         )
-    if port and server.get_port() != port:  # taken since
+    if port and server.get_port() != port:  # taken in the meantime
         _stop(server)
         raise ParameterError(_taken(host, port))
     return server, guard.token
 
 
 def _quiet() -> contextlib.redirect_stdout[io.StringIO]:
-    """Keep viser from printing its own start message."""
+    """Suppress viser's own start message."""
     return contextlib.redirect_stdout(io.StringIO())
 
 

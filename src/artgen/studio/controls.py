@@ -17,38 +17,38 @@ from artgen.sampling.distributions import is_number, shown
 
 Kind = Literal["slider", "number", "menu", "checkbox", "vector", "text"]
 
-_STEPS = 400  # at least, that a slider has
-_ROOM = 0.5  # how far a joint without limits can be pulled either way [m]
+_STEPS = 400  # least number of steps of a slider
+_ROOM = 0.5  # range of a joint without limits in each direction [m]
 
 
 @dataclass(frozen=True)
 class ParameterControl:
     """One parameter in use."""
 
-    name: str  # full name, generators included: `handle.lever_handle.length`
-    short: str  # its name among the parameters of an asset: `handle.length`
-    kind: Kind  # how it is set
-    value: Any  # where it stands: a number, True or False, text, or three numbers
-    hint: str  # how it is drawn, its hard limits, and what it is
-    unit: str = ""  # such as `m`; empty for none
-    low: float | None = None  # least value of a slider, and of a number with hard limits
-    high: float | None = None  # the greatest
-    step: float = 0.0  # between two values of a slider or number
-    options: tuple[str, ...] = ()  # of a menu
+    name: str  # full name with generators: `handle.lever_handle.length`
+    short: str  # name in the parameters of an asset: `handle.length`
+    kind: Kind  # kind of its control
+    value: Any  # current value: a number, True or False, text, or three numbers
+    hint: str  # distribution, hard limits, and description
+    unit: str = ""  # unit, such as `m`; empty for none
+    low: float | None = None  # smallest value of a slider, and of a number with hard limits
+    high: float | None = None  # largest value
+    step: float = 0.0  # step of a slider or number
+    options: tuple[str, ...] = ()  # options of a menu
 
     @property
     def group(self) -> str:
-        """What stands before the name: the parameter and the generator that it belongs to, if any."""
+        """Prefix of the name: the parameter and the generator that it belongs to, if any."""
         return self.name.rpartition(".")[0]
 
     @property
     def shape(self) -> tuple[Any, ...]:
-        """All but the value: a user interface rebuilds a control when this changes."""
+        """All fields but the value: a user interface rebuilds a control when this changes."""
         return (self.name, self.kind, self.hint, self.low, self.high, self.options)
 
 
 def parameters_in_use(generator: Generator, asset: Asset) -> tuple[ParameterControl, ...]:
-    """Return a control for each parameter that an asset of a category was made of, in their order."""
+    """Return a control for each used parameter of an asset of a category, in order."""
     return tuple(_controls(generator.own, asset.parameters, "", ""))
 
 
@@ -88,7 +88,7 @@ def _control(parameter: Parameter, short: str, value: Any, siblings: Mapping[str
 
 
 def _drawn(distribution: Distribution, siblings: Mapping[str, Any]) -> Distribution:
-    """Return the case of a distribution that is in use."""
+    """Return the used case of a distribution."""
     while isinstance(distribution, By):
         case = distribution.case(siblings.get(distribution.parameter))
         if case is None:
@@ -106,7 +106,7 @@ def _hint(distribution: Distribution, drawn: Distribution) -> str:
 
 
 def _options(parameter: Parameter, drawn: Distribution, value: Any) -> tuple[str, ...]:
-    """Return the names of what a menu offers: all that is allowed, or for materials what may be drawn."""
+    """Return the names of the options of a menu: all allowed ones, or for materials all that may be drawn."""
     if is_variant(parameter.kind):
         return tuple(dict.fromkeys(option.name for option in parameter.variants))
     if typing.get_origin(parameter.kind) is Literal:
@@ -117,13 +117,13 @@ def _options(parameter: Parameter, drawn: Distribution, value: Any) -> tuple[str
     if parameter.kind not in (str, Material) or not drawn.discrete or len(drawn.support()) < 2:
         return (str(value),) if parameter.kind is Material else ()
     found = tuple(str(option) if isinstance(option, str) else shown(option) for option in drawn.support())
-    return found if value in found else (str(value), *found)  # a shade has a name of its own
+    return found if value in found else (str(value), *found)  # a shade has its own name
 
 
 def _range(
     distribution: Distribution, drawn: Distribution, value: float
 ) -> tuple[float | None, float | None]:
-    """Return the hard limits, or else what may be drawn and where the value stands."""
+    """Return the hard limits, or else the range of the distribution with the current value."""
     if distribution.within is not None:
         return distribution.within
     numbers = [float(item) for item in drawn.support() if is_number(item)]
@@ -133,7 +133,7 @@ def _range(
 
 
 def _step(width: float) -> float:
-    """Return 1, 2 or 5 times a power of ten, of which a width has at least `_STEPS`."""
+    """Return 1, 2 or 5 times a power of ten, such that a width has at least `_STEPS` steps."""
     rough = width / _STEPS
     power = 10.0 ** math.floor(math.log10(rough))
     step = power * next((factor for factor in (5.0, 2.0) if power * factor <= rough), 1.0)
@@ -141,7 +141,7 @@ def _step(width: float) -> float:
 
 
 def read_value(control: ParameterControl, kind: Any, value: Any) -> Any:
-    """Convert the value of a user interface to that of the parameter."""
+    """Convert a value from a user interface to that of the parameter."""
     if typing.get_origin(kind) is Literal:
         return next((item for item in typing.get_args(kind) if str(item) == value), value)
     if kind is int:
@@ -157,16 +157,16 @@ class JointControl:
 
     name: str  # its name
     unit: str  # `rad` or `m`
-    low: float  # least position, or where a slider begins
-    high: float  # the greatest
-    value: float  # where it stands
-    step: float  # between two positions of a slider
-    hint: str  # what it joins, follows and waits for
+    low: float  # lowest position, or the start of a slider
+    high: float  # highest position
+    value: float  # current position
+    step: float  # step of a slider
+    hint: str  # its links, leader and dependency
     follows: bool  # whether another joint moves it
 
     @property
     def shape(self) -> tuple[Any, ...]:
-        """All but the position: a user interface rebuilds a control when this changes."""
+        """All fields but the position: a user interface rebuilds a control when this changes."""
         return (self.name, self.low, self.high, self.hint, self.follows)
 
 

@@ -1,6 +1,6 @@
-"""The guard of the studio's server: it admits the pages of one session only, and drops malformed messages.
+"""Guard of the studio's server: it admits only the pages of one session, and drops malformed messages.
 
-viser checks neither `Host` nor `Origin`: without a guard, any page in the browser could drive its server.
+viser checks neither `Host` nor `Origin`: without a guard, any page in the browser could control its server.
 """
 
 import asyncio
@@ -24,7 +24,7 @@ from websockets.http11 import Request, Response
 _LOOPBACK = ("127.0.0.1", "localhost", "::1")
 _WILDCARD = ("0.0.0.0", "::")  # noqa: S104 - compared, not bound
 _HOST = re.compile(r"(?:\[([0-9a-f:.]+)\]|([0-9a-z_.-]+))(?::([0-9]{1,5}))?")  # IPv6, name or IPv4, port
-_HTTP_PORT = 80  # of a `Host` header that names no port
+_HTTP_PORT = 80  # default port of a `Host` header
 _MESSAGE_BYTES = 2**20  # largest message; a longer one closes its connection
 _REFUSED = "Open the address that `artgen studio` printed, with its token.\n"
 
@@ -54,7 +54,7 @@ class Guard:
     def installing(self) -> Iterator[None]:
         """Guard the viser server that starts within this context.
 
-        viser passes no option on to `websockets`, so its call of `serve` is replaced meanwhile.
+        viser passes no options to `websockets`, so its call of `serve` is replaced temporarily.
         """
         serve = websockets_server.serve
 
@@ -78,14 +78,14 @@ class Guard:
                 websockets_server.serve = serve  # type: ignore[misc]
 
     def _guarded(self, process: _Process) -> _Process:
-        """Return viser's handler of requests, behind the checks."""
+        """Return viser's request handler with the checks."""
 
         def guarded(connection: ServerConnection, request: Request) -> Response | None:
             port = connection.local_address[1]
             if not self._admits(request, port):
                 return connection.respond(http.HTTPStatus.FORBIDDEN, _REFUSED)
             response = process(connection, request)
-            if response is not None:  # a page, whose WebSocket shows the cookie
+            if response is not None:  # a page, whose WebSocket sends the cookie
                 response.headers["Set-Cookie"] = f"{self._cookie(port)}; Path=/; HttpOnly; SameSite=Strict"
             return response
 

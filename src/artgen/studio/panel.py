@@ -1,4 +1,4 @@
-"""The panel in the browser: parameters, joints, display options, certificate and export."""
+"""Panel in the browser: parameters, joints, display options, certificate and export."""
 
 import html
 import math
@@ -12,10 +12,10 @@ from artgen.studio.session import Session
 from artgen.studio.signs import SIGNS, Sign
 
 Ask = Callable[[str, Callable[[], None]], None]
-"""Takes a wish and its name; of wishes of one name only the last is granted."""
+"""Callback that queues a request by name; the latest request of a name wins."""
 
-_NONE = "(none)"  # how a menu spells an empty text
-_SET = "\N{BULLET} "  # before the name of a parameter that is set
+_NONE = "(none)"  # menu text of an empty string
+_SET = "\N{BULLET} "  # prefix of the name of an overridden parameter
 _MAPS = ("0", "256", "512", "1024")
 _SIGN_NAMES = {
     "colliders": "colliders",
@@ -23,7 +23,7 @@ _SIGN_NAMES = {
     "grasps": "grasp frames",
     "masses": "centers of mass",
 }
-_WITNESSES = 6  # of which there are buttons
+_WITNESSES = 6  # formats with buttons
 _BOX = (
     "margin:0.4em 0.4em 0.6em;padding:0.5em 0.7em;border-radius:4px;font-size:0.8em;overflow-wrap:anywhere;"
 )
@@ -126,7 +126,7 @@ class Panel:
         return tuple(name for name, box in self._formats.items() if box.value)
 
     def _by_person(self, act: Callable[[Any], None], name: str) -> Callable[[Any], None]:
-        """Return a callback that asks for an action where a person, not this program, set the value."""
+        """Return a callback for values set by a user, not by this program."""
 
         def changed(event: Any) -> None:
             if event.client is not None:
@@ -135,10 +135,10 @@ class Panel:
 
         return changed
 
-    # what follows the session
+    # updates from the session
 
     def show(self) -> None:
-        """Follow the session after it made an asset: parameters and joints that it has, and their values."""
+        """Update the panel to a new asset: its parameters and joints, with their values."""
         if self._session.shown is None:
             return
         self._show_parameters(self._session.controls())
@@ -166,7 +166,7 @@ class Panel:
                     handle = self._add(control, float(order))
                 handle.on_update(self._changed(control.name))
                 self._controls[control.name] = (control.shape, handle)
-            elif not self._waits(_wish(control.name)):  # by a person who has moved it on by now
+            elif not self._waits(_wish(control.name)):  # a user has moved it in the meantime
                 handle.value = _displayed(control)
             handle.label = _label(control, is_set=is_set)
         used = {self._key(control.group) for control in controls}
@@ -177,7 +177,7 @@ class Panel:
         return group + "."
 
     def _folder_of(self, group: str, order: int) -> Any:
-        """Return the folder of a generator's parameters, within those of the generators that choose it."""
+        """Return the folder of a generator's parameters, inside the folders of its selecting generators."""
         if not group:
             return self._parameters
         key = self._key(group)
@@ -247,7 +247,7 @@ class Panel:
         return handle
 
     def show_positions(self, moving: str = "") -> None:
-        """Follow the joints of the session; the one that a person holds only where it is held back."""
+        """Update the joints to the session; a joint held by a user only if it is blocked."""
         for joint in self._session.joints():
             handle = self._sliders[joint.name][1]
             if joint.name != moving or self._session.held:
@@ -263,7 +263,7 @@ class Panel:
         asset, milliseconds = session.asset, 1e3 * session.shown.seconds
         runs = sum(session.shown.evaluation.runs.values())
         parts = [f"{asset.name}: {len(asset.links)} links, {len(asset.joints)} joints"]
-        if session.certificate is not None:  # masses take a while: not while something is dragged
+        if session.certificate is not None:  # masses take a while: not while a slider is dragged
             parts[0] += f", {asset.mass:.3g} kg"
             parts.append("proven" if session.certificate.proven else "not proven")
         parts.append(f"{runs} nodes in {milliseconds:.0f} ms")
@@ -314,7 +314,7 @@ def _displayed(control: ParameterControl) -> Any:
 
 
 def _short(value: Any, step: float, low: float | None, high: float | None) -> Any:
-    """Return a number with as many digits as its step has, as a narrow box shows it."""
+    """Return a number with the digits of its step, for a narrow box."""
     digits = max(0, -math.floor(math.log10(step)))
     rounded = round(value, digits)
     lowest, highest = (_as(value, end) for end in (low, high))
@@ -332,18 +332,18 @@ def _as(value: Any, number: float | None) -> Any:
 
 
 def tell(box: Any, text: str, style: str) -> None:
-    """Show text in a box, which is hidden where there is none."""
+    """Show text in a box, which is hidden for an empty text."""
     box.content = _text(text, style) if text else ""
     box.visible = bool(text)
 
 
 def _text(text: str, style: str) -> str:
-    """Return text as HTML in a box; nothing in it is read as HTML."""
+    """Return text as escaped HTML in a box."""
     return f'<div style="{_BOX}white-space:pre-wrap;background:{_COLORS[style]}">{html.escape(text)}</div>'
 
 
 def _code(text: str) -> str:
-    """Return source as HTML with a button that copies it."""
+    """Return source as HTML with a copy button."""
     copy = "navigator.clipboard.writeText(this.previousElementSibling.textContent)"
     return (
         f'<div style="{_BOX}background:{_COLORS["plain"]}">'

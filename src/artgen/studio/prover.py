@@ -1,4 +1,4 @@
-"""The certificate, made in another process so that nobody waits for it, and given up when it is outdated."""
+"""Certification in another process, cancelled when it is outdated."""
 
 import time
 from collections.abc import Mapping
@@ -11,35 +11,35 @@ from artgen.catalog import find
 from artgen.dataset.workers import Ending, Worker
 from artgen.generator import Generator
 
-_LIMIT = 600.0  # that a proof may take [s]
+_LIMIT = 600.0  # time limit of a proof [s]
 
 
 @dataclass(frozen=True)
 class ProofTask:
     """The description of an asset for another process."""
 
-    reference: str  # what the category is found by
-    revision: int  # how often its file was loaded again
-    seed: int  # what is drawn from
-    attempts: int  # how often, at most
-    overrides: Mapping[str, Any] = field(hash=False)  # what is set
+    reference: str  # reference of the category
+    revision: int  # number of reloads of its file
+    seed: int  # seed
+    attempts: int  # most draws
+    overrides: Mapping[str, Any] = field(hash=False)  # overrides
 
 
 @lru_cache(maxsize=1)
 def _category(reference: str, revision: int) -> Generator:
-    """Return the category, which is loaded again when its file was."""
+    """Return the category, loaded again if its file was."""
     return find(reference)
 
 
 def prove(task: ProofTask) -> Certificate:
-    """Make the asset and certify it."""
+    """Generate the asset and certify it."""
     generator = _category(task.reference, task.revision)
     asset, _ = generator.evaluate(task.seed, attempts=task.attempts, certify=False, overrides=task.overrides)
     return asset.certify()
 
 
 class Prover:
-    """Certifies one asset at a time in a process of its own, which is started when it is first needed."""
+    """Certifies one asset at a time in its own process, which starts on first use."""
 
     def __init__(self) -> None:
         self._worker: Worker | None = None
@@ -47,11 +47,11 @@ class Prover:
 
     @property
     def busy(self) -> bool:
-        """Whether a proof is being made."""
+        """Whether a proof is running."""
         return self._busy
 
     def start(self, task: ProofTask) -> None:
-        """Begin a proof; one that was being made is given up."""
+        """Start a proof and cancel a running one."""
         self.cancel()
         if self._worker is None:
             self._worker = Worker(prove, task, _LIMIT)
@@ -60,12 +60,12 @@ class Prover:
         self._busy = True
 
     def cancel(self) -> None:
-        """Give up the proof that is being made, if any."""
+        """Cancel the running proof, if any."""
         if self._busy:
             self.close()
 
     def poll(self) -> Ending | None:
-        """Return how the proof ended; None if it has not, or none was begun."""
+        """Return the result of the proof; None while it runs, or without a proof."""
         if self._worker is None or not self._busy:
             return None
         ending = self._worker.ending(readable=self._worker.pipe.poll())
@@ -77,7 +77,7 @@ class Prover:
         return ending
 
     def wait(self, seconds: float) -> Ending | None:
-        """Return how the proof ended, after that time at most; None if it has not."""
+        """Return the result of the proof after at most a time; None if it still runs."""
         end = time.monotonic() + seconds
         while self._busy and time.monotonic() < end:
             ending = self.poll()

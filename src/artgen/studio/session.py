@@ -24,19 +24,19 @@ from artgen.studio.controls import (
 from artgen.studio.prover import ProofTask
 from artgen.studio.source import CategorySource
 
-_NUDGE = 1e-9  # beyond a place where a dependency begins or ends [rad or m]
+_NUDGE = 1e-9  # distance beyond the threshold of a dependency [rad or m]
 
 
 def moved(
     asset: Asset, q: Mapping[str, float], joint: str, wanted: float
 ) -> tuple[dict[str, float], tuple[str, ...]]:
-    """Move a free joint from where it stands towards a position, until a dependency stops it."""
+    """Move a free joint from its position towards another one, until a dependency stops it."""
     start = asset.positions(q)[joint]
     limits = asset.joint(joint).limits
     end = wanted if limits is None else min(max(wanted, limits[0]), limits[1])
     reached = start
     for place in _places(asset, joint, start, end):
-        # what holds in the middle holds up to the next place where a dependency begins or ends
+        # a condition at the center of an interval holds up to the next threshold of a dependency
         blocked = asset.blocked({**q, joint: (reached + place) / 2.0})
         if blocked:
             return {**q, joint: reached}, blocked
@@ -47,13 +47,13 @@ def moved(
 
 
 def settled(asset: Asset, q: Mapping[str, float]) -> dict[str, float]:
-    """Return positions that an asset allows, as near to others as can be told without a search."""
+    """Return allowed positions near given ones, without a search."""
     result = {}
     for joint in asset.free_joints:
         if joint.name in q:
             low, high = joint.limits or (q[joint.name], q[joint.name])
             result[joint.name] = min(max(q[joint.name], low), high)
-    for _ in asset.joints:  # closing one may block another
+    for _ in asset.joints:  # closing one joint may block another
         blocked = asset.blocked(result)
         if not blocked:
             break
@@ -67,7 +67,7 @@ def _leaders(asset: Asset, joints: tuple[str, ...]) -> set[str]:
 
 
 def _places(asset: Asset, joint: str, start: float, end: float) -> Iterator[float]:
-    """Yield in order where on the way of a joint dependencies begin or end, and the end of the way."""
+    """Yield the thresholds of dependencies on the path of a joint in order, and the end of the path."""
     found = {end}
     for other in asset.joints:
         if other.needs is None:
@@ -92,8 +92,8 @@ def _thresholds(condition: AssetCondition) -> Iterator[tuple[str, float]]:
         yield from _thresholds(term)
 
 
-_ATTEMPTS = 100  # draws of a new seed, as `generate` makes
-_VALUES = 16384  # that the cache keeps: of the largest category, those of several values of a slider
+_ATTEMPTS = 100  # most draws for a new seed, as in `generate`
+_VALUES = 16384  # values in the cache: of the largest category, for several values of a slider
 
 
 @dataclass(frozen=True)
@@ -101,32 +101,32 @@ class Shown:
     """An asset with its parameters and evaluation."""
 
     asset: Asset  # the asset
-    evaluation: Evaluation  # what it cost
-    seconds: float  # time it took, sampling and building included [s]
-    seed: int  # what was drawn from
-    overrides: Mapping[str, Any] = field(default_factory=dict)  # what was set, by name
+    evaluation: Evaluation  # cost of its evaluation
+    seconds: float  # duration, including sampling and building [s]
+    seed: int  # seed
+    overrides: Mapping[str, Any] = field(default_factory=dict)  # overrides by name
 
 
 class Session:
     """A category with a seed, overrides, and joint positions.
 
-    What cannot be made leaves a message in `fault`, and the asset before stays.
+    If a request fails, `fault` has the message, and the previous asset stays.
 
     Attributes:
         source: The category.
-        seed: What is drawn from.
-        overrides: What is set, by name; what belongs to generators that are not chosen waits.
-        shown: The last asset that could be made; None before there is one.
-        q: Where its free joints stand, those that are not at rest [rad or m].
-        fault: What is wrong with what is wanted; empty if nothing is.
-        held: Why a joint goes no farther; empty if none is held.
-        certificate: What is proven of the asset; None while that is not known.
+        seed: Seed of the draws.
+        overrides: Values by name; those of unselected generators are kept for later.
+        shown: The last generated asset; None before the first.
+        q: Positions of the free joints that are not at rest [rad or m].
+        fault: Error of the last request; empty if it succeeded.
+        held: Reason why a joint stops; empty if it does not.
+        certificate: Certificate of the asset; None while it is unknown.
     """
 
     def __init__(
         self, source: CategorySource, seed: int = 0, overrides: Mapping[str, Any] | None = None
     ) -> None:
-        """Begin; the asset is made by `evaluate`.
+        """Start a session; `evaluate` generates the asset.
 
         Raises:
             ParameterError: The seed is negative, or an override is unknown or not allowed.
@@ -146,21 +146,21 @@ class Session:
 
     @property
     def asset(self) -> Asset:
-        """The asset that is shown.
+        """The shown asset.
 
         Raises:
-            ParameterError: None could be made yet.
+            ParameterError: No asset could be generated yet.
         """
         if self.shown is None:
             raise ParameterError(self.fault or f"{self.source.text} is not evaluated yet")
         return self.shown.asset
 
-    # what is wanted
+    # requests
 
     def set(self, name: str, value: Any) -> None:
-        """Set a parameter by its full name; a value that it had when it was drawn sets it too."""
+        """Set a parameter by its full name, even to its drawn value."""
         control, known = self._control(name), self.source.generator.parameters()
-        if name not in known:  # a browser may not have heard of a change yet
+        if name not in known:  # a browser may not have received a change yet
             raise ParameterError(f"{self.source.text} has no parameter {name!r}")
         if control is not None:
             self.overrides.pop(control.short, None)
@@ -168,24 +168,24 @@ class Session:
         self.overrides[name] = value
 
     def unset(self, name: str) -> None:
-        """Let a parameter be drawn again."""
+        """Remove the override of a parameter."""
         control = self._control(name)
         self.overrides.pop(name, None)
         if control is not None:
             self.overrides.pop(control.short, None)
 
     def reset(self) -> None:
-        """Let every parameter be drawn again."""
+        """Remove all overrides."""
         self.overrides.clear()
         self._attempts = _ATTEMPTS
 
     def resample(self, seed: int) -> None:
-        """Draw from another seed; overrides stay."""
+        """Use another seed; overrides stay."""
         self.seed = seed
         self._attempts = _ATTEMPTS
 
     def reload(self) -> bool:
-        """Load the category again after its file was saved; tell whether that worked."""
+        """Load the category again after its file was saved; return whether that succeeded."""
         try:
             self.source.reload()
         except ArtgenError as error:
@@ -196,17 +196,17 @@ class Session:
         self.overrides = {
             name: value for name, value in self.overrides.items() if name in known or name in short
         }
-        self._cache = Cache(_VALUES)  # the file may define operations, whose values are other ones now
+        self._cache = Cache(_VALUES)  # the file may define operations with changed results
         self._attempts = _ATTEMPTS
         return True
 
-    # what is shown
+    # results
 
     def evaluate(self) -> bool:
-        """Make the asset of what is wanted, as far as it is not in the cache; tell whether that worked.
+        """Generate the requested asset, using the cache; return whether that succeeded.
 
-        A new seed is drawn as often as `generate` would; what is set later draws no more often, so that a
-        value that is not feasible is a fault instead of another asset.
+        A new seed is drawn as often as `generate` would. Later overrides are not drawn again, so that an
+        infeasible value is an error instead of another asset.
         """
         overrides = self._applicable()
         start = time.perf_counter()
@@ -233,11 +233,11 @@ class Session:
         return True
 
     def controls(self) -> tuple[ParameterControl, ...]:
-        """Return a control for each parameter that the asset was made of."""
+        """Return a control for each parameter of the asset."""
         return self._controls
 
     def is_set(self, control: ParameterControl) -> bool:
-        """Tell whether a person set a parameter."""
+        """Tell whether a user set a parameter."""
         return control.name in self.overrides or control.short in self.overrides
 
     # joints
@@ -247,9 +247,9 @@ class Session:
         return joint_controls(self.asset, self.q) if self.shown is not None else ()
 
     def move(self, joint: str, wanted: float) -> float:
-        """Move a free joint as far as dependencies let it, and return where it stands then [rad or m].
+        """Move a free joint as far as dependencies allow, and return its position [rad or m].
 
-        `held` says why it goes no farther.
+        `held` has the reason if it stops early.
         """
         self.q, blocked = moved(self.asset, self.q, joint, wanted)
         reasons = []
@@ -260,14 +260,14 @@ class Session:
         return self.asset.positions(self.q)[joint]
 
     def pose(self, q: Mapping[str, float]) -> None:
-        """Put the joints where they are wanted, such as at a witness; dependencies hold none."""
+        """Put the joints at given positions, such as those of a witness, regardless of dependencies."""
         self.q = {name: float(position) for name, position in q.items()}
         self.held = ""
 
     # the certificate
 
     def task(self) -> ProofTask | None:
-        """Return what another process needs to know to certify the asset; None if there is none."""
+        """Return the task for certifying the asset in another process; None without an asset."""
         if self.shown is None or self.fault:
             return None
         source, shown = self.source, self.shown
@@ -286,10 +286,10 @@ class Session:
         found = [pair for pair in pairs if pair.witness is not None]
         return tuple(sorted(found, key=lambda pair: (pair.verdict != "collision", -_depth(pair))))
 
-    # what is taken away
+    # output
 
     def python(self) -> str:
-        """Return Python source that makes the asset that is shown."""
+        """Return Python source that generates the shown asset."""
         asset, shown, generator = self.asset, self.shown, self.source.generator
         assert shown is not None
         lines = ["import artgen", ""]
@@ -311,7 +311,7 @@ class Session:
         return "\n".join([*lines, f"asset = {made}{note}"])
 
     def export(self, folder: str | Path, formats: tuple[str, ...]) -> Path:
-        """Write the asset that is shown; see `artgen.export.export`.
+        """Write the shown asset; see `artgen.export.export`.
 
         Raises:
             ParameterError: No folder or no format is given.
@@ -327,7 +327,7 @@ class Session:
         return next((control for control in self.controls() if control.name == name), None)
 
     def _applicable(self) -> dict[str, Any]:
-        """Return what is set, without what belongs to a generator beside the one that is set."""
+        """Return the overrides without those of generators other than the selected one."""
         chosen = {self._short(name): value for name, value in self.overrides.items()}
         result = {}
         for name, value in self.overrides.items():
@@ -338,13 +338,13 @@ class Session:
         return result
 
     def _short(self, name: str) -> str:
-        """Return the name of a parameter without the generators; names that are not full stay."""
+        """Return the name of a parameter without the generators; short names stay."""
         known = name in self.source.generator.parameters()
         return ".".join(name.split(".")[::2]) if known else name
 
 
 def message_of(error: BaseException) -> str:
-    """Return what to tell a person about an error; whatever is not artgen's own is named by its kind."""
+    """Return the message of an error; for errors of other packages with their type."""
     if isinstance(error, ArtgenError):
         return str(error)
     return f"{type(error).__name__}: {error}"

@@ -1,4 +1,4 @@
-"""Signs over an asset in the studio: colliders, joints, grasp frames, centers of mass."""
+"""Symbols over an asset in the studio: colliders, joints, grasp frames, centers of mass."""
 
 from collections.abc import Callable, Mapping
 from typing import Any, Literal, get_args
@@ -13,7 +13,7 @@ from artgen.view.overlays import ColliderFaces, Overlays, axis_poses, overlays
 
 Sign = Literal["colliders", "joints", "grasps", "masses"]
 SIGNS: tuple[Sign, ...] = get_args(Sign)
-"""The kinds of signs."""
+"""Kinds of symbols."""
 
 _AXIS, _RANGE, _HAND, _PUSH, _COLLIDER = (
     (213, 94, 0),
@@ -22,17 +22,17 @@ _AXIS, _RANGE, _HAND, _PUSH, _COLLIDER = (
     (204, 121, 167),
     (0, 158, 115),
 )
-_WIDTH = 3.0  # of lines on the screen [pixels]
-_APART = 0.0007  # how far colliders are drawn outside of what they cover, as a share of the asset's size
-_SMOOTH = 0.985  # cosine of the angle between faces from which their common edge is drawn
+_WIDTH = 3.0  # width of lines on the screen [pixels]
+_APART = 0.0007  # distance of colliders outside their solids, as a share of the asset's size
+_SMOOTH = 0.985  # cosine of the angle between faces below which their common edge is drawn
 _FRAME = 0.04  # length of the axes of a grasp frame, as a share of the asset's size
 
 
 class Signs:
-    """Overlays in the scene of a viser server; each kind is made when it is first shown.
+    """Overlays in the scene of a viser server; each kind is created on first use.
 
     Attributes:
-        kinds: The kinds that are wanted.
+        kinds: The enabled kinds.
     """
 
     def __init__(self, server: Any) -> None:
@@ -41,7 +41,7 @@ class Signs:
         self._asset: Asset | None = None
         self._found: Overlays | None = None
         self._nodes: dict[Sign, list[Any]] = {}
-        self._hands: dict[str, tuple[Any, Any]] = {}  # of each joint the frames of its axis and of its hand
+        self._hands: dict[str, tuple[Any, Any]] = {}  # frames of the axis and of the hand of each joint
 
     def clear(self) -> None:
         """Remove everything; the display options stay."""
@@ -50,7 +50,7 @@ class Signs:
         self._found = None
 
     def show(self, asset: Asset, q: Mapping[str, float]) -> None:
-        """Draw what is wanted over an asset whose links are in the scene."""
+        """Draw the enabled kinds over an asset whose links are in the scene."""
         if asset is not self._asset:
             self.clear()
             self._asset = asset
@@ -69,7 +69,7 @@ class Signs:
         self.pose(q)
 
     def pose(self, q: Mapping[str, float]) -> None:
-        """Move the axes of joints to where joint positions put them; the rest is carried by the links."""
+        """Move the axes of joints to joint positions; other symbols move with the links."""
         if not self._hands or self._asset is None:
             return
         positions, axes = self._asset.positions(q), axis_poses(self._asset, q)
@@ -143,7 +143,7 @@ class Signs:
         ]
 
     def _masses(self, found: Overlays) -> list[Any]:
-        # solids hide what lies inside of them, but no labels
+        # solids hide objects inside, but not labels
         return [
             self._scene.add_label(
                 f"/asset/{name}/mass",
@@ -166,7 +166,7 @@ def _place(node: Any, matrix: Array) -> None:
 
 
 def _apart(faces: ColliderFaces, distance: float) -> tuple[Array, NDArray[np.int64]]:
-    """Return a collider a little larger, so that it does not flicker against what it covers."""
+    """Return a slightly enlarged collider, which does not flicker against its solid."""
     middle = (faces.vertices.min(axis=0) + faces.vertices.max(axis=0)) / 2.0
     offsets = faces.vertices - middle
     length = np.linalg.norm(offsets, axis=1, keepdims=True)
@@ -174,7 +174,7 @@ def _apart(faces: ColliderFaces, distance: float) -> tuple[Array, NDArray[np.int
 
 
 def _edges(vertices: Array, triangles: NDArray[np.int64]) -> Array:
-    """Return the edges of a convex piece at which it is not smooth, shape (k, 2, 3)."""
+    """Return the sharp edges of a convex piece, shape (k, 2, 3)."""
     import trimesh
 
     mesh = trimesh.Trimesh(vertices, triangles, process=False)

@@ -1,4 +1,4 @@
-"""Where a category comes from, and whether its file was saved since."""
+"""Source of a category, and detection of saved changes."""
 
 from pathlib import Path
 
@@ -12,10 +12,10 @@ class CategorySource:
     """A category by name or file.
 
     Attributes:
-        text: Name of the category, or its file, as the user gave it.
+        text: Name of the category, or its file, as given by the user.
         path: The file that defines it.
-        generator: The category as it was loaded last.
-        revision: How often it was loaded again.
+        generator: The category at its last load.
+        revision: Number of reloads.
     """
 
     def __init__(self, text: str) -> None:
@@ -23,7 +23,7 @@ class CategorySource:
 
         Raises:
             ParameterError: There is no such category or file.
-            BuildError: The file is faulty, or defines no category.
+            BuildError: The file has an error, or defines no category.
         """
         self.text = text
         self.generator: Generator = find(text)
@@ -33,13 +33,13 @@ class CategorySource:
 
     @property
     def reference(self) -> str:
-        """What `artgen.catalog.find` finds the category by as it is now."""
+        """The argument for `artgen.catalog.find` that finds the current category."""
         if is_file(self.text) or self.revision == 0:
             return self.text
         return f"{self.path}:{self.generator.name}"
 
     def saved(self) -> bool:
-        """Tell, once for each time, whether the file was saved since it was looked at last."""
+        """Tell whether the file was saved since the last call."""
         stamp = self._look()
         if stamp is None or stamp == self._stamp:  # editors replace a file: for a moment there is none
             return False
@@ -47,11 +47,11 @@ class CategorySource:
         return True
 
     def reload(self) -> None:
-        """Load the category again; the one before stays where that fails.
+        """Load the category again; on an error the previous one stays.
 
         Raises:
             ParameterError: The file no longer defines the category.
-            BuildError: The file is faulty; the message has the author's line.
+            BuildError: The file has an error; the message has the author's line.
         """
         text = self.text if is_file(self.text) else f"{self.path}:{self.generator.name}"
         self.generator = load_file(text)

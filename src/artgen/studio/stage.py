@@ -1,6 +1,6 @@
-"""The scene in the browser: a frame for each link, moved by the joints, with the meshes below.
+"""Scene in the browser: a frame for each link, moved by the joints, with the meshes below.
 
-What did not change is not sent again: a joint only sets poses, and a link that looks as it did stays.
+Unchanged data are not sent again: a joint only sets poses, and a link with the same look stays.
 """
 
 import time
@@ -27,18 +27,18 @@ Key = tuple[Any, ...]
 
 @dataclass(frozen=True, eq=False)
 class Placed:
-    """A link as what it looks like and where it stands at rest."""
+    """Look of a link and its place at rest."""
 
-    link: Link  # the link, shifted so that where it stands does not matter
-    offset: Array  # where it stands, shape (3,) [m]
-    key: Key  # decides how the shifted link looks: equal keys, equal surfaces
+    link: Link  # the link, moved to the origin
+    offset: Array  # its place, shape (3,) [m]
+    key: Key  # key of its look: equal keys have equal surfaces
 
 
 def placed(link: Link) -> Placed:
-    """Tell how a link looks from where it stands.
+    """Return the look of a link and its place.
 
-    A key holds the solids that it speaks of by identity: evaluation gives the same ones again where nothing
-    changed, so that neither triangles nor their hashes need to be made.
+    A key holds its solids by identity: evaluation returns the same objects for unchanged parts, so that
+    neither triangles nor hashes have to be computed.
     """
     base, matrix = _unmoved(link)
     linear = matrix.copy()
@@ -47,7 +47,7 @@ def placed(link: Link) -> Placed:
 
 
 def _unmoved(link: Link) -> tuple[Link, Array]:
-    """Return the link before it was moved, and how it was, shape (4, 4); a new name lays textures again."""
+    """Return the link before its motion, and the motion, shape (4, 4); a new name changes textures."""
     if isinstance(link, MovedLink) and link.name == link.source.name:
         base, matrix = _unmoved(link.source)
         return base, link.matrix @ matrix
@@ -70,7 +70,7 @@ def _shape_key(shape: Shape) -> Key:
 
 
 class _Same:
-    """Equal to itself and to what stands for the same object, which it keeps."""
+    """Equal only to wrappers of the same object, which it keeps alive."""
 
     def __init__(self, held: Any) -> None:
         self._held = held
@@ -88,7 +88,7 @@ def link_glb(link: Link, textures: int) -> bytes:
     looks = Looks(buffer, textures)
     primitives = []
     for surface in link.surfaces:
-        # without tangents, which take as long as the rest: browsers find the directions of maps by themselves
+        # without tangents, which take as long as the rest: browsers compute them
         maps: tuple[Kind, ...] = ("albedo",) if looks.maps(surface.material) else ()
         shown = primitive(buffer, surface, np.zeros(3), maps)
         primitives.append({**shown, "material": looks.number(surface.material)})
@@ -105,31 +105,31 @@ def link_glb(link: Link, textures: int) -> bytes:
 
 Color = tuple[int, int, int]
 
-_GHOST = 0.25  # what is replaced stays so long, since browsers need time to read what replaces it [s]
-_REDS = ((222, 36, 27), (255, 122, 92))  # of the first and the second of two links that collide
+_GHOST = 0.25  # delay before replaced objects are removed: browsers need time to read the new ones [s]
+_REDS = ((222, 36, 27), (255, 122, 92))  # colors of the first and the second of two colliding links
 _FLOOR = (0.02, 0.1, 0.5)  # sizes of the cells of the floor [m]
-_VIEW = (0.45, -0.82, 0.35)  # from where the asset is seen at first
-_DISTANCE = 1.75  # the same, as a share of the asset's size
-_FIELD = 0.65  # angle of view from top to bottom [rad]
+_VIEW = (0.45, -0.82, 0.35)  # direction of the first view
+_DISTANCE = 1.75  # distance of the first view, relative to the asset's size
+_FIELD = 0.65  # vertical field of view [rad]
 
 
 @dataclass
 class _Shown:
     """A link in the scene."""
 
-    frame: Any  # node that its pose moves
-    looks: tuple[Any, ...] = ()  # decides whether the fields below have to be rebuilt
-    nodes: list[Any] = field(default_factory=list)  # what is seen of it
-    pose: Array = field(default_factory=lambda: np.full((4, 4), np.nan))  # where the frame stands
+    frame: Any  # node for its pose
+    looks: tuple[Any, ...] = ()  # key that determines the fields below
+    nodes: list[Any] = field(default_factory=list)  # visible nodes
+    pose: Array = field(default_factory=lambda: np.full((4, 4), np.nan))  # place of the frame
 
 
 class Viewport:
     """The scene of a viser server.
 
     Attributes:
-        sent: Number of links sent since the server started; shows the cost of a change.
-        by_label: Whether links have the colors of their semantic labels.
-        textures: Texels on a side of the materials' maps; 0 for colors alone.
+        sent: Number of links sent since the server started; measures the cost of a change.
+        by_label: Whether links are colored by their semantic labels.
+        textures: Texels per side of the material maps; 0 for colors only.
     """
 
     def __init__(self, server: Any) -> None:
@@ -146,12 +146,12 @@ class Viewport:
         self.textures = 512
 
     def light(self, *, rich: bool) -> None:
-        """Light the scene: with reflections and shadows, or in a way that is quick without a GPU too."""
+        """Light the scene: with reflections and shadows, or fast without a GPU."""
         scene = self._server.scene
         scene.configure_environment_map("studio" if rich else None, environment_intensity=0.6)
         scene.configure_default_lights(enabled=rich, cast_shadow=rich)
         scene.add_light_hemisphere("/lights/sky", intensity=1.6, visible=not rich)
-        # from the front, above and to the left, where the first look comes from
+        # from the front, above and to the left, like the first view
         scene.add_light_directional(
             "/lights/sun", intensity=1.8, position=(-1.0, -2.0, 2.0), visible=not rich
         )
@@ -172,7 +172,7 @@ class Viewport:
             self.frame_camera()
 
     def frame(self, link: str) -> Any:
-        """Return the node that the pose of a link moves."""
+        """Return the node for the pose of a link."""
         return self._links[link].frame
 
     def dress(self, red: tuple[str, ...] = ()) -> None:
@@ -231,7 +231,7 @@ class Viewport:
         self._ghosts += [(end, link, node) for node in nodes]
 
     def tidy(self, *, gone: str = "") -> None:
-        """Remove what was replaced a while ago, and all that was replaced of a link that is gone."""
+        """Remove objects that were replaced a while ago, and replaced objects of removed links."""
         now = time.monotonic()
         kept = []
         for end, link, node in self._ghosts:
@@ -248,7 +248,7 @@ class Viewport:
             node.remove()
 
     def pose(self, q: Mapping[str, float]) -> int:
-        """Move the links to where joint positions put them; return how many moved."""
+        """Move the links to joint positions; return the number of moved links."""
         if self._asset is None:
             return 0
         moved = 0
@@ -264,7 +264,7 @@ class Viewport:
         return moved
 
     def frame_camera(self) -> None:
-        """Let browsers begin with a look at the whole asset from the front, and lay the floor."""
+        """Let new browsers start with the whole asset from the front, and set the floor."""
         assert self._asset is not None
         low, high = self._asset.bounds()
         size = float(np.linalg.norm(high - low))

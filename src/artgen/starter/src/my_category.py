@@ -1,6 +1,6 @@
-"""A box with a hinged lid: the start of a category of your own.
+"""A box with a hinged lid: a starter for your own category.
 
-Change it, and look at what you have changed with `artgen view src/my_category.py`.
+Change it, and look at the result with `artgen view src/my_category.py`.
 """
 
 from typing import Literal
@@ -18,10 +18,10 @@ def my_category(
     swing: Float = uniform(1.5, 2.0, "rad", doc="how far the lid opens"),
     wood: Literal["oak", "walnut"] = choice("oak", "walnut"),
 ) -> Body:
-    """Make a wooden box, shut, with a lid that is hinged at the back."""
-    # What the seed draws is a `Float` here: calculate with it as with a number, but it is known only later.
-    # A `Literal`, an `int` or a `bool` is known now: plain `if`, `for` and `match` work.
-    gap = 0.001  # between the box and its lid, so that they never touch
+    """Make a closed wooden box with a lid that is hinged at the back."""
+    # A drawn value is a `Float` here: use it like a number; its value is known only later. A `Literal`, an
+    # `int` or a `bool` is known now: plain `if`, `for` and `match` work.
+    gap = 0.001  # gap between the box and its lid, so that they never touch
     boards = material(wood)
 
     outside = box(width, depth, height - wall - gap, bevel=0.001).align((0, 0, 0), z=-1)

@@ -1,4 +1,4 @@
-"""What every category promises: sound files, the same bytes from the same seed, nothing that collides."""
+"""Promises of every category: sound files, the same bytes for the same seed, no collisions."""
 
 from artgen.testing import check_category
 
@@ -6,12 +6,12 @@ from my_category import my_category
 
 
 def test_the_first_seeds_are_sound() -> None:
-    """Run every check of `artgen validate`, MuJoCo included; a failure has its seed and parameters."""
+    """Run every check of `artgen validate`, including MuJoCo; a failure has its seed and parameters."""
     check_category(my_category, seeds=range(4), behavior=True)
 
 
 def test_a_hand_can_open_the_lid() -> None:
-    """Look at what only this category promises."""
+    """Check a promise of this category only."""
     asset = my_category.generate(seed=0)
     (grasp,) = asset.affordances
     assert (grasp.link, grasp.joints) == ("lid", ("lid_hinge",))

@@ -1,4 +1,4 @@
-"""What PyBullet reads in a URDF, and how its joints move."""
+"""PyBullet driver: reads a URDF and moves its joints."""
 
 from typing import Any
 
@@ -6,9 +6,9 @@ import numpy as np
 from driver_protocol import about_axes, ends, free, serve, transform
 from partnet_request import numbered
 
-_SETTLE = 240  # steps: one second
-_TURN = 1.0  # how long a joint takes from one end to the other [s]
-_STEP = 1.0 / 240.0  # [s]
+_SETTLE = 240  # number of steps: one second
+_TURN = 1.0  # time of a joint from one end to the other [s]
+_STEP = 1.0 / 240.0  # time step [s]
 
 
 def read(request: dict[str, Any]) -> dict[str, Any]:
@@ -20,7 +20,7 @@ def read(request: dict[str, Any]) -> dict[str, Any]:
     client = bullet.connect(bullet.DIRECT)
     try:
         fixed = request["base"] == "fixed"
-        # the file's inertia, which PyBullet makes up from the colliders otherwise
+        # use the file's inertia; by default, PyBullet computes it from the colliders
         body = bullet.loadURDF(request["file"], useFixedBase=fixed, flags=bullet.URDF_USE_INERTIA_FROM_FILE)
         infos = [bullet.getJointInfo(body, number) for number in range(bullet.getNumJoints(body))]
         numbers = {info[12].decode(): info[0] for info in infos}
@@ -34,7 +34,7 @@ def read(request: dict[str, Any]) -> dict[str, Any]:
             poses.append(_frames(bullet, body, numbers, request["links"]))
         links = {name: _link(bullet, body, numbers[name]) for name in request["links"]}
         if fixed:
-            links.pop(base, None)  # PyBullet gives what is fixed no mass
+            links.pop(base, None)  # PyBullet gives fixed bodies no mass
         response = {
             "version": version("pybullet"),
             "links": links,
@@ -70,7 +70,7 @@ def _frames(bullet: Any, body: int, numbers: dict[str, int], links: list[str]) -
     for name in links:
         if numbers[name] < 0:
             place = _frame(bullet, *bullet.getBasePositionAndOrientation(body))
-            # which is the frame of its center of mass
+            # the frame of its center of mass
             inertial = bullet.getDynamicsInfo(body, -1)
             found[name] = place @ np.linalg.inv(_frame(bullet, inertial[3], inertial[4]))
         else:
@@ -85,7 +85,7 @@ def _frame(bullet: Any, position: Any, quaternion: Any) -> Any:
 
 
 def _simulate(bullet: Any, body: int, joints: dict[str, Any], request: dict[str, Any]) -> dict[str, Any]:
-    """Let the asset settle, then drive each free joint to both of its ends by its motor."""
+    """Let the asset settle, then drive each free joint to both ends by its motor."""
     bullet.setTimeStep(_STEP)
     bullet.setGravity(0.0, 0.0, -9.81)
     steps = _SETTLE
@@ -97,7 +97,8 @@ def _simulate(bullet: Any, body: int, joints: dict[str, Any], request: dict[str,
     for joint in free(request):
         number, effort = joints[joint["name"]][0], joint["effort"]
         low, high = ends(joint)
-        # impulses of what was driven before, a door against its stop, would push a light button for seconds
+        # remaining impulses of earlier drives, such as a door against its stop, would push a light button for
+        # seconds
         for name, info in joints.items():
             bullet.resetJointState(body, info[0], request["poses"][0][name])
         seen = [bullet.getJointState(body, number)[0]]

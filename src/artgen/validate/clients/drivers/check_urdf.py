@@ -1,4 +1,4 @@
-"""What the program check_urdf of urdfdom says of a URDF."""
+"""check_urdf driver: validates a URDF with the program of urdfdom."""
 
 import shutil
 import subprocess
@@ -21,14 +21,14 @@ def read(request: dict[str, Any]) -> dict[str, Any]:
     named |= {
         word for line in done.stdout.splitlines() if line.startswith("root Link") for word in line.split()
     }
-    # another layout may give the links other names
+    # another layout may name the links differently
     links = request["links"] if request["layout"] == "flat" else []
     said += [f"it does not show the link {name!r}" for name in links if name not in named]
     return {"version": _version(program), "said": said, "note": f"{len(request['links'])} links"}
 
 
 def _program() -> str:
-    """Return the path of the program: the one of Python's package before the system's."""
+    """Return the path of the program, preferably from Python's package."""
     beside = Path(sys.prefix) / "bin"
     found = shutil.which("check_urdf", path=str(beside)) or shutil.which("check_urdf")
     if found is None:

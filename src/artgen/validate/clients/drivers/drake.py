@@ -1,4 +1,4 @@
-"""What Drake reads in a URDF or MJCF, and how its joints move."""
+"""Drake driver: reads a URDF or MJCF and moves its joints."""
 
 import xml.etree.ElementTree as ET
 from typing import Any
@@ -8,7 +8,7 @@ from driver_protocol import ends, free, serve
 from partnet_request import numbered
 
 _STEP = 2e-3  # [s]
-_TURN = 1.0  # how long a joint takes from one end to the other [s]
+_TURN = 1.0  # time of a joint from one end to the other [s]
 
 
 def read(request: dict[str, Any]) -> dict[str, Any]:
@@ -17,7 +17,7 @@ def read(request: dict[str, Any]) -> dict[str, Any]:
 
     diagram, plant, instance = _plant(request)
     names = request["links"]
-    # a pair of links with several joints has bodies between them in URDF, which no one asks for
+    # in URDF, a pair of links with several joints has intermediate bodies, which are not requested
     bodies = {name: plant.GetBodyByName(name, instance) for name in names}
     joints = {
         joint.name(): joint
@@ -35,7 +35,7 @@ def read(request: dict[str, Any]) -> dict[str, Any]:
         poses.append({name: pose.GetAsMatrix4() for name, pose in found.items()})
     following = sum(joint["follows"] is not None for joint in request["joints"])
     said = []
-    # its reader of MJCF passes over couplings, and says so; not every layout of URDF has them all
+    # its MJCF reader skips couplings with a message; not every layout of URDF has all of them
     if (request["format"], request["layout"]) == ("urdf", "flat") and plant.num_constraints() != following:
         said.append(f"it holds {plant.num_constraints()} couplings of {following}")
     return {
@@ -67,14 +67,14 @@ def _plant(request: dict[str, Any], driven: tuple[dict[str, Any], ...] = ()) -> 
     for joint in driven:
         found = plant.GetJointByName(joint["name"], instance)
         motor = plant.AddJointActuator(f"{joint['name']}_motor", found, joint["effort"])
-        # the force stays within the effort, so that only the speed of the answer matters
+        # the force stays within the effort, so only the speed of the response matters
         motor.set_controller_gains(PdControllerGains(p=50.0 * joint["effort"], d=5.0 * joint["effort"]))
     plant.Finalize()
     return builder.Build(), plant, instance
 
 
 def _root(path: str) -> str:
-    """Return the name of the link of a URDF that is nobody's child."""
+    """Return the name of the link of a URDF without a parent."""
     robot = ET.parse(path).getroot()  # noqa: S314 - Drake has read it
     children = {child.get("link") for child in robot.iterfind("joint/child")}
     return next(str(link.get("name")) for link in robot.iterfind("link") if link.get("name") not in children)
@@ -106,7 +106,7 @@ def _joint(joint: Any) -> dict[str, Any]:
 
 
 def _simulate(request: dict[str, Any]) -> dict[str, Any]:
-    """Drive each free joint to both of its ends by a motor with its effort."""
+    """Drive each free joint to both ends by a motor with its effort."""
     from pydrake.systems.analysis import Simulator
 
     joints = tuple(free(request))
@@ -143,7 +143,7 @@ def _simulate(request: dict[str, Any]) -> dict[str, Any]:
     return {"moved": moved, "steps": round(time / _STEP), "finite": finite}
 
 
-_PARTS = 20  # of a way from one position to another
+_PARTS = 20  # samples between two positions
 
 
 def _way(start: float, end: float) -> Any:

@@ -1,4 +1,4 @@
-"""Driving joints in a simulation, for drivers whose client moves joints by torques and forces."""
+"""Driving of joints in a simulation, for clients that move joints by torques and forces."""
 
 import itertools
 from typing import Any, Protocol
@@ -6,36 +6,37 @@ from typing import Any, Protocol
 import numpy as np
 from driver_protocol import ends, transform
 
-_TICK = 0.004  # between two changes of a force [s]
-_MOST = 4.0  # to one end [s]
-_GROWTH = 6.0  # of a force while its joint hardly moves [1/s]
-_LEAST = 1e-4  # share of the effort that a force begins with
-_SLOW, _FAST = 0.5, 2.5  # speeds between which a force is left as it is [ranges/s]
-_NEAR = 0.02  # share of the range that may be missing at its end
-_FIRM = 2.0  # how much stronger than to reach its end a joint is held there
+_TICK = 0.004  # time between two changes of a force [s]
+_MOST = 4.0  # time to one end [s]
+_GROWTH = 6.0  # growth of a force while its joint hardly moves [1/s]
+_LEAST = 1e-4  # share of the effort at the start
+_SLOW, _FAST = 0.5, 2.5  # speeds between which a force is unchanged [ranges/s]
+_NEAR = 0.02  # tolerance at the end, as a share of the range
+_FIRM = 2.0  # factor of the force that holds a joint at its end
 _FREED = 0.5  # share of the range beyond which a joint is not blocked any more
-_COMBINATIONS = 16  # of the ends of other joints that are tried for one that they block; of four, all
-_SETTLE = 1.0  # before anything is driven [s]
+# most combinations of ends of other joints for a joint that they block: all ends of four joints
+_COMBINATIONS = 16
+_SETTLE = 1.0  # time before anything is driven [s]
 
 
 class Simulation(Protocol):
-    """What a client does for driving."""
+    """Interface of a client for driving."""
 
-    steps: int  # how many steps were simulated
-    finite: bool  # whether all positions stayed finite
+    steps: int  # number of simulated steps
+    finite: bool  # whether all positions were finite
 
     def position(self, name: str) -> float:
-        """Return where a joint stands [rad or m]."""
+        """Return the position of a joint [rad or m]."""
 
     def push(self, forces: dict[str, float]) -> None:
-        """Set the torques and forces of joints until further notice; others get none [N m or N]."""
+        """Set the torques and forces of joints until the next call; all others get 0 [N m or N]."""
 
     def advance(self, seconds: float) -> None:
         """Simulate."""
 
 
 def drive_all(simulation: Simulation, request: dict[str, Any]) -> dict[str, list[float]]:
-    """Drive each free joint to both ends, those that others block at last."""
+    """Drive each free joint to both ends, blocked joints last."""
     simulation.advance(_SETTLE)
     joints = [joint for joint in request["joints"] if joint["follows"] is None]
     moved: dict[str, list[float]] = {}
@@ -60,7 +61,7 @@ def _drive_blocked(
     lower, upper = ends(joint)
     reached = [simulation.position(joint["name"])] * 2
     combinations = itertools.product(*(reversed(each) for each in held.values()))
-    for forces in itertools.islice(combinations, _COMBINATIONS):  # the first one has everything open
+    for forces in itertools.islice(combinations, _COMBINATIONS):  # the first one opens everything
         others = dict(zip(held, forces, strict=True))
         simulation.push(others)
         simulation.advance(_SETTLE)
@@ -74,7 +75,7 @@ def _drive_blocked(
 def _drive(
     simulation: Simulation, joint: dict[str, Any], held: dict[str, float]
 ) -> tuple[float, float, list[float]]:
-    """Push a joint to one side and then to the other, by a force that grows until it moves."""
+    """Push a joint to both sides by a force that grows until it moves."""
     name = joint["name"]
     lower, upper = ends(joint)
     span = upper - lower
@@ -111,6 +112,6 @@ def posed(pose: Any) -> Any:
 
 
 def in_base(frames: dict[str, Any], links: list[str]) -> dict[str, Any]:
-    """Return the frames of links in the frame of the base, which is the first of them."""
+    """Return the frames of links in the frame of the base, which is the first link."""
     base = np.linalg.inv(frames[links[0]])
     return {name: base @ frames[name] for name in links if name in frames}

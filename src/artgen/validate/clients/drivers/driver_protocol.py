@@ -1,4 +1,4 @@
-"""What the drivers of URDF clients share: reading requests, writing responses, converting numbers."""
+"""Shared functions of drivers: reading requests, writing responses, converting numbers."""
 
 import importlib.util
 import json
@@ -14,7 +14,7 @@ _MISSING = 3  # exit code
 
 
 def serve(read: Callable[[dict[str, Any]], dict[str, Any]], *needs: str) -> None:
-    """Answer each request that the command line names."""
+    """Answer each request on the command line."""
     if any(importlib.util.find_spec(name) is None for name in needs):
         sys.exit(_MISSING)
     paths = [Path(argument) for argument in sys.argv[1:]]
@@ -27,7 +27,7 @@ def serve(read: Callable[[dict[str, Any]], dict[str, Any]], *needs: str) -> None
 
 
 def missing() -> None:
-    """End the process: the client is not there."""
+    """End the process: the client is not installed."""
     sys.exit(_MISSING)
 
 
@@ -50,7 +50,7 @@ def free(request: dict[str, Any]) -> list[dict[str, Any]]:
 
 
 def ends(joint: dict[str, Any]) -> tuple[float, float]:
-    """Return between which positions to drive a joint [rad or m]."""
+    """Return the two end positions for driving a joint [rad or m]."""
     low, high = joint["limits"] or (-1.0, 1.0)
     return float(low), float(high)
 

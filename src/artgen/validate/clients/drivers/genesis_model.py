@@ -1,4 +1,4 @@
-"""What Genesis reads in a URDF or an MJCF, and how its joints move, on the CPU."""
+"""Genesis driver: reads a URDF or MJCF and moves its joints on the CPU."""
 
 from functools import cache
 from importlib import import_module
@@ -9,14 +9,14 @@ from driver_motion import drive_all, in_base, posed
 from driver_protocol import serve
 
 _STEP = 0.002  # [s]
-_UNLIMITED = 1e5  # limits beyond are none
+_UNLIMITED = 1e5  # larger limits count as none
 
 
 def read(request: dict[str, Any]) -> dict[str, Any]:
     """Return the response to a request."""
     genesis = _genesis()
     scene = genesis.Scene(show_viewer=False, sim_options=genesis.options.SimOptions(dt=_STEP))
-    # without these, what the file does not say would be made up, and links of fixed joints merged
+    # without these options, Genesis invents missing values and merges links of fixed joints
     options = {"file": request["file"], "default_armature": 0.0, "align": False}
     if request["format"] == "urdf":
         fixed = request["base"] == "fixed"
@@ -38,7 +38,7 @@ def read(request: dict[str, Any]) -> dict[str, Any]:
 
 @cache
 def _genesis() -> Any:
-    """Return the package, which may be started once in a process."""
+    """Return the package, which can be started only once in a process."""
     genesis = import_module("genesis")
     genesis.init(backend=genesis.cpu, logging_level="warning")
     return genesis
@@ -71,7 +71,7 @@ class _Run:
         return found
 
     def joints(self, form: str) -> dict[str, Any]:
-        """Return the joints that can move; URDF has no words for springs and armature."""
+        """Return the joints that can move; URDF has no springs and armature."""
         entity = self._entity
         lows, highs = (_numbers(each) for each in entity.get_dofs_limit())
         values = {"damping": entity.get_dofs_damping(), "friction": entity.get_dofs_frictionloss()}
@@ -118,7 +118,7 @@ class _Run:
         self._entity.set_dofs_position(positions.astype(np.float32), zero_velocity=True)
 
     def position(self, name: str) -> float:
-        """Return where a joint stands [rad or m]."""
+        """Return the position of a joint [rad or m]."""
         return float(_numbers(self._entity.get_dofs_position())[self._degrees[name]])
 
     def push(self, forces: dict[str, float]) -> None:

@@ -1,4 +1,4 @@
-"""What the validator of Khronos says of a GLB: errors and warnings, by node."""
+"""Driver of the Khronos validator: errors and warnings of a GLB, by node."""
 
 import json
 import os
@@ -17,7 +17,7 @@ const { validateBytes, version } = createRequire(process.argv[1] + "/here.js")("
 validateBytes(new Uint8Array(readFileSync(process.argv[2])), { maxIssues: 100 })
   .then(({ issues }) => console.log(JSON.stringify({ version: version(), ...issues })));
 """
-_SEVERE = 1  # an error is 0, a warning 1, what is worth knowing 2, a hint 3
+_SEVERE = 1  # severities: 0 error, 1 warning, 2 information, 3 hint
 
 
 def read(request: dict[str, Any]) -> dict[str, Any]:
@@ -45,9 +45,9 @@ def read(request: dict[str, Any]) -> dict[str, Any]:
 
 
 def _modules() -> Path | None:
-    """Return the folder of npm packages that has the validator, if there is one."""
+    """Return the folder of npm packages with the validator, if there is one."""
     named = os.environ.get("ARTGEN_NODE_MODULES")
-    # beside the sources of artgen, where `npm ci` puts it; and where npm puts what is installed for all
+    # in the sources of artgen, where `npm ci` installs it, and in npm's global folder
     places = [Path(named)] if named else []
     places += [parent / "scripts" / "gltf_check" / "node_modules" for parent in Path(__file__).parents]
     npm = shutil.which("npm")

@@ -1,6 +1,6 @@
-"""What ManiSkill reads in a URDF, and how its joints move: physics only, which needs no graphics device.
+"""ManiSkill driver: reads a URDF and moves its joints, physics only, without a graphics device.
 
-An export in the layout `partnet-mobility` is read by the code that reads that dataset, as a model of it.
+ManiSkill's reader of PartNet-Mobility reads exports in the layout `partnet-mobility`.
 """
 
 import json
@@ -12,7 +12,7 @@ from partnet_request import numbered
 from sapien_model import couple, read_alone, read_articulation, simulate, without_graphics
 
 _STEP = 1.0 / 240.0  # [s]
-_ABOUT = "maniskill.json"  # what ManiSkill keeps of a model
+_ABOUT = "maniskill.json"  # ManiSkill's table of models
 _TWIN = "mobility_cvx.urdf"  # the file that it opens
 
 
@@ -25,7 +25,7 @@ def read(request: dict[str, Any]) -> dict[str, Any]:
     from mani_skill.envs.scene import ManiSkillScene
     from mani_skill.envs.utils.system.backend import BackendInfo
 
-    sapien.physx.set_body_config(sleep_threshold=0.0)  # a slow drive falls asleep after 0.4 s
+    sapien.physx.set_body_config(sleep_threshold=0.0)  # a slow drive would fall asleep after 0.4 s
     inner = sapien.Scene([sapien.physx.PhysxCpuSystem()])
     inner.set_timestep(_STEP)
     device = torch.device("cpu")
@@ -37,7 +37,7 @@ def read(request: dict[str, Any]) -> dict[str, Any]:
         actor = builder.build(name=request["asset"])
         return {"version": version("mani_skill"), **read_alone(inner.step, actor._objs[0], request)}
     built = builder.build(name=request["asset"], build_mimic_joints=False)
-    articulation = built._objs[0]  # what ManiSkill wraps
+    articulation = built._objs[0]  # the object that ManiSkill wraps
     for item in (*articulation.links, *articulation.joints):
         item.name = item.name.removeprefix(f"scene-0-{request['asset']}_")
     couple(articulation, builder.mimic_joint_records)

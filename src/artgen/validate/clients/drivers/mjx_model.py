@@ -1,7 +1,7 @@
-"""What MJX reads in an MJCF: with Warp, where it is installed, as it is, and with JAX without its contacts.
+"""MJX driver: reads an MJCF with Warp unchanged if it is installed, and with JAX without contacts.
 
-In JAX, MJX knows no contacts of cylinders with boxes and meshes, and makes room for every pair of colliders
-that may ever touch, which are thousands here; so there the joints alone are simulated.
+In JAX, MJX has no contacts of cylinders with boxes and meshes, and allocates every pair of colliders that may
+touch, which are thousands; so only the joints are simulated.
 """
 
 import importlib.metadata
@@ -41,7 +41,7 @@ def read(request: dict[str, Any]) -> dict[str, Any]:
     if importlib.util.find_spec("warp"):
         import warp
 
-        warp.config.log_level = warp.LOG_WARNING  # the official switch for its banner
+        warp.config.log_level = warp.LOG_WARNING  # official switch for its banner
         whole = mjx.put_model(model, impl="warp")
         room = mjx.make_data(model, impl="warp", naconmax=_CONTACTS, njmax=4 * _CONTACTS)
         states.append(_stepped(whole, room))
@@ -57,7 +57,7 @@ def read(request: dict[str, Any]) -> dict[str, Any]:
 
 
 def _stepped(model: Any, data: Any) -> Any:
-    """Return where the joints are after some steps."""
+    """Return the joint positions after several steps."""
     import jax
     from mujoco import mjx
 

@@ -1,4 +1,4 @@
-"""What the drivers of MuJoCo's relatives share: links, joints and couplings from the arrays of a model."""
+"""Links, joints and couplings from the arrays of a model, for drivers of MuJoCo's relatives."""
 
 from collections.abc import Callable
 from typing import Any
@@ -6,18 +6,18 @@ from typing import Any
 import numpy as np
 from driver_protocol import about_axes, transform
 
-_KINDS = {2: "prismatic", 3: "revolute"}  # of mjtJoint; 0 and 1 have more than one degree of freedom
+_KINDS = {2: "prismatic", 3: "revolute"}  # values of mjtJoint with one degree of freedom
 
 
 class Fields:
-    """The numbers of a model, with the names that MuJoCo has for what they are of."""
+    """Numbers of a model, with MuJoCo's names."""
 
     def __init__(self, model: Any, get: Callable[[str], Any], prefix: str = "") -> None:
         self.model, self.prefix = model, prefix
         self._get = lambda name: np.asarray(get(name), float).reshape(np.shape(getattr(model, name)))
 
     def joints(self, request: dict[str, Any]) -> dict[str, int]:
-        """Return the number of each joint of a request that the model has."""
+        """Return the number of each requested joint that the model has."""
         found = {self.model.joint(number).name: number for number in range(self.model.njnt)}
         names = [joint["name"] for joint in request["joints"]]
         return {name: found[self.prefix + name] for name in names if self.prefix + name in found}
@@ -36,7 +36,7 @@ class Fields:
         }
 
     def joint(self, number: int) -> dict[str, Any]:
-        """Return what the model says of a joint."""
+        """Return the values of a joint."""
         degree, place = self.model.jnt_dofadr[number], self.model.jnt_qposadr[number]
         found = {
             "kind": _KINDS[self.model.jnt_type[number]],
@@ -55,7 +55,7 @@ class Fields:
             follower, leader = int(self.model.eq_obj1id[number]), int(self.model.eq_obj2id[number])
             name = self.model.joint(follower).name
             if name.startswith(self.prefix):
-                # MuJoCo couples what joints have moved from their reference positions
+                # MuJoCo couples displacements from the reference positions
                 places = self.model.jnt_qposadr[[follower, leader]]
                 start, before = self._get("qpos0")[places]
                 constant, ratio = self._get("eq_data")[number][:2]
@@ -68,7 +68,7 @@ class Fields:
         return found
 
     def read(self, request: dict[str, Any]) -> dict[str, Any]:
-        """Return links, joints and couplings as they stand in a response."""
+        """Return links, joints and couplings for a response."""
         return {
             "links": {name: self.link(name) for name in request["links"]},
             "joints": {name: self.joint(number) for name, number in self.joints(request).items()},
@@ -83,7 +83,7 @@ class Fields:
         return {name: base @ frame for name, frame in found.items()}
 
     def placed(self, request: dict[str, Any], pose: dict[str, float]) -> Any:
-        """Return the state of the model in a pose, shape (nq,)."""
+        """Return the positions of the model in a pose, shape (nq,)."""
         qpos = np.array(self.model.qpos0)
         for name, number in self.joints(request).items():
             qpos[self.model.jnt_qposadr[number]] = pose[name]

@@ -1,4 +1,4 @@
-"""What MuJoCo reads in a URDF or MJCF, and how its joints move."""
+"""MuJoCo driver: reads a URDF or MJCF and moves its joints."""
 
 from typing import Any
 
@@ -6,7 +6,7 @@ import numpy as np
 from driver_motion import drive_all
 from driver_protocol import about_axes, serve, transform
 
-_KINDS = {2: "prismatic", 3: "revolute"}  # of mjtJoint; 0 and 1 have more than one degree of freedom
+_KINDS = {2: "prismatic", 3: "revolute"}  # values of mjtJoint with one degree of freedom
 
 
 def read(request: dict[str, Any]) -> dict[str, Any]:
@@ -15,7 +15,7 @@ def read(request: dict[str, Any]) -> dict[str, Any]:
 
     spec = mujoco.MjSpec.from_file(request["file"])
     if request["format"] == "urdf":
-        spec.compiler.fusestatic = False  # keeps links apart that a fixed joint joins
+        spec.compiler.fusestatic = False  # keeps links of fixed joints separate
     model = spec.compile()
     data = mujoco.MjData(model)
     joints = {
@@ -76,7 +76,7 @@ def _joint(model: Any, number: int, form: str) -> dict[str, Any]:
 
 def _coupling(model: Any, number: int) -> tuple[str, list[Any]]:
     follower, leader = int(model.eq_obj1id[number]), int(model.eq_obj2id[number])
-    # MuJoCo couples what joints have moved from their reference positions
+    # MuJoCo couples displacements from the reference positions
     start, start_of_leader = (float(model.qpos0[model.jnt_qposadr[joint]]) for joint in (follower, leader))
     ratio = float(model.eq_data[number, 1])
     offset = start + float(model.eq_data[number, 0]) - ratio * start_of_leader
@@ -84,7 +84,7 @@ def _coupling(model: Any, number: int) -> tuple[str, list[Any]]:
 
 
 class _Simulation:
-    """MuJoCo's own, from how the asset stands."""
+    """A MuJoCo simulation from the initial positions."""
 
     def __init__(self, mujoco: Any, model: Any, joints: dict[str, int], start: dict[str, float]) -> None:
         self._mujoco, self._model, self.data = mujoco, model, mujoco.MjData(model)

@@ -1,4 +1,4 @@
-"""What MuJoCo Warp reads in an MJCF, and whether it stays at rest there."""
+"""MuJoCo Warp driver: reads an MJCF and simulates it at rest."""
 
 import importlib.metadata
 from typing import Any
@@ -15,7 +15,7 @@ def read(request: dict[str, Any]) -> dict[str, Any]:
     """Return the response to a request."""
     import warp
 
-    # the official switch for its banner; what it warns of stays
+    # official switch for its banner; warnings stay
     warp.config.log_level = warp.LOG_WARNING
     import mujoco
     import mujoco_warp

@@ -1,4 +1,4 @@
-"""What Newton reads in a URDF, an MJCF or a USD, and how its joints move in MuJoCo's solver on the CPU."""
+"""Newton driver: reads a URDF, MJCF or USD and moves its joints in MuJoCo's solver on the CPU."""
 
 import math
 import warnings
@@ -11,14 +11,14 @@ from driver_protocol import serve
 from usd_runtime import enabled
 
 _STEP = 0.002  # [s]
-_UNLIMITED = 1e5  # limits, efforts and speeds beyond are none
+_UNLIMITED = 1e5  # larger limits, efforts and speeds count as none
 
 
 def read(request: dict[str, Any]) -> dict[str, Any]:
     """Return the response to a request."""
     import warp
 
-    # its own switch for its banner; what it warns of stays
+    # its own switch for its banner; warnings stay
     warp.config.log_level = warp.LOG_WARNING
     import newton
 
@@ -69,14 +69,14 @@ def _joints(model: Any, request: dict[str, Any], degrees: dict[str, "_Degree"]) 
     for name, degree in degrees.items():
         found[name] = _joint(model, degree, request["format"])
         if "rest" in found[name] and _beyond(springs.get(name)) and request["format"] == "usd":
-            # Newton puts a drive's target that lies beyond the limits into the middle of the range, and has
-            # no other word for a spring in a USD
+            # Newton moves a drive's target beyond the limits to the center of the range, and has no other
+            # spring in USD
             del found[name]["rest"]
     return found
 
 
 def _beyond(joint: dict[str, Any] | None) -> bool:
-    """Tell whether a joint's spring is at ease beyond its limits."""
+    """Tell whether the rest position of a joint's spring is outside its limits."""
     if joint is None or joint["limits"] is None:
         return False
     low, high = joint["limits"]
@@ -88,16 +88,16 @@ class _Degree:
     """One degree of freedom."""
 
     kind: str  # `revolute` or `prismatic`
-    place: int  # its index among positions
-    speed: int  # its index among speeds
-    start: float  # where it stands when the model has it at 0, which an MJCF may choose [rad or m]
+    place: int  # index among positions
+    speed: int  # index among speeds
+    start: float  # position of the joint where the model has 0, which an MJCF may choose [rad or m]
 
 
 def _degrees(newton: Any, model: Any, request: dict[str, Any]) -> dict[str, _Degree]:
     """Return the degrees of freedom by the names of their joints.
 
-    Newton makes one joint of several between two bodies in an MJCF: it has all their names, and its slides
-    before its turns.
+    In an MJCF, Newton makes one joint of several between two bodies: it has all their names, and its slides
+    come before its rotations.
     """
     kinds = {joint["name"]: joint["kind"] for joint in request["joints"]}
     dimensions = model.joint_dof_dim.numpy()
@@ -112,7 +112,7 @@ def _degrees(newton: Any, model: Any, request: dict[str, Any]) -> dict[str, _Deg
         if int(types[number]) not in known or not count:
             continue
         names = [_last(label)] if count == 1 else _parts(_last(label), list(kinds))
-        # the sort is stable: within their kind they keep their order
+        # the sort is stable: each kind keeps its order
         for index, name in enumerate(sorted(names, key=lambda each: kinds.get(each) == "revolute")):
             speed = int(speeds[number]) + index
             kind = "prismatic" if index < slides else "revolute"
@@ -122,7 +122,7 @@ def _degrees(newton: Any, model: Any, request: dict[str, Any]) -> dict[str, _Deg
 
 
 def _parts(text: str, names: list[str]) -> list[str]:
-    """Return the names that a text is joined of by underscores; none if it is of others."""
+    """Return the names that form a text with underscores; empty for other texts."""
     for name in names:
         if text == name:
             return [name]
@@ -132,14 +132,14 @@ def _parts(text: str, names: list[str]) -> list[str]:
 
 
 def _joint(model: Any, degree: _Degree, form: str) -> dict[str, Any]:
-    """Return what the model has of one degree of freedom; URDF has no words for springs and armature."""
+    """Return the values of one degree of freedom; URDF has no springs and armature."""
 
     def value(name: str) -> float:
         return float(getattr(model, name).numpy()[degree.speed])
 
     low, high = value("joint_limit_lower"), value("joint_limit_upper")
     limited = math.isfinite(low) and math.isfinite(high) and max(abs(low), abs(high)) < _UNLIMITED
-    # a drive pulls to its target, a spring of the joint itself to its rest: a file has one of them
+    # a drive pulls to its target, a spring of the joint to its rest: a file has one of them
     driven, passive = value("joint_target_ke"), value("joint_stiffness")
     result: dict[str, Any] = {
         "kind": degree.kind,
@@ -160,7 +160,7 @@ def _joint(model: Any, degree: _Degree, form: str) -> dict[str, Any]:
 
 
 def _couplings(model: Any, degrees: dict[str, _Degree]) -> dict[str, Any]:
-    """Return couplings: a joint's own, or an equality of MuJoCo's, which Newton keeps apart."""
+    """Return couplings: those of joints, or equalities of MuJoCo, which Newton stores separately."""
     names = [_last(label) for label in model.joint_label]
     laws = [
         (number, int(leader), *coefficients)
@@ -184,7 +184,7 @@ def _couplings(model: Any, degrees: dict[str, _Degree]) -> dict[str, Any]:
 
 
 def _to_head(found: dict[str, list[Any]], name: str) -> list[Any]:
-    """Return the coupling of a joint to the free one at the head of its chain of leaders."""
+    """Return the coupling of a joint to the free joint at the head of its chain of leaders."""
     leader, ratio, offset = found[name]
     if leader not in found:
         return [leader, ratio, offset]
@@ -221,7 +221,7 @@ class _Run:
         self._newton.eval_fk(self._model, state.joint_q, state.joint_qd, state)
 
     def position(self, name: str) -> float:
-        """Return where a joint stands [rad or m]."""
+        """Return the position of a joint [rad or m]."""
         degree = self.degrees[name]
         return float(self._states[0].joint_q.numpy()[degree.place]) + degree.start
 
@@ -249,6 +249,6 @@ def _last(label: str) -> str:
 
 
 if __name__ == "__main__":
-    # one line for each warning, without the line of code that warns
+    # one line per warning, without the source line
     warnings.formatwarning = lambda message, category, *_: f"{category.__name__}: {message}\n"
     serve(read, "newton", "mujoco", "pxr")

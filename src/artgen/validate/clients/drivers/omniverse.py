@@ -1,4 +1,4 @@
-"""What the Omniverse Asset Validator says of a USD: every failure and every warning."""
+"""Driver of the Omniverse Asset Validator: failures and warnings of a USD."""
 
 from typing import Any
 
@@ -10,7 +10,7 @@ def read(request: dict[str, Any]) -> dict[str, Any]:
     """Return the response to a request."""
     import logging
 
-    # its command line logs progress to stdout at import; only what it finds is asked for
+    # its command line logs progress to stdout at import; only findings are requested
     logging.basicConfig(level=logging.WARNING)
     from importlib.metadata import version
 

@@ -1,6 +1,6 @@
 """Requests about exports in the layout `partnet-mobility`, whose links and joints are numbered.
 
-There `artgen_names.json` says what a number stands for, which joints were turned round, and how the axes lie.
+`artgen_names.json` has the meaning of the numbers, the reversed joints, and the axes.
 """
 
 import json
@@ -17,7 +17,7 @@ Read = Callable[[dict[str, Any]], dict[str, Any]]
 
 
 def numbered(read: Read) -> Read:
-    """Return a function that answers requests in that layout too, by asking `read` about the numbers."""
+    """Return a function that answers requests in that layout by calling `read` with the numbers."""
 
     def answer(request: dict[str, Any]) -> dict[str, Any]:
         if request["layout"] != _LAYOUT:
@@ -86,5 +86,5 @@ def _named(response: dict[str, Any], names: dict[str, Any]) -> dict[str, Any]:
 
 
 def _turned(limits: Any, sign: int) -> Any:
-    """Return lowest and highest position of a joint that is turned round where the sign is -1."""
+    """Return lowest and highest position of a joint, reversed for the sign -1."""
     return limits if limits is None or sign > 0 else [-limits[1], -limits[0]]

@@ -1,4 +1,4 @@
-"""What PhysX 5, by ovphysx on the CPU, reads in a USD, and how its joints move."""
+"""PhysX 5 driver, by ovphysx on the CPU: reads a USD and moves its joints."""
 
 import warnings
 from functools import cache
@@ -10,11 +10,11 @@ from driver_protocol import serve
 from usd_runtime import enabled
 
 _STEP = 0.002  # [s]
-_RETURN = 2.0  # in which a spring brings its joint back [s]
-_LOOK = 0.02  # between two looks at it meanwhile [s]
-_RETURNED = 0.05  # share of the range by which a spring may miss its rest
-_FOLLOWED = 0.01  # share of the range by which a coupled joint may lag while it is driven
-_UNBOUNDED = 1e5  # a limit, effort or speed beyond is none
+_RETURN = 2.0  # time in which a spring has to return its joint [s]
+_LOOK = 0.02  # interval between two checks during that time [s]
+_RETURNED = 0.05  # tolerance of a spring's rest position, as a share of the range
+_FOLLOWED = 0.01  # largest lag of a driven coupled joint, as a share of the range
+_UNBOUNDED = 1e5  # larger limits, efforts and speeds count as none
 
 
 def read(request: dict[str, Any]) -> dict[str, Any]:
@@ -39,7 +39,7 @@ def read(request: dict[str, Any]) -> dict[str, Any]:
 
 @cache
 def _physics() -> Any:
-    """Return the one instance that a process may have."""
+    """Return the only instance of the process."""
     import ovphysx
     import ovstage
     from ovphysx.samples.python_samples.schema_support import physx_schema_paths
@@ -75,7 +75,7 @@ class _Articulation:
             "poses": [self._pose(pose) for pose in self._request["poses"]],
         }
         self._place(start)
-        if self._request["base"] == "free":  # it would fall as long as it is driven, beyond single precision
+        if self._request["base"] == "free":  # while driven it would fall, beyond single precision
             self._make_weightless()
         moved = drive_all(self, self._request)
         said = [*self._astray(), *self._left(start)]
@@ -147,11 +147,11 @@ class _Articulation:
         return in_base(frames, self._request["links"])
 
     def _by_joint(self, values: dict[str, float]) -> Any:
-        """Return values in the order of PhysX, which goes by breadth."""
+        """Return values in the order of PhysX, which is breadth first."""
         return np.array([values.get(name, 0.0) for name in self._joints])
 
     def position(self, name: str) -> float:
-        """Return where a joint stands [rad or m]."""
+        """Return the position of a joint [rad or m]."""
         return float(self._read("DOF_POSITION")[self._joints[name]])
 
     def push(self, forces: dict[str, float]) -> None:
@@ -167,7 +167,7 @@ class _Articulation:
         self._track.append(self._read("DOF_POSITION"))
 
     def _astray(self) -> list[str]:
-        """Tell which coupled joints left their leaders: PhysX does not tell what couplings it has read."""
+        """Return coupled joints that left their leaders: PhysX does not tell its couplings."""
         track = np.array(self._track)
         said = []
         for joint in self._request["joints"]:
@@ -184,7 +184,7 @@ class _Articulation:
         return said
 
     def _put_back(self, start: Any) -> None:
-        """Put back what others block and no spring moves: a lifted bucket keeps its lid from falling."""
+        """Reset blocked joints without springs: a lifted bucket keeps its lid from falling."""
         positions = self._read("DOF_POSITION")
         for joint in self._request["joints"]:
             if joint["blocked"] and not joint["stiffness"] and joint["name"] in self._joints:
@@ -197,7 +197,7 @@ class _Articulation:
         weightless.write(np.ones(weightless.shape, np.uint8))
 
     def _left(self, start: Any) -> list[str]:
-        """Tell which springs, though stronger than friction, do not bring their joints back by themselves."""
+        """Return springs that do not return their joints although they exceed friction."""
         self._make_weightless()
         self._put_back(start)
         seen = len(self._track)
@@ -211,7 +211,7 @@ class _Articulation:
                 continue
             rest, span = min(max(joint["rest"], limits[0]), limits[1]), limits[1] - limits[0]
             pull = joint["stiffness"] * (abs(joint["rest"] - rest) + _RETURNED * span)
-            # without damping it swings about its rest for ever
+            # without damping it oscillates forever
             away = float(np.abs(track[:, self._joints[name]] - rest).min())
             if pull > 2.0 * joint["friction"] and not away <= _RETURNED * span:
                 said.append(f"the spring of {name} leaves it {away:.4g} away from where it should rest")
@@ -219,6 +219,7 @@ class _Articulation:
 
 
 if __name__ == "__main__":
-    # the bindings are deprecated in favour of sessions, which tell no gains: that is no word about the file
+    # the bindings are deprecated in favor of sessions, which do not tell gains: this message is not about the
+    # file
     warnings.filterwarnings("ignore", message=".*tensor bindings are deprecated", category=DeprecationWarning)
     serve(read, "ovphysx", "physx_usd_schemas", "newton_usd_schemas")

@@ -1,4 +1,4 @@
-"""What pinocchio reads in a URDF, its meshes by coal."""
+"""Pinocchio driver: reads a URDF, and its meshes with coal."""
 
 from pathlib import Path
 from typing import Any
@@ -13,7 +13,7 @@ def read(request: dict[str, Any]) -> dict[str, Any]:
     import pinocchio
 
     path = request["file"]
-    # a joint of six degrees at the base keeps its mass apart from the world's
+    # a joint with six degrees of freedom at the base separates its mass from the world's
     model = pinocchio.buildModelFromUrdf(path, pinocchio.JointModelFreeFlyer())
     meshes = [
         pinocchio.buildGeomFromUrdf(model, path, kind, package_dirs=[str(Path(path).parent)])
@@ -32,18 +32,18 @@ def read(request: dict[str, Any]) -> dict[str, Any]:
 
 
 def _coupled(pinocchio: Any, path: str) -> tuple[Any, str]:
-    """Return a model in which followers follow, or why there is none."""
+    """Return a model with couplings, or the reason why there is none."""
     try:
         return pinocchio.buildModelFromUrdf(path, pinocchio.JointModelFreeFlyer(), mimic=True), ""
     except ValueError as error:
-        # joints are added in the order of their names, and a leader has to come first
+        # joints are added in the order of their names, and leaders have to come first
         if "mimic joint is not in the kinematic tree" not in str(error):
             raise
         return None, "; it cannot couple a joint to one of a later name"
 
 
 def _links(pinocchio: Any, model: Any, names: list[str]) -> Any:
-    """Yield the links that pinocchio keeps apart: those that no fixed joint joins to another."""
+    """Yield the links that pinocchio keeps separate: those without a fixed joint to another link."""
     fused = pinocchio.FrameType.FIXED_JOINT
     for name in names:
         frame = model.frames[model.getFrameId(name, pinocchio.FrameType.BODY)]

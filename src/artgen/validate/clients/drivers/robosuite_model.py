@@ -1,4 +1,4 @@
-"""What robosuite reads in an object of the layout `robocasa`, of which two are in a task with a robot."""
+"""robosuite driver: reads an object of the layout `robocasa`, twice in a task with a robot."""
 
 from typing import Any
 
@@ -7,14 +7,14 @@ from driver_protocol import ends, free, serve
 from mujoco_fields import Fields
 
 _NAMES = ("first_object", "second_object")
-_APART = 4.0  # [m]
-_CLEAR = 0.002  # of a free object from the floor before it drops [m]
+_APART = 4.0  # distance between the objects [m]
+_CLEAR = 0.002  # height of a free object above the floor before it drops [m]
 _STEPS = 1000
-_TURN = 0.5  # how long a joint takes from one end to the other [s]
-_MOST = 1.5  # to one end [s]
-_NEAR = 0.02  # share of the range that may be missing at its end
-_GROWTH = 15.0  # of a force while its joint hardly moves [1/s]
-_LEAST = 1e-4  # share of the effort that such a force begins with
+_TURN = 0.5  # time of a joint from one end to the other [s]
+_MOST = 1.5  # time to one end [s]
+_NEAR = 0.02  # tolerance at the end, as a share of the range
+_GROWTH = 15.0  # growth of a force while its joint hardly moves [1/s]
+_LEAST = 1e-4  # share of the effort at the start
 _CORNERS = ("p0", "px", "py", "pz")
 
 
@@ -56,7 +56,7 @@ def _object(request: dict[str, Any], name: str) -> Any:
 
 
 def _model(request: dict[str, Any], objects: list[Any]) -> Any:
-    """Return the model of a task with a robot and the objects, side by side on the floor."""
+    """Return the model of a task with a robot and the objects next to each other on the floor."""
     from robosuite.models.arenas import EmptyArena
     from robosuite.models.robots.robot_model import create_robot
     from robosuite.models.tasks import ManipulationTask
@@ -66,13 +66,13 @@ def _model(request: dict[str, Any], objects: list[Any]) -> Any:
         each.set_pos([_APART, _APART * number, clear - each.bottom_offset[2]])
     task = ManipulationTask(EmptyArena(), [create_robot("Panda")], objects)
     for each in objects:
-        for element in each.equality:  # a task takes over bodies and assets of its objects alone
+        for element in each.equality:  # a task takes bodies and assets of its objects only
             task.equality.append(element)
     return task.get_model("mujoco")
 
 
 def _missing(model: Any, objects: list[Any]) -> list[str]:
-    """Say which names that robosuite has of its objects are not in the model."""
+    """Return the names of robosuite's objects that are missing in the model."""
     import mujoco
 
     kinds = {
@@ -104,7 +104,7 @@ def _regions(thing: Any) -> dict[str, Any]:
 
 
 def _misread(request: dict[str, Any]) -> list[str]:
-    """Say what of its size and regions an object does not tell."""
+    """Return the missing sizes and regions of an object."""
     thing = _object(request, "sized")
     regions = _regions(thing)
     said = [f"there is no region {name!r}" for name in ("main", "bbox") if name not in regions]
@@ -126,7 +126,7 @@ def _misread(request: dict[str, Any]) -> list[str]:
 
 
 def _driven(mujoco: Any, fields: Fields, joint: dict[str, Any], request: dict[str, Any]) -> list[float]:
-    """Return how far a joint goes that is driven alone to both of its ends, at a steady speed."""
+    """Return the range of a joint that is driven alone to both ends at a steady speed."""
     model, number = fields.model, fields.joints(request)[joint["name"]]
     data = mujoco.MjData(model)
     data.qpos[:] = fields.placed(request, request["poses"][0])
@@ -144,7 +144,7 @@ def _driven(mujoco: Any, fields: Fields, joint: dict[str, Any], request: dict[st
 
 
 def _push(mujoco: Any, model: Any, data: Any, degree: int, speed: float, effort: float, more: float) -> float:
-    """Take a step with the torque that brings a degree of freedom to a speed."""
+    """Simulate a step with the torque that brings a degree of freedom to a speed."""
     mujoco.mj_forward(model, data)
     if abs(data.qvel[degree]) < 0.5 * abs(speed) or data.qvel[degree] * speed < 0.0:
         more = min(effort, max(_LEAST * effort, more * (1.0 + _GROWTH * model.opt.timestep)))

@@ -1,4 +1,4 @@
-"""What SAPIEN reads in a URDF, and how its joints move: physics only, which needs no graphics device."""
+"""SAPIEN driver: reads a URDF and moves its joints, physics only, without a graphics device."""
 
 from typing import Any
 
@@ -6,8 +6,8 @@ import numpy as np
 from driver_protocol import about_axes, ends, free, serve
 from partnet_request import numbered
 
-_SETTLE = 1.0  # how long an asset is left alone first [s]
-_TURN = 1.0  # how long a joint takes from one end to the other [s]
+_SETTLE = 1.0  # time of an asset at rest before the motion [s]
+_TURN = 1.0  # time of a joint from one end to the other [s]
 _STEP = 1.0 / 240.0  # [s]
 
 
@@ -20,7 +20,7 @@ def read(request: dict[str, Any]) -> dict[str, Any]:
 
     if request["layout"] == "flat":
         without_graphics(urdf_loader)
-    sapien.physx.set_body_config(sleep_threshold=0.0)  # a slow drive falls asleep after 0.4 s
+    sapien.physx.set_body_config(sleep_threshold=0.0)  # a slow drive would fall asleep after 0.4 s
     scene = sapien.Scene([sapien.physx.PhysxCpuSystem()])
     scene.set_timestep(_STEP)
     loader = urdf_loader.URDFLoader()
@@ -43,7 +43,7 @@ def read(request: dict[str, Any]) -> dict[str, Any]:
 
 
 def read_alone(step: Any, entity: Any, request: dict[str, Any]) -> dict[str, Any]:
-    """Return what SAPIEN tells of a link without joints, of which it makes an actor."""
+    """Return the values of a link without joints, which SAPIEN loads as an actor."""
     import sapien
 
     body = entity.find_component_by_type(sapien.physx.PhysxRigidDynamicComponent)
@@ -53,7 +53,7 @@ def read_alone(step: Any, entity: Any, request: dict[str, Any]) -> dict[str, Any
     colliders = entity.find_component_by_type(sapien.physx.PhysxRigidBaseComponent).collision_shapes
     (name,) = request["links"]
     return {
-        "links": {} if body is None else {name: _link(body)},  # what is fixed has no mass
+        "links": {} if body is None else {name: _link(body)},  # fixed bodies have no mass
         "joints": {},
         "poses": [{name: np.eye(4)} for _ in request["poses"]],
         "moved": {},
@@ -64,11 +64,11 @@ def read_alone(step: Any, entity: Any, request: dict[str, Any]) -> dict[str, Any
 
 
 def without_graphics(urdf_loader: Any) -> None:
-    """Let URDF with materials be read where there is no graphics device: what is only seen is passed over."""
+    """Allow URDF with materials without a graphics device: visuals are skipped."""
     from sapien.wrapper.actor_builder import ActorBuilder
 
     class Material:
-        """Takes what the loader sets."""
+        """Replacement that accepts the loader's settings."""
 
     def passed_over(builder: Any, *_: Any, **__: Any) -> Any:
         return builder
@@ -78,7 +78,7 @@ def without_graphics(urdf_loader: Any) -> None:
 
 
 def couple(articulation: Any, mimics: Any) -> None:
-    """Make couplings as URDF means them: SAPIEN 3.0 itself turns those between joints of one body round."""
+    """Correct couplings to the meaning of URDF: SAPIEN 3.0 reverses those between joints of one body."""
     joints = {joint.name: joint for joint in articulation.active_joints}
     for item in mimics:
         follower, leader = joints[item.joint], joints[item.mimic]
@@ -126,12 +126,12 @@ def _joint(joint: Any) -> dict[str, Any]:
     return {
         "kind": "prismatic" if joint.type == "prismatic" else "revolute",
         "limits": [low, high] if np.isfinite([low, high]).all() else None,
-        "damping": joint.damping,  # SAPIEN 3.0 does not take over the friction
+        "damping": joint.damping,  # SAPIEN 3.0 does not read the friction
     }
 
 
 def simulate(step: Any, articulation: Any, request: dict[str, Any]) -> dict[str, Any]:
-    """Let the asset settle, then drive each free joint to both of its ends."""
+    """Let the asset settle, then drive each free joint to both ends."""
     joints = {joint.name: joint for joint in articulation.active_joints}
     order = list(joints)
     articulation.set_qpos(np.array([request["poses"][0].get(name, 0.0) for name in order], np.float32))

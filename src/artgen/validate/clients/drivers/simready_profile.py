@@ -1,4 +1,4 @@
-"""What simready-validate says of a USD by NVIDIA's profile of props for robotics."""
+"""simready-validate driver: checks a USD by NVIDIA's profile of props for robotics."""
 
 import ast
 from functools import cache
@@ -11,7 +11,7 @@ _PROFILE, _VERSION = "Robotics-Prop", "4.0.0"
 
 
 def read(request: dict[str, Any]) -> dict[str, Any]:
-    """Return the response to a request: unmet requirements that are optional go to the note."""
+    """Return the response to a request: unmet optional requirements go to the note."""
     from importlib.metadata import version
 
     validate = _validator()
@@ -37,7 +37,7 @@ def read(request: dict[str, Any]) -> dict[str, Any]:
 
 @cache
 def _validator() -> Any:
-    """Return the package, with the profiles that are installed."""
+    """Return the package with the installed profiles."""
     from simready import validate
 
     validate.initialize(rules_and_requirements_paths=[], features_paths=[], profiles_paths=[])
@@ -45,7 +45,7 @@ def _validator() -> Any:
 
 
 def _codes(feature: dict[str, Any]) -> list[str]:
-    """Return the unmet requirements of a feature that its profile does not insist on."""
+    """Return the unmet requirements of a feature that are optional in its profile."""
     codes = ast.literal_eval(feature.get("optional requirements", "[]"))
     return [code.removeprefix("com.nvidia.simready.") for code in codes]
 

@@ -1,4 +1,4 @@
-"""What urchin reads in a URDF."""
+"""urchin driver: reads a URDF."""
 
 from typing import Any
 
