@@ -48,7 +48,7 @@ def test_the_package_works_as_it_is(artgen_command, tmp_path: Path) -> None:
     run("pip", "install", *options, str(package), folder=tmp_path, path=tmp_path)
     shown = run("artgen", "list", folder=tmp_path, path=site)
     line = next(line for line in shown.splitlines() if line.startswith("stapler"))
-    assert "Make a wooden box, shut, with a lid that is hinged at the back." in line
+    assert "Make a closed wooden box with a lid that is hinged at the back." in line
     assert " 1 " in line  # joint
 
 

@@ -124,8 +124,8 @@ def test_what_was_proven_is_kept_without_its_proof(tmp_path: Path) -> None:
 def test_what_needs_solids_says_that_there_are_none(exports: tuple[Path, Path]) -> None:
     with pytest.raises(
         AssetError,
-        match=r"the meshes of link 'body' have a precision of 0\.5 mm: they show its solids, and are not "
-        r"theirs; export the asset with mesh_precision=0",
+        match=r"the meshes of link 'body' have a precision of 0\.5 mm and do not give its exact solids; "
+        r"export the asset with mesh_precision=0",
     ):
         Asset.load(exports[1]).certify()
 
