@@ -110,24 +110,13 @@ PAGES = (
         "`details.engraved` put them on a face.",
         tuple(
             f"details.{name}"
-            for name in (
-                "dials",
-                "displays",
-                "dots",
-                "icons",
-                "lettering",
-                "plates",
-                "pointers",
-                "relief",
-                "segments",
-                "wrap",
-            )
+            for name in ("dials", "displays", "icons", "lettering", "plates", "relief", "wrap")
         ),
     ),
     NodePage(
         "hardware",
         "Screws, seals, vents and racks",
-        "Small hardware. Screws are only seen; racks, louvres and gaskets are solids like any other.",
+        "Small hardware. Screws are only seen; racks and gaskets are solids like any other.",
         ("details.racks", "details.screws", "details.seals", "details.vents"),
     ),
 )

@@ -1,14 +1,13 @@
-"""Segments, dots, displays and rating plates."""
+"""Displays and rating plates."""
 
 import numpy as np
 import pytest
 
-from artgen.errors import BuildError, EvaluationError
+from artgen.errors import BuildError
 from artgen.graph.evaluation import Cache, evaluate
 from artgen.nodes.contours import is_disjoint, outline_area
-from artgen.nodes.details import display, dot_matrix, rating_plate, relief, seven_segment
-from artgen.nodes.details.dots import FONT, dot_matrix_width
-from artgen.nodes.details.segments import FIGURES, has_dark_segments, seven_segment_width
+from artgen.nodes.details import display, rating_plate
+from artgen.nodes.details.displays import FIGURES, figures
 from support.shapes import check_shape
 
 
@@ -20,87 +19,35 @@ def points(outline):
     return np.concatenate([contour.points for contour in outline.contours])
 
 
-def millimetres(outline):
-    return [1e3 * contour.points for contour in outline.contours]
-
-
 @pytest.mark.parametrize("character", [character for character in FIGURES if FIGURES[character]])
 def test_lit_and_dark_segments_make_an_eight(character):
-    lit = value(seven_segment(character, 0.02))
-    whole = value(seven_segment(character, 0.02, show="all"))
+    eight = value(figures("8", 0.02, lit=True))
+    lit = value(figures(character, 0.02, lit=True))
+    dark = value(figures(character, 0.02, lit=False)) if len(FIGURES[character]) < 7 else None
+    both = [*lit.contours, *(dark.contours if dark else ())]
     assert len(lit.contours) == len(set(FIGURES[character]))
-    assert len(whole.contours) == 7
-    assert is_disjoint(millimetres(whole))
-    if has_dark_segments(character):
-        dark = value(seven_segment(character, 0.02, show="dark"))
-        assert len(lit.contours) + len(dark.contours) == 7
-        total = outline_area(lit.contours) + outline_area(dark.contours)
-        assert total == pytest.approx(outline_area(whole.contours), rel=1e-9)
+    assert len(both) == 7
+    assert is_disjoint([1e3 * contour.points for contour in both])
+    assert outline_area(both) == pytest.approx(outline_area(eight.contours), rel=1e-9)
 
 
-def test_figures_have_the_height_and_the_width():
-    outline = value(seven_segment("88:88", 0.02, slant=0.0))
+def test_figures_have_the_height_and_lean_to_the_right():
+    outline = value(figures("88:88", 0.02, lit=True))
     size = np.ptp(points(outline), axis=0)
     assert size[1] == pytest.approx(0.02, rel=1e-6)
-    assert size[0] == pytest.approx(seven_segment_width("88:88") * 0.02, rel=1e-6)
     assert len(outline.contours) == 4 * 7 + 2
-    leaning = points(value(seven_segment("8", 0.02, slant=0.2)))
+    leaning = points(value(figures("8", 0.02, lit=True)))
     assert leaning[np.argmax(leaning[:, 1]), 0] > leaning[np.argmin(leaning[:, 1]), 0]
 
 
 def test_seven_is_not_mirrored():
-    middle = points(value(seven_segment("7", 0.02, slant=0.0)))
+    middle = points(value(figures("7", 0.02, lit=True)))
     assert middle[middle[:, 1] < 0.0, 0].min() > 0.0, "its foot is on the right"
 
 
-def test_characters_that_segments_cannot_show_are_named():
-    with pytest.raises(
-        EvaluationError, match=r"no character 'm' \(U\+006D\) of '12 pm'; it shows .*dot_matrix"
-    ):
-        value(seven_segment("12 pm", 0.02))
-    with pytest.raises(EvaluationError, match="no segment of '88' is dark: all of them are lit"):
-        value(seven_segment("88", 0.02, show="dark"))
-    with pytest.raises(EvaluationError, match="needs at least one character, got ''"):
-        value(seven_segment("", 0.02))
-
-
-def test_every_dot_character_differs_and_fits():
-    assert len(set(FONT.values())) == len(FONT) >= 50
-    for character, rows in FONT.items():
-        assert len(rows) == 7, character
-        assert 0 <= min(rows) <= max(rows) < 32, character
-        assert character == " " or max(rows) > 0, character
-
-
-@pytest.mark.parametrize("dot", ["square", "round"])
-def test_dots_are_apart_and_stand_in_their_cells(dot):
-    outline = value(dot_matrix("AL 5", 0.014, dot=dot))
-    count = sum(row.bit_count() for character in "AL 5" for row in FONT[character])
-    assert len(outline.contours) == count
-    assert is_disjoint(millimetres(outline))
-    size = np.ptp(points(outline), axis=0)
-    assert size[0] == pytest.approx(dot_matrix_width("AL 5") * 0.014, rel=0.03)
-    dark = value(dot_matrix("AL 5", 0.014, dot=dot, show="dark"))
-    assert count + len(dark.contours) == 7 * (4 * 6 - 1)
-    shape = value(relief(dot_matrix("AL 5", 0.014, dot=dot)))
-    check_shape(shape, covered=False)
-    assert shape.manifold.volume() == pytest.approx(0.0008 * outline_area(outline.contours), rel=1e-4)
-
-
-def test_the_dots_of_an_l_read_the_right_way():
-    middles = np.array([each.points.mean(axis=0) for each in value(dot_matrix("L", 0.007)).contours])
-    upper = middles[middles[:, 1] > 0.0005]
-    assert (upper[:, 0] < -0.0015).all(), "its mast is on the left"
-    assert (middles[:, 1] < -0.0025).sum() == 5, "its foot is below"
-
-
-def test_a_missing_dot_character_is_named_with_the_remedy():
-    with pytest.raises(
-        EvaluationError, match=r"5x7 dot font has no character 'e' \(U\+0065\) of 'He'; write 'E'"
-    ):
-        value(dot_matrix("He", 0.01))
-    with pytest.raises(EvaluationError, match=r"no character '界' \(U\+754C\).*use text"):
-        value(dot_matrix("界", 0.01))
+def test_a_display_without_dark_segments_has_no_piece_for_them():
+    assert len(value(display("88", 0.05, 0.02)).link.pieces) == 2
+    assert len(value(display("", 0.05, 0.02)).link.pieces) == 1
 
 
 @pytest.mark.parametrize("color", ["red", "amber", "green", "blue", "white", "cyan", "lcd"])
@@ -128,18 +75,12 @@ def test_figures_shrink_to_the_width_of_the_pane():
     assert np.ptp(lit.shape.bounds(), axis=0)[0] < 0.03
 
 
-def test_a_dark_display_and_one_without_ghosts():
-    assert len(value(display("", 0.05, 0.02)).link.pieces) == 1
-    assert len(value(display("88", 0.05, 0.02)).link.pieces) == 2
-    assert len(value(display("PIZZA", 0.05, 0.02, style="dot_matrix", ghosts=False)).link.pieces) == 2
-
-
 def test_a_display_names_what_it_cannot_show_while_building():
-    with pytest.raises(BuildError, match="no character 'x'") as caught:
-        display("1x", 0.05, 0.02)
+    with pytest.raises(
+        BuildError, match=r"no character 'm' \(U\+006D\) of '12 pm'; it shows .* use text"
+    ) as caught:
+        display("12 pm", 0.05, 0.02)
     assert "test_displays.py" in str(caught.value)
-    with pytest.raises(BuildError, match="no character 'x'"):
-        display("1x", 0.05, 0.02, style="dot_matrix")
 
 
 LINES = ("ORMIVELD", "Model KX-420 B", "220-240 V~  50/60 Hz", "1850 W    IPX1", "S/N 240817-00421")

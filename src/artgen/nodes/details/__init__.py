@@ -4,19 +4,16 @@ Most functions return profiles and solids for any use; `printed`, `raised`, `eng
 `rating_plate` return visual bodies to be welded to a part.
 """
 
-from artgen.nodes.details.dials import dial_icons, dial_scale
+from artgen.nodes.details.dials import dial_band, dial_icons, dial_scale, pointer
 from artgen.nodes.details.displays import display
-from artgen.nodes.details.dots import dot_matrix
 from artgen.nodes.details.icons import ICONS, icon
 from artgen.nodes.details.lettering import BRANDS, emblem, lettering, lettering_width, logo
 from artgen.nodes.details.plates import rating_plate
-from artgen.nodes.details.pointers import dial_band, pointer
-from artgen.nodes.details.racks import bent_wires, tine_row, wire_rack
+from artgen.nodes.details.racks import bent_wires, wire_rack
 from artgen.nodes.details.relief import engraved, printed, raised, relief
 from artgen.nodes.details.screws import drive_recess, rivet, screw, screw_head
-from artgen.nodes.details.seals import foot, gasket, gasket_section, seam
-from artgen.nodes.details.segments import seven_segment
-from artgen.nodes.details.vents import louvre_section, louvres, perforation, vent_slots
+from artgen.nodes.details.seals import foot, gasket
+from artgen.nodes.details.vents import perforation, vent_slots
 from artgen.nodes.details.wrap import wrap, wrapped
 
 __all__ = [
@@ -27,19 +24,15 @@ __all__ = [
     "dial_icons",
     "dial_scale",
     "display",
-    "dot_matrix",
     "drive_recess",
     "emblem",
     "engraved",
     "foot",
     "gasket",
-    "gasket_section",
     "icon",
     "lettering",
     "lettering_width",
     "logo",
-    "louvre_section",
-    "louvres",
     "perforation",
     "pointer",
     "printed",
@@ -49,9 +42,6 @@ __all__ = [
     "rivet",
     "screw",
     "screw_head",
-    "seam",
-    "seven_segment",
-    "tine_row",
     "vent_slots",
     "wire_rack",
     "wrap",

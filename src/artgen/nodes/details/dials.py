@@ -1,4 +1,4 @@
-"""Scales of knobs: ticks, numbers and icons on a circle, read clockwise from the top."""
+"""Scales, bands and pointers of knobs; angles are clockwise from the top."""
 
 import math
 from collections.abc import Sequence
@@ -11,16 +11,16 @@ from artgen.asset.shape import Contour, Outline
 from artgen.graph import kernel
 from artgen.nodes import text
 from artgen.nodes import validators as inputs
-from artgen.nodes.contours import faceted, moved_outline
-from artgen.nodes.details.icons import Weight, checked_icon, icon_outline
-from artgen.nodes.details.pen import SQUARE
+from artgen.nodes.contours import arc_points, faceted, moved_outline
+from artgen.nodes.details.icons import Weight, icon_outline
 from artgen.nodes.handles import Profile, Scalar
-
-Orientation = Literal["upright", "radial"]
-"""Orientation of numbers: upright, or with their feet towards the center of the dial."""
+from artgen.nodes.profile import circle, polygon, rectangle
+from artgen.nodes.surfaces import arc_steps
 
 SWEEP = math.radians(270.0)
 """Rotation of a usual knob [rad]."""
+
+_NUMBER_GAP = 0.001  # space between ticks and numbers [m]
 
 
 def _angles(count: int, sweep: float, start: float | None) -> Array:
@@ -33,16 +33,21 @@ def _angles(count: int, sweep: float, start: float | None) -> Array:
     return first + sweep * np.arange(count) / (count if full else count - 1)
 
 
-def _around(angle: float) -> Array:
-    """Return the matrix that rotates y to an angle clockwise from the top, shape (2, 2)."""
-    cosine, sine = math.cos(angle), math.sin(angle)
-    return np.array([[cosine, sine], [-sine, cosine]])
+def _direction(angle: float) -> Array:
+    """Return the direction of an angle clockwise from the top, shape (2,)."""
+    return np.array([math.sin(angle), math.cos(angle)])
 
 
 def _tick(angle: float, radius: float, length: float, width: float) -> Contour:
     half = width / 2.0
     corners = np.array([[-half, 0.0], [half, 0.0], [half, length], [-half, length]]) + [0.0, radius]
-    return faceted(corners @ _around(angle).T)
+    sine, cosine = _direction(angle)
+    return faceted(corners @ np.array([[cosine, -sine], [sine, cosine]]))
+
+
+def _spacing(radius: float, angles: Array) -> float:
+    """Return the distance of neighboring places on a circle [m]."""
+    return 2.0 * radius * math.sin(min(float(angles[1] - angles[0]), math.pi) / 2.0)
 
 
 @cached(256)
@@ -55,24 +60,16 @@ def _number(string: str, height: float) -> tuple[Outline, Array]:
     return moved_outline(outline, np.eye(2), -middle), np.array([high[0] - low[0], height]) / 2.0
 
 
-def _numbered(
-    numbers: Sequence[str], angles: Array, radius: float, height: float, orientation: str
-) -> list[Contour]:
-    """Return numbers whose inner sides have a distance from the center."""
+def _numbered(numbers: Sequence[str], angles: Array, radius: float, height: float) -> list[Contour]:
+    """Return upright numbers outside a circle."""
     made: list[Contour] = []
     for string, angle in zip(numbers, angles, strict=True):
-        if not string.strip():
-            continue
-        outline, half = _number(string, height)
-        out = np.array([math.sin(angle), math.cos(angle)])
-        turn = np.eye(2)
-        reach = half[1]
-        if orientation == "upright":
+        if string.strip():
+            outline, half = _number(string, height)
+            out = _direction(angle)
             # the bounding box of the number, with cut corners, touches the circle
             reach = min(float(np.abs(out) @ half), 0.94 * float(np.hypot(*half)))
-        else:
-            turn = _around(angle)
-        made += moved_outline(outline, turn, out * (radius + reach)).contours
+            made += moved_outline(outline, np.eye(2), out * (radius + reach)).contours
     return made
 
 
@@ -88,8 +85,6 @@ def _dial_scale(
     width: float,
     numbers: tuple[str, ...],
     number_height: float,
-    number_gap: float,
-    orientation: Orientation,
 ) -> Outline:
     inputs.positive("radius", radius)
     inputs.positive("length", length)
@@ -98,7 +93,7 @@ def _dial_scale(
     if major_every < 1:
         raise ValueError(f"major_every must be at least 1, got {major_every}")
     angles = _angles(ticks, sweep, start)
-    spacing = 2.0 * radius * math.sin(min(float(angles[1] - angles[0]), math.pi) / 2.0)
+    spacing = _spacing(radius, angles)
     if width >= spacing:
         raise ValueError(
             f"{ticks} ticks {width * 1e3:.3g} mm wide do not fit: on a radius of {radius * 1e3:.3g} mm they "
@@ -113,11 +108,10 @@ def _dial_scale(
         if len(numbers) != int(major.sum()):
             raise ValueError(
                 f"{len(numbers)} numbers for {int(major.sum())} long ticks (every {major_every} of {ticks}); "
-                'give one for each, "" where none shall stand'
+                'give one for each, "" for a tick without a number'
             )
         inputs.positive("number height", number_height)
-        reach = radius + major_length + inputs.between("number gap", number_gap, 0.0, 1.0)
-        contours += _numbered(numbers, angles[major], reach, number_height, orientation)
+        contours += _numbered(numbers, angles[major], radius + major_length + _NUMBER_GAP, number_height)
     return Outline(tuple(contours))
 
 
@@ -133,8 +127,6 @@ def dial_scale(
     width: Scalar = 0.0004,
     numbers: Sequence[str] = (),
     number_height: Scalar = 0.0026,
-    number_gap: Scalar = 0.001,
-    orientation: Orientation = "upright",
 ) -> Profile:
     """Make the scale around a knob: ticks on a circle about the origin, clockwise, with numbers outside.
 
@@ -150,8 +142,6 @@ def dial_scale(
         width: Width of a short tick [m].
         numbers: Text at the long ticks, in order; `""` leaves a tick without text.
         number_height: Height of the numbers [m].
-        number_gap: Space between ticks and numbers [m].
-        orientation: Whether numbers are upright or radial.
 
     Examples:
         >>> details.dial_scale(0.02, 11, major_every=5, numbers=("0", "5", "10"))
@@ -169,8 +159,6 @@ def dial_scale(
         width=width,
         numbers=numbers,
         number_height=number_height,
-        number_gap=number_gap,
-        orientation=orientation,
     )
 
 
@@ -186,7 +174,7 @@ def _dial_icons(
     inputs.positive("radius", radius)
     inputs.positive("height", height)
     angles = _angles(len(names), sweep, start)
-    spacing = 2.0 * radius * math.sin(min(float(angles[1] - angles[0]), math.pi) / 2.0)
+    spacing = _spacing(radius, angles)
     if height > spacing:
         raise ValueError(
             f"{len(names)} icons {height * 1e3:.3g} mm high overlap: on a radius of {radius * 1e3:.3g} mm "
@@ -195,9 +183,8 @@ def _dial_icons(
     contours: list[Contour] = []
     for name, angle in zip(names, angles, strict=True):
         if name:
-            middle = radius * np.array([math.sin(angle), math.cos(angle)])
-            outline = icon_outline(checked_icon(name), weight)
-            contours += moved_outline(outline, np.eye(2) * (height / SQUARE), middle).contours
+            icon = icon_outline(name, height, weight)
+            contours += moved_outline(icon, np.eye(2), radius * _direction(angle)).contours
     if not contours:
         raise ValueError("the dial has no icons")
     return Outline(tuple(contours))
@@ -230,3 +217,58 @@ def dial_icons(
     return Profile.record(
         _dial_icons, names=names, radius=radius, height=height, sweep=sweep, start=start, weight=weight
     )
+
+
+@kernel
+def _dial_band(radius: float, width: float, end_width: float, sweep: float, start: float | None) -> Outline:
+    inputs.positive("radius", radius)
+    inputs.positive("width", width)
+    inputs.positive("end width", end_width)
+    inputs.between("sweep", sweep, 1e-3, math.tau * 0.99, "rad")
+    first = -sweep / 2.0 if start is None else inputs.finite("start", start, "rad")
+    steps = 2 * arc_steps(radius + max(width, end_width), sweep)
+    inner, outward = arc_points(np.zeros(2), radius, math.pi / 2.0 - first, -sweep, steps)
+    share = np.arange(steps + 1)[:, None] / steps
+    outer = inner + outward * (width + (end_width - width) * share)
+    return Outline((faceted(np.concatenate([inner, outer[::-1]])),))
+
+
+def dial_band(
+    radius: Scalar, width: Scalar, end_width: Scalar, *, sweep: Scalar = SWEEP, start: Scalar | None = None
+) -> Profile:
+    """Make a band around a knob that widens clockwise, for example for loudness or heat.
+
+    Args:
+        radius: Inner radius [m].
+        width: Width at the start [m].
+        end_width: Width at the end [m].
+        sweep: Angle of the band [rad].
+        start: Start, clockwise from the top [rad]; by default the band is symmetric.
+
+    Examples:
+        >>> details.dial_band(0.02, 0.001, 0.005)
+    """
+    return Profile.record(
+        _dial_band, radius=radius, width=width, end_width=end_width, sweep=sweep, start=start
+    )
+
+
+def pointer(
+    inner: Scalar, outer: Scalar, width: Scalar, *, style: Literal["line", "triangle", "dot"] = "line"
+) -> Profile:
+    """Make the mark of a knob, upward from the origin at the center of the knob.
+
+    Args:
+        inner: Distance of its lower end from the center [m].
+        outer: Distance of its upper end from the center [m].
+        width: Width; for a dot at the upper end, its diameter [m].
+        style: A line, an outward triangle, or a dot.
+
+    Examples:
+        >>> circle(0.02) - details.pointer(0.008, 0.018, 0.004, style="triangle")
+    """
+    if style == "dot":
+        return circle(width / 2).at(0.0, outer - width / 2)
+    if style == "triangle":
+        return polygon([(-0.5, 0.0), (0.5, 0.0), (0.0, 1.0)]).scale(width, outer - inner).at(0.0, inner)
+    return rectangle(width, outer - inner).at(0.0, (inner + outer) / 2)

@@ -1,14 +1,20 @@
-"""Displays: a dark pane with luminous figures, or a grey pane with black figures."""
+"""Displays: a dark pane with luminous seven-segment figures, or a grey pane with black figures."""
 
+import math
 from typing import Literal
 
+import numpy as np
+
+from artgen._arrays import Array
+from artgen.asset.shape import Contour, Outline
 from artgen.errors import BuildError, nearest
+from artgen.graph import kernel
 from artgen.graph.node import authors_line
 from artgen.materials import MATERIALS, Material
+from artgen.nodes import validators as inputs
 from artgen.nodes.body import detail, weld
-from artgen.nodes.details.dots import dot_matrix, dot_matrix_width, dots_of
+from artgen.nodes.contours import circle_contour, faceted, moved_outline
 from artgen.nodes.details.relief import FRONT, reading, relief
-from artgen.nodes.details.segments import Lit, has_dark_segments, seven_segment, seven_segment_width
 from artgen.nodes.handles import Body, Profile, Scalar, Solid, VectorLike
 from artgen.nodes.profile import rectangle
 from artgen.nodes.scalar import min_
@@ -16,6 +22,7 @@ from artgen.nodes.scalar import min_
 Color = Literal["red", "amber", "green", "blue", "white", "cyan", "lcd"]
 """Appearance of the figures: luminous in a color, or black on a grey-green liquid crystal."""
 
+_SHARE = 0.56  # height of the figures as a share of the pane's
 _PANE = 0.0008  # height of the pane above the face [m]
 _FILM = 0.0001  # height of the figures above the pane [m]
 
@@ -29,24 +36,94 @@ _GLOW: dict[str, tuple[float, float, float]] = {
 }
 
 
-def glow(color: str) -> Material:
-    """Return the material of luminous figures in a color."""
-    tone = _GLOW[color]
-    name = "display" if color == "cyan" else f"led_{color}"
-    if name in MATERIALS:
-        return MATERIALS[name]
-    dim = tuple(0.3 * channel for channel in tone)
-    return MATERIALS["abs"].with_(
-        name=name, base_color=dim, emission=tone, specular_roughness=0.3, texture="", tile=None
-    )
+# lengths relative to the height of a figure
+_THICK = 0.125  # width of a segment
+_WIDE = 0.56
+_SPACE = 0.24  # between figures
+_COLON = 0.20  # width of a colon
+_GAP = 0.016  # gap between segments
+_SLANT = 0.1  # slant of the figures to the right [rad]
+
+FIGURES: dict[str, str] = {
+    "0": "abcdef", "1": "bc", "2": "abdeg", "3": "abcdg", "4": "bcfg", "5": "acdfg", "6": "acdefg",
+    "7": "abc", "8": "abcdefg", "9": "abcdfg", " ": "", "-": "g", "_": "d", "=": "dg",
+    "A": "abcefg", "B": "cdefg", "C": "adef", "D": "bcdeg", "E": "adefg", "F": "aefg", "G": "acdef",
+    "H": "bcefg", "I": "ef", "J": "bcde", "L": "def", "N": "ceg", "O": "cdeg", "P": "abefg",
+    "Q": "abcfg", "R": "eg", "S": "acdfg", "T": "defg", "U": "bcdef", "Y": "bcdfg", "°": "abfg",
+}  # fmt: skip
+"""Lit segments of each figure: a is the top, then clockwise, g the center."""
 
 
-def _black_glass() -> Material:
-    if "black_glass" in MATERIALS:
-        return MATERIALS["black_glass"]
-    return MATERIALS["glass"].with_(
-        name="black_glass", base_color=(0.012, 0.012, 0.014), specular_roughness=0.06, opacity=1.0
-    )
+_SEGMENTS = {
+    "a": (False, 0, 2), "b": (True, 1, 1), "c": (True, 1, 0), "d": (False, 0, 0),
+    "e": (True, 0, 0), "f": (True, 0, 1), "g": (False, 0, 1),
+}  # fmt: skip
+"""Whether a segment is upright, and the column and row of its start."""
+
+
+def _bar(*, upright: bool, column: int, row: int) -> Array:
+    """Return the border of a segment with pointed ends, the lower left corner of its figure at the origin."""
+    half, reach, rise = _THICK / 2.0, _WIDE - _THICK, (1.0 - _THICK) / 2.0
+    a, b = _GAP / 2.0, (rise if upright else reach) - _GAP / 2.0
+    line = [(a, 0.0), (a + half, -half), (b - half, -half), (b, 0.0), (b - half, half), (a + half, half)]
+    points = np.array(line)
+    if upright:
+        points = np.column_stack([-points[:, 1], points[:, 0]])
+    return points + [half + column * reach, half + row * rise]
+
+
+_BARS = {
+    name: _bar(upright=upright, column=column, row=row) for name, (upright, column, row) in _SEGMENTS.items()
+}
+
+
+def _cells(string: str) -> tuple[list[tuple[str, float]], float]:
+    """Return the characters with their start positions, and the width, in heights of a figure."""
+    places: list[tuple[str, float]] = []
+    pen = 0.0
+    for shown in string:
+        character = shown.upper()
+        if character not in FIGURES and character not in ":.":
+            raise ValueError(
+                f"a seven-segment figure has no character {shown!r} (U+{ord(shown):04X}) of "
+                f"{string!r}; it shows {''.join(sorted(FIGURES)).strip()}:. - use text instead"
+            )
+        if character == ".":  # a point uses the space after its figure
+            places.append((character, pen - _SPACE if places else pen))
+            pen += 0.0 if places[:-1] else _SPACE
+            continue
+        places.append((character, pen))
+        pen += (_COLON if character == ":" else _WIDE) + _SPACE
+    return places, pen - _SPACE
+
+
+@kernel
+def _figures(string: str, height: float, lit: bool) -> Outline:
+    places, width = _cells(string)
+    contours: list[Contour] = []
+    for character, x in places:
+        if character not in ":.":
+            bars = [bar for name, bar in _BARS.items() if (name in FIGURES[character]) == lit]
+            contours += [faceted(bar + [x, 0.0]) for bar in bars]
+        elif lit:
+            dot = circle_contour(0.55 * _THICK, 12)
+            across = x + (_COLON if character == ":" else _SPACE) / 2.0
+            contours += [
+                Contour(dot.points + np.array([across, level]), dot.normals_in, dot.normals_out)
+                for level in ((0.3, 0.7) if character == ":" else (0.5 * _THICK,))
+            ]
+    matrix = np.array([[1.0, math.tan(_SLANT)], [0.0, 1.0]]) * inputs.positive("height", height)
+    convex = tuple(contour.points for contour in contours)
+    return moved_outline(Outline(tuple(contours), convex), matrix, matrix @ np.array([-width / 2.0, -0.5]))
+
+
+def figures(string: str, height: Scalar, *, lit: bool) -> Profile:
+    """Make the lit or the dark segments of figures such as `"12:30"` or `"-18°C"`, centered on the origin."""
+    return Profile.record(_figures, string=string, height=height, lit=lit)
+
+
+def _has_dark_segments(string: str) -> bool:
+    return any(character not in ":." and len(FIGURES[character]) < 7 for character, _ in _cells(string)[0])
 
 
 def _materials(color: str) -> tuple[Material, Material, Material]:
@@ -61,20 +138,10 @@ def _materials(color: str) -> tuple[Material, Material, Material]:
         )
         ghost = pane.with_(name="lcd_dark", base_color=(0.295, 0.34, 0.265))
         return pane, pane.with_(name="lcd_lit", base_color=(0.02, 0.024, 0.02)), ghost
-    pane = _black_glass()
+    pane = MATERIALS["black_glass"]
     faint = tuple(0.014 + 0.022 * channel for channel in _GLOW[color])
     dark = pane.with_(name=f"led_{color}_dark", base_color=faint, texture="", tile=None)
-    return pane, glow(color), dark
-
-
-def _width(string: str, style: str) -> float:
-    """Return the width of a text relative to the height of its figures."""
-    try:
-        if style == "dot_matrix":
-            return dot_matrix_width(string) if dots_of(string).any() else 0.0
-        return seven_segment_width(string) + 0.12  # slant of the figures
-    except ValueError as error:
-        raise BuildError(f"{error}\n  at {authors_line()}") from None
+    return pane, MATERIALS["display" if color == "cyan" else f"led_{color}"], dark
 
 
 def display(
@@ -85,10 +152,7 @@ def display(
     at: VectorLike = (0.0, 0.0, 0.0),
     facing: VectorLike = FRONT,
     up: VectorLike | None = None,
-    style: Literal["seven_segment", "dot_matrix"] = "seven_segment",
     color: Color = "red",
-    share: Scalar = 0.56,
-    ghosts: bool = True,
     label: str = "display",
 ) -> Body:
     """Make a display on a face: a pane 0.8 mm above the face with visual figures.
@@ -100,14 +164,11 @@ def display(
         at: Center of the pane on the face [m].
         facing: Outward direction of the face.
         up: Upward direction for the reader; by default Z, or Y on a face that looks up or down.
-        style: Seven-segment figures or a dot matrix.
         color: Color of luminous figures on black glass, or a liquid crystal.
-        share: Height of the figures as a share of the pane's; less if they would be too wide.
-        ghosts: Whether dark segments are faintly visible.
         label: Semantic label of pane and figures.
 
     Raises:
-        BuildError: The style cannot show a character.
+        BuildError: Segments cannot show a character.
 
     Examples:
         >>> plate = part(box(0.06, 0.004, 0.04), "plate", material("abs"))
@@ -121,16 +182,15 @@ def display(
     corner = 0.06 * min_(width, height)
     turns = {"reads": reading(facing, up), "about": at}
     bodies = [detail(plate(rectangle(width, height, radius=corner), _PANE, 0.0003), label, pane, **turns)]
-    wide = _width(string, style) if string.strip() else 0.0
-    if wide > 0.0:
-        tall = min_(share * height, 0.84 * width / wide)
-
-        def figures(show: Lit) -> Profile:
-            if style == "dot_matrix":
-                return dot_matrix(string, tall, show=show)
-            return seven_segment(string, tall, show=show)
-
-        bodies.append(detail(plate(figures("lit"), _PANE + _FILM), label, lit, **turns))
-        if ghosts and (style == "dot_matrix" or has_dark_segments(string)):
-            bodies.append(detail(plate(figures("dark"), _PANE + _FILM), label, dark, **turns))
+    if string.strip():
+        try:
+            wide = _cells(string)[1] + 0.12  # slant of the figures
+        except ValueError as error:
+            raise BuildError(f"{error}\n  at {authors_line()}") from None
+        tall = min_(_SHARE * height, 0.84 * width / wide)
+        bodies.append(detail(plate(figures(string, tall, lit=True), _PANE + _FILM), label, lit, **turns))
+        if _has_dark_segments(string):
+            bodies.append(
+                detail(plate(figures(string, tall, lit=False), _PANE + _FILM), label, dark, **turns)
+            )
     return weld(*bodies)

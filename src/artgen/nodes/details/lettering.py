@@ -11,8 +11,7 @@ from artgen.graph import kernel
 from artgen.nodes import text
 from artgen.nodes import validators as inputs
 from artgen.nodes.contours import is_disjoint, moved_outline, outline_of, section
-from artgen.nodes.details.ink import drawing
-from artgen.nodes.details.pen import SQUARE, Mark, arc, circle, cut, disc, fill, stroke, turned
+from artgen.nodes.details.icons import drawing
 from artgen.nodes.handles import Profile, Scalar
 
 Fineness = Literal["fine", "coarse"]
@@ -118,39 +117,12 @@ def lettering_width(string: str, tracking: float = 0.0) -> float:
     return text.text_width(string) + tracking * (len(string) - 1)
 
 
-_EMBLEMS: dict[str, tuple[Mark, ...]] = {
-    "ring": (*disc(0, 0, 10), *circle(0, 0, 6.2, "cut")),
-    "bar": fill("M-9,-9 H-4.4 V0 H-9 Z M-2.3,-9 H2.3 V5 H-2.3 Z M4.4,-9 H9 V10 H4.4 Z"),
-    "leaf": (
-        *fill("M-7,-7.6 C-10,3 -2.4,9.8 9.6,9.6 C9.8,-3.6 2.8,-10.6 -7,-7.6 Z"),
-        *cut("M-9.6,-10 C-6,-3.2 -1.6,0.8 5,4.2 C-0.4,-0.4 -4,-4.4 -7.2,-10 Z"),
-    ),
-    "hexagon": (
-        *fill("M0,10 L-8.66,5 V-5 L0,-10 L8.66,-5 V5 Z"),
-        *cut("M0,5.6 L-4.85,2.8 V-2.8 L0,-5.6 L4.85,-2.8 V2.8 Z"),
-    ),
-    "waves": tuple(
-        mark
-        for y in (-6.4, 0, 6.4)
-        for mark in stroke(
-            f"M-9,{y - 1} C-5.4,{y + 3.4} -3,{y + 3.4} 0,{y} C3,{y - 3.4} 5.4,{y - 3.4} 9,{y + 1}", 1.6
-        )
-    ),
-    "peak": fill("M-10,-9 L-2,9 L1.6,0.8 L3.6,4.6 L10,-9 H4.4 L2.4,-4.4 L0.6,-8.4 L-2,-2.4 L-5,-9 Z"),
-    "sun": (*disc(0, 0, 4.6), *turned(12, fill("M-1,6.4 L-0.5,10 H0.5 L1,6.4 Z"))),
-    "bow": (*disc(0, -4.6, 3.4), *arc(0, -5, 7.4, 0, 180), *arc(0, -5, 12, 24, 132)),
-    "diamond": (*fill("M0,10 L-7,0 L0,-10 L7,0 Z"), *cut("M0,3.2 L-2.4,0 L0,-3.2 L2.4,0 Z")),
-    "quarters": turned(4, fill("M0.9,0.9 H9.6 A8.7 0.9,9.6 Z")),
-}
-
-
 @kernel
 def _emblem(name: Emblem, height: float) -> Outline:
     inputs.positive("height", height)
     if name == "none":
         raise ValueError("the emblem 'none' has nothing to show")
-    outline = drawing(_EMBLEMS[name], 1.9, f"the emblem {name!r}")
-    return moved_outline(outline, np.eye(2) * (height / SQUARE), np.zeros(2))
+    return drawing(f"emblem-{name}", 1.9, height)
 
 
 def emblem(name: Emblem, height: Scalar) -> Profile:

@@ -1,4 +1,4 @@
-"""Wire racks and tines: touching wires, each a separate solid.
+"""Wire racks: touching wires, each a separate solid.
 
 Wires touch within 2 micrometres instead of overlapping: no boolean is needed, mass is exact, and every
 straight wire collides as its own capsule.
@@ -21,7 +21,6 @@ from artgen.nodes.primitive import _capsule
 from artgen.nodes.primitive_colliders import lazily
 from artgen.nodes.profile import _circle
 from artgen.nodes.sweep import _sweep, swept_skin
-from artgen.nodes.transform import rotation_about
 
 _GAP = 2e-6  # [m]
 _MOST_WIRES = 200
@@ -129,51 +128,6 @@ def wire_rack(
         direction=direction,
         supports=supports,
     )
-
-
-@kernel
-def _tine_row(count: int, pitch: float, height: float, wire: float, rail: float, lean: float) -> Shape:
-    inputs.positive("wire", wire)
-    inputs.positive("rail", rail)
-    inputs.between("pitch", pitch, 2.0 * wire + _GAP, 10.0)
-    inputs.between("height", height, 4.0 * wire + 2.0 * rail, 10.0)
-    inputs.between("lean", lean, -0.8, 0.8, "rad")
-    if not 1 <= count <= _MOST_WIRES:
-        raise ValueError(f"a row has 1 to {_MOST_WIRES} tines, got {count}")
-    length = (height - rail - _GAP - 2.0 * wire) / math.cos(lean) + 2.0 * wire
-    turn = rotation_about(np.array([1.0, 0.0, 0.0]), lean)
-    half = length / 2.0 - wire
-    tine = _capsule(wire, length, np.array([0.0, 0.0, 1.0]))
-    middle = turn @ np.array([0.0, 0.0, half]) + np.array([0.0, 0.0, rail + wire + _GAP])
-    tine = tine.transformed(inputs.pose(turn, middle))
-    places = (np.arange(count) - (count - 1) / 2.0)[:, None] * np.array([pitch, 0.0, 0.0])
-    base = _capsule(rail, (count - 1) * pitch + 4.0 * wire + 2.0 * rail, np.array([1.0, 0.0, 0.0]))
-    return ComposedShape([base, *_copies(tine, places)])
-
-
-def tine_row(
-    count: int,
-    *,
-    pitch: Scalar = 0.026,
-    height: Scalar = 0.07,
-    wire: Scalar = 0.0017,
-    rail: Scalar = 0.0022,
-    lean: Scalar = 0.0,
-) -> Solid:
-    """Make a row of tines, such as between the plates of a dishwasher, on a wire along X through the origin.
-
-    Args:
-        count: Number of tines.
-        pitch: Distance between them [m].
-        height: Height of their tips above the center of the rail [m].
-        wire: Radius of a tine [m].
-        rail: Radius of the wire below them [m].
-        lean: Rotation about X, towards the front [rad].
-
-    Examples:
-        >>> details.tine_row(8, lean=0.2)
-    """
-    return Solid.record(_tine_row, count=count, pitch=pitch, height=height, wire=wire, rail=rail, lean=lean)
 
 
 @kernel

@@ -1,4 +1,4 @@
-"""Vents: perforated sheets, rows of slots and louvres."""
+"""Vents: perforated sheets and rows of slots."""
 
 import math
 from typing import Literal
@@ -12,8 +12,7 @@ from artgen.asset.shape import Contour, Outline
 from artgen.graph import kernel
 from artgen.nodes import validators as inputs
 from artgen.nodes.contours import circle_contour, moved_outline, reversed_contour, section
-from artgen.nodes.extrude import extrude
-from artgen.nodes.handles import Profile, Scalar, Solid
+from artgen.nodes.handles import Profile, Scalar
 from artgen.nodes.profile import _slot
 
 MOST_HOLES = 2000
@@ -116,39 +115,26 @@ def perforation(
 
 @kernel
 def _vent_slots(
-    width: float,
-    height: float,
-    count: int,
-    slot: float,
-    direction: Literal["vertical", "horizontal"],
-    slant: float,
+    width: float, height: float, count: int, slot: float, direction: Literal["vertical", "horizontal"]
 ) -> Outline:
     inputs.positive("width", width)
     inputs.positive("height", height)
     inputs.positive("slot", slot)
-    inputs.between("slant", slant, -1.0, 1.0, "rad")
     if count < 1:
         raise ValueError(f"vent slots need a count of at least 1, got {count}")
-    across, along = (width, height) if direction == "vertical" else (height, width)
-    lean = along * math.tan(abs(slant))
+    upright = direction == "vertical"
+    across, along = (width, height) if upright else (height, width)
     if slot > along:
         raise ValueError(f"a slot {slot * 1e3:.3g} mm wide is wider than long ({along * 1e3:.3g} mm)")
-    room = across - lean - slot
+    room = across - slot
     if (room < 0.0) if count == 1 else (room / (count - 1) <= slot * 1.02):
         raise ValueError(
-            f"{count} slots {slot * 1e3:.3g} mm wide do not fit into {across * 1e3:.3g} mm"
-            f"{' with that slant' if slant else ''}; use fewer or thinner ones"
+            f"{count} slots {slot * 1e3:.3g} mm wide do not fit into {across * 1e3:.3g} mm; use fewer or "
+            "thinner ones"
         )
-    one = _slot(along, slot).contours[0]
-    turn = np.array([[0.0, -1.0], [1.0, 0.0]]) if direction == "vertical" else np.eye(2)
-    shear = math.tan(slant)
-    lean_matrix = (
-        np.array([[1.0, shear], [0.0, 1.0]])
-        if direction == "vertical"
-        else np.array([[1.0, 0.0], [shear, 1.0]])
-    )
-    shape = moved_outline(Outline((one,)), lean_matrix @ turn, np.zeros(2)).contours[0]
-    step = np.array([1.0, 0.0]) if direction == "vertical" else np.array([0.0, 1.0])
+    turn = np.array([[0.0, -1.0], [1.0, 0.0]]) if upright else np.eye(2)
+    shape = moved_outline(_slot(along, slot), turn, np.zeros(2)).contours[0]
+    step = np.array([1.0, 0.0]) if upright else np.array([0.0, 1.0])
     at = np.linspace(-room / 2.0, room / 2.0, count) if count > 1 else np.zeros(1)
     contours = tuple(
         Contour(shape.points + place * step, shape.normals_in, shape.normals_out) for place in at
@@ -163,7 +149,6 @@ def vent_slots(
     *,
     slot: Scalar = 0.002,
     direction: Literal["vertical", "horizontal"] = "vertical",
-    slant: Scalar = 0.0,
 ) -> Profile:
     """Make a row of slots with round ends that fills a rectangle about the origin.
 
@@ -175,83 +160,10 @@ def vent_slots(
         count: Number of slots.
         slot: Width of a slot [m].
         direction: Direction of the slots.
-        slant: Inclination of the slots [rad].
 
     Examples:
         >>> rectangle(0.08, 0.04) - details.vent_slots(0.06, 0.02, 9)
     """
     return Profile.record(
-        _vent_slots, width=width, height=height, count=count, slot=slot, direction=direction, slant=slant
+        _vent_slots, width=width, height=height, count=count, slot=slot, direction=direction
     )
-
-
-@kernel
-def _louvre_section(height: float, count: int, depth: float, thickness: float, tilt: float) -> Outline:
-    inputs.positive("height", height)
-    inputs.positive("depth", depth)
-    inputs.positive("thickness", thickness)
-    inputs.between("tilt", tilt, -1.2, 1.2, "rad")
-    if count < 2:
-        raise ValueError(f"louvres need at least 2 slats, got {count}")
-    length = (depth - thickness) / math.cos(tilt) + thickness
-    if length < thickness:
-        raise ValueError(f"a depth of {depth * 1e3:.3g} mm is less than the slats are thick")
-    rise = thickness + (length - thickness) * math.sin(abs(tilt))
-    pitch = (height - rise) / (count - 1)
-    if pitch * math.cos(tilt) <= thickness:
-        raise ValueError(
-            f"{count} slats {thickness * 1e3:.3g} mm thick do not fit into {height * 1e3:.3g} mm at a tilt "
-            f"of {tilt:.3g} rad; use fewer, thinner or flatter ones"
-        )
-    cosine, sine = math.cos(tilt), math.sin(tilt)
-    slat = moved_outline(_slot(length, thickness), np.array([[cosine, -sine], [sine, cosine]]), np.zeros(2))
-    one = slat.contours[0]
-    contours = tuple(
-        Contour(one.points + np.array([0.0, place]), one.normals_in, one.normals_out)
-        for place in pitch * (np.arange(count) - (count - 1) / 2.0)
-    )
-    return Outline(contours, tuple(contour.points for contour in contours))
-
-
-def louvre_section(height: Scalar, count: int, *, depth: Scalar, thickness: Scalar, tilt: Scalar) -> Profile:
-    """Make the cross-section of louvres with x as the depth from front to back; `louvres` extrudes it.
-
-    Args:
-        height: Total height [m].
-        count: Number of slats.
-        depth: Depth from front to back [m].
-        thickness: Thickness of a slat [m].
-        tilt: Inclination towards the front [rad].
-
-    Examples:
-        >>> details.louvre_section(0.06, 5, depth=0.012, thickness=0.0015, tilt=0.6)
-    """
-    return Profile.record(
-        _louvre_section, height=height, count=count, depth=depth, thickness=thickness, tilt=tilt
-    )
-
-
-def louvres(
-    width: Scalar,
-    height: Scalar,
-    count: int,
-    *,
-    depth: Scalar = 0.012,
-    thickness: Scalar = 0.0015,
-    tilt: Scalar = 0.6,
-) -> Solid:
-    """Make tilted slats along X between two sides, which are not included; centered on the origin.
-
-    Args:
-        width: Length of the slats [m].
-        height: Total height [m].
-        count: Number of slats.
-        depth: Depth from front to back [m].
-        thickness: Thickness of a slat [m].
-        tilt: Inclination towards the front (-Y) [rad].
-
-    Examples:
-        >>> details.louvres(0.1, 0.06, 5)
-    """
-    profile = louvre_section(height, count, depth=depth, thickness=thickness, tilt=tilt)
-    return extrude(profile, width, axis=(1.0, 0.0, 0.0))

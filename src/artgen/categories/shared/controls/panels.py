@@ -133,7 +133,6 @@ def control_panel(
     show: str = "",
     screen: tuple[Scalar, Scalar] = (0.05, 0.018),
     color: Color = "white",
-    style: Literal["seven_segment", "dot_matrix"] = "seven_segment",
     upright: bool = False,
     finish: Material | None = None,
     ink: Material | None = None,
@@ -149,7 +148,7 @@ def control_panel(
     if show:
         top = 0.5 * height - 0.9 * screen[1]
         at = (0.0, -PANE, top if upright and icons else 0.0)
-        bodies.append(details.display(show, *screen, at=at, color=color, style=style))
+        bodies.append(details.display(show, *screen, at=at, color=color))
     if icons and upright:
         bodies.append(_column(icons, pitch, icon_height, -0.5 * screen[1] if show else 0.0, print_))
     elif icons:
