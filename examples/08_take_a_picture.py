@@ -15,6 +15,6 @@ except RenderError as error:  # no MuJoCo or no OpenGL on this machine: the mess
     print("no picture:", error)
     sys.exit()
 
-print(picture.save("out/door.png"), "drawn by MuJoCo's renderer", picture.backend)
+print(picture.save("out/door.png"))
 print("the handle covers", int(picture.links.mask("handle").sum()), "pixels")
 print(f"the nearest point is {picture.depth.min():.2f} m away")

@@ -60,9 +60,7 @@ def thumbnail(category: str, digest: str) -> bytes:
         asset = _asset(category)
         (_, view), (q, _), *_ = shots(asset)
         ajar = {joint: _OPEN * position for joint, position in q.items()}
-        pixels = render(
-            asset, ajar, camera=view, size=_SIZE, studio="none", backend="classic", textures=256
-        ).color
+        pixels = render(asset, ajar, camera=view, size=_SIZE, studio="none", textures=256).color
         close()
         file = io.BytesIO()
         Image.fromarray(pixels).save(file, "WEBP", quality=84, method=6)

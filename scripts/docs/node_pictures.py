@@ -46,10 +46,7 @@ def picture(made: Handle) -> bytes:
     if kept is not None:
         return kept
     pixels = [
-        render(
-            asset, q, camera=view, size=SIZE, studio="none", backend="classic", textures=0, samples=4
-        ).color
-        for q in poses
+        render(asset, q, camera=view, size=SIZE, studio="none", textures=0, samples=4).color for q in poses
     ]
     close()
     file = io.BytesIO()

@@ -97,23 +97,13 @@ def render(
     camera: "Camera | View | str | None" = None,
     size: int | tuple[int, int] = 768,
     studio: Literal["studio", "room", "none"] = "studio",
-    backend: Literal["auto", "classic", "filament"] = "auto",
     textures: int = 512,
     samples: int = 32,
 ) -> "Picture":
     """Render a picture of the asset, with masks, depth and normals; see `artgen.view.render`."""
     from artgen import view
 
-    return view.render(
-        self,
-        q,
-        camera=camera,
-        size=size,
-        studio=studio,
-        backend=backend,
-        textures=textures,
-        samples=samples,
-    )
+    return view.render(self, q, camera=camera, size=size, studio=studio, textures=textures, samples=samples)
 
 
 def show(self: Asset, *, textures: int = 512, height: int = 600) -> "Page":

@@ -45,7 +45,7 @@ def glass_cabinet() -> Asset:
 
 @pytest.fixture(scope="module")
 def opengl() -> Iterator[None]:
-    """Skip where the classic renderer cannot work; free what it holds at the end."""
+    """Skip where MuJoCo cannot draw; free what it holds at the end."""
     pytest.importorskip("mujoco", reason="needs MuJoCo: artgen[sim]")
     from artgen.view import RenderError, close, gl
 

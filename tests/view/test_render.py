@@ -12,14 +12,14 @@ from scipy import ndimage
 import artgen
 from artgen.asset import Asset
 from artgen.errors import AssetError, ExportError, ParameterError
-from artgen.view import Camera, RenderError, View, filament, gl, opened, rendering
+from artgen.view import Camera, RenderError, View, gl, opened, rendering
 from artgen.view.picture import Picture
 
 pytestmark = pytest.mark.usefixtures("opengl")
 
 
 def picture(asset: Asset, q=None, **arguments) -> Picture:
-    return asset.render(q, **{"size": 128, "backend": "classic", "textures": 0, "samples": 4} | arguments)
+    return asset.render(q, **{"size": 128, "textures": 0, "samples": 4} | arguments)
 
 
 def mean(shown: Picture, mask) -> np.ndarray:
@@ -194,7 +194,6 @@ def test_pictures_are_saved(red_cabinet, tmp_path) -> None:
         ({"size": 64.5}, "must be one or two whole numbers"),
         ({"size": True}, "must be one or two whole numbers"),
         ({"studio": "studo"}, "there is no studio 'studo'. Did you mean 'studio'?"),
-        ({"backend": "opengl"}, "there is no backend 'opengl'"),
         ({"samples": 0}, "samples 0 must be a whole number from 1 on"),
         ({"textures": 100}, "textures have 256"),
         ({"textures": None}, "textures have 256.* not None"),
@@ -259,7 +258,7 @@ from artgen.materials import material
 def cube() -> Body:
     return part(box(0.1, 0.1, 0.1), "cube", material("oak"))
 
-shown = cube.generate().render(size=32, backend="classic", textures=0, samples=1)
+shown = cube.generate().render(size=32, textures=0, samples=1)
 print(shown.links.mask("cube").sum() > 100)
 """
 
@@ -280,45 +279,3 @@ def test_a_program_that_draws_ends_without_a_word(library, monkeypatch) -> None:
         env=os.environ,
     )
     assert (done.returncode, done.stdout, done.stderr) == (0, "True\n", "")
-
-
-class TestFilament:
-    """The other renderer, where it works."""
-
-    @pytest.fixture(autouse=True)
-    def works(self) -> None:
-        if not filament.works():
-            pytest.skip("needs Filament: Python 3.12, mujoco-studio and Vulkan")
-
-    def test_auto_takes_it(self, red_cabinet) -> None:
-        assert red_cabinet.render(size=32, textures=0, samples=1).backend == "filament"
-
-    def test_it_shows_the_same(self, red_cabinet, glass_cabinet) -> None:
-        shown = picture(red_cabinet, backend="filament", camera="front")
-        red, green, blue = mean(shown, shown.labels.mask("door"))
-        assert red > 2.0 * max(green, blue)
-        clear = picture(glass_cabinet, backend="filament", camera="front")
-        behind = ndimage.binary_erosion(shown.labels.mask("door"), iterations=20)
-        red, _, blue = clear.color[behind].mean(axis=0)
-        assert blue > red + 15
-        # masks fit colors: what differs from an empty studio is the asset
-        red_seen = (shown.color[..., 0] > 2.0 * shown.color[..., 1]) & (shown.color[..., 0] > 80)
-        mask = shown.labels.mask("door")
-        assert (red_seen & mask).sum() > 0.8 * mask.sum()
-        assert not (red_seen & ~ndimage.binary_dilation(mask, iterations=3)).any()
-
-    def test_assets_take_turns(self, red_cabinet, glass_cabinet) -> None:
-        first = picture(red_cabinet, backend="filament").color.astype(int)
-        picture(glass_cabinet, backend="filament")
-        again = picture(red_cabinet, backend="filament").color
-        assert np.abs(first - again).mean() < 1.5  # its noise differs from frame to frame
-
-    def test_without_an_environment_it_is_white_around(self, red_cabinet) -> None:
-        assert picture(red_cabinet, backend="filament", studio="none").color[0, 0].min() >= 245
-
-
-def test_filament_says_what_it_needs(red_cabinet) -> None:
-    if filament.works():
-        pytest.skip("it works here")
-    with pytest.raises(RenderError, match=r"Filament .*(needs|backend='classic')"):
-        picture(red_cabinet, backend="filament")

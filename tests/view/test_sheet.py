@@ -22,7 +22,7 @@ from artgen.view import sheet as sheets
 from artgen.view.sheet import save_sheet, sheet, shots, words
 
 OAK = material("oak")
-DRAW = {"backend": "classic", "textures": 0, "samples": 1, "size": 48}
+DRAW = {"textures": 0, "samples": 1, "size": 48}
 
 
 @generator
@@ -248,7 +248,7 @@ def exported(red_cabinet, tmp_path) -> Asset:
     return red_cabinet.export(tmp_path / "cabinet", formats=("urdf",))
 
 
-FAST = ("--backend", "classic", "--texture-size", "0", "--samples", "1", "--size", "64x48")
+FAST = ("--texture-size", "0", "--samples", "1", "--size", "64x48")
 
 
 @pytest.mark.usefixtures("opengl")
@@ -280,9 +280,7 @@ class TestCommands:
         assert Path("h.png").stat().st_size > 500
 
     def test_sheet_draws_samples(self, artgen_command) -> None:
-        done = artgen_command(
-            "sheet", "handle", "--seeds", "2", "--first-seed", "5", "--size", "64", "--backend", "classic"
-        )
+        done = artgen_command("sheet", "handle", "--seeds", "2", "--first-seed", "5", "--size", "64")
         assert (done.code, done.out, done.err) == (0, "handle.jpg\n", "")
         assert Path("handle.jpg").stat().st_size <= 350_000
 

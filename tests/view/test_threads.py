@@ -4,12 +4,8 @@ import multiprocessing
 import os
 import subprocess
 import sys
-import threading
 
 import pytest
-
-from artgen.view import filament
-from artgen.view.filament import OneThread
 
 pytestmark = pytest.mark.usefixtures("opengl")
 
@@ -22,7 +18,7 @@ def cube() -> Body:
     return part(box(0.1, 0.1, 0.1), "cube", material("oak"))
 
 def picture(asset):
-    return asset.render(size=32, backend=BACKEND, textures=0, samples=4)
+    return asset.render(size=32, textures=0, samples=4)
 
 asset = cube.generate()
 seen = []
@@ -31,7 +27,7 @@ seen = []
 THREADS = """
 def draw(asset):
     shown = picture(asset)
-    seen.append((shown.backend, int(shown.links.mask("cube").sum())))
+    seen.append(int(shown.links.mask("cube").sum()))
 
 for made in (lambda: asset, cube.generate):
     threads = [threading.Thread(target=draw, args=(made(),)) for _ in range(3)]
@@ -40,7 +36,7 @@ for made in (lambda: asset, cube.generate):
     for thread in threads:
         thread.join()
 draw(asset)
-print(len(seen), len(set(seen)), seen[0][0])
+print(len(seen), len(set(seen)), seen[0] > 100)
 """
 
 FORK = """
@@ -72,65 +68,16 @@ def output_of(program: str) -> str:
     return done.stdout
 
 
-@pytest.fixture(params=["classic", "filament"])
-def backend(request) -> str:
-    if request.param == "filament" and not filament.works():
-        pytest.skip("needs Filament: Python 3.12, mujoco-studio and Vulkan")
-    return request.param
-
-
-def test_threads_draw_the_same(backend) -> None:
-    program = CUBE.replace("BACKEND", repr(backend)) + THREADS
-    assert output_of(program) == f"7 1 {backend}\n"
+def test_threads_draw_the_same() -> None:
+    assert output_of(CUBE + THREADS) == "7 1 True\n"
 
 
 @pytest.mark.skipif(
     "fork" not in multiprocessing.get_all_start_methods(), reason="needs fork: Linux or macOS"
 )
-def test_a_forked_process_says_that_it_cannot_draw(backend) -> None:
-    refused, masked, parent = output_of(CUBE.replace("BACKEND", repr(backend)) + FORK).splitlines()
+def test_a_forked_process_says_that_it_cannot_draw() -> None:
+    refused, masked, parent = output_of(CUBE + FORK).splitlines()
     assert refused.startswith("RenderError this process was forked from one that had drawn a picture")
     assert "'spawn' or 'forkserver'" in refused
     assert masked == "True", "masks are not found by rays"
     assert parent == "3 True"
-
-
-class TestOneThread:
-    """Calls from several threads, made by one."""
-
-    def test_calls_are_made_in_one_thread_of_its_own(self) -> None:
-        hand = OneThread("hand")
-        assert not hand.begun()
-        names = {hand.run(lambda: threading.current_thread().name) for _ in range(3)}
-        assert names == {"hand"}
-        assert hand.begun()
-
-    def test_a_call_may_make_another(self) -> None:
-        hand = OneThread("hand")
-        assert hand.run(lambda: hand.run(lambda: 7)) == 7
-
-    def test_errors_reach_whoever_asked(self) -> None:
-        hand = OneThread("hand")
-
-        def fail() -> None:
-            raise KeyError("lost")
-
-        with pytest.raises(KeyError, match="lost"):
-            hand.run(fail)
-        assert hand.run(lambda: 7) == 7, "a failed call ended the thread"
-
-    def test_calls_of_many_threads_take_turns(self) -> None:
-        hand, inside, most = OneThread("hand"), [], []
-
-        def call() -> None:
-            inside.append(1)
-            most.append(len(inside))
-            inside.pop()
-
-        threads = [threading.Thread(target=lambda: [hand.run(call) for _ in range(50)]) for _ in range(4)]
-        for thread in threads:
-            thread.start()
-        for thread in threads:
-            thread.join()
-        assert len(most) == 200
-        assert max(most) == 1

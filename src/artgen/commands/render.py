@@ -31,10 +31,6 @@ def render(
     ] = "three_quarter",
     size: Annotated[str, typer.Option(metavar="PIXELS", help="Width and height: 768, or 1280x720.")] = "768",
     studio: Annotated[Literal["studio", "room", "none"], typer.Option(help="What stands around.")] = "studio",
-    backend: Annotated[
-        Literal["auto", "classic", "filament"],
-        typer.Option(help="MuJoCo's renderer: Filament needs Python 3.12 and Vulkan, classic OpenGL."),
-    ] = "auto",
     show: Annotated[
         Literal["color", "links", "labels", "depth", "normals"], typer.Option(help="What the pixels tell.")
     ] = "color",
@@ -55,9 +51,7 @@ def render(
     pixels = _size(size)
     asset = asset_from(source, seed, overrides or [])
     q = opened(asset, opening) | _positions(positions or [])
-    picture = asset.render(
-        q, camera=view, size=pixels, studio=studio, backend=backend, textures=texture_size, samples=samples
-    )
+    picture = asset.render(q, camera=view, size=pixels, studio=studio, textures=texture_size, samples=samples)
     path = Path(f"{asset.name}.png") if out is None else out
     typer.echo(save_image(_shown(picture, show), path))
 

@@ -2,7 +2,7 @@
 
 from functools import partial
 from pathlib import Path
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any
 
 import typer
 
@@ -29,9 +29,6 @@ def sheet(
     columns: Annotated[
         int | None, typer.Option(help="Samples side by side; as many as make a good page by default.")
     ] = None,
-    backend: Annotated[
-        Literal["auto", "classic", "filament"], typer.Option(help="MuJoCo's renderer.")
-    ] = "auto",
     out: Annotated[
         Path | None, typer.Option(metavar="FILE", help="JPEG or PNG; ./<category>.jpg by default.")
     ] = None,
@@ -56,7 +53,6 @@ def sheet(
             views=views,
             size=size,
             columns=columns,
-            backend=backend,
             progress=lambda done, total: bar.update(task, completed=done, total=total),
         )
     typer.echo(save_sheet(pixels, path))

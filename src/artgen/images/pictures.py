@@ -2,7 +2,7 @@
 
 import json
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from io import BytesIO
 from typing import TYPE_CHECKING, Any
 
@@ -29,10 +29,9 @@ from artgen.materials import material
 from artgen.sampling.distributions import stream
 from artgen.version import __version__
 from artgen.view.camera import Camera
-from artgen.view.classic import HALF, SKY, ClassicDress, ClassicRenderer
-from artgen.view.rendering import cast
-from artgen.view.scene import HIDDEN_GROUP, STUDIO_GROUP, RenderScene, add_geom
-from artgen.view.studio import Backdrop, ribbon
+from artgen.view.rendering import Renderer, cast
+from artgen.view.scene import HALF, HIDDEN_GROUP, SKY, STUDIO_GROUP, RenderScene, SceneBuilder
+from artgen.view.studio import ribbon
 
 if TYPE_CHECKING:
     from artgen.images.plan import ImagePlan
@@ -49,35 +48,33 @@ _JPEG_QUALITY = 95
 _MOST = 65535  # largest number of 16 bits
 
 
-@dataclass
-class ImageDress(ClassicDress):
-    """Adds floors and walls to the materials of other pictures."""
+class ImageScene(RenderScene):
+    """A scene with floors and walls, whose floor is visible in front of the asset."""
 
-    around: Surroundings = field(default_factory=Surroundings)
-    textures_around: int = 0  # texels per side of the maps of floors and walls
-    large: bool = True  # whether pictures are large, with finer shadows
+    def __init__(self, asset: Asset, around: Surroundings, texels: int, *, large: bool) -> None:
+        self._around = around
+        self._large = large  # whether pictures are large, with finer shadows
+        super().__init__(asset, "none", texels)
 
-    def surroundings(self, spec: Any, place: Backdrop) -> None:
-        """Add lights, the sky, floors and walls to a specification."""
-        super().surroundings(spec, place)
+    def add_surroundings(self, builder: SceneBuilder, texels: int) -> None:
+        """Add the floors and walls, and a larger sky."""
+        spec = builder.spec
         sky = spec.texture(SKY)
         sky.width, sky.height = _SKY_TEXELS, _TILES * _SKY_TEXELS
-        spec.visual.quality.shadowsize = _SHADOW_TEXELS[self.large]
-        wide = _WIDE * place.radius
+        spec.visual.quality.shadowsize = _SHADOW_TEXELS[self._large]
+        wide = _WIDE * self.place.radius
         lying, standing = np.array([0.0, 0.0, 1.0]), np.array([0.0, -1.0, 0.0])
         level = ribbon(np.array([[-wide, 0.0], [wide, 0.0]]), np.array([lying, lying]), 0.0, wide)
         upright = ribbon(np.array([[0.0, -wide], [0.0, wide]]), np.array([standing, standing]), 0.0, wide)
-        for kind, mesh, names in (("floor", level, self.around.floors), ("wall", upright, self.around.walls)):
+        for kind, mesh, names in (
+            ("floor", level, self._around.floors),
+            ("wall", upright, self._around.walls),
+        ):
             for number, name in enumerate(names):
                 # its own name separates its tint from that of the asset
                 made = replace(material(name), name=f"{kind}_{name}")
                 body = spec.worldbody.add_body(name=f"{kind}_{number}", mocap=True)
-                layer = self.layers(spec, made, self.textures_around)[0]
-                add_geom(spec, body, f"{kind}_{number}", mesh, made, layer, STUDIO_GROUP)
-
-
-class ImageScene(RenderScene):
-    """A scene whose floor is visible in front of the asset."""
+                builder.add_surroundings(body, f"{kind}_{number}", mesh, made, texels)
 
     def depth_range(self, camera: Camera, poses: list[Array]) -> tuple[float, float]:
         """Return the nearest and farthest visible depth along the axis of a camera [m]."""
@@ -85,12 +82,11 @@ class ImageScene(RenderScene):
         return _NEARER * near, far
 
 
-class ImageRenderer(ClassicRenderer):
+class ImageRenderer(Renderer):
     """Renders one asset in changing settings; `close` frees the graphics memory."""
 
     def __init__(self, asset: Asset, around: Surroundings, textures: int, size: int) -> None:
-        dress = ImageDress(around=around, textures_around=textures, large=size >= _LARGE)
-        super().__init__(ImageScene(asset, "none", textures, dress), (size, size))
+        super().__init__(ImageScene(asset, around, textures, large=size >= _LARGE), (size, size))
         self.around = around
         self._setting = Setting()
         self._size_of_picture = (size, size)

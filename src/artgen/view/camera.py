@@ -16,6 +16,11 @@ CLOSE_UP = "close-up:"
 """Prefix of a link's name in the name of a view of this link."""
 
 
+def box_corners(bounds: Array, pose: Array) -> Array:
+    """Return the corners of a box, shape (2, 3), after a rigid motion, shape (4, 4): shape (8, 3)."""
+    return np.asarray(pose[:3, :3] @ np.array(np.meshgrid(*bounds.T)).reshape(3, -1) + pose[:3, 3:]).T
+
+
 def _is_number(value: Any) -> bool:
     return isinstance(value, Real) and math.isfinite(value)
 
@@ -88,10 +93,12 @@ class Camera:
         scale = height / (2.0 * math.tan(self.field_of_view / 2.0)) / depth
         return np.column_stack([width / 2.0 + scale * x, height / 2.0 - scale * y])
 
-    def turned(self, rotation: Array) -> "Camera":
-        """Return the camera after a rotation about the origin, shape (3, 3)."""
-        position, target = (rotation @ np.asarray(point) for point in (self.position, self.target))
-        return replace(self, position=tuple(position), target=tuple(target))
+    def moved(self, matrix: Array) -> "Camera":
+        """Return the camera after a rigid motion, shape (4, 4)."""
+        turn, shift = matrix[:3, :3], matrix[:3, 3]
+        return replace(
+            self, position=tuple(turn @ self.position + shift), target=tuple(turn @ self.target + shift)
+        )
 
     def azimuth(self) -> float:
         """Return the azimuth of the camera: 0 from the front, a quarter turn from the right [rad]."""

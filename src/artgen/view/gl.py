@@ -1,4 +1,4 @@
-"""OpenGL without a window, for MuJoCo's classic renderer."""
+"""OpenGL without a window, for MuJoCo's renderer."""
 
 import ctypes
 import os
@@ -9,7 +9,7 @@ from artgen.errors import RenderError
 
 _LIBRARIES = {"egl": ("libEGL.so.1", "libGL.so.1"), "osmesa": ("libOSMesa.so.8", "libOSMesa.so.6")}
 _NEEDED = (
-    "MuJoCo's classic renderer needs EGL (Debian: libegl1 libgl1 libegl-mesa0 libgl1-mesa-dri) or OSMesa "
+    "MuJoCo's renderer needs EGL (Debian: libegl1 libgl1 libegl-mesa0 libgl1-mesa-dri) or OSMesa "
     "(Debian: libosmesa6 libgl1); MUJOCO_GL=egl or MUJOCO_GL=osmesa chooses one"
 )
 

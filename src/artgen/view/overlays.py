@@ -15,6 +15,7 @@ import numpy as np
 from artgen._arrays import Array, Indices
 from artgen.asset import Asset, AssetJoint, rotation
 from artgen.colliders import Convex
+from artgen.view.camera import box_corners
 
 Rgb = tuple[float, float, float]
 """A color in sRGB, each component from 0 to 1."""
@@ -189,9 +190,8 @@ def _collider_faces(label: str, convex: Convex) -> ColliderFaces:
 
 
 def _of_joint(asset: Asset, joint: AssetJoint) -> JointOverlay:
-    low, high = asset.link(joint.child).bounds()
-    corners = np.array(np.meshgrid(*np.array([low, high]).T)).reshape(3, -1).T
-    middle = (low + high) / 2.0
+    bounds = asset.link(joint.child).bounds()
+    corners, middle = box_corners(bounds, np.eye(4)), bounds.mean(axis=0)
     if joint.kind == "revolute":
         along = (corners - joint.pivot) @ joint.axis
         foot = joint.pivot + joint.axis * (along.min() + along.max()) / 2.0

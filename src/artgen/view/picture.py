@@ -40,39 +40,28 @@ class Segmentation:
 
 
 @dataclass(frozen=True, eq=False)
-class Passes:
-    """Passes of a picture, each drawn on first use."""
-
-    # number of the surface at each pixel's center from 1, 0 for none, and its depth along the camera's axis
-    # [m], infinite for none; both of shape (height, width)
-    surfaces: Callable[[], tuple[NDArray[np.int32], Array]]
-    # unit normals in asset coordinates, zero for the background, shape (height, width, 3)
-    normals: Callable[[], Array]
-
-
-@dataclass(frozen=True, eq=False)
 class Picture:
-    """A picture of an asset.
+    """A picture of an asset; all but the colors is drawn on first use.
 
     Attributes:
         color: sRGB, shape (height, width, 3).
         camera: The camera, in asset coordinates.
-        backend: Renderer of the colors: `classic` or `filament`.
         link_names: Link of each surface.
         label_names: Semantic label of each surface.
-        passes: The other passes.
     """
 
     color: Pixels
     camera: Camera
-    backend: str
     link_names: tuple[str, ...]
     label_names: tuple[str, ...]
-    passes: Passes
+    # number of the surface at each pixel's center from 1, 0 for none, and its depth along the camera's axis
+    # [m], infinite for none; both of shape (height, width)
+    _draw_surfaces: Callable[[], tuple[NDArray[np.int32], Array]]
+    _draw_normals: Callable[[], Array]  # the values of `normals`
 
     @cached_property
     def _surfaces(self) -> tuple[NDArray[np.int32], Array]:
-        return self.passes.surfaces()
+        return self._draw_surfaces()
 
     @property
     def depth(self) -> Array:
@@ -92,7 +81,7 @@ class Picture:
     @cached_property
     def normals(self) -> Array:
         """Unit normals in asset coordinates, zero for the background, shape (height, width, 3)."""
-        return self.passes.normals()
+        return self._draw_normals()
 
     def _by(self, of_surface: tuple[str, ...]) -> Segmentation:
         names = ("", *dict.fromkeys(of_surface))

@@ -14,9 +14,9 @@ from numpy.typing import NDArray
 
 from artgen.asset import Asset
 from artgen.errors import ExportError, ParameterError
-from artgen.view.camera import View
+from artgen.view.camera import View, box_corners
 from artgen.view.opening import opened
-from artgen.view.rendering import Backend, close, render
+from artgen.view.rendering import close, render
 
 Pixels = NDArray[np.uint8]
 
@@ -47,7 +47,6 @@ def sheet(
     views: int = 2,
     size: int = 200,
     columns: int | None = None,
-    backend: Backend = "auto",
     textures: int = 256,
     samples: int = 16,
     progress: Callable[[int, int], None] | None = None,
@@ -68,15 +67,7 @@ def sheet(
     for number, make in enumerate(assets):
         asset = first[number] if number < len(first) else make()
         shown = [
-            render(
-                asset,
-                q,
-                camera=view,
-                size=picture,
-                backend=backend,
-                textures=textures,
-                samples=samples,
-            ).color
+            render(asset, q, camera=view, size=picture, textures=textures, samples=samples).color
             for q, view in shots(asset)[: views + 1]
         ]
         close()  # a sheet may be long, and no asset is drawn twice
@@ -128,12 +119,7 @@ def _aspect(asset: Asset) -> float:
     found = []
     for q, view in shots(asset):
         poses = asset.pose(q)
-        corners = [
-            np.array(np.meshgrid(*link.bounds().T)).reshape(3, -1).T @ poses[link.name][:3, :3].T
-            + poses[link.name][:3, 3]
-            for link in asset.links
-        ]
-        points = np.concatenate(corners)
+        points = np.concatenate([box_corners(link.bounds(), poses[link.name]) for link in asset.links])
         seen = view.camera(points).pixels(points, (1000, 1000))
         wide, high = np.ptp(seen, axis=0)
         found.append(wide / high)

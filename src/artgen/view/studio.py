@@ -1,7 +1,11 @@
-"""Surroundings of an asset in a picture: a seamless backdrop, or the corner of a room."""
+"""Surroundings of an asset in a picture: a seamless backdrop or the corner of a room, and the light.
+
+In studio coordinates z is up, and the camera is towards -y.
+"""
 
 import math
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
@@ -9,12 +13,13 @@ from artgen._arrays import Array
 from artgen.asset import Asset
 from artgen.asset.shape import Mesh
 from artgen.materials import Material, material
-from artgen.view.camera import Camera
+from artgen.view.camera import Camera, box_corners
 from artgen.view.opening import opened
 
 _PAPER = Material("studio_paper", (0.74, 0.74, 0.74), specular_roughness=1.0)
 _WALL = Material("studio_wall", (0.70, 0.68, 0.64), specular_roughness=0.9)
 _SKIRTING = Material("studio_skirting", (0.80, 0.79, 0.77), specular_roughness=0.4)
+_LOBE = 64  # directions in the average for the blur of a rough surface
 
 
 @dataclass(frozen=True, eq=False)
@@ -26,11 +31,6 @@ class Backdrop:
     radius: float  # half the diagonal of its bounding box [m]
     floor: float  # height of the floor [m]
     meshes: tuple[tuple[Mesh, Material], ...]  # visible surfaces with their materials
-
-    @property
-    def beyond(self) -> float:
-        """Largest distance of visible things behind the asset [m]."""
-        return 60.0 * self.radius
 
     def turned(self, camera: Camera) -> Array:
         """Return the transform from asset to studio coordinates, shape (4, 4).
@@ -67,8 +67,7 @@ def _reach(asset: Asset, middle: float) -> float:
     for q in ({}, opened(asset)):
         poses = asset.pose(q)
         for link in asset.links:
-            corners = np.array(np.meshgrid(*link.bounds().T)).reshape(3, -1)
-            y = poses[link.name][1, :3] @ corners + poses[link.name][1, 3]
+            y = box_corners(link.bounds(), poses[link.name])[:, 1]
             farthest = max(farthest, float(np.abs(y - middle).max()))
     return farthest
 
@@ -87,33 +86,17 @@ def _cyclorama(center: Array, radius: float, floor: float) -> Mesh:
 
 def _room(center: Array, radius: float, floor: float, back: float) -> list[tuple[Mesh, Material]]:
     wall = back + 0.03 * radius + 0.02
-    wide = 12.0 * radius
     height, depth = 0.09, 0.015  # size of a skirting board [m]
-    up, front = np.array([0.0, 0.0, 1.0]), np.array([0.0, -1.0, 0.0])
-    near, foot = center[1] - 12.0 * radius, wall - depth
-    boards = material("oak")
+    up, front = (0.0, 0.0, 1.0), (0.0, -1.0, 0.0)
+    foot, top = wall - depth, floor + height
+    sheets = (
+        (((center[1] - 12.0 * radius, floor), (foot, floor)), (up, up), material("oak")),
+        (((wall, floor), (wall, floor + 8.0 * radius)), (front, front), _WALL),
+        (((foot, floor), (foot, top), (foot, top), (wall, top)), (front, front, up, up), _SKIRTING),
+    )
     return [
-        (ribbon(np.array([[near, floor], [foot, floor]]), np.array([up, up]), center[0], wide), boards),
-        (
-            ribbon(
-                np.array([[wall, floor], [wall, floor + 8.0 * radius]]),
-                np.array([front, front]),
-                center[0],
-                wide,
-            ),
-            _WALL,
-        ),
-        (
-            ribbon(
-                np.array(
-                    [[foot, floor], [foot, floor + height], [foot, floor + height], [wall, floor + height]]
-                ),
-                np.array([front, front, up, up]),
-                center[0],
-                wide,
-            ),
-            _SKIRTING,
-        ),
+        (ribbon(np.array(profile), np.array(normals), center[0], 12.0 * radius), made)
+        for profile, normals, made in sheets
     ]
 
 
@@ -128,10 +111,78 @@ def ribbon(profile: Array, normals: Array, middle: float, half: float) -> Mesh:
     first = 2 * np.arange(count - 1)[:, None]
     triangles = np.concatenate([first + [0, 1, 3], first + [0, 3, 2]])
     flat = vertices.reshape(-1, 3)
-    return Mesh(
-        flat,
-        np.repeat(normals, 2, axis=0),
-        uvs.reshape(-1, 2),
-        np.zeros(len(flat), np.int64),
-        triangles,
-    )
+    of_surface = np.zeros(len(flat), np.int64)
+    return Mesh(flat, np.repeat(normals, 2, axis=0), uvs.reshape(-1, 2), of_surface, triangles)
+
+
+def radiance(directions: Array) -> Array:
+    """Return the brightness of the studio in unit directions, shape (n, 3) to (n,).
+
+    A light tent with a dark front at the camera: softboxes and strips give metal long soft highlights, the
+    gaps between them give contrast.
+    """
+    x, y, z = directions.T
+    azimuth, elevation = np.arctan2(x, y), np.arcsin(np.clip(z, -1.0, 1.0))  # azimuth 0 is behind the asset
+    dome = 0.26 + 0.40 * _step(elevation, 0.0, 1.3)
+    floor = 0.50 - 0.28 * _step(-elevation, 0.0, 0.9)
+    light = np.where(z > 0.0, dome, floor)
+    light -= 0.20 * _window(y, -1.3, -0.80, 0.2) * _window(z, -0.25, 0.3, 0.25)  # dark side of the camera
+    light += 2.6 * _window(azimuth, -2.75, -1.75, 0.14) * _window(elevation, 0.25, 1.02, 0.12)  # key softbox
+    light += 1.4 * _window(azimuth, 1.30, 1.72, 0.10) * _window(elevation, -0.05, 1.10, 0.15)  # strip, right
+    light += 1.1 * _window(azimuth, -1.20, -0.92, 0.08) * _window(elevation, -0.05, 0.95, 0.15)  # strip, left
+    light += 0.8 * _window(elevation, 1.22, 2.0, 0.12)  # ceiling
+    # the flag next to the strip
+    return light - 0.16 * _window(azimuth, 1.95, 2.45, 0.1) * _window(elevation, -0.3, 0.9, 0.2)
+
+
+def reflected(directions: Array, roughness: float) -> Array:
+    """Return the reflection of a surface with a GGX roughness along directions, shape (n, 3) to (n,)."""
+    if roughness < 0.03:
+        return radiance(directions)
+    number = np.arange(_LOBE) + 0.5
+    alpha = roughness * roughness
+    share = number / _LOBE
+    cosine = np.sqrt((1.0 - share) / (1.0 + (alpha * alpha - 1.0) * share))
+    sine = np.sqrt(1.0 - cosine * cosine)
+    turn = number * (math.pi * (3.0 - math.sqrt(5.0)))
+    # half vectors of a GGX lobe about z, and the reflected directions
+    half = np.column_stack([sine * np.cos(turn), sine * np.sin(turn), cosine])
+    mirrored = 2.0 * cosine[:, None] * half - np.array([0.0, 0.0, 1.0])
+    weight = np.maximum(mirrored[:, 2], 0.0)
+    aside = np.where(np.abs(directions[:, 2:]) < 0.9, [[0.0, 0.0, 1.0]], [[1.0, 0.0, 0.0]])
+    across = np.cross(aside, directions)
+    across /= np.linalg.norm(across, axis=1, keepdims=True)
+    along = np.cross(directions, across)
+    total = np.zeros(len(directions))
+    for (u, v, w), share_of in zip(mirrored, weight, strict=True):
+        if share_of > 0.0:
+            total += share_of * radiance(u * across + v * along + w * directions)
+    return np.asarray(total / weight.sum())
+
+
+def sphere_map_coordinates(directions: Array) -> Array:
+    """Return the sphere map coordinates of unit directions seen from -y, shape (n, 3) to (n, 2), in 0..1."""
+    x, y, z = directions.T
+    scale = 2.0 * np.sqrt(np.maximum(x * x + z * z + (1.0 - y) ** 2, 1e-9))
+    return np.column_stack([x / scale + 0.5, z / scale + 0.5])
+
+
+@lru_cache(maxsize=32)
+def sphere_map(roughness: float, size: int = 96) -> Array:
+    """Return the reflections for a roughness as a sphere map, shape (size, size), from the bottom."""
+    u, v = np.meshgrid((np.arange(size) + 0.5) / size - 0.5, (np.arange(size) + 0.5) / size - 0.5)
+    square = np.minimum(4.0 * (u * u + v * v), 0.9999)
+    root = np.sqrt(1.0 - square)
+    directions = np.stack([4.0 * u * root, 2.0 * square - 1.0, 4.0 * v * root], axis=-1).reshape(-1, 3)
+    directions /= np.linalg.norm(directions, axis=1, keepdims=True)
+    return reflected(directions, roughness).reshape(size, size)
+
+
+def _step(value: Array, low: float, high: float) -> Array:
+    share = np.clip((value - low) / (high - low), 0.0, 1.0)
+    return np.asarray(share * share * (3.0 - 2.0 * share))
+
+
+def _window(value: Array, low: float, high: float, edge: float) -> Array:
+    """Return 1 between two values and 0 outside, with soft edges."""
+    return _step(value, low - edge, low + edge) * (1.0 - _step(value, high - edge, high + edge))

@@ -11,6 +11,7 @@ from artgen.asset import Asset, AssetJoint
 from artgen.asset.certificate import Certificate, PairResult
 from artgen.export.frames import regions
 from artgen.export.glb.motion import opening
+from artgen.view.camera import box_corners
 from artgen.view.opening import opened
 from artgen.view.overlays import Overlays, overlays
 from artgen.view.sheet import shots
@@ -115,9 +116,7 @@ def _space(asset: Asset, poses: Sequence[Mapping[str, float]]) -> Any:
     """Return the corners of the bounding box of an asset in several poses, shape (2, 3) [m]."""
     corners = []
     for q in poses:
-        for name, matrix in asset.pose(q).items():
-            box = np.array(np.meshgrid(*asset.link(name).bounds().T)).reshape(3, -1).T
-            corners.append(box @ matrix[:3, :3].T + matrix[:3, 3])
+        corners += [box_corners(asset.link(name).bounds(), pose) for name, pose in asset.pose(q).items()]
     points = np.concatenate(corners)
     return _drawn(np.array([points.min(axis=0), points.max(axis=0)]))
 
