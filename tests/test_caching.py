@@ -171,7 +171,7 @@ def work(number):
             each.to_json()
             each.certify()
             found.setdefault(each.name, set()).add(digest(each))
-            with suppress(artgen.RenderError):  # there is no software renderer
+            with suppress(artgen.errors.RenderError):  # there is no software renderer
                 each.render(size=48, samples=1, textures=256)
             each.export(Path(sys.argv[1]) / str(number) / each.name, formats=("urdf", "mjcf"), textures=0)
     except BaseException as error:

@@ -16,7 +16,7 @@ from node_examples import nodes
 from node_pages import placed
 
 import artgen
-from artgen import by, choice, count, fixed, loguniform, normal, uniform
+from artgen import by, choice, count, fixed, loguniform, truncated_normal, uniform
 from artgen.cli import app
 from artgen.generator import CATEGORIES
 from artgen.view import RenderError, gl
@@ -105,7 +105,7 @@ def test_a_category_says_what_it_is_and_where_its_sizes_are_from(name: str) -> N
     [
         (uniform(0.1, 0.2, "m"), "0.1 to 0.2"),
         (loguniform(1.0, 8.0), "1 to 8, even in ratio"),
-        (normal(1.0, 0.2, 0.5, 1.5), "0.5 to 1.5, around 1 ± 0.2"),
+        (truncated_normal(1.0, 0.2, 0.5, 1.5), "0.5 to 1.5, around 1 ± 0.2"),
         (choice("oak", "ash", weights=(3, 1)), "oak 75%, ash 25%"),
         (choice(False, True), "False, True"),
         (count(2, 6), "2, 3 ... 6"),
@@ -162,5 +162,5 @@ def test_the_site_builds_without_a_warning(tmp_path: Path) -> None:
     for page, shown in placed().items():
         text = (site / "nodes" / f"{page}.html").read_text(encoding="utf-8")
         for example in shown:
-            assert f'id="artgen.{example.name}"' in text, example.name
+            assert f'id="{example.address}"' in text, example.name
             assert f'src="pictures/{example.name}.webp"' in text

@@ -162,5 +162,7 @@ def test_a_manifest_cannot_name_other_folders(tmp_path: Path) -> None:
 
 def test_a_link_name_can_be_too_long() -> None:
     part = artgen.part(artgen.box(0.1, 0.1, 0.1), "b" * 300, artgen.material("oak"))
-    with pytest.raises(artgen.EvaluationError, match="no identifier; use letters, digits and _, at most 100"):
+    with pytest.raises(
+        artgen.errors.EvaluationError, match="no identifier; use letters, digits and _, at most 100"
+    ):
         artgen.Graph(part).evaluate()

@@ -9,7 +9,7 @@ from typing import Any
 import artgen
 from artgen import details
 from artgen.nodes.condition import Condition, Dependency
-from artgen.nodes.handles import Body, Profile, Solid, Vector
+from artgen.nodes.handles import Body, Path, Profile, Solid, Vector
 from artgen.nodes.joint import Coupling, Joint
 
 HANDLES = (
@@ -18,6 +18,7 @@ HANDLES = (
     Vector,
     artgen.Points,
     Profile,
+    Path,
     Solid,
     Body,
     Joint,
@@ -43,6 +44,12 @@ class Example:
     name: str
     home: str
     source: tuple[str, ...]
+
+    @property
+    def address(self) -> str:
+        """The full dotted name: of the root where it is there, else of the module that defines it."""
+        root = "artgen" if hasattr(artgen, self.name.split(".")[0]) else self.home
+        return f"{root}.{self.name}"
 
     def run(self) -> Any:
         """Return the handle that the example gives."""

@@ -63,8 +63,9 @@ PAGES = (
     NodePage(
         "paths",
         "Paths",
-        "A `Path` is a line in space for `sweep` and `along`. The pictures show thin rods.",
+        "A `Path` is a line in space for `sweep`. The pictures show thin rods.",
         ("path",),
+        ("Path",),
     ),
     NodePage(
         "primitives",
@@ -154,7 +155,7 @@ def written(page: NodePage, shown: list[Example]) -> str:
 def _lines(page: NodePage, shown: list[Example]) -> Iterator[str]:
     yield from (f"# {page.title}", "", page.intro, "")
     for example in shown:
-        yield from (f"::: artgen.{example.name}", "    options:", f"      heading: {example.name}")
+        yield from (f"::: {example.address}", "    options:", f"      heading: {example.name}")
         yield from (f"      toc_label: {example.name}", "      members: false")
         picture = picture_of(example).removeprefix(f"{FOLDER}/")
         yield from ("", f"![What the example of {example.name} gives]({picture}){{ .node loading=lazy }}", "")
@@ -172,6 +173,6 @@ def index(placed: Mapping[str, list[Example]]) -> str:
         "",
     ]
     for page in PAGES:
-        names = ", ".join(f"[`{each.name}`]({page.name}.md#artgen.{each.name})" for each in placed[page.name])
+        names = ", ".join(f"[`{each.name}`]({page.name}.md#{each.address})" for each in placed[page.name])
         lines += [f"- [{page.title}]({page.name}.md): {names}"]
     return "\n".join(lines) + "\n"

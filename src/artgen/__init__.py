@@ -9,52 +9,25 @@ signature declares the parameters. Importing the package loads no simulator, no 
 
 from artgen import asset_methods, catalog
 from artgen.asset import Asset
-from artgen.asset.certificate import Certificate
 from artgen.catalog import generate
 from artgen.dataset import Dataset, stream
-from artgen.errors import (
-    ArtgenError,
-    AssetError,
-    BuildError,
-    CheckError,
-    ClientError,
-    EnvError,
-    EvaluationError,
-    ExportError,
-    GraphError,
-    InfeasibleError,
-    ParameterError,
-    RenderError,
-)
+from artgen.errors import ArtgenError, BuildError, InfeasibleError, ParameterError
 from artgen.generator import Generator, category, generator, one_of, shades
-from artgen.graph import Cache, Evaluation, Graph
-from artgen.materials import COLORS, MATERIALS, Material, colored, material
+from artgen.graph import Cache, Graph
+from artgen.materials import MATERIALS, Material, colored, material
 from artgen.nodes import details
 from artgen.nodes.body import detail, part, weld
 from artgen.nodes.choose import require, switch
 from artgen.nodes.condition import Condition, Dependency
-from artgen.nodes.csg import array, coarse, enclosed, hull, intersection, shell, split, union
+from artgen.nodes.csg import array, bounding_collider, hull, shell, simplified_collider, union
 from artgen.nodes.extrude import extrude, revolve
 from artgen.nodes.grasp_frames import Frame, frame, grasp_on, push_on
 from artgen.nodes.half_section import half_section
-from artgen.nodes.handles import (
-    Body,
-    Bool,
-    Float,
-    Path,
-    Points,
-    Profile,
-    Scalar,
-    Solid,
-    Span,
-    Vector,
-    VectorLike,
-)
-from artgen.nodes.joint import Coupling, Joint, Prismatic, Revolute
+from artgen.nodes.handles import Body, Bool, Float, Points, Profile, Scalar, Solid, Span, Vector, VectorLike
+from artgen.nodes.joint import Joint, Prismatic, Revolute
 from artgen.nodes.loft import loft
-from artgen.nodes.measure import center_of_mass, mass
 from artgen.nodes.path import arc, bezier, helix, line, polyline, spline
-from artgen.nodes.points import along, grid, points, ring_points, row
+from artgen.nodes.points import grid, ring_points, row
 from artgen.nodes.primitive import (
     board,
     bore,
@@ -72,67 +45,38 @@ from artgen.nodes.primitive import (
     wedge,
 )
 from artgen.nodes.profile import bow, circle, ellipse, polygon, rectangle, regular_polygon, ring, slot
-from artgen.nodes.scalar import (
-    and_,
-    atan2,
-    clamp,
-    cos,
-    floor,
-    lerp,
-    max_,
-    min_,
-    not_,
-    or_,
-    round_,
-    sin,
-    sqrt,
-    tan,
-)
+from artgen.nodes.scalar import atan2, clamp, cos, max_, min_, sin, sqrt, tan
 from artgen.nodes.sweep import sweep
-from artgen.nodes.text import text, text_width
-from artgen.nodes.vector import X, Y, Z, cross, dot, norm, normalize, vector
+from artgen.nodes.text import text
+from artgen.nodes.vector import X, Y, Z, vector
 from artgen.range_proof import prove_range
-from artgen.sampling import Distribution, by, choice, count, fixed, given, loguniform, normal, uniform
+from artgen.sampling import by, choice, count, fixed, given, loguniform, truncated_normal, uniform
 from artgen.version import __version__
 
 asset_methods.bind()
 
 __all__ = [
-    "COLORS",
     "MATERIALS",
     "ArtgenError",
     "Asset",
-    "AssetError",
     "Body",
     "Bool",
     "BuildError",
     "Cache",
-    "Certificate",
-    "CheckError",
-    "ClientError",
     "Condition",
-    "Coupling",
     "Dataset",
     "Dependency",
-    "Distribution",
-    "EnvError",
-    "Evaluation",
-    "EvaluationError",
-    "ExportError",
     "Float",
     "Frame",
     "Generator",
     "Graph",
-    "GraphError",
     "InfeasibleError",
     "Joint",
     "Material",
     "ParameterError",
-    "Path",
     "Points",
     "Prismatic",
     "Profile",
-    "RenderError",
     "Revolute",
     "Scalar",
     "Solid",
@@ -143,14 +87,13 @@ __all__ = [
     "Y",
     "Z",
     "__version__",
-    "along",
-    "and_",
     "arc",
     "array",
     "atan2",
     "bezier",
     "board",
     "bore",
+    "bounding_collider",
     "bow",
     "box",
     "box_between",
@@ -158,27 +101,21 @@ __all__ = [
     "capsule",
     "catalog",
     "category",
-    "center_of_mass",
     "choice",
     "circle",
     "clamp",
-    "coarse",
     "colored",
     "cos",
     "count",
-    "cross",
     "cylinder",
     "cylinder_between",
     "detail",
     "details",
     "dome",
-    "dot",
     "ellipse",
     "ellipsoid",
-    "enclosed",
     "extrude",
     "fixed",
-    "floor",
     "frame",
     "frustum",
     "generate",
@@ -189,23 +126,14 @@ __all__ = [
     "half_section",
     "helix",
     "hull",
-    "intersection",
-    "lerp",
     "line",
     "loft",
     "loguniform",
-    "mass",
     "material",
     "max_",
     "min_",
-    "norm",
-    "normal",
-    "normalize",
-    "not_",
     "one_of",
-    "or_",
     "part",
-    "points",
     "polygon",
     "polyline",
     "prove_range",
@@ -216,23 +144,22 @@ __all__ = [
     "revolve",
     "ring",
     "ring_points",
-    "round_",
     "row",
     "shades",
     "shell",
+    "simplified_collider",
     "sin",
     "slot",
     "sphere",
     "spline",
-    "split",
     "sqrt",
     "stream",
     "sweep",
     "switch",
     "tan",
     "text",
-    "text_width",
     "torus",
+    "truncated_normal",
     "tube",
     "uniform",
     "union",

@@ -12,7 +12,7 @@ from artgen.materials import Material
 from artgen.nodes.body import part
 from artgen.nodes.handles import Body, Bool, Float, Solid
 from artgen.nodes.primitive import box, sphere
-from artgen.sampling import by, choice, count, fixed, loguniform, normal, uniform
+from artgen.sampling import by, choice, count, fixed, loguniform, truncated_normal, uniform
 from support.generators import OAK
 
 
@@ -30,7 +30,7 @@ def block(*, width: Float = uniform(0.03, 0.04, "m")) -> Solid:
 def plain(
     *,
     width: Float = uniform(0.5, 1.0, "m"),
-    height: Float = normal(1.0, 0.1, 0.75, 1.5, "m"),
+    height: Float = truncated_normal(1.0, 0.1, 0.75, 1.5, "m"),
     ratio: Float = loguniform(0.25, 4.0),
     depth: Float = 0.3,
     still: Float = uniform(0.2, 0.2),

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from artgen.errors import ParameterError
 from artgen.generator.overrides import DISTRIBUTIONS, parse_overrides, parse_value, spelled
-from artgen.sampling import choice, count, loguniform, normal, uniform
+from artgen.sampling import choice, count, loguniform, truncated_normal, uniform
 
 
 @pytest.mark.parametrize(
@@ -25,7 +25,7 @@ from artgen.sampling import choice, count, loguniform, normal, uniform
         ("satin-nickel", "satin-nickel"),
         ("0.8 to 0.9", "0.8 to 0.9"),
         ("uniform(0.8, 0.9)", uniform(0.8, 0.9)),
-        ("normal(0.9, .02, low=.8, high=1)", normal(0.9, 0.02, 0.8, 1.0)),
+        ("truncated_normal(0.9, .02, low=.8, high=1)", truncated_normal(0.9, 0.02, 0.8, 1.0)),
         ("loguniform(1, 10)", loguniform(1, 10)),
         ("choice(left, right, weights=(1, 2))", choice("left", "right", weights=(1, 2))),
         ("count(2, 4)", count(2, 4)),
@@ -86,7 +86,7 @@ def test_no_code_runs(text: str, tmp_path: Any, monkeypatch: pytest.MonkeyPatch)
 
 
 def test_every_distribution_of_numbers_can_be_spelled() -> None:
-    assert set(DISTRIBUTIONS) == {"choice", "count", "loguniform", "normal", "uniform"}
+    assert set(DISTRIBUTIONS) == {"choice", "count", "loguniform", "truncated_normal", "uniform"}
 
 
 @given(

@@ -65,6 +65,9 @@ REFUSED = {
 @pytest.mark.parametrize("what", REFUSED)
 def test_refusals_say_where_and_what_to_do(what, name):
     handle = handles()[name]
+    if isinstance(handle, Float) and what in ("round()", "math.floor"):
+        assert isinstance(REFUSED[what](handle), Float)
+        return
     with pytest.raises(BuildError) as caught:
         REFUSED[what](handle)
     message = str(caught.value)

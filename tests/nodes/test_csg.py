@@ -190,7 +190,7 @@ def test_an_array_of_overlapping_copies_is_united():
 
 def test_an_enclosed_solid_collides_as_its_hull_and_stays_what_it_was():
     comb = csg._array(PIN, np.array([[0.05 * i, 0.0, 0.0] for i in range(8)]))
-    shape = csg._enclosed(comb)
+    shape = csg._bounding_collider(comb)
     assert volume(shape) == pytest.approx(volume(comb))
     (around,) = shape.pieces.outer(0.001)
     assert np.ptp(around.bounds(), axis=0) == pytest.approx(np.ptp(comb.bounds(), axis=0), abs=0.002)

@@ -59,6 +59,6 @@ def test_every_node_is_on_one_page() -> None:
     for page in PAGES:
         text = written(page, pages[page.name])
         for example in pages[page.name]:
-            assert f"::: artgen.{example.name}\n" in text
+            assert f"::: {example.address}\n" in text
             assert f"pictures/{example.name}.webp" in text
-            assert f"[`{example.name}`]({page.name}.md#artgen.{example.name})" in listed
+            assert f"[`{example.name}`]({page.name}.md#{example.address})" in listed

@@ -2,11 +2,12 @@
 
 import pytest
 
-from artgen import Body, Graph, Prismatic, Revolute, X, Z, box, material, part, points, row, weld
+from artgen import Body, Graph, Prismatic, Revolute, X, Z, box, material, part, row, weld
 from artgen.errors import BuildError
 from artgen.generator import category
 from artgen.nodes.body import suffix
 from artgen.nodes.joint_outline import PlannedJoint, joints_of
+from artgen.nodes.points import points
 
 OAK = material("oak")
 

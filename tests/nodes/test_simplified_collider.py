@@ -5,8 +5,7 @@ import pytest
 from numpy.typing import NDArray
 from scipy.spatial import ConvexHull
 
-from artgen.nodes import csg as coarse
-from artgen.nodes import primitive
+from artgen.nodes import csg, primitive
 
 Array = NDArray[np.float64]
 UP = np.array([0.0, 0.0, 1.0])
@@ -14,7 +13,7 @@ UP = np.array([0.0, 0.0, 1.0])
 
 def test_a_coarse_tube_collides_as_fewer_pieces_that_still_contain_it() -> None:
     tube = primitive._tube(0.15, 0.147, 0.5, UP, 0.0)
-    shape = coarse._coarse(tube, 0.001)
+    shape = csg._simplified_collider(tube, 0.001)
     fine, few = tube.pieces.simplified(0.00025), shape.pieces.simplified(0.00025)
     assert len(few) < 0.6 * len(fine)
     assert shape.manifold.volume() == pytest.approx(tube.manifold.volume())
@@ -25,16 +24,16 @@ def test_a_coarse_tube_collides_as_fewer_pieces_that_still_contain_it() -> None:
 
 
 def test_moved_coarse_pieces_stay_coarse() -> None:
-    shape = coarse._coarse(primitive._tube(0.1, 0.097, 0.2, UP, 0.0), 0.001)
+    shape = csg._simplified_collider(primitive._tube(0.1, 0.097, 0.2, UP, 0.0), 0.001)
     moved = shape.transformed(np.array([[1.0, 0, 0, 1], [0, 1, 0, 2], [0, 0, 1, 3], [0, 0, 0, 1]]))
     assert len(moved.pieces.simplified(0.00025)) == len(shape.pieces.simplified(0.00025))
 
 
 def test_colliders_may_not_stand_off_farther_than_checks_allow() -> None:
     tube = primitive._tube(0.1, 0.097, 0.2, UP, 0.0)
-    assert coarse._coarse(tube, 0.0) is tube
+    assert csg._simplified_collider(tube, 0.0) is tube
     with pytest.raises(ValueError, match=r"within must be within 0 and 0.001 m, got 0.002 m"):
-        coarse._coarse(tube, 0.002)
+        csg._simplified_collider(tube, 0.002)
 
 
 def _distance(corners: Array, points: Array) -> Array:

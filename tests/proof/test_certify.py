@@ -306,18 +306,20 @@ def test_two_pieces_that_may_touch_everywhere_have_no_clearance() -> None:
 @pytest.mark.parametrize("tolerance", [-0.001, 0.2, math.nan, math.inf, True, "0.001", None])
 def test_a_tolerance_that_is_no_length_is_refused(tolerance: float) -> None:
     with pytest.raises(
-        artgen.AssetError, match=r"tolerance must be a length of 0 to 0\.1 m \(metres, not mm\), got "
+        artgen.errors.AssetError, match=r"tolerance must be a length of 0 to 0\.1 m \(metres, not mm\), got "
     ):
         chest().certify(tolerance)
 
 
 def test_wrong_use_is_one_clear_error() -> None:
     asset = chest()
-    with pytest.raises(artgen.AssetError, match=r"asset 'chest' has no links; there is nothing to certify"):
+    with pytest.raises(
+        artgen.errors.AssetError, match=r"asset 'chest' has no links; there is nothing to certify"
+    ):
         replace(asset, links=(), joints=()).certify()
     tiny = replace(asset, joints=(replace(asset.joints[0], limits=(0.0, 1e-9)),))
     with pytest.raises(
-        artgen.AssetError, match=r"joint 'slide' has a range of 1e-09 .* equal limits to lock it"
+        artgen.errors.AssetError, match=r"joint 'slide' has a range of 1e-09 .* equal limits to lock it"
     ):
         tiny.certify()
     locked = replace(asset, joints=(replace(asset.joints[0], limits=(0.0, 0.0)),))
@@ -335,7 +337,7 @@ def test_a_reversed_dependency_is_refused_with_its_numbers() -> None:
         r"joint 'slide' needs hinge < -0.5, but hinge stands within 0 to 1.5: it could never move; turn the "
         r"comparison round or correct its value"
     )
-    with pytest.raises(artgen.AssetError, match=message):
+    with pytest.raises(artgen.errors.AssetError, match=message):
         asset.certify()
 
 
@@ -360,7 +362,9 @@ def test_clearance_is_the_distance_at_one_pose() -> None:
     assert asset.clearance()["body", "drawer"] == pytest.approx(0.002, abs=1e-9)
     assert asset.clearance({"slide": 0.0995})["body", "drawer"] == pytest.approx(0.0005, abs=1e-9)
     assert asset.clearance({"slide": 0.11})["body", "drawer"] == pytest.approx(-np.cbrt(0.02 * 0.01 * 0.1))
-    with pytest.raises(artgen.AssetError, match=r"joint 'slide' cannot stand at 1; its limits are 0 to 0\.3"):
+    with pytest.raises(
+        artgen.errors.AssetError, match=r"joint 'slide' cannot stand at 1; its limits are 0 to 0\.3"
+    ):
         asset.clearance({"slide": 1.0})
 
 

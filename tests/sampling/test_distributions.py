@@ -8,7 +8,17 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from artgen.errors import ParameterError
-from artgen.sampling import Distribution, Fixed, by, choice, count, loguniform, normal, stream, uniform
+from artgen.sampling import (
+    Distribution,
+    Fixed,
+    by,
+    choice,
+    count,
+    loguniform,
+    stream,
+    truncated_normal,
+    uniform,
+)
 
 FINITE = st.floats(-1e9, 1e9, allow_nan=False)
 PAIRS = st.tuples(FINITE, FINITE).map(sorted)
@@ -35,7 +45,7 @@ def test_loguniform_stays_within_its_ends(ends, seed):
 def test_normal_stays_within_its_ends(ends, share, deviation, seed):
     low, high = ends
     mean = min(max(low + (high - low) * share, low), high)
-    assert low <= normal(mean, deviation, low, high).draw(stream(seed, "x"), {}) <= high
+    assert low <= truncated_normal(mean, deviation, low, high).draw(stream(seed, "x"), {}) <= high
 
 
 def test_uniform_covers_its_range_evenly():
@@ -49,7 +59,7 @@ def test_loguniform_is_even_in_ratios():
 
 
 def test_normal_is_a_bell_cut_off_at_its_ends():
-    values = np.array(draws(normal(1.0, 0.1, 0.85, 1.3), 1000))
+    values = np.array(draws(truncated_normal(1.0, 0.1, 0.85, 1.3), 1000))
     assert abs(np.median(values) - 1.0) < 0.02
     assert np.mean(np.abs(values - 1.0) < 0.1) == pytest.approx(0.68 / 0.932, abs=0.05)
     assert len(set(values)) == len(values), "nothing piles up at the cut"
@@ -105,7 +115,7 @@ def test_by_without_the_case_names_the_nearest():
     [
         (uniform(1.0, 2.0), (1.0, 2.0), True, False),
         (loguniform(1.0, 2.0), (1.0, 2.0), True, False),
-        (normal(1.5, 0.1, 1.0, 2.0), (1.0, 2.0), True, False),
+        (truncated_normal(1.5, 0.1, 1.0, 2.0), (1.0, 2.0), True, False),
         (choice("a", "b"), ("a", "b"), False, True),
         (choice(True, False), (True, False), False, True),
         (count(1, 3), (1, 2, 3), True, True),
@@ -125,7 +135,7 @@ def test_what_a_distribution_may_give(distribution, support, numeric, discrete):
     ("distribution", "spelled"),
     [
         (uniform(0.75, 1.05, "m"), "uniform(0.75, 1.05)"),
-        (normal(1.0, 0.1, 0.5, 1.5), "normal(1, 0.1, 0.5, 1.5)"),
+        (truncated_normal(1.0, 0.1, 0.5, 1.5), "truncated_normal(1, 0.1, 0.5, 1.5)"),
         (loguniform(1, 10), "loguniform(1, 10)"),
         (choice("a", 2), "choice('a', 2)"),
         (by("layout", french=uniform(1, 2), single=3), "by('layout', french=uniform(1, 2), single=3)"),
@@ -170,9 +180,9 @@ def test_hard_limits_hold_for_overrides_but_the_support_does_not():
         (lambda: uniform(2, 1), r"uniform\(2, 1\): low exceeds high; swap them"),
         (lambda: loguniform(0, 1), r"loguniform\(0, 1\): needs 0 < low <= high"),
         (lambda: loguniform(2, 1), r"needs 0 < low <= high"),
-        (lambda: normal(0, 0, -1, 1), "normal: deviation must be positive, got 0"),
-        (lambda: normal(5, 1, -1, 1), "the mean 5 must lie between low -1 and high 1"),
-        (lambda: normal(0, math.nan, -1, 1), "deviation must be a finite number, got nan"),
+        (lambda: truncated_normal(0, 0, -1, 1), "truncated_normal: deviation must be positive, got 0"),
+        (lambda: truncated_normal(5, 1, -1, 1), "the mean 5 must lie between low -1 and high 1"),
+        (lambda: truncated_normal(0, math.nan, -1, 1), "deviation must be a finite number, got nan"),
         (choice, "choice needs at least one option"),
         (lambda: choice("a", "b", weights=(1,)), "2 options need as many weights"),
         (lambda: choice("a", "b", weights=(1, -1)), "none negative"),

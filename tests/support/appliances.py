@@ -8,9 +8,9 @@ from artgen import (
     X,
     Y,
     Z,
+    bounding_collider,
     box,
     cylinder,
-    enclosed,
     grasp_on,
     material,
     part,
@@ -156,7 +156,7 @@ def _rack(number: int, front: float) -> Body:
     rows = [0.05 + 0.04 * row for row in range(12)]
     wires = [block((-0.25, y, bottom), (0.25, y + 0.004, bottom + 0.004)) for y in rows]
     walls = union(
-        enclosed(union(*wires)),
+        bounding_collider(union(*wires)),
         block(low, (0.25, low[1] + 0.004, high[2])),
         block((-0.25, high[1] - 0.004, bottom), high),
         block(low, (-0.246, high[1], high[2])),

@@ -11,7 +11,7 @@ from artgen.nodes.joint import Prismatic, Revolute
 from artgen.nodes.primitive import box, sphere
 from artgen.nodes.scalar import sqrt
 from artgen.nodes.vector import X, Y
-from artgen.sampling import by, choice, count, loguniform, normal, uniform
+from artgen.sampling import by, choice, count, loguniform, truncated_normal, uniform
 
 OAK, STEEL = material("oak"), material("steel")
 
@@ -48,7 +48,7 @@ def knob(*, thickness: Float, radius: Float = uniform(0.02, 0.03, "m"), grip: So
 def door(
     *,
     width: Float = uniform(0.75, 1.05, "m", doc="of the leaf", within=(0.3, 2.0)),
-    height: Float = normal(2.0, 0.1, 1.9, 2.2, "m"),
+    height: Float = truncated_normal(2.0, 0.1, 1.9, 2.2, "m"),
     ratio: Float = loguniform(0.5, 2.0),
     layout: Literal["french", "single"] = choice("french", "single"),
     swing: Float = by("layout", french=uniform(1.4, 1.6), single=uniform(1.8, 2.0), unit="rad"),

@@ -66,7 +66,7 @@ OVERRIDES: dict[str, dict[str, Any]] = {
     "bow": {"width": 0.02, "radius": 0.5},
     "capsule": {"length": 0.75},
     "clamp": {"high": 0.75},
-    "coarse": {"within": 0.0005},
+    "simplified_collider": {"within": 0.0005},
     "component": {"index": 2},
     "difference": {"b": BLOCK.at(0.1, 0.1, 0.1)},
     "dependency_beyond": {"position": 0.01},

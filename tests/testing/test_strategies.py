@@ -15,7 +15,7 @@ from artgen.nodes.body import part
 from artgen.nodes.choose import require
 from artgen.nodes.handles import Body, Float
 from artgen.nodes.primitive import box
-from artgen.sampling import by, choice, count, fixed, loguniform, normal, uniform
+from artgen.sampling import by, choice, count, fixed, loguniform, truncated_normal, uniform
 from artgen.testing.strategies import assets, parameters
 from support.generators import door
 
@@ -120,7 +120,7 @@ def test_hard_limits_are_wider_and_hold():
         *,
         width: Float = uniform(0.5, 0.6, within=(0.1, 1.0)),
         depth: Float = fixed(0.5, within=(0.2, 0.6)),
-        height: Float = normal(0.5, 0.1, 0.4, 0.9),
+        height: Float = truncated_normal(0.5, 0.1, 0.4, 0.9),
         scale: Float = loguniform(1.0, 4.0, within=(1.0, 100.0)),
         shelves: int = count(1, 3, within=(1, 9)),
     ) -> Body:

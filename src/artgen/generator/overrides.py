@@ -8,13 +8,13 @@ from collections.abc import Callable, Iterable, Mapping
 from typing import Any
 
 from artgen.errors import ParameterError, nearest
-from artgen.sampling import choice, count, loguniform, normal, uniform
+from artgen.sampling import choice, count, loguniform, truncated_normal, uniform
 
 DISTRIBUTIONS: Mapping[str, Callable[..., Any]] = {
     "choice": choice,
     "count": count,
     "loguniform": loguniform,
-    "normal": normal,
+    "truncated_normal": truncated_normal,
     "uniform": uniform,
 }
 """Distributions that text may use, by name."""

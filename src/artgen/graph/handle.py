@@ -139,8 +139,8 @@ class Handle:
     def __float__(self) -> float:
         """Raise BuildError: the number is not known."""
         self._refuse(
-            "a handle used as a plain number, as float(), round() or the functions of math do",
-            "Keep it a handle: arithmetic, switch(condition, a, b) and artgen's sin, sqrt, min_, round_, ... "
+            "a handle used as a plain number, as float() or the functions of math do",
+            "Keep it a handle: arithmetic, switch(condition, a, b) and artgen's sin, sqrt, min_, ... "
             "take handles.",
         )
 
@@ -152,11 +152,11 @@ class Handle:
         """Raise BuildError: the number is not known."""
         return int(self.__float__())
 
-    def __round__(self, digits: int | None = None) -> float:
+    def __round__(self, digits: int | None = None) -> Any:
         """Raise BuildError: the number is not known."""
         return self.__float__()
 
-    def __floor__(self) -> float:
+    def __floor__(self) -> Any:
         """Raise BuildError: the number is not known."""
         return self.__float__()
 

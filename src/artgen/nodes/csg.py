@@ -49,14 +49,14 @@ class _Coarse(Pieces):
 
 
 @kernel
-def _coarse(solid: Shape, within: float) -> Shape:
+def _simplified_collider(solid: Shape, within: float) -> Shape:
     between("within", within, 0.0, MOST)
     if within == 0.0:
         return solid
     return Shape(solid.manifold, _Coarse(solid.pieces, within), solid.paints)
 
 
-def coarse(solid: Solid, within: Scalar = MOST) -> Solid:
+def simplified_collider(solid: Solid, within: Scalar = MOST) -> Solid:
     """Simplify the colliders of a round solid; appearance and mass stay the same.
 
     A thin round shell, such as the wall of a bin, collides as one piece per facet; with a tolerance of 1 mm
@@ -67,9 +67,9 @@ def coarse(solid: Solid, within: Scalar = MOST) -> Solid:
         within: Largest distance of its colliders from the solid, at most 1 mm [m].
 
     Examples:
-        >>> coarse(tube(0.1, 0.098, 0.2))
+        >>> simplified_collider(tube(0.1, 0.098, 0.2))
     """
-    return Solid.record(_coarse, solid=solid, within=within)
+    return Solid.record(_simplified_collider, solid=solid, within=within)
 
 
 def with_properties(manifold: Manifold, change: Callable[[Array], None]) -> Manifold:
@@ -193,11 +193,7 @@ def _intersection(a: Shape, b: Shape) -> Shape:
 
 
 def intersection(a: Solid, b: Solid) -> Solid:
-    """Return the intersection of two solids; also written `a & b`.
-
-    Examples:
-        >>> intersection(box(0.16, 0.16, 0.16), sphere(0.1))
-    """
+    """Return the common part of two solids; also written `a & b`."""
     return Solid.record(_intersection, a=a, b=b)
 
 
@@ -249,16 +245,7 @@ def _split(solid: Shape, point: Array3, normal: Array3) -> Shape:
 
 
 def split(solid: Solid, *, point: VectorLike, normal: VectorLike) -> Solid:
-    """Keep the part of a solid on the side of a plane to which the normal points.
-
-    Args:
-        solid: The solid.
-        point: A point on the plane [m].
-        normal: Normal of the plane, towards the remaining part.
-
-    Examples:
-        >>> split(sphere(0.1), point=(0, 0, 0.03), normal=-Z)
-    """
+    """Keep the part in front of a plane; also written `solid.split(point=..., normal=...)`."""
     return Solid.record(_split, solid=solid, point=point, normal=normal)
 
 
@@ -371,12 +358,12 @@ def paint(solid: Solid, material: Material) -> Solid:
 
 
 @kernel
-def _enclosed(solid: Shape) -> Shape:
+def _bounding_collider(solid: Shape) -> Shape:
     around = around_hull(np.ascontiguousarray(solid.mesh.vertices))
     return Shape(solid.manifold, colliders.Bounded(around.outer, solid.pieces.inner), solid.paints)
 
 
-def enclosed(solid: Solid) -> Solid:
+def bounding_collider(solid: Solid) -> Solid:
     """Use the convex hull of a solid as its collider; appearance and mass stay the same.
 
     Suitable for things with fine structure, such as slats, grilles and knurls. Solids that are united with it
@@ -387,9 +374,9 @@ def enclosed(solid: Solid) -> Solid:
 
     Examples:
         >>> slats = array(box(0.01, 0.1, 0.02), at=row((0, 0, 0), (0.02, 0, 0), 10))
-        >>> enclosed(slats | box(0.2, 0.005, 0.02).at(0.09))
+        >>> bounding_collider(slats | box(0.2, 0.005, 0.02).at(0.09))
     """
-    return Solid.record(_enclosed, solid=solid)
+    return Solid.record(_bounding_collider, solid=solid)
 
 
 @kernel

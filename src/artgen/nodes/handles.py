@@ -111,10 +111,22 @@ class Profile(Handle):
 
 
 class Path(Handle):
-    """A line in space."""
+    """A line in space.
+
+    Examples:
+        >>> spline([(0, 0, 0), (0.1, 0, 0.05), (0.2, 0, 0)])
+    """
 
     __slots__ = ()
     value_type: ClassVar[Any] = Curve
+
+    def points(self, count: int) -> Points:
+        """Return evenly spaced points, both ends included [m]; a single point lies in the middle.
+
+        Examples:
+            >>> array(sphere(0.01), at=arc((0, 0, 0), 0.1, axis=Y).points(9))
+        """
+        return Points.record("along", path=self, count=count)
 
 
 class Solid(Handle):
@@ -138,6 +150,18 @@ class Solid(Handle):
     def __sub__(self, other: "Solid") -> "Solid":
         """Cut away."""
         return Solid.record("difference", a=self, b=other)
+
+    def split(self, *, point: VectorLike, normal: VectorLike) -> "Solid":
+        """Keep the part on the side of a plane to which the normal points.
+
+        Args:
+            point: A point on the plane [m].
+            normal: Normal of the plane, towards the remaining part.
+
+        Examples:
+            >>> sphere(0.1).split(point=(0, 0, 0.03), normal=-Z)
+        """
+        return Solid.record("split", solid=self, point=point, normal=normal)
 
     def at(self, x: "Scalar | VectorLike" = 0.0, y: Scalar = 0.0, z: Scalar = 0.0) -> "Solid":
         """Move by a vector, or by x, y and z [m].
@@ -257,6 +281,29 @@ class Body(Handle):
 
     __slots__ = ()
     value_type: ClassVar[Any] = Tree
+
+    def mass(self) -> Float:
+        """Return the mass with all links joined to this one [kg].
+
+        Examples:
+            >>> lid = part(box(0.3, 0.2, 0.01), "lid", material("oak"))
+            >>> case = part(box(0.3, 0.2, 0.1).at(z=-0.057), "case", material("walnut"))
+            >>> hold = 9.81 * 0.1 * lid.mass()
+            >>> hinge = Revolute("hinge", pivot=(0, 0.1, -0.006), axis=-X, limits=(0, 1.5), friction=hold)
+            >>> case.attach(lid, hinge)
+        """
+        return Float.record("mass", body=self)
+
+    def center_of_mass(self) -> Vector:
+        """Return the center of mass with all links joined to this one, at rest [m].
+
+        Examples:
+            >>> grip = part(cylinder(0.015, 0.3, axis=X), "handle", material("oak"))
+            >>> tool = weld(grip, part(box(0.03, 0.04, 0.1).at(0.15), "head", material("steel")))
+            >>> mark = torus(0.03, 0.003, axis=X).at(tool.center_of_mass())
+            >>> weld(tool, detail(mark, "balance", material("brass")))
+        """
+        return Vector.record("center_of_mass", body=self)
 
     def attach(self, child: "Body", *joints: Any) -> "Body":
         """Join a child by one joint, or by several that act in order, the first nearest to this body.

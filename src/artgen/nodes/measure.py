@@ -16,15 +16,7 @@ def _mass(body: Tree) -> float:
 
 
 def mass(body: Body) -> Float:
-    """Return the mass of a body with all links joined to it [kg].
-
-    Examples:
-        >>> lid = part(box(0.3, 0.2, 0.01), "lid", material("oak"))
-        >>> case = part(box(0.3, 0.2, 0.1).at(z=-0.057), "case", material("walnut"))
-        >>> hold = 9.81 * 0.1 * mass(lid)
-        >>> hinge = Revolute("hinge", pivot=(0, 0.1, -0.006), axis=-X, limits=(0, 1.5), friction=hold)
-        >>> case.attach(lid, hinge)
-    """
+    """Return the mass with all links joined to the body [kg]; also written `body.mass()`."""
     return Float.record(_mass, body=body)
 
 
@@ -34,14 +26,7 @@ def _center_of_mass(body: Tree) -> Array3:
 
 
 def center_of_mass(body: Body) -> Vector:
-    """Return the center of mass of a body with all links joined to it, at rest [m].
-
-    Examples:
-        >>> grip = part(cylinder(0.015, 0.3, axis=X), "handle", material("oak"))
-        >>> tool = weld(grip, part(box(0.03, 0.04, 0.1).at(0.15), "head", material("steel")))
-        >>> mark = torus(0.03, 0.003, axis=X).at(center_of_mass(tool))
-        >>> weld(tool, detail(mark, "balance", material("brass")))
-    """
+    """Return the center of mass of all links at rest [m]; also written `body.center_of_mass()`."""
     return Vector.record(_center_of_mass, body=body)
 
 

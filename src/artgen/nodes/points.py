@@ -19,11 +19,7 @@ def _points(vectors: tuple[Array3, ...]) -> ArrayN3:
 
 
 def points(*vectors: VectorLike) -> Points:
-    """Make a list of points [m].
-
-    Examples:
-        >>> array(sphere(0.02), at=points((0, 0, 0), (0.1, 0, 0.05), (0.2, 0, 0)))
-    """
+    """Make a list of points [m]; wherever points are expected, a list of vectors does as well."""
     return Points.record(_points, vectors=vectors)
 
 
@@ -107,11 +103,7 @@ def _along(path: Curve, count: int) -> ArrayN3:
 
 
 def along(path: Path, count: int) -> Points:
-    """Make evenly spaced points along a path, both ends included; a single point lies in the middle.
-
-    Examples:
-        >>> array(sphere(0.01), at=along(arc((0, 0, 0), 0.1, axis=Y), 9))
-    """
+    """Make evenly spaced points along a path [m]; also written `path.points(count)`."""
     return Points.record(_along, path=path, count=count)
 
 

@@ -78,13 +78,7 @@ def _and_(a: bool, b: bool) -> bool:
 
 
 def and_(a: Condition_, b: Condition_) -> Bool:
-    """Tell whether both conditions hold.
-
-    Examples:
-        >>> block = box(0.3, 0.2, 0.1)
-        >>> size = block.size()
-        >>> switch(and_(size.x > 0.2, size.y > 0.1), block, sphere(0.1))
-    """
+    """Tell whether both conditions hold; also written `a & b`."""
     return Bool.record("and_", a=a, b=b)
 
 
@@ -94,13 +88,7 @@ def _or_(a: bool, b: bool) -> bool:
 
 
 def or_(a: Condition_, b: Condition_) -> Bool:
-    """Tell whether at least one of the conditions holds.
-
-    Examples:
-        >>> block = box(0.3, 0.2, 0.1)
-        >>> size = block.size()
-        >>> switch(or_(size.x > 0.4, size.y > 0.1), block, sphere(0.1))
-    """
+    """Tell whether at least one of the conditions holds; also written `a | b`."""
     return Bool.record("or_", a=a, b=b)
 
 
@@ -110,12 +98,7 @@ def _not_(a: bool) -> bool:
 
 
 def not_(a: Condition_) -> Bool:
-    """Tell whether the condition does not hold.
-
-    Examples:
-        >>> block = box(0.3, 0.2, 0.1)
-        >>> switch(not_(block.size().x > 0.4), block, sphere(0.1))
-    """
+    """Tell whether the condition does not hold; also written `~a`."""
     return Bool.record("not_", a=a)
 
 
@@ -166,21 +149,6 @@ def clamp(value: Scalar, low: Scalar, high: Scalar) -> Float:
         >>> union(*(box(0.02, 0.03, h).align((0.02 * i, 0, 0), z=-1) for i, h in enumerate(heights)))
     """
     return Float.record(_clamp, value=value, low=low, high=high)
-
-
-@kernel
-def _lerp(a: float, b: float, t: float) -> float:
-    return a + (b - a) * t
-
-
-def lerp(a: Scalar, b: Scalar, t: Scalar) -> Float:
-    """Return the number at the fraction `t` of the way from `a` to `b`.
-
-    Examples:
-        >>> heights = [lerp(0.02, 0.12, i / 9) for i in range(10)]
-        >>> union(*(box(0.02, 0.03, h).align((0.02 * i, 0, 0), z=-1) for i, h in enumerate(heights)))
-    """
-    return Float.record(_lerp, a=a, b=b, t=t)
 
 
 @kernel
@@ -265,12 +233,7 @@ def _floor(a: float) -> float:
 
 
 def floor(a: Scalar) -> Float:
-    """Return the largest whole number not above `a`.
-
-    Examples:
-        >>> heights = [0.03 * (1 + floor(i / 3)) for i in range(10)]
-        >>> union(*(box(0.02, 0.03, h).align((0.02 * i, 0, 0), z=-1) for i, h in enumerate(heights)))
-    """
+    """Return the largest whole number not above `a`; also written `math.floor(a)`."""
     return Float.record(_floor, a=a)
 
 
@@ -280,10 +243,5 @@ def _round_(a: float) -> float:
 
 
 def round_(a: Scalar) -> Float:
-    """Return the nearest whole number, of two the even one.
-
-    Examples:
-        >>> heights = [0.03 * (1 + round_(i / 3)) for i in range(10)]
-        >>> union(*(box(0.02, 0.03, h).align((0.02 * i, 0, 0), z=-1) for i, h in enumerate(heights)))
-    """
+    """Return the nearest whole number, of two the even one; also written `round(a)`."""
     return Float.record("round_", a=a)

@@ -153,6 +153,19 @@ class Float(Handle):
         """Return the magnitude."""
         return Float.record("absolute", a=self)
 
+    def __floor__(self) -> "Float":
+        """Return the largest whole number not above it: `math.floor(a)`."""
+        return Float.record("floor", a=self)
+
+    def __round__(self, digits: int | None = None) -> "Float":
+        """Return the nearest whole number, of two the even one: `round(a)`."""
+        if digits is not None:
+            raise BuildError(
+                f"round(a, {digits}) rounds to whole numbers only: scale the number before and after it\n"
+                f"  at {authors_line()}"
+            )
+        return Float.record("round_", a=self)
+
     def __lt__(self, other: Scalar) -> Bool:
         """Compare."""
         return self._with("less", self, other)  # type: ignore[no-any-return]
@@ -248,6 +261,44 @@ class Vector(Handle):
     def __neg__(self) -> "Vector":
         """Reverse the direction."""
         return Vector.record("vector_scale", vector=self, factor=-1.0)
+
+    def norm(self) -> Float:
+        """Return the length.
+
+        Examples:
+            >>> tip = vector(0.15, 0.1, 0.0)
+            >>> torus(tip.norm(), 0.01) | sphere(0.03).at(tip)
+        """
+        return Float.record("norm", vector=self)
+
+    def normalized(self) -> "Vector":
+        """Return the vector of length one in the same direction.
+
+        Examples:
+            >>> tip = vector(0.2, 0.0, 0.2)
+            >>> cylinder_between((0, 0, 0), tip, 0.005) | sphere(0.02).at(0.1 * tip.normalized())
+        """
+        return Vector.record("normalize", vector=self)
+
+    def dot(self, other: VectorLike) -> Float:
+        """Return the scalar product with another vector.
+
+        Examples:
+            >>> tip = vector(0.1, 0.0, 0.2)
+            >>> shadow = tip.dot(X) * X
+            >>> cylinder_between((0, 0, 0), tip, 0.01) | cylinder_between((0, 0, 0), shadow, 0.005)
+        """
+        return Float.record("dot", a=self, b=other)
+
+    def cross(self, other: VectorLike) -> "Vector":
+        """Return the vector product with another vector.
+
+        Examples:
+            >>> a, b = vector(0.2, 0.0, 0.0), vector(0.1, 0.15, 0.0)
+            >>> up = 0.2 * a.cross(b).normalized()
+            >>> union(*(cylinder_between((0, 0, 0), tip, 0.006) for tip in (a, b, up)))
+        """
+        return Vector.record("cross", a=self, b=other)
 
     def rotate(self, axis: VectorLike, angle: Scalar) -> "Vector":
         """Turn about an axis through the origin by an angle [rad].

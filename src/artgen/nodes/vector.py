@@ -77,13 +77,7 @@ def _dot(a: Array3, b: Array3) -> float:
 
 
 def dot(a: VectorLike, b: VectorLike) -> Float:
-    """Return the scalar product of two vectors.
-
-    Examples:
-        >>> tip = vector(0.1, 0.0, 0.2)
-        >>> shadow = dot(tip, X) * X
-        >>> cylinder_between((0, 0, 0), tip, 0.01) | cylinder_between((0, 0, 0), shadow, 0.005)
-    """
+    """Return the scalar product; also written `a.dot(b)`."""
     return Float.record(_dot, a=a, b=b)
 
 
@@ -93,13 +87,7 @@ def _cross(a: Array3, b: Array3) -> Array3:
 
 
 def cross(a: VectorLike, b: VectorLike) -> Vector:
-    """Return the vector product of two vectors.
-
-    Examples:
-        >>> a, b = vector(0.2, 0.0, 0.0), vector(0.1, 0.15, 0.0)
-        >>> up = 0.2 * normalize(cross(a, b))
-        >>> union(*(cylinder_between((0, 0, 0), tip, 0.006) for tip in (a, b, up)))
-    """
+    """Return the vector product; also written `a.cross(b)`."""
     return Vector.record(_cross, a=a, b=b)
 
 
@@ -109,12 +97,7 @@ def _norm(vector: Array3) -> float:
 
 
 def norm(vector: VectorLike) -> Float:
-    """Return the length of a vector.
-
-    Examples:
-        >>> tip = vector(0.15, 0.1, 0.0)
-        >>> torus(norm(tip), 0.01) | sphere(0.03).at(tip)
-    """
+    """Return the length; also written `vector.norm()`."""
     return Float.record(_norm, vector=vector)
 
 
@@ -132,12 +115,7 @@ def _normalize(vector: Array3) -> Array3:
 
 
 def normalize(vector: VectorLike) -> Vector:
-    """Return the vector of length one in the same direction.
-
-    Examples:
-        >>> tip = vector(0.2, 0.0, 0.2)
-        >>> cylinder_between((0, 0, 0), tip, 0.005) | sphere(0.02).at(0.1 * normalize(tip))
-    """
+    """Return the direction, a vector of length one; also written `vector.normalized()`."""
     return Vector.record(_normalize, vector=vector)
 
 

@@ -8,8 +8,8 @@ from artgen.sampling.distributions import (
     fixed,
     given,
     loguniform,
-    normal,
     stream,
+    truncated_normal,
     uniform,
 )
 
@@ -23,7 +23,7 @@ __all__ = [
     "fixed",
     "given",
     "loguniform",
-    "normal",
     "stream",
+    "truncated_normal",
     "uniform",
 ]

@@ -242,10 +242,10 @@ class Normal(Distribution):
         return self.low, self.high
 
     def __repr__(self) -> str:
-        return f"normal({self.mean:g}, {self.deviation:g}, {self.low:g}, {self.high:g})"
+        return f"truncated_normal({self.mean:g}, {self.deviation:g}, {self.low:g}, {self.high:g})"
 
 
-def normal(
+def truncated_normal(
     mean: float,
     deviation: float,
     low: float,
@@ -261,12 +261,17 @@ def normal(
         ParameterError: A number is not finite, the deviation is not positive, the mean is not between `low`
             and `high`, or they lie outside `within`.
     """
-    mean, deviation = as_number(mean, "normal: mean"), as_number(deviation, "normal: deviation")
-    low, high = as_number(low, "normal: low"), as_number(high, "normal: high")
+    mean, deviation = (
+        as_number(mean, "truncated_normal: mean"),
+        as_number(deviation, "truncated_normal: deviation"),
+    )
+    low, high = as_number(low, "truncated_normal: low"), as_number(high, "truncated_normal: high")
     if deviation <= 0.0:
-        raise ParameterError(f"normal: deviation must be positive, got {deviation:g}")
+        raise ParameterError(f"truncated_normal: deviation must be positive, got {deviation:g}")
     if not low <= mean <= high:
-        raise ParameterError(f"normal: the mean {mean:g} must lie between low {low:g} and high {high:g}")
+        raise ParameterError(
+            f"truncated_normal: the mean {mean:g} must lie between low {low:g} and high {high:g}"
+        )
     return limited(Normal(unit, doc, None, mean, deviation, low, high), within)
 
 

@@ -1,6 +1,7 @@
 """What boxes are made of: kraft and white liners, prints in color, wrapping papers, ribbons and inks."""
 
-from artgen import COLORS, Material, colored, material
+from artgen import Material, colored, material
+from artgen.materials import COLORS
 
 _KRAFT = material("cardboard")
 _GREYBOARD = 620.0  # solid board of set-up boxes, with its wrap [kg/m3]

@@ -14,7 +14,6 @@ from artgen import (
     Z,
     box,
     box_between,
-    coarse,
     cylinder,
     detail,
     ellipse,
@@ -24,6 +23,7 @@ from artgen import (
     min_,
     part,
     rectangle,
+    simplified_collider,
     weld,
 )
 from artgen.categories.box.board import LAYER, Board, Crease, Feel
@@ -125,7 +125,7 @@ class Gift:
         block = block.scale((width - 0.0012) / width, (depth - 0.0012) / depth, 1.0)
         if self.hollow == "round":
             pit = cylinder(0.32 * min_(width, depth), height, bevel=0.0)
-            pit = coarse(pit)
+            pit = simplified_collider(pit)
         else:
             pit = box(0.74 * width, 0.62 * depth, height)
         solid = (block - pit.at(0.0, 0.0, 0.75 * height)).at(at[0], at[1], at[2] - 0.0002)

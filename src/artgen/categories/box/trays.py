@@ -17,7 +17,6 @@ from artgen import (
     details,
     extrude,
     grasp_on,
-    mass,
     material,
     part,
     polygon,
@@ -34,7 +33,7 @@ _GRAVITY = 9.81  # [m/s2]
 
 def lift(name: str, moved: Body, *, travel: Scalar, rub: Scalar) -> Joint:
     """Make the way of what is lifted off."""
-    weight = _GRAVITY * mass(moved)
+    weight = _GRAVITY * moved.mass()
     return Prismatic(
         name,
         axis=Z,

@@ -18,9 +18,9 @@ from artgen import (
     Y,
     Z,
     array,
+    bounding_collider,
     box,
     detail,
-    enclosed,
     extrude,
     material,
     min_,
@@ -153,7 +153,7 @@ def _stops(doorway: Doorway) -> list[Solid]:
     if doorway.arch is not None:
         # in lengths that collide as their hulls, half a millimetre into the doorway
         bands = doorway.arch.outset(-out).bands(out, count=_ARCH_STOPS, beyond=out)
-        strips = [enclosed(extrude(band, deep, axis=Y, bevel=0.001)) for band in bands]
+        strips = [bounding_collider(extrude(band, deep, axis=Y, bevel=0.001)) for band in bands]
         return [*sides, *(strip.at(0.0, middle, 0.0) for strip in strips)]
     top = box(doorway.width - 2.0 * out, deep, out, bevel=0.0025)
     top = top.at(0.0, middle, doorway.height - out / 2.0)

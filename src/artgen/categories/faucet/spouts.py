@@ -7,7 +7,6 @@ from artgen import (
     Body,
     Joint,
     Material,
-    Path,
     Prismatic,
     Profile,
     Revolute,
@@ -37,6 +36,7 @@ from artgen import (
     weld,
 )
 from artgen.categories.shared.finish import casting
+from artgen.nodes.handles import Path
 
 SpoutStyle = Literal["gooseneck", "arc", "angular", "low", "beam"]
 """A swan's neck, a low arc, a bent square tube, one that hangs from a bar, or a straight one."""

@@ -20,16 +20,13 @@ from artgen import (
     Z,
     array,
     box,
-    center_of_mass,
     circle,
     cylinder,
     detail,
     frame,
     helix,
-    mass,
     max_,
     min_,
-    norm,
     part,
     sin,
     sweep,
@@ -253,8 +250,8 @@ def head_hinge(
     body: Body, *, pivot: VectorLike, limits: tuple[Scalar, Scalar], name: str = "shade_hinge"
 ) -> Joint:
     """Make the hinge of a shade, whose friction holds its weight in every direction."""
-    lever = norm(center_of_mass(body) - vector_of(pivot))
-    load = Load().free(GRAVITY * mass(body), lever)
+    lever = (body.center_of_mass() - vector_of(pivot)).norm()
+    load = Load().free(GRAVITY * body.mass(), lever)
     return braked_hinge(name, pivot=pivot, limits=limits, load=load, feel=4.0, reach=0.08, damping=0.01)
 
 
@@ -291,14 +288,14 @@ def collar_joints(load: Body, *, travel: Scalar, friction: Scalar) -> tuple[Join
 
     The clamp bears 1.3 times what hangs on it, and a hand slides it with less than 60 N.
     """
-    grip = _HOLDS * GRAVITY * mass(load)
+    grip = _HOLDS * GRAVITY * load.mass()
     slide = Prismatic(
         "height_slide",
         axis=Z,
         limits=(0.0, travel),
         friction=grip,
         damping=8.0,
-        effort=GRAVITY * mass(load) + grip + 15.0,
+        effort=GRAVITY * load.mass() + grip + 15.0,
     )
     turn = Revolute("arm_swivel", axis=Z, friction=friction, damping=0.03, armature=0.0005, effort=12.0)
     return slide, turn

@@ -21,10 +21,8 @@ from artgen import (
     extrude,
     frustum,
     half_section,
-    mass,
     material,
     max_,
-    norm,
     part,
     polyline,
     regular_polygon,
@@ -81,7 +79,7 @@ def base_edge(shape: BaseShape, radius: Scalar) -> Scalar:
 def steady_height(shape: BaseShape, radius: Scalar, density: float, *, least: Scalar, of: Carried) -> Float:
     """Return how high a base has to be to outweigh what it carries, with the arms stretched out."""
     edge = 0.97 * base_edge(shape, radius)  # its pad is a little smaller
-    tips = of.moment - mass(of.body) * edge
+    tips = of.moment - of.body.mass() * edge
     high = max_(least, _STEADY * tips / (edge * density * _AREA[shape] * radius * radius))
     return require(high, high < 2.0 * radius, _TIPS)
 
@@ -190,7 +188,7 @@ def tripod(*, spread: Scalar, height: Scalar, radius: Scalar, finish: Material, 
 
 def _strut(low: Vector, high: Vector, thin: Scalar, thick: Scalar) -> Solid:
     along = high - low
-    return frustum(thin, thick, norm(along), axis=along).at((low + high) * 0.5)
+    return frustum(thin, thick, along.norm(), axis=along).at((low + high) * 0.5)
 
 
 _BODIES: dict[str, Sequence[tuple[float, float]]] = {

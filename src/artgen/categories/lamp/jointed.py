@@ -16,16 +16,13 @@ from artgen import (
     Y,
     atan2,
     box,
-    center_of_mass,
     cos,
     cylinder,
     detail,
     frame,
-    mass,
     material,
     max_,
     min_,
-    norm,
     part,
     require,
     sin,
@@ -124,12 +121,12 @@ def _headed(body: Body, hung: Body, head: Head, *, at: Vector, lean: Scalar, til
 def one_arm(head: Head, looks: ArmLooks, *, length: Scalar, lean: Scalar, tilt: Scalar) -> Carried:
     """Make an arm on a turret with a shade at its end."""
     hung = _hung(head, looks)
-    weight, heavy = GRAVITY * mass(hung), norm(center_of_mass(hung))
+    weight, heavy = GRAVITY * hung.mass(), hung.center_of_mass().norm()
     reach = head.reach + _HANG
     lowest = _steepest((reach + _OVER) / length)
     back = -min_(0.6, lowest)
     bar = arm("arm_lower", looks.style, length, finish=looks.finish, outer=False)
-    own = mass(bar)
+    own = bar.mass()
     placed = bar.rotate(Y, lean).at(0.0, 0.0, POST)
     end = vector(*_tip(length, lean)) + (0.0, 0.0, POST)
     placed = _headed(placed, hung, head, at=end, lean=lean, tilt=tilt)
@@ -144,7 +141,7 @@ def one_arm(head: Head, looks: ArmLooks, *, length: Scalar, lean: Scalar, tilt: 
     )
     body = turret(looks.finish, height=POST, outer=True).attach(placed, hinge)
     far = sin(lowest) * length
-    moment = own * far / 2.0 + mass(hung) * (far + heavy)
+    moment = own * far / 2.0 + hung.mass() * (far + heavy)
     return Carried(
         body.require(lowest - lean > 0.2, "the arm has no way forward"), 1.0 * moment, looks.turn()
     )
@@ -155,11 +152,11 @@ def two_arms(
 ) -> Carried:
     """Make two arms on a turret that springs balance, with a shade at their end."""
     hung = _hung(head, looks)
-    weight, heavy = GRAVITY * mass(hung), norm(center_of_mass(hung))
+    weight, heavy = GRAVITY * hung.mass(), hung.center_of_mass().norm()
     reach = head.reach + _HANG
     first = arm("arm_lower", looks.style, lower, finish=looks.finish, outer=True, spring=_SPRING)
     second = arm("arm_upper", looks.style, upper, finish=looks.finish, outer=False, spring=_SPRING)
-    own, beyond = GRAVITY * mass(first), GRAVITY * mass(second)
+    own, beyond = GRAVITY * first.mass(), GRAVITY * second.mass()
     low, high = -lean - 0.42, 0.16
     folded = _steepest(
         (reach + _OVER - lower * math.cos(high)) / upper
@@ -207,7 +204,7 @@ def light_bar(looks: ArmLooks, *, length: Scalar, bar: Scalar, lean: Scalar) -> 
     """Make a bar of LEDs on an arm."""
     first = arm("arm_lower", looks.style, length, finish=looks.finish, outer=True)
     shade = _bar(looks.finish, bar)
-    own, weight, heavy = GRAVITY * mass(first), GRAVITY * mass(shade), norm(center_of_mass(shade))
+    own, weight, heavy = GRAVITY * first.mass(), GRAVITY * shade.mass(), shade.center_of_mass().norm()
     low, high = -lean - 0.45, 0.40
     folded = _steepest((0.045 - length * math.cos(high)) / bar)
     bent = min_(folded - high, 2.2)
@@ -262,11 +259,11 @@ def reading_arm(
 ) -> Carried:
     """Make an arm on a clamp that slides and turns on a pole about z, the clamp at z = 0."""
     hung = _hung(head, looks)
-    weight, heavy = GRAVITY * mass(hung), norm(center_of_mass(hung))
+    weight, heavy = GRAVITY * hung.mass(), hung.center_of_mass().norm()
     reach = head.reach + _HANG
     out = bore + 0.036
     bar = arm("arm_lower", looks.style, length, finish=looks.finish, outer=False)
-    own = mass(bar)
+    own = bar.mass()
     # upright the shade would strike the pole: its hinge stays farther out than the shade reaches
     sine = (reach + bore + 0.012 - out) / length
     sine = require(
@@ -288,6 +285,6 @@ def reading_arm(
     )
     body = collar(looks.finish, bore=bore, out=out).attach(placed, hinge)
     body = body.require(lean - low > 0.15, "the arm has no way up")
-    moment = own * (out + length / 2.0) + mass(hung) * (out + length + heavy)
+    moment = own * (out + length / 2.0) + hung.mass() * (out + length + heavy)
     joints = collar_joints(body, travel=travel, friction=looks.swivel_friction)
     return Carried(body, 1.0 * moment, joints, reach - length * math.cos(high))

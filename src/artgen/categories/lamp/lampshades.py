@@ -25,7 +25,6 @@ from artgen import (
     half_section,
     material,
     max_,
-    norm,
     part,
     polyline,
     rectangle,
@@ -114,7 +113,7 @@ def metal_head(
         bulb().rotate((1.0, 0.0, 0.0), math.pi).at(0.0, 0.0, top - 0.014),
         vents(HOUSING, -0.5 * HOUSING_TOP, trim),
     )
-    reach = norm(vector(low[0], 0.0, low[1]))
+    reach = vector(low[0], 0.0, low[1]).norm()
     corners = ((HOUSING, 0.0), *((r, -z) for r, z in points))
     return Head(body, reach, corners)
 
@@ -187,7 +186,7 @@ def _rim_grasp(low: Point, high: Point, sides: int, under: Scalar, *, upper: boo
     out = vector(math.cos(turn), math.sin(turn), 0.0)
     share = math.cos(math.pi / sides)
     along = vector(0.0, 0.0, high[1] - low[1]) + out * ((high[0] - low[0]) * share)
-    length = norm(along)
+    length = along.norm()
     up = along / length
     inward = under + 0.0008
     closing = vector(0.0, 0.0, (high[0] - low[0]) * share / length) - out * ((high[1] - low[1]) / length)

@@ -6,14 +6,11 @@ from artgen import (
     Scalar,
     Y,
     atan2,
-    center_of_mass,
     circle,
     clamp,
     cylinder,
     frame,
-    mass,
     min_,
-    norm,
     part,
     require,
     spline,
@@ -65,7 +62,7 @@ def arc_arm(head: Head, *, height: Scalar, reach: Scalar, looks: ArmLooks) -> Ca
         for turn in (_TURN * step / _STEPS for step in range(_STEPS + 1))
     ]
     end, before = vector(*bend[-1]), vector(*bend[-2])
-    last = end + (before - end) * (0.034 / norm(before - end))  # from here on it runs in the inner lane
+    last = end + (before - end) * (0.034 / (before - end).norm())  # from here on it runs in the inner lane
     course = spline([(0.0, 0.0, 0.018), (0.0, 0.0, 0.84 * rise), *bend[:-1], last])
     neck = cylinder(0.0048, 0.040, axis=end - last).at((end + last) * 0.5)
     grip = frame((0.0, 0.0, 0.5 * rise), approach=Y, closing=(1.0, 0.0, 0.0))
@@ -87,17 +84,17 @@ def arc_arm(head: Head, *, height: Scalar, reach: Scalar, looks: ArmLooks) -> Ca
         *(each.at(end) for each in eyes(finish, label="arm_lower", outer=False)),
     )
     shade = weld(head.body.at(0.0, 0.0, -_HANG), *bracket(finish, length=_HANG)).at(end)
-    lever = norm(center_of_mass(shade) - end)
+    lever = (shade.center_of_mass() - end).norm()
     hinge = braked_hinge(
         "shade_hinge",
         pivot=end,
         limits=(-_SWING, require(towards, towards > _LEAST_SWING, _MEETS_BOW)),
-        load=Load().free(GRAVITY * mass(shade), lever),
+        load=Load().free(GRAVITY * shade.mass(), lever),
         feel=4.0,
         reach=0.12,
         damping=0.02,
     )
-    moment = mass(bow) * 0.45 * reach + mass(shade) * (reach + lever)
+    moment = bow.mass() * 0.45 * reach + shade.mass() * (reach + lever)
     return Carried(bow.attach(shade, hinge), 1.0 * moment, looks.turn())
 
 

@@ -8,7 +8,6 @@ from artgen import (
     Material,
     Scalar,
     array,
-    coarse,
     detail,
     half_section,
     line,
@@ -18,6 +17,7 @@ from artgen import (
     revolve,
     ring_points,
     row,
+    simplified_collider,
     weld,
 )
 from artgen.categories.pepper_grinder.forms import BodyForm, body_runs, fitting, head_runs
@@ -93,7 +93,7 @@ def clear(
     return weld(
         turned(below, "body", ends, hole=store(-0.001, foot + 0.001), bore=STORE),
         turned(above, "body", ends, hole=store(top - 0.001, height + 0.001), bore=STORE),
-        part(coarse(tube), "body", finish.with_(name="clear_tube", density=1180.0)),
+        part(simplified_collider(tube), "body", finish.with_(name="clear_tube", density=1180.0)),
         _filling(content, inner, foot, filled, rings),
         works(),
     )

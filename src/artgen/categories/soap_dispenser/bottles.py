@@ -11,7 +11,6 @@ from typing import Literal
 from artgen import (
     Body,
     Material,
-    Path,
     Profile,
     Scalar,
     Solid,
@@ -30,6 +29,7 @@ from artgen import (
     weld,
 )
 from artgen.categories.shared.vessels.turned import Drawn, Run, blown, drawn, filled, turned
+from artgen.nodes.handles import Path
 
 Shape = Literal[
     "round",

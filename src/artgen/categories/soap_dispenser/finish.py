@@ -4,8 +4,9 @@ Bottles that hide their content have the density of the whole: soap in four fift
 5 mm of ceramic, 1.5 mm of plastic or 0.6 mm of steel.
 """
 
-from artgen import COLORS, Material, colored, material
+from artgen import Material, colored, material
 from artgen.categories.shared.finish import known, weighing
+from artgen.materials import COLORS
 
 GLASSES = known("glass", "amber_glass", "frosted_glass", "tinted_glass")
 """Clear bottles."""

@@ -13,12 +13,12 @@ from artgen import (
     Scalar,
     X,
     Y,
+    bounding_collider,
     box_between,
     colored,
     cylinder_between,
     detail,
     details,
-    enclosed,
     material,
     min_,
     part,
@@ -59,7 +59,7 @@ def holder(radius: Scalar, out: Scalar, ring_at: Scalar, metal: Material) -> Bod
     arm = box_between((-0.008, -out, TRAY - 0.0055), (0.008, -0.001, TRAY - 0.0015), bevel=0.0008)
     disc = cylinder_between((0.0, -out, TRAY - 0.0035), (0.0, -out, TRAY), radius + _RIM, bevel=0.0010)
     line = rectangle(_RIM + 0.0002, 0.010, radius=0.0008).at(radius + 0.5 * _RIM - 0.0001, ring_at)
-    band = enclosed(revolve(line, sides=28)).at(0.0, -out, 0.0)  # the bottle fills it
+    band = bounding_collider(revolve(line, sides=28)).at(0.0, -out, 0.0)  # the bottle fills it
     strut = box_between(
         (-0.006, radius - out, ring_at - 0.004), (0.006, -0.001, ring_at + 0.004), bevel=0.0008
     )

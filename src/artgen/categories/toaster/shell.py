@@ -11,10 +11,10 @@ from artgen import (
     Y,
     Z,
     array,
+    bounding_collider,
     box,
     detail,
     details,
-    enclosed,
     extrude,
     loft,
     material,
@@ -103,7 +103,7 @@ def _pierced(plan: Plan, front: Solid, hole: Solid) -> list[Solid]:
     for end in (-1, 1):  # quarters, since a hull has at most 64 corners
         z = level + end * reach / 2
         parts += [quarter.at(low.x - reach / 2, 0.0, z), quarter.at(high.x + reach / 2, 0.0, z)]
-    return [enclosed(front & each) for each in parts]
+    return [bounding_collider(front & each) for each in parts]
 
 
 def _shrunk(plan: Plan, inset: float) -> Profile:

@@ -24,20 +24,19 @@ from artgen import (
     atan2,
     box,
     circle,
-    coarse,
     cylinder,
     cylinder_between,
     detail,
     dome,
     extrude,
     grasp_on,
-    mass,
     material,
     max_,
     min_,
     part,
     push_on,
     rectangle,
+    simplified_collider,
     sin,
     sqrt,
     weld,
@@ -107,7 +106,7 @@ class Flaps:
             slot = rectangle(2.0 * _SHAFT + 0.003, 0.1)
             for way in (-1, 1):
                 ring = ring - slot.at(way * self.axis, self.back + 0.05 - 0.001)
-        solid = coarse(extrude(ring, self.top - can.top + 0.001))
+        solid = simplified_collider(extrude(ring, self.top - can.top + 0.001))
         bodies = [part(solid.at(0.0, 0.0, middle), "rim", finish)]
         return weld(*bodies, *(self._housing(finish, linkage) if linkage is not None else ()))
 
@@ -290,9 +289,9 @@ class Hood:
         skirt = level.band(self.can.top - _SKIRT, self.low + 0.004, outer=out, inner=-_OVER)
         if self.kind == "swing":
             ring = level.outline(out) - level.outline(0.0015)
-            slope = coarse(extrude(ring, self.top - self.low, taper=self.lean), 0.0008)
+            slope = simplified_collider(extrude(ring, self.top - self.low, taper=self.lean), 0.0008)
             sheet = level.outline(out).scale(1.0 - self.lean) - self._hole(0.0)
-            plate = coarse(extrude(sheet, _SHEET, bevel=0.0006), 0.0005).at(
+            plate = simplified_collider(extrude(sheet, _SHEET, bevel=0.0006), 0.0005).at(
                 0.0, 0.0, self.top - _SHEET / 2.0 + 0.0008
             )
             solids = [slope.at(0.0, 0.0, (self.low + self.top) / 2.0), plate]
@@ -301,7 +300,7 @@ class Hood:
             collar = extrude(ring, self.top - self.low, bevel=0.0010)
             if self.can.plan == "round":
                 collar = collar.require(self.can.width < _WIDEST, _TOO_WIDE)
-            solids = [coarse(collar, 0.0007).at(0.0, 0.0, (self.low + self.top) / 2.0)]
+            solids = [simplified_collider(collar, 0.0007).at(0.0, 0.0, (self.low + self.top) / 2.0)]
         bearings: list[Body] = []
         if self.kind != "ring":
             bearings = self._bosses(trim) if self.kind == "ball" else self._lugs(trim)
@@ -361,7 +360,7 @@ class Hood:
             limits=(0.0, travel),
             friction=1.0,  # the skirt grips the rim a little
             damping=4.0,
-            effort=1.4 * _GRAVITY * mass(body) + 3.0,
+            effort=1.4 * _GRAVITY * body.mass() + 3.0,
             velocity=1.0,
         )
 
@@ -437,7 +436,7 @@ class Hood:
         else:
             stiffness, friction, damping = 0.0, 0.0, 0.04
         held = (
-            friction if self.kind != "ball" else 1.5 * _GRAVITY * mass(body) * 0.45 * self._opening[0] / 2.0
+            friction if self.kind != "ball" else 1.5 * _GRAVITY * body.mass() * 0.45 * self._opening[0] / 2.0
         )
         return Revolute(
             "lid_hinge",

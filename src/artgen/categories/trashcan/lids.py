@@ -24,13 +24,11 @@ from artgen import (
     atan2,
     board,
     box,
-    center_of_mass,
     cylinder,
     detail,
     dome,
     extrude,
     grasp_on,
-    mass,
     material,
     max_,
     min_,
@@ -330,7 +328,7 @@ class Catch:
 def sprung_lid(hinge: Hinge, lid: Body, *, opening: Scalar, needs: Dependency, damping: Scalar) -> Joint:
     """Make the joint of a lid that a spring opens, a third stronger than its weight and its friction."""
     y, z = hinge.axis
-    weight: Float = _GRAVITY * mass(lid) * (y - center_of_mass(lid).y)
+    weight: Float = _GRAVITY * lid.mass() * (y - lid.center_of_mass().y)
     start, end = 1.35 * weight + _FRICTION, 0.45 * weight
     stiffness = (start - end) / opening
     return Revolute(

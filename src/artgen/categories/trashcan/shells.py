@@ -16,16 +16,14 @@ from artgen import (
     X,
     Z,
     box,
-    center_of_mass,
     circle,
-    coarse,
     cylinder,
     detail,
     grasp_on,
-    mass,
     material,
     min_,
     part,
+    simplified_collider,
     spline,
     sweep,
     weld,
@@ -87,7 +85,7 @@ def bucket_slide(body: Body, *, travel: Scalar, needs: Condition | Dependency | 
         limits=(0.0, travel),
         friction=0.15,  # it rubs on the wall here and there; a lid that leans on it must not hold it up
         damping=2.0,
-        effort=1.1 * _GRAVITY * mass(body) + 1.0,  # a hand that lifts it, and does not force the lid open
+        effort=1.1 * _GRAVITY * body.mass() + 1.0,  # a hand that lifts it, and does not force the lid open
         velocity=1.0,
         needs=needs,
     )
@@ -101,14 +99,14 @@ def with_bail(body: Body, can: Can, *, finish: Material, needs: Condition | Depe
     z = can.top - WIRE
     way = spline([(x, 0.0, z), (0.93 * x, 0.45 * y, z), (0.55 * x, 0.88 * y, z), (0.0, y, z),
                   (-0.55 * x, 0.88 * y, z), (-0.93 * x, 0.45 * y, z), (-x, 0.0, z)])  # fmt: skip
-    wire = coarse(sweep(circle(WIRE), way), 0.00075)
+    wire = simplified_collider(sweep(circle(WIRE), way), 0.00075)
     grip = cylinder(_GRIP, 0.07, axis=X, bevel=0.0015).at(0.0, y, z - 0.003)
     hold = grasp_on(grip, approach=-Z, closing=(0.0, 1.0, 0.0))
     inner, outer = x + WIRE + 0.0005, can.half_across(can.wall) + 0.001
     eye = cylinder(0.004, outer - inner, axis=X)
     eyes = [eye.at(side * (inner + outer) / 2.0, 0.0, z) for side in (-1, 1)]
     bail = weld(part(wire, "handle", finish), part(grip, "handle", _PLASTIC, grasp=hold))
-    weight = _GRAVITY * mass(bail) * (0.0 - center_of_mass(bail).y)
+    weight = _GRAVITY * bail.mass() * (0.0 - bail.center_of_mass().y)
     turn = Revolute(
         "handle_hinge",
         axis=-X,

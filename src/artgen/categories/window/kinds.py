@@ -21,9 +21,7 @@ from artgen import (
     Y,
     Z,
     atan2,
-    center_of_mass,
     cos,
-    mass,
     min_,
     require,
     sin,
@@ -207,8 +205,8 @@ class _Hung:
 
     def _falling(self, sash: Body, pin: Pin, turn: Joint, lock: CamLock) -> Joint:
         """Make a level hinge, which a hand lifts: a friction stay holds the sash, or it falls shut."""
-        swing, weight = self.swing, _GRAVITY * mass(sash)
-        arm = center_of_mass(sash).x - pin.x
+        swing, weight = self.swing, _GRAVITY * sash.mass()
+        arm = sash.center_of_mass().x - pin.x
         holds = swing.stay == "friction"
         # a hand at the lever lifts the weight, and overcomes the friction that holds it
         most = _LIFTS * (self.width - 0.05) / (weight * arm * (1.0 + _HOLDS if holds else 1.0))

@@ -25,7 +25,6 @@ from artgen import (
     frame,
     grasp_on,
     hull,
-    mass,
     min_,
     part,
     require,
@@ -341,7 +340,7 @@ def sliding_both(draft: Draft, *, bar: Scalar, drag: Scalar) -> Body:
 
 
 def _balanced(name: str, sash: Body, way: int, travel: Scalar, drag: Scalar, lock: SashLock) -> Joint:
-    weight = _GRAVITY * mass(sash)
+    weight = _GRAVITY * sash.mass()
     return Prismatic(
         name,
         axis=(0.0, 0.0, way),

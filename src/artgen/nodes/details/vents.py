@@ -95,8 +95,8 @@ def perforation(
 ) -> Profile:
     """Punch round holes into a profile before it is extruded, which is much faster than cutting them later.
 
-    A perforated part collides hole by hole: `enclosed(relief(...))` gives a flat sheet one collider, and
-    `relief` builds many holes faster than `extrude`.
+    A perforated part collides hole by hole: `bounding_collider(relief(...))` gives a flat sheet one collider,
+    and `relief` builds many holes faster than `extrude`.
 
     Args:
         outline: Profile of the sheet.

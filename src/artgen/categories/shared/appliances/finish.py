@@ -12,8 +12,9 @@ Walls of appliances are sheet metal around foam, wool or air: `filled` gives the
 from dataclasses import dataclass
 from typing import Any, Literal, get_args
 
-from artgen import COLORS, Float, Material, Scalar, by, colored, material, shades
+from artgen import Float, Material, Scalar, by, colored, material, shades
 from artgen._arrays import cached_property
+from artgen.materials import COLORS
 
 
 @dataclass(frozen=True, kw_only=True)

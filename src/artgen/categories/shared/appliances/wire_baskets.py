@@ -33,7 +33,6 @@ from artgen import (
     frame,
     grid,
     line,
-    norm,
     part,
     polyline,
     row,
@@ -127,7 +126,7 @@ class Basket:
             part(rows, self.label, self.finish),
             part(self._straight(rim, 2.0 * (x - _CORNER), X, ends), self.label, self.finish),
             part(
-                self._straight(rim, norm(slope) - 2.0 * _CORNER, slope, sides),
+                self._straight(rim, slope.norm() - 2.0 * _CORNER, slope, sides),
                 self.label,
                 self.finish,
             ),

@@ -3,7 +3,7 @@
 import math
 from collections.abc import Callable, Sequence
 
-from artgen import Profile, Scalar, Solid, Vector, cylinder, enclosed, line, norm, polyline, sweep, vector
+from artgen import Profile, Scalar, Solid, Vector, bounding_collider, cylinder, line, polyline, sweep, vector
 
 Way = tuple[int, int, int]
 """The direction of a straight run: an axis or its opposite."""
@@ -16,7 +16,7 @@ def rod(radius: Scalar) -> Callable[[Vector, Vector], Solid]:
 
     def run(start: Vector, end: Vector) -> Solid:
         along = end - start
-        return cylinder(radius, norm(along), axis=along).at((start + end) * 0.5)
+        return cylinder(radius, along.norm(), axis=along).at((start + end) * 0.5)
 
     return run
 
@@ -59,11 +59,11 @@ def _bend(
 ) -> list[Solid]:
     start, end = corner - before * radius, corner + after * radius
     if not halves:
-        return [enclosed(sweep(section, polyline([start, corner, end], fillet=radius)))]
+        return [bounding_collider(sweep(section, polyline([start, corner, end], fillet=radius)))]
     short = radius * _EIGHTH
     near, far = start + before * short, end - after * short
     middle = (near + far) * 0.5
     return [
-        enclosed(sweep(section, polyline(points, fillet=radius)))
+        bounding_collider(sweep(section, polyline(points, fillet=radius)))
         for points in ([start, near, middle], [middle, far, end])
     ]

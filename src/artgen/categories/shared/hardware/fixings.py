@@ -9,10 +9,10 @@ from artgen import (
     Scalar,
     VectorLike,
     array,
+    bounding_collider,
     cylinder,
     detail,
     details,
-    enclosed,
     material,
     part,
 )
@@ -38,7 +38,7 @@ def feet(
     if style == "pad":  # a cylinder is one collider
         one = cylinder(radius, tall, bevel=0.0009).at(0.0, 0.0, tall / 2)
     else:
-        one = enclosed(details.foot(radius, tall, style=style))
+        one = bounding_collider(details.foot(radius, tall, style=style))
     places: list[VectorLike] = [(x, y, 0.0) for x, y in at]
     solid = array(one, at=places)
     return part(

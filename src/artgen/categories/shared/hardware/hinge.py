@@ -15,12 +15,12 @@ from artgen import (
     X,
     Z,
     array,
+    bounding_collider,
     box,
     circle,
     cylinder,
     detail,
     dome,
-    enclosed,
     extrude,
     part,
     rectangle,
@@ -74,7 +74,7 @@ def _half(
     if sheets:
         # a knuckle and its tab nearly are their own hull
         made = [
-            part(array(enclosed(knuckle | tab), at=places), "hinge", finish),
+            part(array(bounding_collider(knuckle | tab), at=places), "hinge", finish),
             part(plate, "hinge", finish),
         ]
     else:

@@ -18,11 +18,11 @@ from artgen import (
     VectorLike,
     X,
     Y,
+    bounding_collider,
     box,
     cylinder,
     cylinder_between,
     detail,
-    enclosed,
     extrude,
     frame,
     frustum,
@@ -92,7 +92,7 @@ def thumb_turn(*, thickness: Scalar, finish: Material, side: int = -1) -> Body:
     """Make a thumb turn, upright while the bolt is drawn: the link `lock`."""
     start = thickness / 2 + _ROSETTE_DEPTH + _GAP
     base = cylinder(0.012, 0.004, axis=Y, bevel=0.0012).at(0.0, side * (start + 0.002), 0.0)
-    wing = enclosed(box(0.007, 0.018, 0.034, bevel=0.003)).at(0.0, side * (start + 0.012), 0.0)
+    wing = bounding_collider(box(0.007, 0.018, 0.034, bevel=0.003)).at(0.0, side * (start + 0.012), 0.0)
     reach = start + 0.003  # from the middle of the leaf into the turn
     stem = cylinder(SPINDLE, reach, axis=Y).at(0.0, side * reach / 2, 0.0)
     hold = grasp_on(wing, approach=(0.0, -side, 0.0), closing=X, depth=0.016)  # 1 mm off its base

@@ -11,23 +11,22 @@ from artgen import (
     Body,
     Frame,
     Material,
-    Path,
     Scalar,
     Solid,
     Z,
-    coarse,
+    bounding_collider,
     cylinder_between,
     detail,
-    enclosed,
     half_section,
     line,
     min_,
     part,
     revolve,
+    simplified_collider,
     spline,
-    split,
     weld,
 )
+from artgen.nodes.handles import Path
 
 Point = tuple[Scalar, Scalar]
 """Radius and height of a point of an outline [m]."""
@@ -87,7 +86,7 @@ def turned(
     """Make a closed turned thing about z."""
     body = core(runs, sides=sides)
     if hole is not None:
-        body = coarse(body, spare) - hole
+        body = simplified_collider(body, spare) - hole
     return weld(
         part(body, label, finish, name=name, grasp=grasp), detail(skin(runs, bore=bore), label, finish)
     )
@@ -109,20 +108,20 @@ def blown(
     that straight slopes are worth having.
     """
     vessel = revolve(half_section(path, wall=wall), sides=_GLASS_SIDES)
-    upper = split(vessel, point=(0.0, 0.0, level), normal=Z)
+    upper = vessel.split(point=(0.0, 0.0, level), normal=Z)
     # a hair more, so that both have corners of their own
-    lower = split(vessel, point=(0.0, 0.0, level + 0.0001), normal=-Z)
+    lower = vessel.split(point=(0.0, 0.0, level + 0.0001), normal=-Z)
     pane = cylinder_between((0.0, 0.0, 0.0), (0.0, 0.0, 1.4 * wall), foot - 0.5 * wall)
     # where it is narrow 3 facets would be one collider, and stand off more
     off = min_(_GLASS_OFF, (1.0 - math.cos(3.0 * math.pi / _GLASS_SIDES)) * foot)
     return weld(
-        part(coarse(upper, off), label, finish, name=name),
-        part(enclosed(lower | pane), label, finish),
+        part(simplified_collider(upper, off), label, finish, name=name),
+        part(bounding_collider(lower | pane), label, finish),
     )
 
 
 def filled(path: Path, *, wall: Scalar, level: Scalar) -> Solid:
     """Make what fills a blown vessel up to a height, a hair off its wall."""
     inside = revolve(half_section(path, inset=wall + 0.0002))
-    kept = split(inside, point=(0.0, 0.0, level), normal=-Z)
-    return split(kept, point=(0.0, 0.0, 1.4 * wall + 0.0002), normal=Z)
+    kept = inside.split(point=(0.0, 0.0, level), normal=-Z)
+    return kept.split(point=(0.0, 0.0, 1.4 * wall + 0.0002), normal=Z)
