@@ -23,15 +23,10 @@ MOST_COLLIDERS = 64
 
 @dataclass(frozen=True, eq=False)
 class PrintDirection(FrozenArrays):
-    """Reading direction of print, which keeps print readable on mirrored parts.
+    """Reading direction of print, which keeps print readable on mirrored parts."""
 
-    Attributes:
-        about: Center of the print, shape (3,) [m].
-        direction: Unit vector along the lines, shape (3,).
-    """
-
-    about: Array
-    direction: Array
+    about: Array  # center of the print, shape (3,) [m]
+    direction: Array  # unit vector along the lines, shape (3,)
 
     def motion(self, matrix: Array) -> Array:
         """Return the motion of print on a part that is moved or reflected, shape (4, 4).
@@ -56,21 +51,13 @@ class PrintDirection(FrozenArrays):
 
 @dataclass(frozen=True, eq=False)
 class Piece:
-    """A labelled solid of one material.
+    """A labelled solid of one material."""
 
-    Attributes:
-        label: Semantic label.
-        material: Material of the solid.
-        shape: The solid, in asset coordinates at rest.
-        visual: Whether the piece is a visual detail, without mass and collider.
-        reading: Its reading direction, if the piece is print.
-    """
-
-    label: str
-    material: Material
-    shape: Shape
-    visual: bool = False
-    reading: PrintDirection | None = None
+    label: str  # semantic label
+    material: Material  # material of the solid
+    shape: Shape  # the solid, in asset coordinates at rest
+    visual: bool = False  # whether the piece is a visual detail, without mass and collider
+    reading: PrintDirection | None = None  # its reading direction, if the piece is print
 
     def moved(self, matrix: Array) -> "Piece":
         """Return the piece carried along by a rigid motion or a reflection, shape (4, 4)."""
@@ -82,34 +69,21 @@ class Piece:
 
 @dataclass(frozen=True, eq=False)
 class Collider:
-    """A convex piece of a link with its contact properties.
+    """A convex piece of a link with its contact properties."""
 
-    Attributes:
-        convex: The piece, in asset coordinates at rest.
-        label: Semantic label of the covered solid.
-        material: Material of the covered solid.
-    """
-
-    convex: Convex
-    label: str
-    material: Material
+    convex: Convex  # the piece, in asset coordinates at rest
+    label: str  # semantic label of the covered solid
+    material: Material  # material of the covered solid
 
 
 @dataclass(frozen=True, eq=False)
 class Surface:
-    """The visible faces of a link that share a label and a material.
+    """The visible faces of a link that share a label and a material."""
 
-    Attributes:
-        name: Identifier, unique on the link.
-        label: Semantic label.
-        material: Material of the faces.
-        mesh: The faces, in asset coordinates at rest.
-    """
-
-    name: str
-    label: str
-    material: Material
-    mesh: Mesh
+    name: str  # identifier, unique on the link
+    label: str  # semantic label
+    material: Material  # material of the faces
+    mesh: Mesh  # the faces, in asset coordinates at rest
 
 
 @dataclass(frozen=True, eq=False)

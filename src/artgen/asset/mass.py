@@ -20,17 +20,11 @@ _DIGITS = 12  # significant digits of mass properties; the digits beyond depend 
 
 @dataclass(frozen=True, eq=False)
 class Moments(FrozenArrays):
-    """Integrals over a solid about the origin: 1, x, and x x^T, each times density.
+    """Integrals over a solid about the origin: 1, x, and x x^T, each times density."""
 
-    Attributes:
-        zeroth: Mass [kg], or volume [m^3] at density 1.
-        first: First moment, shape (3,) [kg m].
-        second: Second moment, shape (3, 3) [kg m^2].
-    """
-
-    zeroth: float
-    first: Array
-    second: Array
+    zeroth: float  # mass [kg], or volume [m^3] at density 1
+    first: Array  # first moment, shape (3,) [kg m]
+    second: Array  # second moment, shape (3, 3) [kg m^2]
 
     def scaled(self, factor: float) -> "Moments":
         """Return the moments multiplied by a density."""

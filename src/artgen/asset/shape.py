@@ -24,47 +24,32 @@ from artgen.materials import Material
 
 @dataclass(frozen=True, eq=False)
 class Contour(FrozenArrays):
-    """A closed polygon with the normals of the curve that it samples.
+    """A closed polygon with the normals of the curve that it samples."""
 
-    Attributes:
-        points: Vertices, counter-clockwise for outer borders and clockwise for holes, shape (n, 2) [m].
-        normals_in: Outward unit normal at the end of the side that arrives at each vertex, shape (n, 2).
-        normals_out: Outward unit normal at the start of the side that leaves each vertex, shape (n, 2).
-            Equal to `normals_in` where the curve is smooth, different at corners.
-    """
-
-    points: Array
-    normals_in: Array
+    points: Array  # vertices, counter-clockwise for outer borders and clockwise for holes, shape (n, 2) [m]
+    normals_in: Array  # outward unit normal at the end of the side that arrives at each vertex, shape (n, 2)
+    # outward unit normal at the start of the side that leaves each vertex, shape (n, 2). Equal to
+    # `normals_in` where the curve is smooth, different at corners
     normals_out: Array
 
 
 @dataclass(frozen=True, eq=False)
 class Outline(FrozenArrays):
-    """A region of the plane: the value of a `Profile`.
+    """A region of the plane: the value of a `Profile`."""
 
-    Attributes:
-        contours: Outer borders and holes.
-        convex: Convex polygons (counter-clockwise, each shape (k, 2)) whose union is the region; None if
-            they are not known, and have to be found by a decomposition.
-    """
-
-    contours: tuple[Contour, ...]
+    contours: tuple[Contour, ...]  # outer borders and holes
+    # convex polygons (counter-clockwise, each shape (k, 2)) whose union is the region; None if they are not
+    # known, and have to be found by a decomposition
     convex: tuple[Array, ...] | None = None
 
 
 @dataclass(frozen=True, eq=False)
 class Curve(FrozenArrays):
-    """A line in space: the value of a `Path`.
+    """A line in space: the value of a `Path`."""
 
-    Attributes:
-        points: Samples along the line, shape (n, 3) [m].
-        closed: Whether the last point joins the first (which is not repeated).
-        tangents: Unit tangents at the samples, shape (n, 3); None if they are not known.
-    """
-
-    points: Array
-    closed: bool = False
-    tangents: Array | None = None
+    points: Array  # samples along the line, shape (n, 3) [m]
+    closed: bool = False  # whether the last point joins the first (which is not repeated)
+    tangents: Array | None = None  # unit tangents at the samples, shape (n, 3); None if they are not known
 
 
 GRAIN = 1e12
@@ -76,21 +61,13 @@ _UNTURNED = np.eye(3)
 
 @dataclass(frozen=True, eq=False)
 class Mesh(FrozenArrays):
-    """Triangles with normals, texture coordinates and paint.
+    """Triangles with normals, texture coordinates and paint."""
 
-    Attributes:
-        vertices: Positions, shape (n, 3) [m].
-        normals: Unit normals, shape (n, 3).
-        uvs: Texture coordinates, shape (n, 2) [m].
-        paints: Paint number of each vertex, 0 for the material of the part, shape (n,).
-        triangles: Vertex indices, counter-clockwise seen from outside, shape (m, 3).
-    """
-
-    vertices: Array
-    normals: Array
-    uvs: Array
-    paints: Indices
-    triangles: Indices
+    vertices: Array  # positions, shape (n, 3) [m]
+    normals: Array  # unit normals, shape (n, 3)
+    uvs: Array  # texture coordinates, shape (n, 2) [m]
+    paints: Indices  # paint number of each vertex, 0 for the material of the part, shape (n,)
+    triangles: Indices  # vertex indices, counter-clockwise seen from outside, shape (m, 3)
 
     @staticmethod
     def concatenated(meshes: Sequence["Mesh"]) -> "Mesh":
@@ -119,19 +96,13 @@ class Mesh(FrozenArrays):
 
 @dataclass(frozen=True, eq=False)
 class Shape:
-    """A solid.
+    """A solid."""
 
-    Attributes:
-        manifold: The watertight surface, with the channels of `PROPERTIES`.
-        pieces: Convex pieces that cover the solid, derived from its construction.
-        paints: Materials of painted faces by paint number; faces numbered 0 take the part's material.
-        united: The shapes that were united to this one; empty for other operations.
-    """
-
-    manifold: Manifold
-    pieces: Pieces
+    manifold: Manifold  # the watertight surface, with the channels of `PROPERTIES`
+    pieces: Pieces  # convex pieces that cover the solid, derived from its construction
+    # materials of painted faces by paint number; faces numbered 0 take the part's material
     paints: Mapping[int, Material] = field(default_factory=dict)
-    united: tuple["Shape", ...] = ()
+    united: tuple["Shape", ...] = ()  # the shapes that were united to this one; empty for other operations
 
     @property
     def members(self) -> tuple["Shape", ...]:

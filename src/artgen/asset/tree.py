@@ -20,16 +20,11 @@ class Branch:
 
 @dataclass(frozen=True, eq=False)
 class Tree:
-    """A link and its branches.
+    """A link and its branches."""
 
-    Attributes:
-        link: The link nearest to the root.
-        branches: The children with their joints.
-        contacts: Allowed contacts declared on this tree; contacts declared on a branch stay there.
-    """
-
-    link: Link
-    branches: tuple[Branch, ...] = ()
+    link: Link  # the link nearest to the root
+    branches: tuple[Branch, ...] = ()  # the children with their joints
+    # allowed contacts declared on this tree; contacts declared on a branch stay there
     contacts: tuple[AllowedContact, ...] = ()
 
     def links(self) -> Iterator[Link]:

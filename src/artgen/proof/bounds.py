@@ -27,21 +27,13 @@ _OCTAGON = 8
 
 @dataclass(frozen=True, eq=False)
 class Motion:
-    """One joint of a path and its interval, for each of N items.
+    """One joint of a path and its interval, for each of N items."""
 
-    Attributes:
-        kind: `revolute` or `prismatic`.
-        origin: A point on the axis, shape (N, 3) [m].
-        axis: Unit axis, shape (N, 3).
-        center: Middle of the interval, shape (N,) [rad or m].
-        half: Half the length of the interval, not negative, shape (N,) [rad or m].
-    """
-
-    kind: JointKind
-    origin: Array
-    axis: Array
-    center: Array
-    half: Array
+    kind: JointKind  # `revolute` or `prismatic`
+    origin: Array  # a point on the axis, shape (N, 3) [m]
+    axis: Array  # unit axis, shape (N, 3)
+    center: Array  # middle of the interval, shape (N,) [rad or m]
+    half: Array  # half the length of the interval, not negative, shape (N,) [rad or m]
 
     def reversed(self) -> "Motion":
         """Return the motion seen from the other side."""

@@ -42,23 +42,14 @@ _POSE_DECIMALS = 8  # decimals of positions; cells extend beyond the ends of ran
 
 @dataclass(frozen=True, eq=False)
 class Judged:
-    """Search result for one pair of links on one kind of pieces.
+    """Search result for one pair of links on one kind of pieces."""
 
-    Attributes:
-        joint_path: Joint path of the pair.
-        outcome: Result of the search.
-        nodes: The pieces of all links of the search.
-        covers: The pieces of each link.
-        number: Number of the joint path in the search.
-        leaves: All items that the search closed.
-    """
-
-    joint_path: JointPath
-    outcome: SearchOutcome
-    nodes: Hierarchy
-    covers: Mapping[str, Cover]
-    number: int
-    leaves: list[Items]
+    joint_path: JointPath  # joint path of the pair
+    outcome: SearchOutcome  # result of the search
+    nodes: Hierarchy  # the pieces of all links of the search
+    covers: Mapping[str, Cover]  # the pieces of each link
+    number: int  # number of the joint path in the search
+    leaves: list[Items]  # all items that the search closed
 
     @property
     def contained(self) -> bool:

@@ -179,20 +179,13 @@ _SINGLE = 2.0**-24  # relative error of single precision, in which USD keeps poi
 
 @dataclass(frozen=True, eq=False)
 class Cover(FrozenArrays):
-    """Convex pieces whose union contains the solids of a link.
+    """Convex pieces whose union contains the solids of a link."""
 
-    Attributes:
-        points: Vertices of each piece in asset coordinates at rest, each shape (n, 3) [m].
-        labels: Semantic label of each.
-        excess: Largest distance of the solids, as written to files, outside the pieces; None above 0.1 mm
-            [m].
-        colliders: Whether the pieces are the colliders of the link.
-    """
-
-    points: tuple[Array, ...]
-    labels: tuple[str, ...]
+    points: tuple[Array, ...]  # vertices of each piece in asset coordinates at rest, each shape (n, 3) [m]
+    labels: tuple[str, ...]  # semantic label of each
+    # largest distance of the solids, as written to files, outside the pieces; None above 0.1 mm [m]
     excess: float | None
-    colliders: bool = True
+    colliders: bool = True  # whether the pieces are the colliders of the link
 
 
 def collider_cover(link: Link) -> Cover:

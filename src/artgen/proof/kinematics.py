@@ -21,25 +21,15 @@ _ROUNDING = 1e-9  # tolerance of points on an axis [m]
 
 @dataclass(eq=False)
 class JointTable:
-    """Joint paths with the same kinds of joints from A to B.
+    """Joint paths with the same kinds of joints from A to B."""
 
-    Attributes:
-        kinds: Kind of each joint.
-        origin: Pivots, shape (paths, m, 3) [m].
-        axis: Axes, reversed for joints that are crossed towards the root, shape (paths, m, 3).
-        away: Whether the joint leads away from the root, shape (paths, m).
-        variable: Number of the variable, shape (paths, m); -1 for a joint that stands still.
-        ratio: Ratio of position to variable, shape (paths, m).
-        offset: Position while the variable is 0, shape (paths, m) [rad or m].
-    """
-
-    kinds: tuple[JointKind, ...]
-    origin: Array
-    axis: Array
-    away: Mask
-    variable: Indices
-    ratio: Array
-    offset: Array
+    kinds: tuple[JointKind, ...]  # kind of each joint
+    origin: Array  # pivots, shape (paths, m, 3) [m]
+    axis: Array  # axes, reversed for joints that are crossed towards the root, shape (paths, m, 3)
+    away: Mask  # whether the joint leads away from the root, shape (paths, m)
+    variable: Indices  # number of the variable, shape (paths, m); -1 for a joint that stands still
+    ratio: Array  # ratio of position to variable, shape (paths, m)
+    offset: Array  # position while the variable is 0, shape (paths, m) [rad or m]
 
     @staticmethod
     def of(kinds: tuple[JointKind, ...], joint_paths: Sequence[JointPath]) -> "JointTable":
@@ -101,15 +91,10 @@ class JointTable:
 
 @dataclass(eq=False)
 class Frames:
-    """Frames along a path at the center of the cells.
+    """Frames along a path at the center of the cells."""
 
-    Attributes:
-        rotations: Rotations from each frame to frame 0: m + 1 arrays of shape (N, 3, 3).
-        offset: Offset of the last frame, shape (N, 3) [m].
-    """
-
-    rotations: list[Array]
-    offset: Array
+    rotations: list[Array]  # rotations from each frame to frame 0: m + 1 arrays of shape (N, 3, 3)
+    offset: Array  # offset of the last frame, shape (N, 3) [m]
 
     def moved(self, points: Array) -> Array:
         """Return points of link B in link A's frame, shape (N, 3) [m]."""

@@ -28,17 +28,11 @@ _MOST_EDGES = 24  # edge directions of a piece that are crossed with those of th
 
 @dataclass(frozen=True, eq=False)
 class Overlap:
-    """The overlap of two links at a pose.
+    """The overlap of two links at a pose."""
 
-    Attributes:
-        volume: Common volume [m^3].
-        place: Center of the largest common part, in link A's frame at rest, shape (3,) [m].
-        labels: Labels of the two solids of that part.
-    """
-
-    volume: float
-    place: Array
-    labels: tuple[str, str]
+    volume: float  # common volume [m^3]
+    place: Array  # center of the largest common part, in link A's frame at rest, shape (3,) [m]
+    labels: tuple[str, str]  # labels of the two solids of that part
 
 
 class Links:

@@ -33,39 +33,25 @@ _ROUNDING = 1e-12  # tolerance of a box that was cut at a threshold [rad or m]
 
 @dataclass(frozen=True)
 class Follower:
-    """Position of a joint as a function of a free joint: ratio * position(variable) + offset.
+    """Position of a joint as a function of a free joint: ratio * position(variable) + offset."""
 
-    Attributes:
-        variable: Name of the free joint; empty for a joint that stands still.
-        ratio: Transmission ratio [rad/rad, m/rad, rad/m or m/m].
-        offset: Position while the variable is 0 [rad or m].
-    """
-
-    variable: str
-    ratio: float
-    offset: float
+    variable: str  # name of the free joint; empty for a joint that stands still
+    ratio: float  # transmission ratio [rad/rad, m/rad, rad/m or m/m]
+    offset: float  # position while the variable is 0 [rad or m]
 
 
 @dataclass(frozen=True, eq=False)
 class JointPath:
-    """The joints between two links.
+    """The joints between two links."""
 
-    Attributes:
-        links: Names of the links, A and B.
-        steps: The joints on the path from A to B.
-        signs: 1 for a joint that leads away from the root, -1 for one that leads towards it.
-        followers: The position of each joint as a function of a variable.
-        variables: Names of the free joints that move them.
-        boxes: Joint space: lowest and highest position of each variable, each shape (v, 2) [rad or m].
-        allowed: Contacts that are allowed everywhere in each box.
-    """
-
-    links: tuple[str, str]
-    steps: tuple[AssetJoint, ...]
-    signs: tuple[int, ...]
-    followers: tuple[Follower, ...]
-    variables: tuple[str, ...]
+    links: tuple[str, str]  # names of the links, A and B
+    steps: tuple[AssetJoint, ...]  # the joints on the path from A to B
+    signs: tuple[int, ...]  # 1 for a joint that leads away from the root, -1 for one that leads towards it
+    followers: tuple[Follower, ...]  # the position of each joint as a function of a variable
+    variables: tuple[str, ...]  # names of the free joints that move them
+    # joint space: lowest and highest position of each variable, each shape (v, 2) [rad or m]
     boxes: tuple[Array, ...]
+    # contacts that are allowed everywhere in each box
     allowed: tuple[tuple[AllowedContact, ...], ...] = field(default=())
 
 

@@ -116,23 +116,14 @@ _HARDLY = 0.02  # variables that move the pieces by less than this share of the 
 
 @dataclass(eq=False)
 class Planes:
-    """Best plane of each item so far.
+    """Best plane of each item so far."""
 
-    Attributes:
-        first: Vertices of the nodes of link A, shape (N, V, 3) [m].
-        second: Vertices of the nodes of link B, shape (N, W, 3) [m].
-        path: The joints between them.
-        best: Bound of the best plane, shape (N,) [m].
-        normal: Normal of the best plane, shape (N, 3).
-        frame: Frame of the best plane, shape (N,).
-    """
-
-    first: Array
-    second: Array
-    path: list[Motion]
-    best: Array = field(init=False)
-    normal: Array = field(init=False)
-    frame: Indices = field(init=False)
+    first: Array  # vertices of the nodes of link A, shape (N, V, 3) [m]
+    second: Array  # vertices of the nodes of link B, shape (N, W, 3) [m]
+    path: list[Motion]  # the joints between them
+    best: Array = field(init=False)  # bound of the best plane, shape (N,) [m]
+    normal: Array = field(init=False)  # normal of the best plane, shape (N, 3)
+    frame: Indices = field(init=False)  # frame of the best plane, shape (N,)
 
     def __post_init__(self) -> None:
         count = len(self.first)
