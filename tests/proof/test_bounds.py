@@ -201,9 +201,13 @@ def halved(motion: Motion) -> Motion:
     return replace(motion, half=motion.half / 2.0)
 
 
+def still(motion: Motion) -> Motion:
+    return replace(motion, half=np.zeros_like(motion.half))
+
+
 def ends_only(motion: Motion, points: Array, normals: Array) -> Array:
     """The support without the amplitude of the circle: at both ends of the interval."""
-    low, high = (replace(motion, center=motion.center + side * motion.half).still() for side in (-1, 1))
+    low, high = (still(replace(motion, center=motion.center + side * motion.half)) for side in (-1, 1))
     return np.maximum(exact_support(low, points, normals), exact_support(high, points, normals))
 
 
@@ -228,11 +232,11 @@ FAULTS: dict[str, tuple[str, Any]] = {
     "half the interval in the support": ("support", lambda m, p, n: exact_support(halved(m), p, n)),
     "half the interval around outer joints": ("enclosing_points", lambda m, p: exact_points(halved(m), p)),
     "no amplitude": ("support", ends_only),
-    "no interval": ("support", lambda m, p, n: exact_support(m.still(), p, n)),
+    "no interval": ("support", lambda m, p, n: exact_support(still(m), p, n)),
     "no tangent point": ("enclosing_points", without_tangents),
     "no rule for wide angles": ("WIDEST", np.inf),
     "octagon within the circle": ("enclosing_points", without_radius),
-    "outer joints held still": ("enclosing_points", lambda m, p: exact_points(m.still(), p)),
+    "outer joints held still": ("enclosing_points", lambda m, p: exact_points(still(m), p)),
 }
 
 

@@ -60,7 +60,7 @@ def test_what_was_read_from_files_is_verified(category: str, seed: int, tmp_path
 def test_the_verification_uses_neither_fcl_nor_the_search() -> None:
     source = Path(artgen.proof.recheck.__file__).read_text(encoding="utf-8")
     assert "fcl" not in source.replace("FCL", "")
-    for module in ("search", "separation", "kinematics", "items", "hierarchy", "certify"):
+    for module in ("search", "separation", "kinematics", "hierarchy", "certify"):
         assert f"artgen.proof.{module} " not in source
 
 

@@ -22,29 +22,6 @@ if TYPE_CHECKING:
     from artgen import asset_methods
 
 
-def assembled(tree: Tree) -> tuple[tuple[Link, ...], tuple[AssetJoint, ...], tuple[AllowedContact, ...]]:
-    """Return the links, joints and allowed contacts of a tree; coupled joints get their limits."""
-    links = tuple(tree.links())
-    for link in links:
-        if all(piece.visual for piece in link.pieces):
-            raise AssetError(
-                f"link {link.name!r} consists of details only, which have no mass; weld them to a part",
-                link=link.name,
-            )
-    joints = {joint.name: joint for joint in tree.joints()}
-    for joint in joints.values():
-        _check_references(joint, joints)
-    leaders = positions_of_followers(
-        joints, {joint.name: 0.0 for joint in joints.values() if joint.follows is None}
-    )
-    assert len(leaders) == len(joints)
-    ranged = tuple(_with_followed_limits(joint, joints) for joint in joints.values())
-    contacts = tuple(tree.all_contacts())
-    for contact in contacts:
-        check_contact(contact, [link.name for link in links], joints)
-    return links, ranged, contacts
-
-
 def _check_references(joint: AssetJoint, joints: Mapping[str, AssetJoint]) -> None:
     named = [("follows", joint.follows.leader)] if joint.follows is not None else []
     if joint.needs is not None:
@@ -116,8 +93,23 @@ class Asset:
             AssetError: A link has no mass; a coupling, dependency or contact names an unknown joint;
                 couplings form a circle; or the joint of a contact does not move its links.
         """
-        links, joints, contacts = assembled(tree)
-        return Asset(name, category, links, joints, contacts=contacts, **fields)
+        links = tuple(tree.links())
+        for link in links:
+            if all(piece.visual for piece in link.pieces):
+                raise AssetError(
+                    f"link {link.name!r} consists of details only, which have no mass; weld them to a part",
+                    link=link.name,
+                )
+        joints = {joint.name: joint for joint in tree.joints()}
+        for joint in joints.values():
+            _check_references(joint, joints)
+        free = {joint.name: 0.0 for joint in joints.values() if joint.follows is None}
+        positions_of_followers(joints, free)  # refuses couplings that form a circle
+        contacts = tuple(tree.all_contacts())
+        for contact in contacts:
+            check_contact(contact, [link.name for link in links], joints)
+        ranged = tuple(_with_followed_limits(joint, joints) for joint in joints.values())
+        return Asset(name, category, links, ranged, contacts=contacts, **fields)
 
     def __copy__(self) -> "Asset":
         """Return the asset itself: it never changes."""
@@ -166,13 +158,11 @@ class Asset:
         """Materials of surfaces and colliders, in order of appearance."""
         found: dict[str, Material] = {}
         for link in self.links:
-            for material in (
-                item.material for of_link in (link.surfaces, link.colliders) for item in of_link
-            ):
-                known = found.setdefault(material.name, material)
-                if known != material:
+            used = [each.material for each in link.surfaces] + [each.material for each in link.colliders]
+            for material in used:
+                if found.setdefault(material.name, material) != material:
                     raise AssetError(
-                        f"asset {self.name!r} has two different materials named {known.name!r}; "
+                        f"asset {self.name!r} has two different materials named {material.name!r}; "
                         "give one of them another name"
                     )
         return tuple(found.values())
@@ -218,11 +208,8 @@ class Asset:
                         f"its limits are {low:.6g} to {high:.6g}"
                     )
             result[name] = float(position)
-        return self._followed(result)
-
-    def _followed(self, q: dict[str, float]) -> dict[str, float]:
-        positions = positions_of_followers(self._joints, q)
-        return {joint.name: positions[joint.name] for joint in self.joints}
+        result = positions_of_followers(self._joints, result)
+        return {joint.name: result[joint.name] for joint in self.joints}
 
     def blocked(self, q: Mapping[str, float] | None = None) -> tuple[str, ...]:
         """Return the names of the joints whose dependencies forbid their position in `q`."""
@@ -288,10 +275,7 @@ class Asset:
 
     def with_base(self, base: Base) -> "Asset":
         """Return the asset with its base fixed to the world or free."""
-        result = replace(self, base=base)
-        if self.certificate is not None:
-            remember(result, self.certificate)
-        return result
+        return remember(replace(self, base=base), self.certificate)
 
     @property
     def certificate(self) -> Certificate | None:
@@ -327,9 +311,7 @@ class Asset:
             parameters=rounded(self.parameters),
             contacts=rounded(self.contacts),
         )
-        if self.certificate is not None:
-            remember(result, self.certificate)
-        return result
+        return remember(result, self.certificate)
 
     def to_data(self) -> dict[str, Any]:
         """Return everything but the triangles as JSON data, with as many digits as `rounded` keeps."""
@@ -337,12 +319,7 @@ class Asset:
         links = [link.to_data() for link in asset.links]
         return {
             "format": FORMAT,
-            "name": self.name,
-            "category": self.category,
-            "seed": self.seed,
-            "attempt": self.attempt,
-            "version": self.version,
-            "base": self.base,
+            **{name: getattr(self, name) for name in PLAIN},
             "labels": list(self.labels),
             "parameters": plain(asset.parameters),
             "mass": rounded(sum(link["mass"] for link in links)),
@@ -359,10 +336,15 @@ class Asset:
         return json_text(self.to_data())
 
 
+PLAIN = ("name", "category", "seed", "attempt", "version", "base")
+"""Fields that files store as they are."""
+
 FORMAT = "artgen-asset-1"
 """Format of `asset.json` that this version reads and writes."""
 
 
-def remember(asset: Asset, certificate: Certificate) -> None:
-    """Attach a certificate to an asset; changed copies do not inherit it."""
-    vars(asset)[_CERTIFICATE] = certificate
+def remember(asset: Asset, certificate: Certificate | None) -> Asset:
+    """Attach a certificate to an asset and return it; changed copies do not inherit the certificate."""
+    if certificate is not None:
+        vars(asset)[_CERTIFICATE] = certificate
+    return asset

@@ -218,6 +218,7 @@ class RecollidedLink(DerivedLink):
         """The colliders that replace the source's."""
         return self.replacing
 
-    def origin_data(self) -> dict[str, Any]:
-        """Return how colliders and surfaces were made, as JSON data."""
-        return {_RECORD: self.collision, **super().origin_data()}
+    @property
+    def changes(self) -> dict[str, Any]:
+        """How colliders and surfaces were replaced, as JSON data."""
+        return {_RECORD: self.collision, **self.source.changes}

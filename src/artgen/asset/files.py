@@ -12,7 +12,7 @@ import numpy as np
 from artgen._arrays import Array, cached_property
 from artgen._names import check_names
 from artgen.asset.affordance import Grasp, Push
-from artgen.asset.asset import FORMAT, Asset, remember
+from artgen.asset.asset import FORMAT, PLAIN, Asset, remember
 from artgen.asset.certificate import Certificate
 from artgen.asset.joint import AllowedContact, AssetJoint
 from artgen.asset.link import Collider, Link, Surface
@@ -107,17 +107,17 @@ def mesh_names(names: Mapping[str, Sequence[str]], taken: Iterable[str] = ()) ->
     for link, of_link in names.items():
         files = []
         for name in of_link:
-            stem = f"{link}_{name}"
-            while f"{stem}.obj".lower() in used:
-                stem += "_"
-            used.add(f"{stem}.obj".lower())
-            files.append(f"{stem}.obj")
+            file = f"{link}_{name}.obj"
+            while file.lower() in used:
+                file = file.replace(".obj", "_.obj")
+            used.add(file.lower())
+            files.append(file)
         result[link] = tuple(files)
     return result
 
 
 def asset_from_data(data: Mapping[str, Any], directory: Path) -> Asset:
-    """Make an asset of its JSON data; its surfaces are read from the directory when they are asked for."""
+    """Make an asset of its JSON data; its surfaces are read from the directory on first access."""
     materials = {item["name"]: Material.from_data(item) for item in data["materials"]}
     joints = tuple(AssetJoint.from_data(item) for item in data["joints"])
     files = mesh_names({item["name"]: [each["name"] for each in item["surfaces"]] for item in data["links"]})
@@ -138,24 +138,19 @@ def asset_from_data(data: Mapping[str, Any], directory: Path) -> Asset:
         for item in data["links"]
     )
     asset = Asset(
-        name=data["name"],
-        category=data["category"],
         links=links,
         joints=joints,
-        seed=data["seed"],
-        attempt=data["attempt"],
-        parameters=data["parameters"],
-        base=data["base"],
-        version=data["version"],
         labels=tuple(data["labels"]),
-        contacts=tuple(AllowedContact.from_data(item) for item in data.get("contacts", ())),
+        parameters=data["parameters"],
+        contacts=tuple(map(AllowedContact.from_data, data.get("contacts", ()))),
+        **{name: data[name] for name in PLAIN},
     )
     # preset the cached property: otherwise it would be derived from the surfaces
     vars(asset)["materials"] = tuple(materials.values())
-    if data.get("certificate") is not None:
-        certificate = Certificate.from_data(data["certificate"])
-        remember(asset, replace(certificate, leaves=_leaves(directory / CERTIFICATE_FILE)))
-    return asset
+    if data.get("certificate") is None:
+        return asset
+    certificate = Certificate.from_data(data["certificate"])
+    return remember(asset, replace(certificate, leaves=_leaves(directory / CERTIFICATE_FILE)))
 
 
 def _leaves(path: Path) -> dict[str, Any] | None:
@@ -173,11 +168,10 @@ def _leaves(path: Path) -> dict[str, Any] | None:
 class _StoredLink(Link):
     """A link whose values come from files instead of solids."""
 
-    data: Mapping[str, Any] = field(default_factory=dict)  # data from `Link.to_data`
-    materials: Mapping[str, Material] = field(default_factory=dict)  # the asset's materials by name
-    meshes: tuple[Path, ...] = ()  # the OBJ file of each surface
-    # origin of the link's frame in asset coordinates at rest, shape (3,) [m]
-    origin: Array = field(default_factory=lambda: np.zeros(3))
+    data: Mapping[str, Any] = field(kw_only=True)  # data from `Link.to_data`
+    materials: Mapping[str, Material] = field(kw_only=True)  # the asset's materials by name
+    meshes: tuple[Path, ...] = field(kw_only=True)  # the OBJ file of each surface
+    origin: Array = field(kw_only=True)  # of its frame in asset coordinates at rest, shape (3,) [m]
     rounded: ClassVar = True
 
     @cached_property
@@ -186,7 +180,7 @@ class _StoredLink(Link):
 
     @cached_property
     def mass_properties(self) -> MassProperties:
-        return MassProperties.from_data(dict(self.data))
+        return MassProperties.from_data(self.data)
 
     @cached_property
     def colliders(self) -> tuple[Collider, ...]:
@@ -197,30 +191,24 @@ class _StoredLink(Link):
 
     @cached_property
     def surfaces(self) -> tuple[Surface, ...]:
-        return tuple(
-            self._surface(item, path) for item, path in zip(self.data["surfaces"], self.meshes, strict=True)
-        )
-
-    def _surface(self, item: Mapping[str, Any], path: Path) -> Surface:
-        """Read a surface; its file has texture coordinates in repeats of the maps."""
-        material = self.materials[item["material"]]
-        mesh = read_obj(path, self.origin)
-        metric = replace(mesh, uvs=metric_coordinates(mesh.uvs, material))
-        return Surface(item["name"], item["label"], material, metric)
+        result = []
+        for item, path in zip(self.data["surfaces"], self.meshes, strict=True):
+            material, mesh = self.materials[item["material"]], read_obj(path, self.origin)
+            # files have texture coordinates in repeats of the maps
+            mesh = replace(mesh, uvs=metric_coordinates(mesh.uvs, material))
+            result.append(Surface(item["name"], item["label"], material, mesh))
+        return tuple(result)
 
     def to_data(self) -> dict[str, Any]:
         return dict(self.data)
 
     def moved(self, matrix: Array) -> NoReturn:
-        self._refuse()
-
-    def renamed(self, suffix: str) -> NoReturn:
-        self._refuse()
-
-    def _refuse(self) -> NoReturn:
         raise AssetError(
             f"link {self.name!r} was read from files and cannot be changed; generate the asset again"
         )
+
+    def renamed(self, suffix: str) -> NoReturn:
+        self.moved(np.eye(4))
 
 
 def _convex(data: Mapping[str, Any]) -> Convex:
@@ -261,22 +249,18 @@ def _numbers(rows: Sequence[bytes], columns: int) -> Array:
     return np.array(b" ".join(rows).replace(b"/", b" ").split(), float).reshape(-1, columns)
 
 
-Packed = tuple[Mapping[str, Any], Mapping[str, tuple[Surface, ...]], Certificate | None]
-
-
-def pack(asset: Asset) -> Packed:
+def pack(asset: Asset) -> tuple[Any, ...]:
     """Return the parts of an asset that are pickled: data, surfaces of its links, certificate."""
     stored = asset.rounded()
     return stored.to_data(), {link.name: link.surfaces for link in stored.links}, asset.certificate
 
 
-def unpack(*packed: Any) -> Asset:
+def unpack(
+    data: Mapping[str, Any], surfaces: Mapping[str, tuple[Surface, ...]], certificate: Certificate | None
+) -> Asset:
     """Return the asset from the parts of `pack`; like a loaded asset, it has no solids."""
-    data, surfaces, certificate = packed
     asset = asset_from_data({**data, "certificate": None}, Path())
     for link in asset.links:
         # preset the cached property: no file is read
         vars(link)["surfaces"] = surfaces[link.name]
-    if certificate is not None:
-        remember(asset, certificate)
-    return asset
+    return remember(asset, certificate)

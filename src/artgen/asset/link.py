@@ -2,13 +2,15 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any, ClassVar, Self, overload
+from operator import attrgetter
+from typing import Any, ClassVar, Self
 
 import numpy as np
 from manifold3d import Manifold, OpType
 
 from artgen._arrays import Array, FrozenArrays, cached_property
 from artgen.asset.affordance import Grasp, Push
+from artgen.asset.manifolds import mesh_of
 from artgen.asset.mass import MassProperties, Moments, polyhedron_moments, total
 from artgen.asset.record import plain
 from artgen.asset.shape import Mesh, Shape
@@ -104,9 +106,9 @@ class Link(FrozenArrays):
     name: str
     label: str
     pieces: Sequence[Piece] = ()
-    grasps: tuple[Grasp, ...] = field(default=())
+    grasps: tuple[Grasp, ...] = ()
     separate: str = ""
-    pushes: tuple[Push, ...] = field(default=())
+    pushes: tuple[Push, ...] = ()
 
     @cached_property
     def labels(self) -> tuple[str, ...]:
@@ -117,19 +119,17 @@ class Link(FrozenArrays):
     def mass_properties(self) -> MassProperties:
         """Mass, center and inertia of the solids; a volume in several solids counts for the first one."""
         moments: list[Moments] = []
-        done: list[tuple[Shape, Array]] = []
+        done: list[tuple[Manifold, Array]] = []
         for piece in self._solid_pieces():
-            shape, bounds = piece.shape, piece.shape.bounds()
-            near = [other.manifold for other, box in done if boxes_overlap(box, bounds)]
-            done.append((shape, bounds))
-            vertices, triangles = shape.mesh.vertices, shape.mesh.triangles
+            solid, bounds = piece.shape.manifold, piece.shape.bounds()
+            near = [other for other, box in done if boxes_overlap(box, bounds)]
+            done.append((solid, bounds))
+            vertices, triangles = piece.shape.mesh.vertices, piece.shape.mesh.triangles
             if near:
-                rest = Manifold.batch_boolean([shape.manifold, *near], OpType.Subtract)
+                rest = Manifold.batch_boolean([solid, *near], OpType.Subtract)
                 if rest.is_empty():
                     continue
-                mesh = rest.to_mesh64()
-                vertices = np.asarray(mesh.vert_properties)[:, :3]
-                triangles = np.asarray(mesh.tri_verts).astype(np.int64)
+                vertices, triangles = mesh_of(rest)
             moments.append(polyhedron_moments(vertices, triangles).scaled(piece.material.density))
         return total(moments)
 
@@ -172,18 +172,15 @@ class Link(FrozenArrays):
 
     def bounds(self) -> Array:
         """Return the corners of the bounding box at rest, shape (2, 3) [m]."""
-        corners = [surface.mesh.vertices for surface in self.surfaces]
-        points = np.concatenate(corners)
+        points = np.concatenate([surface.mesh.vertices for surface in self.surfaces])
         return np.array([points.min(axis=0), points.max(axis=0)])
 
     def moved(self, matrix: Array) -> "Link":
         """Return the link carried along by a rigid motion or a reflection, shape (4, 4)."""
         grasps = tuple(grasp.moved(matrix) for grasp in self.grasps)
         pushes = tuple(push.moved(matrix) for push in self.pushes)
-        pieces = MovedPieces(self.pieces, matrix)
-        return MovedLink(
-            self.name, self.label, pieces, grasps, self.separate, pushes, source=self, matrix=matrix
-        )
+        fields = (MovedPieces(self.pieces, matrix), grasps, self.separate, pushes)
+        return MovedLink(self.name, self.label, *fields, source=self, matrix=matrix)
 
     def renamed(self, suffix: str) -> "Link":
         """Return the link with a suffix on its name and on the names of its grasps and pushes."""
@@ -211,30 +208,28 @@ class Link(FrozenArrays):
                 }
                 for collider in self.colliders
             ],
-            "surfaces": self.surface_data(),
-            "details": self.details_data(),
+            "surfaces": [
+                {
+                    "name": surface.name,
+                    "label": surface.label,
+                    "material": surface.material.name,
+                    "triangles": len(surface.mesh.triangles),
+                }
+                for surface in self.listed_surfaces
+            ],
+            "details": self.details,
             "separate": self.separate,
-            **self.origin_data(),
+            **self.changes,
         }
 
-    def origin_data(self) -> dict[str, Any]:
-        """Return as JSON data how colliders and surfaces were replaced; empty if they were not."""
-        return {}
+    @property
+    def listed_surfaces(self) -> tuple[Surface, ...]:
+        """The surfaces in the data: those before rounding."""
+        return self.surfaces
 
-    def surface_data(self) -> list[dict[str, Any]]:
-        """Return label, material and number of triangles of each surface as JSON data."""
-        return [
-            {
-                "name": surface.name,
-                "label": surface.label,
-                "material": surface.material.name,
-                "triangles": len(surface.mesh.triangles),
-            }
-            for surface in self.surfaces
-        ]
-
-    def details_data(self) -> list[dict[str, Any]]:
-        """Return label and bounding box of each connected part of visual details, as JSON data."""
+    @cached_property
+    def details(self) -> list[dict[str, Any]]:
+        """Label and bounding box of each connected part of visual details, as JSON data."""
         boxes = [
             (piece.label, (np.round([points.min(axis=0), points.max(axis=0)], 9) + 0.0).tolist())
             for piece in self.pieces
@@ -242,6 +237,11 @@ class Link(FrozenArrays):
             for points in piece.shape.parts
         ]
         return [{"label": label, "bounds": bounds} for label, bounds in sorted(boxes)]
+
+    @property
+    def changes(self) -> dict[str, Any]:
+        """How colliders and surfaces were replaced, as JSON data; empty if they were not."""
+        return {}
 
     def _solid_pieces(self) -> list[Piece]:
         if not self.pieces:
@@ -270,11 +270,7 @@ class MovedPieces(Sequence[Piece]):
     def __len__(self) -> int:
         return len(self._source)
 
-    @overload
-    def __getitem__(self, index: int) -> Piece: ...
-    @overload
-    def __getitem__(self, index: slice) -> Sequence[Piece]: ...
-    def __getitem__(self, index: int | slice) -> Piece | Sequence[Piece]:
+    def __getitem__(self, index: Any) -> Any:
         return self._moved[index]
 
 
@@ -290,37 +286,13 @@ class DerivedLink(Link):
         fields = (link.name, link.label, link.pieces, link.grasps, link.separate, link.pushes)
         return cls(*fields, source=link, **changes)
 
-    @cached_property
-    def labels(self) -> tuple[str, ...]:
-        """The labels of the source."""
-        return self.source.labels
-
-    @cached_property
-    def mass_properties(self) -> MassProperties:
-        """Mass, center and inertia of the source."""
-        return self.source.mass_properties
-
-    @cached_property
-    def colliders(self) -> tuple[Collider, ...]:
-        """The colliders of the source."""
-        return self.source.colliders
-
-    @cached_property
-    def surfaces(self) -> tuple[Surface, ...]:
-        """The visible faces of the source."""
-        return self.source.surfaces
-
-    def surface_data(self) -> list[dict[str, Any]]:
-        """Return the surfaces of the source as JSON data."""
-        return self.source.surface_data()
-
-    def details_data(self) -> list[dict[str, Any]]:
-        """Return the details of the source as JSON data."""
-        return self.source.details_data()
-
-    def origin_data(self) -> dict[str, Any]:
-        """Return how colliders and surfaces of the source were replaced."""
-        return self.source.origin_data()
+    labels = cached_property(attrgetter("source.labels"))
+    mass_properties = cached_property(attrgetter("source.mass_properties"))
+    colliders = cached_property(attrgetter("source.colliders"))
+    surfaces = cached_property(attrgetter("source.surfaces"))
+    listed_surfaces = cached_property(attrgetter("source.listed_surfaces"))
+    details = cached_property(attrgetter("source.details"))
+    changes = cached_property(attrgetter("source.changes"))
 
 
 @dataclass(frozen=True, eq=False)
@@ -330,10 +302,7 @@ class MovedLink(Link):
     source: Link = field(kw_only=True)  # the link before
     matrix: Array = field(kw_only=True)  # rigid motion or reflection, shape (4, 4)
 
-    @cached_property
-    def labels(self) -> tuple[str, ...]:
-        """The semantic labels on the link, its own first."""
-        return self.source.labels
+    labels = cached_property(attrgetter("source.labels"))
 
     @cached_property
     def mass_properties(self) -> MassProperties:
@@ -367,8 +336,6 @@ class MovedLink(Link):
 
     def _carried(self, surfaces: Sequence[Surface]) -> tuple[Surface, ...]:
         moved = [replace(surface, mesh=surface.mesh.moved(self.matrix)) for surface in surfaces]
-        if self.name != self.source.name:
-            moved = [
-                replace(surface, mesh=shifted(surface.mesh, surface.material, self.name)) for surface in moved
-            ]
-        return tuple(moved)
+        if self.name == self.source.name:
+            return tuple(moved)
+        return tuple(replace(each, mesh=shifted(each.mesh, each.material, self.name)) for each in moved)

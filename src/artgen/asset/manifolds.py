@@ -18,6 +18,17 @@ _SMALL = 600  # most triangles of a surface whose connectivity is cached
 _HAS_NORMALS = 2  # bit of a mesh run: the first three channels are normals, which turn with the solid
 
 
+def box_of(solid: Manifold) -> Array:
+    """Return the corners of the bounding box of a solid, shape (2, 3) [m]."""
+    return np.array(solid.bounding_box()).reshape(2, 3)
+
+
+def mesh_of(solid: Manifold) -> tuple[Array, Indices]:
+    """Return the vertices of a solid, shape (n, 3) [m], and its triangles, shape (m, 3)."""
+    mesh = solid.to_mesh64()
+    return np.asarray(mesh.vert_properties)[:, :3], np.asarray(mesh.tri_verts).astype(np.int64)
+
+
 def moved_manifold(manifold: Manifold, matrix: Array) -> Manifold:
     """Return a manifold moved by an affine matrix, shape (4, 4)."""
     if np.linalg.det(matrix[:3, :3]) < 0.0:
@@ -42,17 +53,15 @@ def _reflected(manifold: Manifold, matrix: Array) -> Manifold:
 def manifold_of(table: Array, triangles: ArrayLike, merged: ArrayLike, target: ArrayLike) -> Manifold:
     """Return a manifold with unchecked status from vertices with the channels of `PROPERTIES`."""
     corners = np.array(triangles, np.uint64, order="C").reshape(-1, 3)
-    return Manifold(
-        Mesh64(
-            np.array(table),  # manifold3d takes no read-only arrays
-            corners,
-            np.array(merged, np.uint64),
-            np.array(target, np.uint64),
-            run_index=np.array([0, corners.size], np.uint64),
-            run_original_id=np.array([Manifold.reserve_ids(1)], np.uint32),
-            run_flags=np.array([_HAS_NORMALS], np.uint8),
-        )
+    mesh = Mesh64(
+        np.array(table),  # manifold3d takes no read-only arrays
+        corners,
+        *(np.array(numbers, np.uint64) for numbers in (merged, target)),
+        run_index=np.array([0, corners.size], np.uint64),
+        run_original_id=np.array([Manifold.reserve_ids(1)], np.uint32),
+        run_flags=np.array([_HAS_NORMALS], np.uint8),
     )
+    return Manifold(mesh)
 
 
 def mended(table: Array, triangles: Indices) -> Array:
@@ -123,10 +132,7 @@ def connected(triangles: Indices, targets: Indices) -> tuple[Indices, Indices, I
 
 @cached(512)
 def _remembered(triangles: bytes, targets: bytes) -> tuple[Indices, Indices, Indices]:
-    found = _connect(np.frombuffer(triangles, np.int64).reshape(-1, 3), np.frombuffer(targets, np.int64))
-    for each in found:
-        each.setflags(write=False)
-    return found
+    return _connect(np.frombuffer(triangles, np.int64).reshape(-1, 3), np.frombuffer(targets, np.int64))
 
 
 def _connect(triangles: Indices, targets: Indices) -> tuple[Indices, Indices, Indices]:

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 from manifold3d import Error, Manifold
@@ -10,11 +11,13 @@ from artgen._arrays import Array, FrozenArrays, Indices, cached_property, frozen
 from artgen.asset.manifolds import (
     PROPERTIES,
     TURNED_OVER,
+    box_of,
     coincident,
     connected,
     groups,
     manifold_of,
     mended,
+    mesh_of,
     moved_manifold,
 )
 from artgen.colliders import Pieces, union
@@ -56,7 +59,6 @@ GRAIN = 1e12
 """Steps per metre to which coordinates are rounded: machines and versions of NumPy differ beyond."""
 _NEEDLE = 1e-9  # height below which a triangle is degenerate [m]
 _RIGID = 1e-12  # largest deviation of a rotation from orthogonality
-_UNTURNED = np.eye(3)
 
 
 @dataclass(frozen=True, eq=False)
@@ -73,25 +75,17 @@ class Mesh(FrozenArrays):
     def concatenated(meshes: Sequence["Mesh"]) -> "Mesh":
         """Return meshes as one, their vertices and triangles in the given order."""
         starts = np.cumsum([0, *(len(mesh.vertices) for mesh in meshes[:-1])])
-        return Mesh(
-            np.concatenate([mesh.vertices for mesh in meshes]),
-            np.concatenate([mesh.normals for mesh in meshes]),
-            np.concatenate([mesh.uvs for mesh in meshes]),
-            np.concatenate([mesh.paints for mesh in meshes]),
-            np.concatenate([mesh.triangles + start for mesh, start in zip(meshes, starts, strict=True)]),
-        )
+        columns = zip(*((mesh.vertices, mesh.normals, mesh.uvs, mesh.paints) for mesh in meshes), strict=True)
+        triangles = [mesh.triangles + start for mesh, start in zip(meshes, starts, strict=True)]
+        return Mesh(*(np.concatenate(each) for each in (*columns, triangles)))
 
     def moved(self, matrix: Array) -> "Mesh":
         """Return the mesh after a rigid motion or a reflection, shape (4, 4); print stays readable."""
         rotation = matrix[:3, :3]
-        reflected = np.linalg.det(rotation) < 0.0
-        return Mesh(
-            self.vertices @ rotation.T + matrix[:3, 3],
-            self.normals @ rotation.T,
-            self.uvs * TURNED_OVER if reflected else self.uvs,
-            self.paints,
-            self.triangles[:, ::-1] if reflected else self.triangles,
-        )
+        vertices, normals = self.vertices @ rotation.T + matrix[:3, 3], self.normals @ rotation.T
+        if np.linalg.det(rotation) >= 0.0:
+            return Mesh(vertices, normals, self.uvs, self.paints, self.triangles)
+        return Mesh(vertices, normals, self.uvs * TURNED_OVER, self.paints, self.triangles[:, ::-1])
 
 
 @dataclass(frozen=True, eq=False)
@@ -137,21 +131,21 @@ class Shape:
         Raises:
             ValueError: The triangles do not close to a solid of positive volume.
         """
-        shape = MeshShape(
-            vertices,
-            normals,
-            uvs,
-            triangles,
-            pieces,
-            targets=coincident(vertices) if targets is None else targets,
-            paints=paints,
-            paint_materials=paint_materials,
-        )
-        if not shape.has_needles:
+        targets = coincident(vertices) if targets is None else targets
+        kept, faces, points = connected(triangles, targets)
+        table = np.zeros((len(kept), 3 + PROPERTIES))
+        table[:, :3] = vertices[targets[kept]]
+        table[:, 3:6] = normals[kept]
+        table[:, 6:8] = uvs[kept]
+        np.rint(table * GRAIN, out=table)
+        table /= GRAIN
+        if paints is not None:
+            table[:, 8] = paints[kept]
+        shape = _MeshShape(pieces, paint_materials or {}, _table=table, _triangles=faces, _targets=points)
+        if not _has_needles(table[:, :3], faces):
             return shape
-        return Shape(
-            shape.manifold, pieces, shape.paints
-        )  # manifold3d flips the edges of degenerate triangles
+        # manifold3d flips the edges of degenerate triangles
+        return Shape(shape.manifold, pieces, shape.paints)
 
     def checked(self) -> "Shape":
         """Compute the manifold and return the shape if it is a solid.
@@ -169,7 +163,7 @@ class Shape:
 
     def bounds(self) -> Array:
         """Return the corners of the bounding box, shape (2, 3) [m]."""
-        return np.array(self.manifold.bounding_box(), float).reshape(2, 3)
+        return box_of(self.manifold)
 
     @cached_property
     def mesh(self) -> Mesh:
@@ -181,54 +175,52 @@ class Shape:
     @property
     def vertices(self) -> Array:
         """The vertices of the surface, shape (n, 3) [m]."""
-        return np.asarray(self.manifold.to_mesh64().vert_properties)[:, :3]
+        return mesh_of(self.manifold)[0]
 
     @cached_property
     def parts(self) -> tuple[Array, ...]:
         """The vertices of each connected part of the surface, shape (n, 3) [m]."""
-        return tuple(
-            np.asarray(part.to_mesh64().vert_properties)[:, :3] for part in self.manifold.decompose()
-        )
+        return tuple(mesh_of(part)[0] for part in self.manifold.decompose())
 
     def transformed(self, matrix: Array) -> "Shape":
         """Return the shape moved by an affine matrix, shape (4, 4)."""
         linear = matrix[:3, :3]
-        if np.abs(linear @ linear.T - _UNTURNED).max() < _RIGID:
+        if np.abs(linear @ linear.T - np.eye(3)).max() < _RIGID:
             return MovedShape(self, matrix)
-        return Shape(
-            moved_manifold(self.manifold, matrix), self.pieces.transformed(matrix), self.paints
-        ).checked()
+        moved = moved_manifold(self.manifold, matrix)
+        return Shape(moved, self.pieces.transformed(matrix), self.paints).checked()
 
 
-class MovedShape(Shape):
-    """A shape after a rigid motion or a reflection; its manifold is computed on first access."""
+class _LazyShape(Shape):
+    """A shape that is a solid by construction; its manifold is computed on first access."""
+
+    def __init__(
+        self, pieces: Pieces, paints: Mapping[int, Material], united: tuple[Shape, ...] = (), **values: Any
+    ) -> None:
+        vars(self).update(pieces=pieces, paints=paints, united=united, **values)
+        frozen(vars(self))
+
+    def checked(self) -> Shape:
+        return self
+
+
+class MovedShape(_LazyShape):
+    """A shape after a rigid motion or a reflection."""
 
     source: Shape  # the shape before
     matrix: Array  # the motion, shape (4, 4)
 
     def __init__(self, source: Shape, matrix: Array) -> None:
         if isinstance(source, MovedShape):
-            matrix = matrix @ source.matrix
-            source = source.source
+            matrix, source = matrix @ source.matrix, source.source
         if not np.isfinite(matrix).all():
             raise ValueError("the motion has numbers that are not finite")
-        vars(self).update(
-            source=source,
-            matrix=matrix,
-            pieces=source.pieces.transformed(matrix),
-            paints=source.paints,
-            united=(),
-        )
-        frozen(vars(self))
+        super().__init__(source.pieces.transformed(matrix), source.paints, source=source, matrix=matrix)
 
     @cached_property
     def manifold(self) -> Manifold:
         """The watertight surface, with the channels of `PROPERTIES`."""
         return moved_manifold(self.source.manifold, self.matrix)
-
-    def checked(self) -> "Shape":
-        """Return the shape: a solid stays one when it is moved."""
-        return self
 
     def bounds(self) -> Array:
         """Return the corners of the bounding box, shape (2, 3) [m]."""
@@ -261,101 +253,49 @@ class MovedShape(Shape):
         return tuple(points @ rotation.T + offset for points in self.source.parts)
 
 
-class MeshShape(Shape):
-    """A solid made of a closed triangle mesh; its manifold is computed on first access."""
+class _MeshShape(_LazyShape):
+    """A solid made of a closed triangle mesh."""
 
-    has_needles: bool  # whether triangles have no height: faces with collinear corners can have some
     _table: Array  # x y z and the channels of `PROPERTIES` of each vertex, shape (n, 3 + PROPERTIES)
     _triangles: Indices
     _targets: Indices  # for each vertex, the first one at the same point of the surface, shape (n,)
 
-    def __init__(
-        self,
-        vertices: Array,
-        normals: Array,
-        uvs: Array,
-        triangles: Indices,
-        pieces: Pieces,
-        *,
-        targets: Indices,
-        paints: Indices | None = None,
-        paint_materials: Mapping[int, Material] | None = None,
-    ) -> None:
-        """Check and keep the triangles; the arguments are those of `Shape.from_mesh`."""
-        kept, faces, points = connected(triangles, targets)
-        table = np.zeros((len(kept), 3 + PROPERTIES))
-        table[:, :3] = vertices[targets[kept]]
-        table[:, 3:6] = normals[kept]
-        table[:, 6:8] = uvs[kept]
-        np.rint(table * GRAIN, out=table)
-        table /= GRAIN
-        if paints is not None:
-            table[:, 8] = paints[kept]
-        vars(self).update(
-            has_needles=_has_needles(table[:, :3], faces),
-            _table=table,
-            _triangles=faces,
-            _targets=points,
-            pieces=pieces,
-            paints=paint_materials or {},
-            united=(),
-        )
-        frozen(vars(self))
-
     @cached_property
     def manifold(self) -> Manifold:
-        """The watertight surface, with the channels of `PROPERTIES`."""
         merged = np.flatnonzero(self._targets != np.arange(len(self._targets)))
         shape = Shape(manifold_of(self._table, self._triangles, merged, self._targets[merged]), self.pieces)
         return shape.checked().manifold
 
-    def checked(self) -> "Shape":
-        """Return the shape: its triangles were checked at construction."""
-        return self
-
     def bounds(self) -> Array:
-        """Return the corners of the bounding box, shape (2, 3) [m]."""
-        points = self._table[:, :3]
-        return np.array([points.min(axis=0), points.max(axis=0)])
+        return np.array([self.vertices.min(axis=0), self.vertices.max(axis=0)])
 
     @property
     def vertices(self) -> Array:
-        """The vertices of the surface, shape (n, 3) [m]."""
         return self._table[:, :3]
 
     @cached_property
     def mesh(self) -> Mesh:
-        """The triangles as they were given."""
         return _mesh(self._table, self._triangles)
 
     @cached_property
     def parts(self) -> tuple[Array, ...]:
-        """The vertices of each connected part of the surface, shape (n, 3) [m]."""
         return tuple(self._table[of_part, :3] for of_part in groups(self._targets[self._triangles]))
 
 
-class ComposedShape(Shape):
-    """Disjoint solids as one shape; its manifold is computed on first access."""
+class ComposedShape(_LazyShape):
+    """Disjoint solids as one shape."""
 
     shapes: tuple[Shape, ...]  # the solids; they share the paint numbers
 
     def __init__(self, shapes: Sequence[Shape]) -> None:
-        vars(self).update(
-            shapes=tuple(shapes),
-            pieces=union(*(shape.pieces for shape in shapes)),
-            paints={number: paint for shape in shapes for number, paint in shape.paints.items()},
-            united=tuple(member for shape in shapes for member in shape.members),
-        )
-        frozen(vars(self))
+        paints = {number: paint for shape in shapes for number, paint in shape.paints.items()}
+        united = tuple(member for shape in shapes for member in shape.members)
+        super().__init__(union(*(shape.pieces for shape in shapes)), paints, united, shapes=tuple(shapes))
 
     @cached_property
     def manifold(self) -> Manifold:
         """The watertight surface, with the channels of `PROPERTIES`."""
         return Manifold.compose([shape.manifold for shape in self.shapes])
-
-    def checked(self) -> "Shape":
-        """Return the shape: a union of disjoint solids is a solid."""
-        return self
 
     def bounds(self) -> Array:
         """Return the corners of the bounding box, shape (2, 3) [m]."""

@@ -2,13 +2,14 @@
 
 import math
 from dataclasses import dataclass, field, replace
+from operator import attrgetter
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from artgen._arrays import cached_property
-from artgen.asset import Asset, Link, Mesh, Surface
+from artgen.asset import Asset, Mesh, Surface
 from artgen.asset.asset import remember
 from artgen.asset.collision import need_solids
 from artgen.asset.decimate import coarser
@@ -74,17 +75,13 @@ class CoarseLink(DerivedLink):
         precision = (1.0 - 2.0 * _ROUNDING) * self.precision  # rounding uses its share
         return coarser(piece.shape, precision if piece.reading is None else _PRINT * precision)
 
-    def surface_data(self) -> list[dict[str, Any]]:
-        """Return label, material and number of triangles of each surface as JSON data."""
-        return Link.surface_data(self)
+    listed_surfaces = cached_property(attrgetter("surfaces"))
+    details = cached_property(lambda link: [])  # details identify the solids in exact meshes only
 
-    def details_data(self) -> list[dict[str, Any]]:
-        """Return an empty list: details identify the solids in exact meshes only."""
-        return []
-
-    def origin_data(self) -> dict[str, Any]:
-        """Return how colliders and surfaces were replaced, as JSON data."""
-        return {**super().origin_data(), "mesh_precision": self.precision}
+    @property
+    def changes(self) -> dict[str, Any]:
+        """How colliders and surfaces were replaced, as JSON data."""
+        return {**self.source.changes, "mesh_precision": self.precision}
 
 
 def _rounded(surface: Surface, step: float, origin: NDArray[np.float64]) -> Surface:

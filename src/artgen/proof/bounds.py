@@ -11,11 +11,11 @@ ends and the crossing of their tangents. A bound above zero therefore proves tha
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-from artgen._arrays import Array
+from artgen._arrays import Array, Indices
 from artgen.asset.joint import JointKind
 from artgen.colliders.triangles import cross
 
@@ -35,21 +35,21 @@ class Motion:
     center: Array  # middle of the interval, shape (N,) [rad or m]
     half: Array  # half the length of the interval, not negative, shape (N,) [rad or m]
 
+    def __getitem__(self, rows: Indices) -> "Motion":
+        """Return the motion of several items."""
+        columns = (self.origin, self.axis, self.center, self.half)
+        return Motion(self.kind, *(column[rows] for column in columns))
+
     def reversed(self) -> "Motion":
         """Return the motion seen from the other side."""
-        return Motion(self.kind, self.origin, -self.axis, self.center, self.half)
-
-    def still(self) -> "Motion":
-        """Return the motion held at the center of its interval."""
-        return Motion(self.kind, self.origin, self.axis, self.center, np.zeros_like(self.half))
+        return replace(self, axis=-self.axis)
 
 
 def _about(motion: Motion, points: Array) -> tuple[Array, Array, Array]:
     """Split points into feet on the axis, arms, and directions across, at the center of the interval."""
     axis, origin = motion.axis[:, None, :], motion.origin[:, None, :]
     relative = points - origin
-    along = np.matmul(relative, motion.axis[:, :, None])
-    feet = origin + along * axis
+    feet = origin + np.matmul(relative, motion.axis[:, :, None]) * axis
     arm = points - feet
     across = cross(axis, arm)
     cosine, sine = (f(motion.center)[:, None, None] for f in (np.cos, np.sin))
@@ -57,15 +57,10 @@ def _about(motion: Motion, points: Array) -> tuple[Array, Array, Array]:
 
 
 def enclosing_points(motion: Motion, points: Array) -> Array:
-    """Return points whose convex hull contains the given ones throughout the motion.
+    """Return points whose convex hull contains points, shape (N, V, 3) [m], throughout the motion.
 
-    Args:
-        motion: The joint.
-        points: Shape (N, V, 3) [m].
-
-    Returns:
-        Shape (N, 2 V, 3) for a slide and (N, 3 V, 3) for a rotation; (N, 8 V, 3) for a half interval above
-        `WIDEST`, whose tangents do not cross on the outside [m].
+    Their shape is (N, 2 V, 3) for a slide and (N, 3 V, 3) for a rotation; (N, 8 V, 3) for a half interval
+    above `WIDEST`, whose tangents do not cross on the outside.
     """
     half = motion.half[:, None, None]
     if motion.kind == "prismatic":
@@ -82,33 +77,21 @@ def enclosing_points(motion: Motion, points: Array) -> Array:
     radius = 1.0 / np.cos(np.pi / _OCTAGON)
     turns = np.arange(_OCTAGON) * (2.0 * np.pi / _OCTAGON)
     corners = [feet + (radius * np.cos(turn)) * arm + (radius * np.sin(turn)) * across for turn in turns]
-    ends = [
-        near - far,
-        near + far,
-        *[crossing] * (_OCTAGON - 2),
-    ]  # each item separately
-    return np.concatenate(
-        [np.where(wide, corner, end) for corner, end in zip(corners, ends, strict=True)], axis=1
-    )
+    ends = [near - far, near + far, *[crossing] * (_OCTAGON - 2)]
+    chosen = [np.where(wide, *each) for each in zip(corners, ends, strict=True)]  # each item separately
+    return np.concatenate(chosen, axis=1)
 
 
 def support(motion: Motion, points: Array, normals: Array) -> Array:
-    """Return the largest `normal . x` over the points and over the whole motion; exact.
+    """Return the exact largest `normal . x` over points and over the whole motion, shape (N, C) [m].
 
-    Args:
-        motion: The joint.
-        points: Shape (N, V, 3) [m].
-        normals: C directions for each item, shape (N, C, 3).
-
-    Returns:
-        Shape (N, C) [m].
+    The points have shape (N, V, 3) [m], the normals (N, C, 3).
     """
     columns = normals.transpose(0, 2, 1)
     if motion.kind == "prismatic":
         along = np.matmul(normals, motion.axis[:, :, None])[:, :, 0]
         moved = along * motion.center[:, None] + np.abs(along) * motion.half[:, None]
-        top: Array = np.matmul(points, columns).max(axis=1) + moved
-        return top
+        return np.asarray(np.matmul(points, columns).max(axis=1) + moved)
     feet, arm, across = _about(motion, points)
     level, towards = np.matmul(feet, columns), np.matmul(arm, columns)
     sideways = np.abs(np.matmul(across, columns))
@@ -119,8 +102,7 @@ def support(motion: Motion, points: Array, normals: Array) -> Array:
         np.sqrt(towards * towards + sideways * sideways),
         towards * cosine + sideways * sine,
     )
-    highest: Array = (level + swing).max(axis=1)
-    return highest
+    return np.asarray((level + swing).max(axis=1))
 
 
 def gap(first: Array, second: Array, path: Sequence[Motion], frame: int, normals: Array) -> Array:
@@ -149,8 +131,7 @@ def gap(first: Array, second: Array, path: Sequence[Motion], frame: int, normals
         lowest = np.matmul(second, columns).min(axis=1)
     else:
         lowest = -support(path[frame], second, -normals)
-    result: Array = lowest - highest
-    return result
+    return np.asarray(lowest - highest)
 
 
 def around_axis(points: Array, origin: Array, axis: Array) -> Array:
@@ -158,16 +139,15 @@ def around_axis(points: Array, origin: Array, axis: Array) -> Array:
 
     Args:
         points: Vertices, shape (N, V, 3) [m].
-        origin: A point on the axis, shape (3,) or (N, 3) [m].
-        axis: Unit axis, shape (3,) or (N, 3).
+        origin: A point on the axis, shape (3,) [m].
+        axis: Unit axis, shape (3,).
 
     Returns:
         Lowest and highest coordinate along the axis, a lower bound of the distance from the axis and the
         largest distance, shape (N, 4) [m].
     """
-    count = len(points)
-    origin, axis = (np.broadcast_to(each, (count, 3)) for each in (origin, axis))
-    relative = points - origin[:, None, :]
+    axis = np.broadcast_to(axis, (len(points), 3))
+    relative = points - origin
     height = np.matmul(relative, axis[:, :, None])[:, :, 0]
     arm = relative - height[:, :, None] * axis[:, None, :]
     radius = np.sqrt(np.sum(arm * arm, axis=2))
@@ -197,8 +177,7 @@ def _nearest(arm: Array, axis: Array) -> Array:
         at = arm[rows, foot][:, None, :]
         sides = cross(np.broadcast_to(axis[:, None, :], arm.shape), arm - at)
         candidates = np.concatenate((at, sides, -sides), axis=1)
-    nearest: Array = np.maximum(best, 0.0)
-    return nearest
+    return np.asarray(np.maximum(best, 0.0))
 
 
 def axis_gap(first: Array, second: Array, shift: Array, half: Array) -> Array:
@@ -213,13 +192,10 @@ def axis_gap(first: Array, second: Array, shift: Array, half: Array) -> Array:
     Returns:
         Shape (N,) [m].
     """
-    result: Array = np.max(
-        (
-            first[:, 2] - second[:, 3],
-            second[:, 2] - first[:, 3],
-            first[:, 0] - second[:, 1] - shift - half,
-            second[:, 0] + shift - half - first[:, 1],
-        ),
-        axis=0,
+    gaps = (
+        first[:, 2] - second[:, 3],
+        second[:, 2] - first[:, 3],
+        first[:, 0] - second[:, 1] - shift - half,
+        second[:, 0] + shift - half - first[:, 1],
     )
-    return result
+    return np.asarray(np.max(gaps, axis=0))

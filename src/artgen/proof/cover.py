@@ -1,7 +1,7 @@
 """Convex pieces on which joint ranges are proven, and their distance to the solids of a link."""
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -13,7 +13,7 @@ from artgen.asset import Link
 from artgen.asset.link import MovedLink
 from artgen.asset.shape import Shape
 from artgen.asset.stored_solids import link_parts
-from artgen.colliders import Convex, Exact
+from artgen.colliders import Exact
 from artgen.colliders.polytope import Polytope
 from artgen.colliders.triangles import hull_of
 
@@ -28,20 +28,13 @@ _DUST = 1e-15  # volume of a solid that rounding may leave uncovered [m^3]
 _MOST_WHOLE = 2  # number of pieces that are tried one by one before all together
 
 
-def excess(link: Link, pieces: Sequence[Polytope], labels: Sequence[str]) -> float | None:
-    """Return a distance from some pieces that contains all solids of a link; None beyond 0.1 mm [m].
-
-    Args:
-        link: The link.
-        pieces: Convex pieces in asset coordinates at rest.
-        labels: Label of each piece; it most likely contains the solids with that label.
-    """
+def _excess(link: Link, pieces: Sequence[Polytope], labels: Sequence[str]) -> float | None:
+    """Return a distance from labelled pieces that contains all solids of a link; None beyond 0.1 mm [m]."""
     around = _Pieces.of(pieces, labels)
     parts = [(label, solid) for label, solid in _parts(link) if not around.enclose(label, solid)]
     if not parts:
         return _EXACT
-    ways = ((_with_moved_faces, _FILM), *((_with_margin, margin) for margin in _MORE))
-    for grow, length in ways:
+    for grow, length in ((_with_moved_faces, _FILM), *((_with_margin, margin) for margin in _MORE)):
         grown = _Grown(around, grow, length)
         parts = [(label, solid) for label, solid in parts if not grown.contain(label, solid)]
         if not parts:
@@ -78,11 +71,8 @@ class _Pieces:
         around = self.around(label, solid, _ROUNDING)
         if not len(around):
             return False
-        points = solid.vertices
-        return any(
-            float((points @ planes[:, :3].T - planes[:, 3]).max()) <= _ROUNDING
-            for planes in (self.pieces[index].planes for index in around)
-        )
+        points, planes = solid.vertices, [self.pieces[index].planes for index in around]
+        return any(float((points @ each[:, :3].T - each[:, 3]).max()) <= _ROUNDING for each in planes)
 
     def around(self, label: str, solid: Shape, length: float) -> Indices:
         """Return the pieces of a label whose boxes, grown by a length [m], contain the box of a solid."""
@@ -98,23 +88,22 @@ class _Pieces:
         return np.flatnonzero((self.labels == label) & meets)
 
 
+@dataclass(eq=False)
 class _Grown:
     """Pieces that are grown on demand."""
 
-    def __init__(
-        self, around: _Pieces, grow: Callable[[Polytope, float], tuple[Array, float]], length: float
-    ) -> None:
-        # largest displacement of a vertex so far [m]
-        self.farthest = 0.0
-        self._around, self._grow, self._length = around, grow, length
-        self._solids: dict[int, Manifold] = {}
+    pieces: _Pieces  # the pieces before
+    grow: Callable[[Polytope, float], tuple[Array, float]]  # returns vertices and largest displacement [m]
+    length: float  # growth [m]
+    farthest: float = 0.0  # largest displacement of a vertex so far [m]
+    _solids: dict[int, Manifold] = field(default_factory=dict)
 
     def contain(self, label: str, solid: Shape) -> bool:
         """Tell whether the pieces contain a solid."""
-        whole = self._around.around(label, solid, self._length)
-        if any(self._cover(solid.manifold, [int(index)]) for index in whole[:_MOST_WHOLE]):
-            return True
-        return self._cover(solid.manifold, self._around.near(label, solid, _FARTHEST * self._length).tolist())
+        whole = self.pieces.around(label, solid, self.length)[:_MOST_WHOLE].tolist()
+        return any(self._cover(solid.manifold, [index]) for index in whole) or self._cover(
+            solid.manifold, self.pieces.near(label, solid, _FARTHEST * self.length).tolist()
+        )
 
     def _cover(self, solid: Manifold, chosen: Sequence[int]) -> bool:
         """Tell whether the pieces cover a solid, by subtracting them."""
@@ -128,16 +117,16 @@ class _Grown:
 
     def _solid(self, index: int) -> Manifold:
         if index not in self._solids:
-            points, moved = self._grow(self._around.pieces[index], self._length)
+            points, moved = self.grow(self.pieces.pieces[index], self.length)
             self._solids[index] = hull_of(points)
             self.farthest = max(self.farthest, moved)
         return self._solids[index]
 
     def _apart(self, chosen: Sequence[int]) -> Iterator[list[int]]:
         """Yield groups of pieces whose boxes do not overlap."""
-        margin = _FARTHEST * self._length
-        low, high = self._around.low[chosen] - margin, self._around.high[chosen] + margin
-        meets: NDArray[np.bool_] = np.all((low[:, None] <= high[None]) & (low[None] <= high[:, None]), axis=2)
+        margin = _FARTHEST * self.length
+        low, high = self.pieces.low[chosen] - margin, self.pieces.high[chosen] + margin
+        meets = np.all((low[:, None] <= high[None]) & (low[None] <= high[:, None]), axis=2)
         left = list(range(len(chosen)))
         while left:
             group: list[int] = []
@@ -156,9 +145,8 @@ def _with_moved_faces(piece: Polytope, growth: float) -> tuple[Array, float]:
     normals = piece.planes[:, :3]
     touching = piece.contact.astype(np.float64)
     products = (normals[:, :, None] * normals[:, None, :]).reshape(-1, 9)
-    shift = np.linalg.solve((touching @ products).reshape(-1, 3, 3), (touching @ normals)[:, :, None])[
-        :, :, 0
-    ]
+    shift = np.linalg.solve((touching @ products).reshape(-1, 3, 3), (touching @ normals)[:, :, None])
+    shift = shift[:, :, 0]
     least = np.where(piece.contact, shift @ normals.T, np.inf).min(axis=1)
     length = np.sqrt(np.sum(shift * shift, axis=1))
     step = np.minimum(growth / np.maximum(least, _SLACK), _FARTHEST * growth / length)
@@ -190,12 +178,12 @@ class Cover(FrozenArrays):
 
 def collider_cover(link: Link) -> Cover:
     """Return the colliders of a link as polytopes that contain them."""
-    colliders = link.colliders
-    points = tuple(polytope(collider.convex) for collider in colliders)
-    labels = tuple(collider.label for collider in colliders)
+    convexes = [collider.convex for collider in link.colliders]
+    points = tuple(each.points if each.kind == "hull" else each.outer_points(FINE) for each in convexes)
     source: Link = link
     while isinstance(source, MovedLink):
         source = source.source
+    labels = tuple(collider.label for collider in link.colliders)
     return Cover(points, labels, _with_rounding(_collider_excess(source), points))
 
 
@@ -203,19 +191,18 @@ def collider_cover(link: Link) -> Cover:
 def _collider_excess(link: Link) -> float | None:
     """Return the largest distance of the solids outside the colliders; None above 0.1 mm [m]."""
     pieces = [each.convex.outer_polytope(FINE) for each in link.colliders]
-    return excess(link, pieces, tuple(each.label for each in link.colliders))
+    return _excess(link, pieces, tuple(each.label for each in link.colliders))
 
 
 def fine_cover(link: Link) -> Cover:
     """Return many pieces that follow the solids closely, for proofs rather than simulators."""
-    pieces: list[Polytope] = []
-    labels: list[str] = []
-    for piece in link.pieces:
-        if not piece.visual:
-            outer = piece.shape.pieces.outer(FINE)
-            pieces += [convex.outer_polytope(FINE) for convex in outer]
-            labels += [piece.label] * len(outer)
-    return _of_pieces(link, pieces, labels)
+    pieces = [
+        (convex.outer_polytope(FINE), piece.label)
+        for piece in link.pieces
+        if not piece.visual
+        for convex in piece.shape.pieces.outer(FINE)
+    ]
+    return _of_pieces(link, [polytope for polytope, _ in pieces], [label for _, label in pieces])
 
 
 def stored_cover(link: Link, stored: Mapping[str, Any]) -> Cover:
@@ -236,18 +223,12 @@ def stored_cover(link: Link, stored: Mapping[str, Any]) -> Cover:
 
 def _of_pieces(link: Link, pieces: Sequence[Polytope], labels: Sequence[str]) -> Cover:
     points = tuple(piece.points for piece in pieces)
-    sticks_out = _with_rounding(excess(link, pieces, labels), points)
-    return Cover(points, tuple(labels), sticks_out, colliders=False)
+    excess = _with_rounding(_excess(link, pieces, labels), points)
+    return Cover(points, tuple(labels), excess, colliders=False)
 
 
-def polytope(convex: Convex) -> Array:
-    """Return the vertices of a polytope around a convex piece, shape (n, 3) [m]."""
-    return convex.points if convex.kind == "hull" else convex.outer_points(FINE)
-
-
-def _with_rounding(sticks_out: float | None, points: Sequence[Array]) -> float | None:
+def _with_rounding(excess: float | None, points: Sequence[Array]) -> float | None:
     """Add the largest displacement of a point by the rounding of files."""
-    if sticks_out is None:
+    if excess is None:
         return None
-    farthest = max(float(np.abs(each).max()) for each in points)
-    return sticks_out + _FILE_DECIMALS + _SINGLE * farthest
+    return excess + _FILE_DECIMALS + _SINGLE * max(float(np.abs(each).max()) for each in points)

@@ -4,16 +4,17 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
+import fcl
 import numpy as np
 from manifold3d import Manifold
 
 from artgen._arrays import Array, Indices, Mask
+from artgen.asset.manifolds import mesh_of
 from artgen.colliders.triangles import cross, hull_of
 
 _FAN = 4  # most children of a box
 _MANY = 12  # vertices used for a first look at a piece in a box
 _CORNERS = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)])
-_SQUARE = np.eye(3)
 _NORMAL_DECIMALS = 9
 _PARALLEL = 0.999  # cosine above which directions count as parallel
 _TOUCHING = 1e-9  # nodes nearer than this have no direction between them [m]
@@ -31,57 +32,47 @@ class _Node:
 
 
 class Hierarchy:
-    """Trees of several links; nodes are numbered consecutively.
-
-    Attributes:
-        orders: For each link, its pieces in the order of the ranges of nodes.
-        roots: The root of each link's tree, shape (links,).
-        first: First piece of each node's range in its link's order, shape (nodes,).
-        last: End of each node's range, shape (nodes,).
-        piece: Number of the piece in its link, -1 for boxes, shape (nodes,).
-        leaf: Whether the node is a piece, shape (nodes,).
-        center: Center of the node's box, shape (nodes, 3) [m].
-        radius: Distance of the farthest vertex from the center, shape (nodes,) [m].
-        half: Half the lengths of the node's box, shape (nodes, 3) [m].
-        count: Number of vertices, shape (nodes,).
-        tree: Number of the link of each node, shape (nodes,).
-    """
+    """Trees of several links; nodes are numbered consecutively."""
 
     def __init__(self, links: Sequence[Sequence[Array]]) -> None:
         self._nodes: list[_Node] = []
+        # for each link, its pieces in the order of the ranges of nodes
         self.orders: list[tuple[int, ...]] = []
         roots, sizes = [], []
         for pieces in links:
-            low, high = np.array([(points.min(axis=0), points.max(axis=0)) for points in pieces]).swapaxes(
-                0, 1
-            )
+            low, high = (np.array([end(points, axis=0) for points in pieces]) for end in (np.min, np.max))
             order: list[int] = []
             roots.append(self._grow(pieces, np.arange(len(pieces)), low, high, order))
             self.orders.append(tuple(order))
             sizes.append(len(self._nodes))
         nodes = self._nodes
-        self.roots: Indices = np.array(roots)
+        self.roots: Indices = np.array(roots)  # root of each link's tree, shape (links,)
+        # first piece and end of each node's range in its link's order, shape (nodes,)
         self.first: Indices = np.array([node.first for node in nodes])
         self.last: Indices = np.array([node.last for node in nodes])
-        self.piece: Indices = np.array([node.piece for node in nodes])
-        self.leaf: Mask = self.piece >= 0
-        self.count: Indices = np.array([len(node.vertices) for node in nodes])
+        self.piece: Indices = np.array([node.piece for node in nodes])  # -1 for boxes, shape (nodes,)
+        self.leaf: Mask = self.piece >= 0  # whether the node is a piece, shape (nodes,)
+        self.count: Indices = np.array([len(node.vertices) for node in nodes])  # vertices, shape (nodes,)
+        # number of the link of each node, shape (nodes,)
         self.tree: Indices = np.searchsorted(sizes, np.arange(len(nodes)), side="right")
         self._points = np.concatenate([node.vertices for node in nodes])
         self._start = np.cumsum(self.count) - self.count
         low = np.minimum.reduceat(self._points, self._start)
         high = np.maximum.reduceat(self._points, self._start)
+        # centers of the boxes, and half their lengths, shape (nodes, 3) [m]
         self.center: Array = (low + high) / 2.0
-        away = self._points - np.repeat(self.center, self.count, axis=0)
-        self.radius: Array = np.sqrt(np.maximum.reduceat(np.sum(away * away, axis=1), self._start))
         self.half: Array = (high - low) / 2.0
+        away = self._points - np.repeat(self.center, self.count, axis=0)
+        # distance of the farthest vertex from the center, shape (nodes,) [m]
+        self.radius: Array = np.sqrt(np.maximum.reduceat(np.sum(away * away, axis=1), self._start))
         self._child = np.full((len(nodes), _FAN), -1)
         for number, node in enumerate(nodes):
             self._child[number, : max(len(node.children), 1)] = node.children or number
+        # values of nodes that were needed so far
         self._main: dict[int, Array] = {}
         self._hulls: dict[int, Manifold] = {}
         self._shapes: dict[int, Any] = {}
-        self._placed: dict[int, Any] = {}
+        self._fixed: dict[int, Any] = {}
         self._moving: dict[int, Any] = {}
 
     def _grow(
@@ -119,12 +110,11 @@ class Hierarchy:
 
     def main_axes(self, nodes: Indices) -> Array:
         """Return three directions across faces of each node, shape (N, 3, 3)."""
-        result = np.empty((len(nodes), 3, 3))
-        result[:] = _SQUARE
+        result = np.tile(np.eye(3), (len(nodes), 1, 1))
         for row in np.flatnonzero(self.leaf[nodes]):
             node = int(nodes[row])
             if node not in self._main:
-                self._main[node] = _main_axes(*self._mesh(node))
+                self._main[node] = _main_axes(*mesh_of(self.hull(node)))
             result[row] = self._main[node]
         return result
 
@@ -134,56 +124,37 @@ class Hierarchy:
             self._hulls[node] = hull_of(self._nodes[node].vertices)
         return self._hulls[node]
 
-    def _mesh(self, node: int) -> tuple[Array, Indices]:
-        mesh = self.hull(node).to_mesh64()
-        corners = np.ascontiguousarray(np.asarray(mesh.vert_properties)[:, :3])
-        return corners, np.asarray(mesh.tri_verts).astype(np.int64)
-
-    def fixed_object(self, node: int) -> Any:
-        """Return the node as an FCL object at rest."""
-        if node not in self._placed:
-            import fcl
-
-            at = np.zeros(3) if self.leaf[node] else self.center[node]
-            self._placed[node] = fcl.CollisionObject(self._shape(node), fcl.Transform(at))
-        return self._placed[node]
-
-    def moved_object(self, node: int, rotation: Array, offset: Array) -> Any:
-        """Return the node as an FCL object moved from rest by a rotation and an offset."""
-        import fcl
-
-        if node not in self._moving:
-            self._moving[node] = fcl.CollisionObject(self._shape(node))
-        if not self.leaf[node]:
-            offset = offset + rotation @ self.center[node]
-        self._moving[node].setTransform(fcl.Transform(rotation, offset))
-        return self._moving[node]
-
     def distance(self, first: int, second: int, rotation: Array, offset: Array) -> tuple[float, Array]:
         """Return FCL's distance of a node from a moved node, and the direction between them.
 
         Touching nodes have the distance -1 and the direction 0 [m].
         """
-        import fcl
-
         request = fcl.DistanceRequest(enable_nearest_points=True, enable_signed_distance=False)
         answer = fcl.DistanceResult()
-        moved = self.moved_object(second, rotation, offset)
-        distance = fcl.distance(self.fixed_object(first), moved, request, answer)
+        moved = self._object(second, self._moving)
+        if not self.leaf[second]:
+            offset = offset + rotation @ self.center[second]
+        moved.setTransform(fcl.Transform(rotation, offset))
+        distance = fcl.distance(self._object(first, self._fixed), moved, request, answer)
         if not distance > _TOUCHING:
             return -1.0, np.zeros(3)
         a, b = answer.nearest_points
         between = b - a
         return distance, between / max(float(np.sqrt(between @ between)), 1e-12)
 
+    def _object(self, node: int, known: dict[int, Any]) -> Any:
+        """Return a node at rest as an FCL object, from known ones if possible."""
+        if node not in known:
+            at = np.zeros(3) if self.leaf[node] else self.center[node]
+            known[node] = fcl.CollisionObject(self._shape(node), fcl.Transform(at))
+        return known[node]
+
     def _shape(self, node: int) -> Any:
         if node not in self._shapes:
-            import fcl
-
             if self.leaf[node]:
-                corners, triangles = self._mesh(node)
+                corners, triangles = mesh_of(self.hull(node))
                 faces = np.column_stack((np.full(len(triangles), 3), triangles)).astype(np.int32).ravel()
-                self._shapes[node] = fcl.Convex(corners, len(triangles), faces)
+                self._shapes[node] = fcl.Convex(np.ascontiguousarray(corners), len(triangles), faces)
             else:
                 self._shapes[node] = fcl.Box(*(2.0 * self.half[node]))
         return self._shapes[node]

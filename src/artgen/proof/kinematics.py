@@ -1,5 +1,6 @@
-"""Joints between links as batches of motions, and the frames along a path."""
+"""Cells of joint space in batches, the motions of joints in them, and the frames along a path."""
 
+import itertools
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -9,14 +10,47 @@ from artgen._arrays import Array, Indices, Mask
 from artgen.asset.joint import JointKind
 from artgen.colliders.triangles import cross
 from artgen.proof.bounds import Motion
-from artgen.proof.items import NONE, Items
 from artgen.proof.paths import JointPath
+
+NONE = -1
+"""Frame of a cell without a plane, and variable of a joint that stands still."""
 
 BEYOND = 1e-9
 """Distance by which the proof extends beyond each end of a range, for rounded limits [rad or m]."""
 
 _WIDEST_START = 1.6  # widest starting cell where arcs have to be enclosed [rad]
 _ROUNDING = 1e-9  # tolerance of points on an axis [m]
+
+
+@dataclass(eq=False)
+class Cells:
+    """Cells of joint space, one per row, each for a node of either link."""
+
+    joint_path: Indices  # number of the joint path
+    box: Indices  # number of the box in its joint space
+    first: Indices  # node of link A
+    second: Indices  # node of link B
+    low: Array  # lowest positions of the cell; 0 in columns beyond the variables of the joint path [rad or m]
+    high: Array  # highest positions [rad or m]
+    normal: Array  # normal of the best plane before the last split
+    frame: Indices  # frame of that plane; -1 if there is none
+
+    def __len__(self) -> int:
+        return len(self.joint_path)
+
+    def __getitem__(self, rows: Indices | Mask | slice) -> "Cells":
+        return Cells(*(column[rows] for column in vars(self).values()))
+
+    @staticmethod
+    def join(parts: "Sequence[Cells]") -> "Cells":
+        """Return the cells of all parts in order."""
+        columns = zip(*(vars(part).values() for part in parts), strict=True)
+        return Cells(*(np.concatenate(column) for column in columns))
+
+    def numbers(self, row: int) -> tuple[int, int, int, int]:
+        """Return the joint path, the box and the nodes of a cell."""
+        a, b, c, d = (int(each[row]) for each in (self.joint_path, self.box, self.first, self.second))
+        return a, b, c, d
 
 
 @dataclass(eq=False)
@@ -32,29 +66,25 @@ class JointTable:
     offset: Array  # position while the variable is 0, shape (paths, m) [rad or m]
 
     @staticmethod
-    def of(kinds: tuple[JointKind, ...], joint_paths: Sequence[JointPath]) -> "JointTable":
+    def of(joint_paths: Sequence[JointPath]) -> "JointTable":
         """Collect the numbers of several joint paths."""
-        signs = np.array([joint_path.signs for joint_path in joint_paths], float)
+        signs = np.array([path.signs for path in joint_paths], float)
         numbers = [
-            [
-                joint_path.variables.index(each.variable) if each.variable else NONE
-                for each in joint_path.followers
-            ]
-            for joint_path in joint_paths
+            [path.variables.index(each.variable) if each.variable else NONE for each in path.followers]
+            for path in joint_paths
         ]
         return JointTable(
-            kinds,
-            np.array([[joint.pivot for joint in joint_path.steps] for joint_path in joint_paths]),
-            np.array([[joint.axis for joint in joint_path.steps] for joint_path in joint_paths])
-            * signs[:, :, None],
+            tuple(joint.kind for joint in joint_paths[0].steps),
+            np.array([[joint.pivot for joint in path.steps] for path in joint_paths]),
+            np.array([[joint.axis for joint in path.steps] for path in joint_paths]) * signs[:, :, None],
             signs > 0.0,
             np.array(numbers),
-            np.array([[each.ratio for each in joint_path.followers] for joint_path in joint_paths]),
-            np.array([[each.offset for each in joint_path.followers] for joint_path in joint_paths]),
+            np.array([[each.ratio for each in path.followers] for path in joint_paths]),
+            np.array([[each.offset for each in path.followers] for path in joint_paths]),
         )
 
-    def path(self, joint_paths: Indices, low: Array, high: Array) -> list[Motion]:
-        """Return the motions of items in their cells."""
+    def motions(self, joint_paths: Indices, low: Array, high: Array) -> list[Motion]:
+        """Return the motion of each joint in cells, whose joint paths are rows of this table."""
         middle, half = (low + high) / 2.0, (high - low) / 2.0
         rows = np.arange(len(joint_paths))
         result = []
@@ -62,30 +92,28 @@ class JointTable:
             variable, ratio = self.variable[joint_paths, step], self.ratio[joint_paths, step]
             center = ratio * middle[rows, variable] + self.offset[joint_paths, step]
             width = np.abs(ratio) * half[rows, variable]
-            result.append(
-                Motion(kind, self.origin[joint_paths, step], self.axis[joint_paths, step], center, width)
-            )
+            axis = self.axis[joint_paths, step]
+            result.append(Motion(kind, self.origin[joint_paths, step], axis, center, width))
         return result
 
-    def motion(
-        self, joint_paths: Indices, items: Items, first: tuple[Array, Array], second: tuple[Array, Array]
+    def reach(
+        self, joint_paths: Indices, path: Sequence[Motion], center: Array, radius: Array, count: int
     ) -> Array:
-        """Return the largest motion of nodes with centers and radii by each variable, shape (N, v) [m]."""
-        result = np.zeros_like(items.low)
-        half = (items.high - items.low) / 2.0
+        """Return how far each of `count` variables moves nodes, shape (N, v) [m].
+
+        The nodes of both links have centers, shape (2, N, 3), and radii, shape (2, N) [m].
+        """
         rows = np.arange(len(joint_paths))
-        for step, kind in enumerate(self.kinds):
-            variable = self.variable[joint_paths, step]
-            width = np.abs(self.ratio[joint_paths, step]) * half[rows, variable]
-            if kind == "revolute":
+        result = np.zeros((len(rows), count))
+        for step, motion in enumerate(path):
+            width = motion.half
+            if motion.kind == "revolute":
                 away = self.away[joint_paths, step]
-                center = np.where(away[:, None], second[0], first[0])
-                radius = np.where(away, second[1], first[1])
-                axis = self.axis[joint_paths, step]
-                arm = cross(axis, center - self.origin[joint_paths, step])
-                reach = np.sqrt(np.sum(arm * arm, axis=1)) + radius
-                width = 2.0 * np.sin(np.minimum(width, np.pi) / 2.0) * reach
-            result[rows, variable] += width
+                middle = np.where(away[:, None], center[1], center[0])
+                arm = cross(motion.axis, middle - motion.origin)
+                farthest = np.sqrt(np.sum(arm * arm, axis=1)) + np.where(away, radius[1], radius[0])
+                width = 2.0 * np.sin(np.minimum(width, np.pi) / 2.0) * farthest
+            result[rows, self.variable[joint_paths, step]] += width
         return result
 
 
@@ -96,17 +124,11 @@ class Frames:
     rotations: list[Array]  # rotations from each frame to frame 0: m + 1 arrays of shape (N, 3, 3)
     offset: Array  # offset of the last frame, shape (N, 3) [m]
 
-    def moved(self, points: Array) -> Array:
-        """Return points of link B in link A's frame, shape (N, 3) [m]."""
-        result: Array = np.matmul(self.rotations[-1], points[:, :, None])[:, :, 0] + self.offset
-        return result
-
-    def seen(self, directions: Array, frame: int, rows: Indices | None = None) -> Array:
-        """Return directions of frame 0 in another frame, shape (n, 3)."""
+    def directions(self, directions: Array, frame: int, rows: Indices | slice = slice(None)) -> Array:
+        """Return directions of frame 0 in another frame, for some cells, shape (n, 3)."""
         if frame == 0:
             return directions
-        rotation = self.rotations[frame] if rows is None else self.rotations[frame][rows]
-        result: Array = np.matmul(directions[:, None, :], rotation)[:, 0, :]
+        result: Array = np.matmul(directions[:, None, :], self.rotations[frame][rows])[:, 0, :]
         return result
 
 
@@ -142,16 +164,11 @@ def _rotations(axis: Array, angle: Array) -> Array:
 def is_coaxial(joint_path: JointPath) -> bool:
     """Tell whether all joints of a path rotate about, or slide along, one axis."""
     first = joint_path.steps[0]
-    turning = [joint for joint in joint_path.steps if joint.kind == "revolute"]
-    if first.kind != "revolute" or not turning:
+    if first.kind != "revolute":
         return False
-    for joint in joint_path.steps:
-        if np.abs(np.cross(joint.axis, first.axis)).max() > _ROUNDING:
-            return False
-        away = joint.pivot - first.pivot
-        if joint.kind == "revolute" and np.abs(np.cross(away, first.axis)).max() > _ROUNDING:
-            return False
-    return True
+    off = [joint.axis for joint in joint_path.steps]
+    off += [joint.pivot - first.pivot for joint in joint_path.steps if joint.kind == "revolute"]
+    return bool(np.abs(np.cross(off, first.axis)).max() <= _ROUNDING)
 
 
 def nearest_zero(box: Array) -> Array:
@@ -160,8 +177,8 @@ def nearest_zero(box: Array) -> Array:
     return nearest
 
 
-def starting_cells(joint_path: JointPath) -> list[tuple[int, tuple[Array, Array]]]:
-    """Return the starting cells of the search for a joint path, with the number of their box."""
+def starting_cells(joint_path: JointPath) -> list[tuple[int, Array]]:
+    """Return the starting cells of the search, shape (v, 2), each with the number of its box."""
     result = []
     for index, box in enumerate(joint_path.boxes):
         parts = np.ones(len(box), np.int64)
@@ -173,8 +190,6 @@ def starting_cells(joint_path: JointPath) -> list[tuple[int, tuple[Array, Array]
                     parts[number] = max(parts[number], int(np.ceil(width / _WIDEST_START)))
         grown = box + (-BEYOND, BEYOND)
         edges = [np.linspace(low, high, part + 1) for (low, high), part in zip(grown, parts, strict=True)]
-        for cell in np.ndindex(*parts):
-            low = np.array([edge[at] for edge, at in zip(edges, cell, strict=True)])
-            high = np.array([edge[at + 1] for edge, at in zip(edges, cell, strict=True)])
-            result.append((index, (low, high)))
+        cells = itertools.product(*(itertools.pairwise(edge) for edge in edges))
+        result += [(index, np.array(cell)) for cell in cells]
     return result

@@ -1,19 +1,21 @@
 """Numbers for the repair of a design: safe joint limits, and clearances at one pose."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import replace
 
 import numpy as np
 
 from artgen._arrays import Array
-from artgen.asset import Asset, AssetJoint
-from artgen.asset.collision import SolidPart
+from artgen.asset import Asset, Link
+from artgen.asset.affordance import head
+from artgen.asset.manifolds import box_of
+from artgen.asset.stored_solids import link_parts
 from artgen.proof.certify import certify
-from artgen.proof.overlap import Links, allowed_at
-from artgen.proof.paths import Space
+from artgen.proof.overlap import link_overlap
+from artgen.proof.paths import JointPath, Space
 
 _BISECTIONS = 9
-_BREATH = 1e-6  # [rad or m]
+_MARGIN = 1e-6  # half the range in which a joint at rest is proven [rad or m]
 _FARTHEST = 10.0  # largest measured clearance [m]
 
 
@@ -29,15 +31,15 @@ def safe_limits(asset: Asset) -> dict[str, tuple[float, float]]:
     ranges = Space(asset).ranges
     result = {}
     for joint in asset.free_joints:
-        limits = ranges[joint.name]
+        limits, rest = ranges[joint.name], joint.closed
         if _is_safe(asset, joint.name, limits):
             result[joint.name] = limits
             continue
         others = asset
-        rest = joint.closed
         if not _is_safe(asset, joint.name, (rest, rest)):
-            others = _at_rest(asset, joint.name)
-        if not _is_safe(others, joint.name, (rest, rest)):
+            free = [other for other in asset.free_joints if other is not joint]
+            others = _narrowed(asset, {other.name: (other.closed, other.closed) for other in free})
+        if others is not asset and not _is_safe(others, joint.name, (rest, rest)):
             result[joint.name] = (rest, rest)
             continue
         low, high = (_end(others, joint.name, rest, end) for end in limits)
@@ -61,30 +63,15 @@ def _end(asset: Asset, joint: str, rest: float, end: float) -> float:
 
 def _is_safe(asset: Asset, joint: str, limits: tuple[float, float]) -> bool:
     """Tell whether the pairs that a joint moves are proven apart within limits."""
-    led = {other.name for other in asset.joints if joint in (other.name, *_leaders(asset, other))}
-    moved = {
-        joint_path.links
-        for joint_path in Space(asset).joint_paths()
-        if not led.isdisjoint(step.name for step in joint_path.steps)
-    }
+    led = {other.name for other in asset.joints if joint in (other.name, head(other, asset).name)}
     low, high = limits
     if low == high:
-        low, high = low - _BREATH, high + _BREATH  # a locked joint moves no pair
-    return certify(
-        _narrowed(asset, {joint: (low, high)}), only=lambda joint_path: joint_path.links in moved
-    ).proven
+        low, high = low - _MARGIN, high + _MARGIN  # a locked joint moves no pair
 
+    def moved(joint_path: JointPath) -> bool:
+        return not led.isdisjoint(step.name for step in joint_path.steps)
 
-def _leaders(asset: Asset, joint: AssetJoint) -> Iterator[str]:
-    while joint.follows is not None:
-        yield joint.follows.leader
-        joint = asset.joint(joint.follows.leader)
-
-
-def _at_rest(asset: Asset, joint: str) -> Asset:
-    """Return the asset with every other free joint locked at rest."""
-    locked = {other.name: (other.closed, other.closed) for other in asset.free_joints if other.name != joint}
-    return _narrowed(asset, locked)
+    return certify(_narrowed(asset, {joint: (low, high)}), only=moved).proven
 
 
 def _narrowed(asset: Asset, limits: Mapping[str, tuple[float, float]]) -> Asset:
@@ -110,35 +97,30 @@ def clearance(asset: Asset, q: Mapping[str, float] | None = None) -> dict[tuple[
         AssetError: A joint is unknown, coupled to another, or beyond its limits.
     """
     poses, positions = asset.pose(q), asset.positions(q)
-    solids = Links(asset.links)
+    links = {link.name: link for link in asset.links}
     result: dict[tuple[str, str], float] = {}
     for joint_path in Space(asset).joint_paths():
         at = np.array([positions[name] for name in joint_path.variables])
-        overlap = solids.overlap(joint_path, at, allowed_at(joint_path, at))
-        if overlap is not None:
-            result[joint_path.links] = -float(np.cbrt(overlap.volume))
-            continue
         a, b = joint_path.links
-        result[a, b] = _distance(solids.parts(a), solids.parts(b), np.linalg.inv(poses[a]) @ poses[b])
+        if overlap := link_overlap(links, joint_path, at):
+            result[a, b] = -float(np.cbrt(overlap.volume))
+        else:
+            result[a, b] = _distance(links[a], links[b], np.linalg.inv(poses[a]) @ poses[b])
     return result
 
 
-def _distance(first: Sequence[SolidPart], second: Sequence[SolidPart], matrix: Array) -> float:
+def _distance(first: Link, second: Link, matrix: Array) -> float:
     """Return the distance between the solids of two links, the second link moved [m]."""
-    moved = [part.solid.transform(matrix[:3]) for part in second]
-    boxes = [
-        np.array([solid.bounding_box() for solid in solids]).reshape(-1, 2, 3)
-        for solids in ([part.solid for part in first], moved)
-    ]
-    low, high = (
-        np.maximum(boxes[0][:, None, 0] - boxes[1][None, :, 1], 0.0),
-        np.maximum(boxes[1][None, :, 0] - boxes[0][:, None, 1], 0.0),
-    )
+    at_rest = [part.solid for part in link_parts(first)]
+    moved = [part.solid.transform(matrix[:3]) for part in link_parts(second)]
+    boxes = [np.array([box_of(solid) for solid in solids]) for solids in (at_rest, moved)]
+    low = np.maximum(boxes[0][:, None, 0] - boxes[1][None, :, 1], 0.0)
+    high = np.maximum(boxes[1][None, :, 0] - boxes[0][:, None, 1], 0.0)
     apart = np.sqrt(np.sum((low + high) ** 2, axis=2))
     best = _FARTHEST
     for flat in np.argsort(apart, axis=None, kind="stable"):  # nearest boxes first
         a, b = np.unravel_index(flat, apart.shape)
         if apart[a, b] >= best:
             break
-        best = min(best, first[a].solid.min_gap(moved[b], best))
+        best = min(best, at_rest[a].min_gap(moved[b], best))
     return best

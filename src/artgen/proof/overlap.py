@@ -1,15 +1,15 @@
 """Exact overlap of two links at one pose, and their first contact."""
 
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
 
 import numpy as np
 from manifold3d import Manifold
 
-from artgen._arrays import Array
+from artgen._arrays import Array, cached_per_object
 from artgen.asset import Link
-from artgen.asset.collision import SolidPart
 from artgen.asset.joint import AllowedContact
+from artgen.asset.manifolds import box_of, mesh_of
 from artgen.asset.stored_solids import link_parts
 from artgen.colliders.triangles import cross
 from artgen.proof.paths import JointPath
@@ -22,7 +22,7 @@ PRESSED = 1e-5
 
 _MARCH = 48  # steps of the search for a first contact on the line from rest
 _BISECTIONS = 16
-_PARALLEL = 1e-6
+_PARALLEL = 1e-6  # length of the cross product of unit vectors that count as parallel
 _MOST_EDGES = 24  # edge directions of a piece that are crossed with those of the other piece
 
 
@@ -35,55 +35,41 @@ class Overlap:
     labels: tuple[str, str]  # labels of the two solids of that part
 
 
-class Links:
-    """Exact solids of links, made on first access."""
-
-    def __init__(self, links: Sequence[Link]) -> None:
-        self._links = {link.name: link for link in links}
-        self._parts: dict[str, tuple[SolidPart, ...]] = {}
-        self._boxes: dict[str, Array] = {}
-
-    def parts(self, link: str) -> tuple[SolidPart, ...]:
-        """Return the solids of a link at rest."""
-        if link not in self._parts:
-            self._parts[link] = link_parts(self._links[link])
-            boxes = [part.solid.bounding_box() for part in self._parts[link]]
-            self._boxes[link] = np.array(boxes).reshape(-1, 2, 3)
-        return self._parts[link]
-
-    def overlap(
-        self, joint_path: JointPath, positions: Array, allowed: Sequence[AllowedContact] = ()
-    ) -> Overlap | None:
-        """Return the overlap of the links of a path beyond allowed contacts, or None."""
-        (a, b), matrix = joint_path.links, displacement(joint_path, positions)
-        first, second = self.parts(a), self.parts(b)
-        low, high = self._boxes[a][:, 0], self._boxes[a][:, 1]
-        volume, largest, result = 0.0, 0.0, None
-        for part, box in zip(second, self._boxes[b], strict=True):
-            lower, upper = _moved_box(box, matrix)
-            near = np.flatnonzero((low < upper).all(axis=1) & (high > lower).all(axis=1))
-            if not len(near):
+def link_overlap(links: Mapping[str, Link], joint_path: JointPath, positions: Array) -> Overlap | None:
+    """Return the overlap of the exact solids of two links beyond allowed contacts, or None."""
+    (a, b), matrix = joint_path.links, displacement(joint_path, positions)
+    allowed = allowed_at(joint_path, positions)
+    low, high = _boxes(links[a]).swapaxes(0, 1)
+    first, volume, largest, result = link_parts(links[a]), 0.0, 0.0, None
+    for part, box in zip(link_parts(links[b]), _boxes(links[b]), strict=True):
+        center, half = box.mean(axis=0), (box[1] - box[0]) / 2.0
+        middle, reach = matrix[:3, :3] @ center + matrix[:3, 3], np.abs(matrix[:3, :3]) @ half
+        near = np.flatnonzero((low < middle + reach).all(axis=1) & (high > middle - reach).all(axis=1))
+        moved = part.solid.transform(matrix[:3])  # manifold3d computes it on first access
+        for index in near:
+            labels = first[index].label, part.label
+            common = first[index].solid ^ moved
+            size = common.volume()
+            if size <= LEAST_VOLUME:
                 continue
-            moved = part.solid.transform(matrix[:3])
-            for index in near:
-                labels = first[index].label, part.label
-                common = first[index].solid ^ moved
-                size = common.volume()
+            depths = [contact.depth for contact in allowed if allows(contact, joint_path.links, labels)]
+            if depths:
+                thick = [each for each in common.decompose() if _width(each) > max(depths) + PRESSED]
+                size = sum(each.volume() for each in thick)
                 if size <= LEAST_VOLUME:
                     continue
-                depths = [contact.depth for contact in allowed if allows(contact, joint_path.links, labels)]
-                if depths:
-                    thick = [each for each in common.decompose() if _width(each) > max(depths) + PRESSED]
-                    size = sum(each.volume() for each in thick)
-                    if size <= LEAST_VOLUME:
-                        continue
-                    common = Manifold.compose(thick)
-                volume += size
-                if size > largest:
-                    largest = size
-                    place = np.array(common.bounding_box()).reshape(2, 3).mean(axis=0)
-                    result = Overlap(volume, place, labels)
-        return None if result is None else Overlap(volume, result.place, result.labels)
+                common = Manifold.compose(thick)
+            volume += size
+            if size > largest:
+                largest = size
+                result = Overlap(volume, box_of(common).mean(axis=0), labels)
+    return None if result is None else replace(result, volume=volume)
+
+
+@cached_per_object
+def _boxes(link: Link) -> Array:
+    """Return the bounding boxes of the solids of a link, shape (n, 2, 3) [m]."""
+    return np.array([box_of(part.solid) for part in link_parts(link)]).reshape(-1, 2, 3)
 
 
 def allows(contact: AllowedContact, links: tuple[str, str], labels: tuple[str, str]) -> bool:
@@ -108,29 +94,23 @@ def displacement(joint_path: JointPath, positions: Array) -> Array:
     matrix = np.eye(4)
     values = dict(zip(joint_path.variables, positions.tolist(), strict=True))
     for joint, sign, follower in zip(joint_path.steps, joint_path.signs, joint_path.followers, strict=True):
-        position = follower.ratio * values.get(follower.variable, 0.0) + follower.offset
-        matrix = matrix @ joint.motion(sign * position)
+        matrix = matrix @ joint.motion(sign * follower.at(values.get(follower.variable, 0.0)))
     return matrix
 
 
 def penetration(first: Manifold, second: Manifold) -> float:
     """Return the penetration depth of two convex pieces or slightly more: the shortest way apart [m]."""
     (a, faces, edges), (b, more_faces, more_edges) = _features(first), _features(second)
-    crossed = cross(edges[:, None, :], more_edges[None, :, :]).reshape(-1, 3)
-    length = np.sqrt(np.sum(crossed * crossed, axis=1))
-    crossed = crossed[length > _PARALLEL] / length[length > _PARALLEL][:, None]
+    crossed = _unit(cross(edges[:, None, :], more_edges[None, :, :]).reshape(-1, 3), _PARALLEL)
     normals = np.concatenate((faces, -more_faces, crossed, -crossed))
     gaps = (b @ normals.T).min(axis=0) - (a @ normals.T).max(axis=0)
     return float(-gaps.max())
 
 
 def first_contact(touch: Callable[[Array], bool], start: Array, end: Array) -> float:
-    """Return the share of the straight line from start to end at which links first touch.
+    """Return the share of the line from rest to touching positions at which links first touch.
 
-    Args:
-        touch: Tells whether links touch at positions, shape (v,).
-        start: Positions at rest, shape (v,) [rad or m].
-        end: Touching positions, shape (v,) [rad or m].
+    All positions have shape (v,) [rad or m].
     """
     shares = np.linspace(0.0, 1.0, _MARCH + 1)
     line = end - start
@@ -144,18 +124,9 @@ def first_contact(touch: Callable[[Array], bool], start: Array, end: Array) -> f
     return up
 
 
-def _moved_box(box: Array, matrix: Array) -> tuple[Array, Array]:
-    center, half = box.mean(axis=0), (box[1] - box[0]) / 2.0
-    middle = matrix[:3, :3] @ center + matrix[:3, 3]
-    reach = np.abs(matrix[:3, :3]) @ half
-    return middle - reach, middle + reach
-
-
 def _features(piece: Manifold) -> tuple[Array, Array, Array]:
     """Return vertices, outward unit normals of faces and unit directions of edges of a convex piece."""
-    mesh = piece.to_mesh64()
-    corners = np.asarray(mesh.vert_properties)[:, :3]
-    triangles = np.asarray(mesh.tri_verts).astype(np.int64)
+    corners, triangles = mesh_of(piece)
     a, b, c = corners[triangles.T]
     normals = _unit(cross(b - a, c - a))
     sides = np.concatenate((b - a, c - b, a - c))
@@ -171,7 +142,8 @@ def _width(solid: Manifold) -> float:
     return float(np.ptp(corners @ normals.T, axis=0).min())
 
 
-def _unit(vectors: Array) -> Array:
+def _unit(vectors: Array, shortest: float = 0.0) -> Array:
+    """Return the directions of the vectors that are longer than the shortest one."""
     length = np.sqrt(np.sum(vectors * vectors, axis=1))
-    kept: Array = vectors[length > 0.0] / length[length > 0.0][:, None]
-    return kept
+    chosen: Array = vectors[length > shortest] / length[length > shortest][:, None]
+    return chosen

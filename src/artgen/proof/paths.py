@@ -39,6 +39,10 @@ class Follower:
     ratio: float  # transmission ratio [rad/rad, m/rad, rad/m or m/m]
     offset: float  # position while the variable is 0 [rad or m]
 
+    def at(self, position: float) -> float:
+        """Return the position of the joint while the variable stands at a position [rad or m]."""
+        return self.ratio * position + self.offset
+
 
 @dataclass(frozen=True, eq=False)
 class JointPath:
@@ -60,7 +64,6 @@ class Space:
 
     def __init__(self, asset: Asset) -> None:
         self.asset = asset
-        self._joints = {joint.name: joint for joint in asset.joints}
         self._chains: dict[str, tuple[AssetJoint, ...]] = {asset.links[0].name: ()}
         for parent, child, joints in asset.pairs():
             self._chains[child] = (*self._chains[parent], *joints)
@@ -82,7 +85,18 @@ class Space:
             AssetError: A joint could never move, or no position of all joints is allowed.
         """
         for joint in self.asset.joints:
-            self._check(joint)
+            if joint.needs is None or any(each is not None for each in self._terms(joint.needs.condition)):
+                continue
+            spans = []
+            for name in joint.needs.condition.joints():
+                follower = self.followers[name]
+                low, high = sorted(map(follower.at, self.ranges.get(follower.variable, (0.0, 0.0))))
+                spans.append(f"{name} stands within {low:.6g} to {high:.6g}")
+            raise AssetError(
+                f"joint {joint.name!r} needs {joint.needs.condition}, but {', '.join(spans)}: it could never "
+                "move; turn the comparison round or correct its value",
+                joint=joint.name,
+            )
         if not self.boxes(list(self.ranges)):
             raise AssetError(
                 f"the dependencies of asset {self.asset.name!r} contradict each other: they forbid every "
@@ -92,16 +106,13 @@ class Space:
     def joint_path(self, a: str, b: str) -> JointPath:
         """Return the joint path from one link to another."""
         up, down = self._chains[a], self._chains[b]
-        shared = sum(
-            1 for _ in itertools.takewhile(lambda two: two[0] is two[1], zip(up, down, strict=False))
-        )
+        shared = sum(one is other for one, other in zip(up, down, strict=False))
         steps = (*reversed(up[shared:]), *down[shared:])
         signs = (-1,) * (len(up) - shared) + (1,) * (len(down) - shared)
         followers = tuple(self.followers[joint.name] for joint in steps)
         variables = tuple(dict.fromkeys(each.variable for each in followers if each.variable))
-        boxes = self.boxes(variables)
         contacts = [each for each in self.asset.contacts if set(each.links) == {a, b}]
-        boxes = [part for box in boxes for part in self._split(box, contacts)]
+        boxes = [part for box in self.boxes(variables) for part in self._split(box, contacts)]
         allowed = tuple(
             tuple(each for each in contacts if each.when is None or self._holds(each.when, box))
             for box in boxes
@@ -115,7 +126,12 @@ class Space:
         The boxes are cut in the space of these variables and of all variables that they depend on, and then
         projected.
         """
-        needed = self._needed(variables)
+        needed = list(variables)
+        for variable in needed:  # grows: the variables that joints depend on are appended
+            for joint in self.asset.joints:
+                if joint.needs is not None and self.followers[joint.name].variable == variable:
+                    needs = (self.followers[name].variable for name in joint.needs.condition.joints())
+                    needed += [name for name in dict.fromkeys(needs) if name and name not in needed]
         boxes: list[Box] = [{name: self.ranges[name] for name in needed}]
         for joint in self.asset.joints:
             clauses = self._clauses(joint, needed)
@@ -125,24 +141,13 @@ class Space:
             boxes = _largest([box for box in cut if box is not None])
         return _largest([{name: box[name] for name in variables} for box in boxes])
 
-    def _needed(self, variables: Sequence[str]) -> list[str]:
-        """Return variables with those that their joints depend on, recursively."""
-        result = list(variables)
-        for variable in result:  # grows during the iteration
-            for joint in self.asset.joints:
-                if joint.needs is None or self.followers[joint.name].variable != variable:
-                    continue
-                needs = (self.followers[name].variable for name in joint.needs.condition.joints())
-                result += [name for name in dict.fromkeys(needs) if name and name not in result]
-        return result
-
     def _resolve(self, joint: AssetJoint) -> None:
         """Find the variable of a joint's position."""
         ratio, offset, leader = 1.0, 0.0, joint
         while leader.follows is not None:
             offset += ratio * leader.follows.offset
             ratio *= leader.follows.ratio
-            leader = self._joints[leader.follows.leader]
+            leader = self.asset.joint(leader.follows.leader)
         if leader.locked:
             assert leader.limits is not None
             self.followers[joint.name] = Follower("", 0.0, ratio * leader.limits[0] + offset)
@@ -155,47 +160,22 @@ class Space:
         self.followers[joint.name] = Follower(leader.name, ratio, offset)
         self.ranges[leader.name] = full if leader.limits is None else leader.limits
 
-    def _check(self, joint: AssetJoint) -> None:
-        """Raise AssetError for a dependency that no position of the other joints satisfies."""
-        if joint.needs is None or any(each is not None for each in self._terms(joint.needs.condition)):
-            return
-        ranges = ", ".join(
-            f"{name} stands within {low:.6g} to {high:.6g}"
-            for name in joint.needs.condition.joints()
-            for low, high in [self._span(name)]
-        )
-        raise AssetError(
-            f"joint {joint.name!r} needs {joint.needs.condition}, but {ranges}: it could never move; turn "
-            "the comparison round or correct its value",
-            joint=joint.name,
-        )
-
-    def _span(self, joint: str) -> Interval:
-        """Return the lowest and the highest position of a joint."""
-        follower = self.followers[joint]
-        ends = self.ranges.get(follower.variable, (0.0, 0.0))
-        low, high = sorted(follower.ratio * end + follower.offset for end in ends)
-        return low, high
-
     def _clauses(self, joint: AssetJoint, variables: Sequence[str]) -> list[Box] | None:
         """Return boxes of which a joint's dependency requires one; None if it requires nothing."""
         if joint.needs is None:
             return None
         free = joint.needs.beyond or _CLOSED
-        alternatives = [self._where(joint.name, -free, free)]
+        ranges = [(-free, free)]
         if joint.needs.until is not None:
-            alternatives.append(self._where(joint.name, joint.needs.until, math.inf))
-            alternatives.append(self._where(joint.name, -math.inf, -joint.needs.until))
-        alternatives.extend(self._terms(joint.needs.condition))
-        clauses: list[Box] = []
-        for clause in alternatives:
-            if clause is None:
-                continue
-            seen = {name: interval for name, interval in clause.items() if name in variables}
-            if not seen:
-                return None
-            clauses.append(seen)
-        return clauses
+            ranges += [(joint.needs.until, math.inf), (-math.inf, -joint.needs.until)]
+        alternatives = [self._where(joint.name, *each) for each in ranges]
+        alternatives += self._terms(joint.needs.condition)
+        clauses: list[Box] = [
+            {name: ends for name, ends in clause.items() if name in variables}
+            for clause in alternatives
+            if clause is not None
+        ]
+        return clauses if all(clauses) else None
 
     def _where(self, joint: str, low: float, high: float) -> Box | None:
         """Return the positions of a joint within an interval; None if there are none."""
@@ -203,7 +183,7 @@ class Space:
         if not follower.variable:
             return {} if low <= follower.offset <= high else None
         name, limits = follower.variable, self.ranges[follower.variable]
-        if self._joints[name].limits is None:
+        if self.asset.joint(name).limits is None:
             return {}  # positions of unlimited joints are known up to full turns only
         ends = sorted((end - follower.offset) / follower.ratio for end in (low, high))
         low, high = max(ends[0], limits[0]), min(ends[1], limits[1])
@@ -232,7 +212,7 @@ class Space:
             for term in _comparisons(contact.when):
                 where = self.followers[term.joint]
                 name = where.variable
-                if name not in box or self._joints[name].limits is None:
+                if name not in box or self.asset.joint(name).limits is None:
                     continue
                 value = (term.value - where.offset) / where.ratio
                 boxes = [part for each in boxes for part in _halves(each, name, value)]
@@ -244,12 +224,10 @@ class Space:
             results = [self._holds(term, box) for term in condition.terms]
             return all(results) if condition.kind == "all" else any(results)
         where = self.followers[condition.joint]
-        if where.variable and self._joints[where.variable].limits is None:
+        if where.variable and self.asset.joint(where.variable).limits is None:
             return False  # it holds within one turn, but perhaps not in the next
-        low, high = box.get(where.variable, (0.0, 0.0))
-        if where.variable not in box and where.variable:
-            low, high = self.ranges[where.variable]
-        ends = (where.ratio * low + where.offset, where.ratio * high + where.offset)
+        interval = box.get(where.variable, self.ranges.get(where.variable, (0.0, 0.0)))
+        ends = [where.at(end) for end in interval]
         if condition.kind == "above":
             return min(ends) >= condition.value - _ROUNDING
         return max(ends) <= condition.value + _ROUNDING
@@ -276,14 +254,11 @@ def _largest(boxes: Sequence[Box]) -> list[Box]:
     return result
 
 
-def _comparisons(condition: AssetCondition | None) -> Iterator[AssetCondition]:
+def _comparisons(condition: AssetCondition | None) -> list[AssetCondition]:
+    """Return the comparisons in a condition."""
     if condition is None:
-        return
-    if condition.terms:
-        for term in condition.terms:
-            yield from _comparisons(term)
-    else:
-        yield condition
+        return []
+    return [each for term in condition.terms for each in _comparisons(term)] or [condition]
 
 
 def _halves(box: Box, name: str, value: float) -> list[Box]:

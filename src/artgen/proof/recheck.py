@@ -5,7 +5,7 @@ verifies that each plane does so, by the closed-form bounds; that the cells of a
 whole joint space; and that the pieces contain the solids.
 """
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -36,23 +36,20 @@ def recheck(asset: Asset, certificate: Certificate) -> list[Finding]:
     space = Space(asset)
     space.check()
     joint_paths = {joint_path.links: joint_path for joint_path in space.joint_paths()}
+    stated = {pair.links for pair in certificate.pairs}
     findings = [
-        Finding(
-            _CHECK,
-            "the certificate says nothing of this pair, which can move",
-            link=", ".join(links),
-            hint=_HINT,
-        )
+        _fault("the certificate says nothing of this pair, which can move", links)
         for links in joint_paths
-        if links not in {pair.links for pair in certificate.pairs}
+        if links not in stated
     ]
     proof = certificate.leaves
-    if proof is None or proof.get("format") != PROOF_FORMAT:
-        marked = None if proof is None else proof.get("format")
-        found = "is missing" if proof is None else f"has format {marked!r} instead of {PROOF_FORMAT!r}"
-        return [*findings, Finding(_CHECK, f"the proof in certificate.json {found}", hint=_HINT)]
+    if proof is None:
+        return [*findings, _fault("the proof in certificate.json is missing")]
+    if proof.get("format") != PROOF_FORMAT:
+        marked = f"{proof.get('format')!r} instead of {PROOF_FORMAT!r}"
+        return [*findings, _fault(f"the proof in certificate.json has format {marked}")]
     if not certificate.tolerance >= 0.0:
-        return [*findings, Finding(_CHECK, f"its tolerance is {certificate.tolerance!r} m", hint=_HINT)]
+        return [*findings, _fault(f"its tolerance is {certificate.tolerance!r} m")]
     try:
         for pair in certificate.pairs:
             for stored in _stored(pair, proof):
@@ -62,8 +59,12 @@ def recheck(asset: Asset, certificate: Certificate) -> list[Finding]:
     except AssetError:
         raise
     except (KeyError, ValueError, TypeError, IndexError) as error:
-        findings.append(Finding(_CHECK, f"the proof in certificate.json is damaged ({error!r})", hint=_HINT))
+        findings.append(_fault(f"the proof in certificate.json is damaged ({error!r})"))
     return findings
+
+
+def _fault(message: str, links: Sequence[str] = (), **details: Any) -> Finding:
+    return Finding(_CHECK, message, link=", ".join(links), hint=_HINT, **details)
 
 
 def _stored(pair: PairResult, proof: Mapping[str, Any]) -> Iterator[Mapping[str, Any] | None]:
@@ -89,17 +90,18 @@ def _recheck_pair(
     stored: Mapping[str, Any] | None,
     proof: Mapping[str, Any],
 ) -> Iterator[Finding]:
-    links = ", ".join(pair.links)
     if stored is None:
-        yield Finding(_CHECK, "there is no proof of this pair", link=links, hint=_HINT)
+        yield _fault("there is no proof of this pair", pair.links)
         return
     covers = [_cover(asset, name, proof["pieces"][stored["pieces"]][name]) for name in pair.links]
     solids = pair.verdict == "proven" and (
-        pair.colliders != "proven" or not _on_colliders(stored, pair, proof) or _only(pair, proof)
+        pair.colliders != "proven"
+        or not _on_colliders(stored, pair, proof)
+        or sum(tuple(item["links"]) == pair.links for item in proof["pairs"]) == 1
     )
     for name, (cover, _) in zip(pair.links, covers, strict=True):
         if cover.excess is None and solids:
-            yield Finding(_CHECK, "its solids stick out of the pieces of the proof", link=name, hint=_HINT)
+            yield _fault("its solids stick out of the pieces of the proof", [name])
     least = max(tolerance, pair.guaranteed or 0.0) if solids else tolerance
     wanted = least + sum(cover.excess or 0.0 for cover, _ in covers) - _ROUNDING
     table = np.array(stored["leaves"], float).reshape(-1, 8 + 2 * len(joint_path.variables))
@@ -107,14 +109,9 @@ def _recheck_pair(
         apart = _gap(joint_path, covers, row)
         limit = _limit(joint_path, covers, row, wanted)
         if not apart > limit:
-            yield Finding(
-                _CHECK,
-                f"a plane of the proof leaves a gap of {1e3 * apart:.6f} mm instead of {1e3 * limit:.6f} mm",
-                link=links,
-                value=apart,
-                unit="m",
-                hint=_HINT,
-            )
+            gap_text, limit_text = f"{1e3 * apart:.6f} mm", f"{1e3 * limit:.6f} mm"
+            message = f"a plane of the proof leaves a gap of {gap_text} instead of {limit_text}"
+            yield _fault(message, pair.links, value=apart, unit="m")
             return
     cells = np.concatenate((table[:, :4].reshape(-1, 2, 2), table[:, 8:].reshape(len(table), -1, 2)), axis=1)
     pieces = np.array([[0, len(cover.points)] for cover, _ in covers], float)
@@ -122,13 +119,7 @@ def _recheck_pair(
         missed = uncovered(cells, np.concatenate((pieces, box)))
         if missed is not None:
             pose = dict(zip(joint_path.variables, missed[2:].mean(axis=1).tolist(), strict=True))
-            yield Finding(
-                _CHECK, "the proof does not cover all of the joint space", link=links, pose=pose, hint=_HINT
-            )
-
-
-def _only(pair: PairResult, proof: Mapping[str, Any]) -> bool:
-    return sum(tuple(item["links"]) == pair.links for item in proof["pairs"]) == 1
+            yield _fault("the proof does not cover all of the joint space", pair.links, pose=pose)
 
 
 def _cover(asset: Asset, link: str, stored: Mapping[str, Any]) -> tuple[Cover, list[int]]:
