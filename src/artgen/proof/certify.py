@@ -23,7 +23,7 @@ from artgen.asset.manifolds import box_of
 from artgen.errors import AssetError
 from artgen.proof.cover import Cover, collider_cover, fine_cover
 from artgen.proof.hierarchy import Hierarchy
-from artgen.proof.kinematics import Cells
+from artgen.proof.kinematics import ProofCells
 from artgen.proof.overlap import (
     PRESSED,
     Overlap,
@@ -110,7 +110,7 @@ class _PairSearch:
     outcome: SearchOutcome  # result of the search
     nodes: Hierarchy  # the pieces of all links of the search
     covers: Mapping[str, Cover]  # the pieces of each link
-    closed: Cells  # the cells of the pair that are proven
+    closed: ProofCells  # the cells of the pair that are proven
 
     @property
     def contained(self) -> bool:

@@ -23,7 +23,7 @@ _ROUNDING = 1e-9  # tolerance of points on an axis [m]
 
 
 @dataclass(eq=False)
-class Cells:
+class ProofCells:
     """Cells of joint space, one per row, each for a node of either link."""
 
     joint_path: Indices  # number of the joint path
@@ -38,14 +38,14 @@ class Cells:
     def __len__(self) -> int:
         return len(self.joint_path)
 
-    def __getitem__(self, rows: Indices | Mask | slice) -> "Cells":
-        return Cells(*(column[rows] for column in vars(self).values()))
+    def __getitem__(self, rows: Indices | Mask | slice) -> "ProofCells":
+        return ProofCells(*(column[rows] for column in vars(self).values()))
 
     @staticmethod
-    def join(parts: "Sequence[Cells]") -> "Cells":
+    def join(parts: "Sequence[ProofCells]") -> "ProofCells":
         """Return the cells of all parts in order."""
         columns = zip(*(vars(part).values() for part in parts), strict=True)
-        return Cells(*(np.concatenate(column) for column in columns))
+        return ProofCells(*(np.concatenate(column) for column in columns))
 
     def numbers(self, row: int) -> tuple[int, int, int, int]:
         """Return the joint path, the box and the nodes of a cell."""

@@ -18,7 +18,7 @@ from artgen.asset.certificate import AXIS_FRAME
 from artgen.asset.joint import JointKind
 from artgen.proof.bounds import Motion
 from artgen.proof.hierarchy import Hierarchy
-from artgen.proof.kinematics import NONE, Cells, Frames, JointTable, frames, nearest_zero, starting_cells
+from artgen.proof.kinematics import NONE, Frames, JointTable, ProofCells, frames, nearest_zero, starting_cells
 from artgen.proof.overlap import PRESSED
 from artgen.proof.paths import JointPath
 from artgen.proof.separation import GRAIN, Ahead, Coaxial, Confirm, Depths, Planes, SearchOutcome, Witnesses
@@ -74,7 +74,7 @@ class Search:
             self._table[members], self._row[members] = number, np.arange(len(members))
         self._coaxial = Coaxial(self.nodes, self.joint_paths)
 
-    def run(self) -> list[Cells]:
+    def run(self) -> list[ProofCells]:
         """Search until all cells are closed, refuted or given up; return the closed cells of each path."""
         cells, seen = self._start(), 0
         self._closed = [cells[:0]]
@@ -92,16 +92,16 @@ class Search:
             parts = [cells[:0]]
             for key in np.unique(group):
                 parts += self._examine(cells[group == key], self._tables[key // 4])
-            cells = Cells.join(parts)
+            cells = ProofCells.join(parts)
             cells = cells[~self._done[cells.joint_path]]
         for number, outcome in enumerate(self.outcomes):
             outcome.guaranteed, outcome.found = float(self._guaranteed[number]), float(self._found[number])
-        closed = Cells.join(self._closed)
+        closed = ProofCells.join(self._closed)
         closed = closed[np.argsort(closed.joint_path, kind="stable")]
         ends = np.searchsorted(closed.joint_path, np.arange(1, len(self.joint_paths)))
         return [closed[slice(*each)] for each in zip([0, *ends], [*ends, len(closed)], strict=True)]
 
-    def _start(self) -> Cells:
+    def _start(self) -> ProofCells:
         """Return the first cells: both whole links in each box."""
         starts = [
             (number, box, cell)
@@ -115,7 +115,7 @@ class Search:
         first, second = self.nodes.roots[np.array(self.trees)][joint_path].T
         frame, normal = np.full(len(starts), NONE), np.zeros((len(starts), 3))
         low, high = (np.ascontiguousarray(ends[:, :, end]) for end in (0, 1))
-        return Cells(joint_path, box, first, second, low, high, normal, frame)
+        return ProofCells(joint_path, box, first, second, low, high, normal, frame)
 
     def _measure_near_rest(self, number: int) -> None:
         """Measure the distance of links near rest, which leaves less to measure later."""
@@ -141,7 +141,7 @@ class Search:
                 if 0.0 < distance < self._found[number]:
                     self._found[number], self.outcomes[number].found_at = distance, corners[box]
 
-    def _threshold(self, cells: Cells) -> Array:
+    def _threshold(self, cells: ProofCells) -> Array:
         """Return the gap that closes each cell [m]."""
         threshold = self.tolerances[cells.joint_path]
         if self.measure:
@@ -152,12 +152,12 @@ class Search:
                 threshold[row] = -depth - 2.0 * MARGIN  # contact is exact to rounding only
         return threshold + MARGIN
 
-    def _depth(self, cells: Cells, row: int) -> float:
+    def _depth(self, cells: ProofCells, row: int) -> float:
         """Return the allowed penetration of the pieces of a cell; NaN if they may not touch."""
         pieces = self.nodes.leaf[cells.first[row]] and self.nodes.leaf[cells.second[row]]
         return self.depths(*cells.numbers(row)) if pieces else float("nan")
 
-    def _examine(self, cells: Cells, table: JointTable) -> list[Cells]:
+    def _examine(self, cells: ProofCells, table: JointTable) -> list[ProofCells]:
         """Close cells of one table if possible, and return the cells into which the others are split."""
         path = table.motions(self._row[cells.joint_path], cells.low, cells.high)
         threshold = self._threshold(cells)
@@ -186,7 +186,7 @@ class Search:
         ahead = Ahead(planes.first[rows], planes.second[rows], path, towards[still][left], frame[still][left])
         return self._split(opened, distance, threshold[rows], table, ahead)
 
-    def _try_known(self, planes: Planes, cells: Cells, pose: Frames) -> None:
+    def _try_known(self, planes: Planes, cells: ProofCells, pose: Frames) -> None:
         """Try the plane from before the split, the direction between the centers and the main faces."""
         nodes, last = self.nodes, len(planes.path)
         for frame in range(1, last):
@@ -207,7 +207,7 @@ class Search:
                 candidates.append(np.round(towards, _DECIMALS)[:, None])
             planes.attempt(np.arange(len(cells)), np.concatenate(candidates, axis=1), frame)
 
-    def _try_axis(self, cells: Cells, rows: Indices, path: list[Motion], threshold: Array) -> Indices:
+    def _try_axis(self, cells: ProofCells, rows: Indices, path: list[Motion], threshold: Array) -> Indices:
         """Close pieces on one axis by heights and distances from it; return the cells that stay open."""
         about, apart = self._coaxial.apart(cells, rows[threshold[rows] > 0.0], path)
         closed = apart > threshold[about]
@@ -218,7 +218,7 @@ class Search:
         return rows[~np.isin(rows, about[closed])]
 
     def _try_distance(
-        self, planes: Planes, cells: Cells, pose: Frames, rows: Indices, threshold: Array
+        self, planes: Planes, cells: ProofCells, pose: Frames, rows: Indices, threshold: Array
     ) -> tuple[Array, Array, Indices]:
         """Try the directions that FCL proposes at the center of the cells."""
         distance, direction = self._distances(cells, pose, rows)
@@ -239,7 +239,7 @@ class Search:
             best[chosen], towards[chosen], of_frame[chosen] = reached[better], normal, frame
         return distance, towards, of_frame
 
-    def _distances(self, cells: Cells, pose: Frames, rows: Indices) -> tuple[Array, Array]:
+    def _distances(self, cells: ProofCells, pose: Frames, rows: Indices) -> tuple[Array, Array]:
         """Return FCL's distance of each pair of nodes and the direction between their nearest points."""
         distances, directions = np.full(len(rows), -1.0), np.zeros((len(rows), 3))
         leaf = self.nodes.leaf
@@ -256,25 +256,25 @@ class Search:
                 self.outcomes[number].found_at = ((cells.low[row] + cells.high[row]) / 2.0)[:count]
         return distances, directions
 
-    def _record(self, cells: Cells, planes: Planes, threshold: Array, rows: Indices) -> None:
+    def _record(self, cells: ProofCells, planes: Planes, threshold: Array, rows: Indices) -> None:
         """Close the cells in given rows whose best plane exceeds the threshold."""
         rows = rows[planes.best[rows] > threshold[rows]]
         if len(rows):
             done = replace(cells[rows], normal=planes.normal[rows], frame=planes.frame[rows])
             self._close(done, planes.best[rows])
 
-    def _close(self, cells: Cells, apart: Array) -> None:
+    def _close(self, cells: ProofCells, apart: Array) -> None:
         self._closed.append(cells)
         free = ~self._contacts[cells.joint_path]
         for row in np.flatnonzero(~free):
             free[row] = np.isnan(self._depth(cells, int(row)))
         np.minimum.at(self._guaranteed, cells.joint_path[free], apart[free])
 
-    def _are_pieces(self, cells: Cells) -> Mask:
+    def _are_pieces(self, cells: ProofCells) -> Mask:
         """Tell which cells belong to two pieces, not to boxes around several pieces."""
         return self.nodes.leaf[cells.first] & self.nodes.leaf[cells.second]
 
-    def _refute(self, cells: Cells, distance: Array, threshold: Array) -> bool:
+    def _refute(self, cells: ProofCells, distance: Array, threshold: Array) -> bool:
         """Mark joint paths with less clearance than their tolerance; search them for collisions only."""
         tolerance, least = self.tolerances[cells.joint_path], self.least[cells.joint_path]
         close = self._are_pieces(cells) & (threshold > 0.0) & (distance > 0.0) & (distance < tolerance)
@@ -285,7 +285,7 @@ class Search:
         self.tolerances[numbers] = self.least[numbers]
         return bool(len(refuted))
 
-    def _hopeless(self, cells: Cells, distance: Array, threshold: Array, total: Array) -> Mask:
+    def _hopeless(self, cells: ProofCells, distance: Array, threshold: Array, total: Array) -> Mask:
         """Tell which cells to give up: pieces that hardly move, or that are too close in a small cell.
 
         A large cell may hide a collision: it is split further as long as the number of cells stays small.
@@ -297,7 +297,7 @@ class Search:
         still = pieces & (total < _STILL)
         return still | (close & ~(large & (self._split_close[joint_paths] < _MOST_CLOSE)))
 
-    def _give_up(self, cells: Cells, distance: Array) -> None:
+    def _give_up(self, cells: ProofCells, distance: Array) -> None:
         for row, value in enumerate(distance.tolist()):
             number, _, first, second = cells.numbers(row)
             count = len(self.joint_paths[number].variables)
@@ -305,8 +305,8 @@ class Search:
             self.outcomes[number].open.append((low, high, first, second, value))
 
     def _split(
-        self, cells: Cells, distance: Array, threshold: Array, table: JointTable, ahead: Ahead
-    ) -> list[Cells]:
+        self, cells: ProofCells, distance: Array, threshold: Array, table: JointTable, ahead: Ahead
+    ) -> list[ProofCells]:
         """Split the larger node of each cell, or the cell."""
         nodes, table_rows = self.nodes, self._row[cells.joint_path]
         both = np.stack((cells.first, cells.second))
@@ -332,7 +332,7 @@ class Search:
         return result
 
 
-def _halved(cells: Cells, variable: Indices) -> list[Cells]:
+def _halved(cells: ProofCells, variable: Indices) -> list[ProofCells]:
     """Split cells in two, each along one variable."""
     rows = np.arange(len(cells))
     middle = (cells.low[rows, variable] + cells.high[rows, variable]) / 2.0

@@ -10,7 +10,7 @@ import numpy as np
 from artgen._arrays import Array, Indices
 from artgen.proof.bounds import Motion, around_axis, axis_gap, gap
 from artgen.proof.hierarchy import Hierarchy
-from artgen.proof.kinematics import NONE, Cells, JointTable, is_coaxial
+from artgen.proof.kinematics import NONE, JointTable, ProofCells, is_coaxial
 from artgen.proof.paths import JointPath
 
 Confirm = Callable[[int, int, int, Array, float], str]
@@ -61,7 +61,7 @@ class Witnesses:
         self.done = np.zeros(len(self.joint_paths), bool)
         self._corners = np.zeros(len(self.joint_paths), np.int64)
 
-    def in_middles(self, cells: Cells, rows: Indices) -> None:
+    def in_middles(self, cells: ProofCells, rows: Indices) -> None:
         """Examine the centers of several cells, a few for each joint path."""
         examined: Counter[int] = Counter()
         for row in rows.tolist():
@@ -73,7 +73,7 @@ class Witnesses:
         for number in examined:
             self._finish(number)
 
-    def in_corners(self, cells: Cells, rows: Indices) -> None:
+    def in_corners(self, cells: ProofCells, rows: Indices) -> None:
         """Examine the corners of small cells, where depths are nearly linear in the positions.
 
         Pieces that touch slightly at the center of such a cell overlap most in one of its corners.
@@ -91,7 +91,7 @@ class Witnesses:
                 self.done[number] = self.outcomes[number].hit is not None
             self._finish(number)
 
-    def _examine(self, cells: Cells, row: int, positions: Array) -> None:
+    def _examine(self, cells: ProofCells, row: int, positions: Array) -> None:
         """Examine one pose of the pieces of a cell."""
         number, _, first, second = key = cells.numbers(row)
         outcome, depth = self.outcomes[number], self.depths(*key)
@@ -194,7 +194,7 @@ class Coaxial:
         self._coaxial = np.array([is_coaxial(joint_path) for joint_path in joint_paths])
         self._profiles: list[dict[int, Array]] = [{} for _ in joint_paths]
 
-    def apart(self, cells: Cells, rows: Indices, path: Sequence[Motion]) -> tuple[Indices, Array]:
+    def apart(self, cells: ProofCells, rows: Indices, path: Sequence[Motion]) -> tuple[Indices, Array]:
         """Return the rows with pieces on one axis, and their gap [m]."""
         leaf = self._nodes.leaf
         on_axis = self._coaxial[cells.joint_path[rows]]
