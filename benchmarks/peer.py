@@ -9,8 +9,7 @@ from pathlib import Path
 from typing import IO, Any
 
 from artgen.errors import ClientError
-from artgen.validate.clients.install import install
-from artgen.validate.clients.install_location import VARIABLE, python_of
+from artgen.validate.clients.install import VARIABLE, install, python_of
 
 ENVIRONMENT = "scene_synthesizer"
 REQUIREMENTS = {ENVIRONMENT: ("scene-synthesizer>=1.15",)}

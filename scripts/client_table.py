@@ -22,10 +22,9 @@ from surveys.pages import escaped
 from artgen import __version__, generate
 from artgen.catalog import categories
 from artgen.export import LAYOUTS
-from artgen.validate.clients.client import Client
 from artgen.validate.clients.exported import read_exported
-from artgen.validate.clients.registry import CLIENTS, chosen_clients
-from artgen.validate.clients.run import ask
+from artgen.validate.clients.registry import CLIENTS, Client, chosen_clients
+from artgen.validate.clients.run import run_client
 
 ROOT = Path(__file__).parents[1]
 SOURCE = ROOT / "src" / "artgen"
@@ -196,7 +195,7 @@ def _results(work: Path, read: Mapping[Task, Sequence[Path]], jobs: int) -> dict
 
     def run(task: Task) -> list[dict[str, Any]]:
         directories = read[task]
-        outcomes = ask(task.client, [read_exported(directory) for directory in directories])
+        outcomes = run_client(task.client, [read_exported(directory) for directory in directories])
         return [
             {**outcome.to_data(), "asset": directory.name, "message": outcome.message}
             for outcome, directory in zip(outcomes, directories, strict=True)
@@ -287,11 +286,9 @@ def _tolerances(results: dict[Task, list[dict[str, Any]]]) -> Iterator[str]:
     yield "| client | must tell | positions, limits [m, rad] | masses, moments, gains, relative |"
     yield "| --- | --- | --- | --- |"
     for client in dict.fromkeys(task.client for task in results):
-        if client.tells:
-            told = ", ".join(client.tells)
-            yield (
-                f"| {client.name} | {told} | {client.length_tolerance:g} | {client.relative_tolerance:g} |"
-            )
+        if client.reports:
+            told = ", ".join(client.reports)
+            yield (f"| {client.name} | {told} | {client.tolerances[0]:g} | {client.tolerances[1]:g} |")
 
 
 def _tolerated(results: dict[Task, list[dict[str, Any]]]) -> Iterator[str]:

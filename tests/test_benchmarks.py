@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from artgen.validate.clients.install_location import python_of
+from artgen.validate.clients.install import python_of
 
 FOLDER = Path(__file__).parent.parent / "benchmarks"
 

@@ -12,7 +12,7 @@ from artgen.asset.report import CheckResult, Finding
 from artgen.commands.validate import validate
 from artgen.errors import ExportError, ParameterError
 from artgen.validate import Examination
-from artgen.validate.clients.outcome import Outcome
+from artgen.validate.clients.run import Outcome
 from support.exports import stand
 
 
@@ -166,11 +166,11 @@ def asked(monkeypatch):
     """Let clients say what a test wants, and remember how they were asked."""
     answers = {"outcomes": [], "calls": []}
 
-    def ask_clients(directory, clients, *, by_name):
+    def run_clients(directory, clients, *, by_name):
         answers["calls"].append((directory, [client.name for client in clients], by_name))
         return answers["outcomes"]
 
-    monkeypatch.setattr("artgen.commands.validate.ask_clients", ask_clients)
+    monkeypatch.setattr("artgen.commands.validate.run_clients", run_clients)
     return answers
 
 

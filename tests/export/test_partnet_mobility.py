@@ -20,11 +20,10 @@ from artgen.errors import ExportError
 from artgen.export import export
 from artgen.export.files import encode
 from artgen.export.layouts.partnet.names import semantic
-from artgen.validate.clients.client import Client
 from artgen.validate.clients.exported import read_exported
-from artgen.validate.clients.install_location import interpreters
-from artgen.validate.clients.registry import SAPIEN
-from artgen.validate.clients.run import ask
+from artgen.validate.clients.install import interpreters
+from artgen.validate.clients.registry import CLIENTS, Client
+from artgen.validate.clients.run import run_client
 from support.exports import edit_text
 from support.partnet import TO_BASE, TO_MESH, pose_errors, robot, table
 from support.textured import recipes, textured
@@ -369,9 +368,9 @@ def test_the_layout_has_urdf_only(cabinet: Asset) -> None:
         encode(cabinet, ["usd"], layout=LAYOUT)
 
 
-@pytest.fixture(scope="module", params=SAPIEN, ids=lambda client: client.name)
+@pytest.fixture(scope="module", params=("sapien", "mani_skill"))
 def client(request: pytest.FixtureRequest) -> Client:
-    result: Client = request.param
+    result = CLIENTS[request.param]
     if not interpreters(result):
         pytest.skip(f"{result.name} is not installed: artgen clients --install {result.name}")
     return result
@@ -381,7 +380,7 @@ def test_sapien_reads_what_the_asset_is(client: Client, tmp_path: Path) -> None:
     assets = [artgen.generate(category, seed=seed, certify=False) for category, seed in REAL]
     assets[1] = assets[1].with_base("free")
     exports = [asset.export(tmp_path / asset.name, layout=LAYOUT, textures=0) for asset in assets]
-    outcomes = ask(client, [read_exported(directory) for directory in exports])
+    outcomes = run_client(client, [read_exported(directory) for directory in exports])
     for asset, outcome in zip(assets, outcomes, strict=True):
         assert outcome.state == "passed", (asset.name, outcome.findings)
         count = sum(len(link.colliders) for link in asset.links)
@@ -402,7 +401,7 @@ def test_sapien_finds_a_wrong_mass_a_wrong_limit_and_a_wrong_axis(client: Client
         exports.append(asset.export(tmp_path / str(number), layout=LAYOUT, textures=0))
         for name in ("mobility.urdf", "mobility_cvx.urdf"):
             edit_text(exports[-1] / name, old, new)
-    outcomes = ask(client, [read_exported(directory) for directory in exports])
+    outcomes = run_client(client, [read_exported(directory) for directory in exports])
     for (_, new, message), outcome in zip(damages, outcomes, strict=True):
         messages = [finding.message for finding in outcome.findings]
         assert outcome.state == "failed", new
@@ -412,8 +411,7 @@ def test_sapien_finds_a_wrong_mass_a_wrong_limit_and_a_wrong_axis(client: Client
 @pytest.mark.parametrize(("seed", "openings"), [(1, 1), (7, 2)])
 def test_mani_skill_opens_a_door_as_a_cabinet(seed: int, openings: int, tmp_path: Path) -> None:
     """Its own code finds the twin in its asset folder, the handle by name, and closed at the lower limit."""
-    (mani_skill,) = [client for client in SAPIEN if client.name == "mani_skill"]
-    programs = interpreters(mani_skill)
+    programs = interpreters(CLIENTS["mani_skill"])
     if not programs:
         pytest.skip("mani_skill is not installed: artgen clients --install mani_skill")
     asset = artgen.generate("door", seed=seed, certify=False)

@@ -11,15 +11,15 @@ from rich.table import Table
 from rich.text import Text
 
 from artgen.errors import ClientError
-from artgen.validate.clients.client import REQUIREMENTS, Client
-from artgen.validate.clients.install import install as install_environment
-from artgen.validate.clients.install_location import (
+from artgen.validate.clients.install import (
+    OWN_PYTHON,
     environments_directory,
     how_to_get,
     installed,
     interpreters,
 )
-from artgen.validate.clients.registry import ALL, CLIENTS, chosen_clients
+from artgen.validate.clients.install import install as install_environment
+from artgen.validate.clients.registry import ALL, CLIENTS, REQUIREMENTS, Client, chosen_clients
 
 _FAULT = 1  # exit code
 _PLAIN_WIDTH = 1000  # columns without a terminal: one line per row
@@ -88,4 +88,4 @@ def _needs_one(client: Client, by_name: bool) -> bool:  # noqa: FBT001 - private
     """Return whether a client needs an environment, because artgen's own does not have it."""
     if client.environment not in REQUIREMENTS:
         return False
-    return by_name or not (client.light and interpreters(None)[0] in interpreters(client))
+    return by_name or not (client.environment == "light" and OWN_PYTHON in interpreters(client))

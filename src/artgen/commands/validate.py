@@ -18,9 +18,8 @@ from artgen.asset.report import CheckResult, Finding, Report
 from artgen.errors import ExportError
 from artgen.export.files import REPORT_FILE
 from artgen.validate import validate as run_checks
-from artgen.validate.clients.outcome import ClientReport, Outcome
 from artgen.validate.clients.registry import ALL, chosen_clients
-from artgen.validate.clients.run import ask_clients
+from artgen.validate.clients.run import ClientReport, Outcome, run_clients
 
 _FAULT = 1  # exit code
 _PLAIN_WIDTH = 1000  # columns without a terminal: one line per row
@@ -66,7 +65,7 @@ def validate(
     for directory in exports_in(directories):
         report = run_checks(directory, behavior=behavior)
         if chosen:
-            outcomes = ask_clients(directory, chosen, by_name=by_name)
+            outcomes = run_clients(directory, chosen, by_name=by_name)
             report = ClientReport(report.asset, report.results, tuple(outcomes))
         reports.append((directory, report))
         if not as_json:

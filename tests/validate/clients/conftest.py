@@ -6,8 +6,8 @@ import textwrap
 import pytest
 
 from artgen.validate.clients import run
-from artgen.validate.clients.client import Client
 from artgen.validate.clients.exported import read_exported
+from artgen.validate.clients.registry import Client
 from support.exports import stand
 
 

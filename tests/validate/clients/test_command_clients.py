@@ -4,8 +4,7 @@ import pytest
 
 from artgen.commands import clients as module
 from artgen.errors import ClientError
-from artgen.validate.clients.client import REQUIREMENTS, Client
-from artgen.validate.clients.registry import CLIENTS
+from artgen.validate.clients.registry import CLIENTS, REQUIREMENTS, Client
 
 
 @pytest.fixture
@@ -45,7 +44,7 @@ def test_named_clients_are_installed(artgen_command, made, tmp_path):
 def test_all_but_those_that_are_artgen_s_own_are_installed_though_one_fails(
     artgen_command, made, monkeypatch
 ):
-    own = Client("own", "urdf", "yourdfpy", "light", "x", light=True)
+    own = Client("own", "urdf", "yourdfpy", "light", "x")
     heavy = [Client("a", "urdf", "urchin", "urchin", "x"), Client("b", "urdf", "nothing", "drake", "x")]
     monkeypatch.setattr(module, "chosen_clients", lambda names: ([own, *heavy], False))
     done = artgen_command("clients", "--install", "all")

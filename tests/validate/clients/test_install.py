@@ -9,16 +9,15 @@ import pytest
 
 from artgen.errors import ClientError
 from artgen.validate.clients import install as module
-from artgen.validate.clients.client import REQUIREMENTS
-from artgen.validate.clients.install import install
-from artgen.validate.clients.install_location import (
+from artgen.validate.clients.install import (
     UNFINISHED,
     environments_directory,
+    install,
     installed,
     interpreters,
     python_of,
 )
-from artgen.validate.clients.registry import CLIENTS
+from artgen.validate.clients.registry import CLIENTS, REQUIREMENTS
 
 
 @pytest.fixture
@@ -160,6 +159,6 @@ def test_every_client_can_be_got_and_has_its_driver():
     for client in CLIENTS.values():
         assert client.environment in REQUIREMENTS or client.obtain, client.name
         assert (drivers / f"{client.driver}.py").is_file(), client.name
-        for each in client.unavoidable:
-            assert each.reason
-            re.compile(each.pattern)
+        for pattern, reason in client.unavoidable:
+            assert reason
+            re.compile(pattern)

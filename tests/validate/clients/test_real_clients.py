@@ -11,7 +11,7 @@ import artgen
 from artgen.export import LAYOUTS
 from artgen.validate.clients.exported import read_exported
 from artgen.validate.clients.registry import CLIENTS
-from artgen.validate.clients.run import ask
+from artgen.validate.clients.run import run_client
 
 SAMPLES = [("door", 3, "fixed", 0), ("handle", 4, "free", 256)]
 
@@ -37,7 +37,7 @@ def test_it_reads_what_is_exported_without_a_word(name, exports):
     readable = [each for each in exports if each.is_read_by(client)]
     if not readable:
         pytest.skip(f"no layout has what {name} reads")
-    outcomes = ask(client, readable)
+    outcomes = run_client(client, readable)
     if all(outcome.state == "absent" for outcome in outcomes):
         pytest.skip(f"{name}: {outcomes[0].message}")
     for outcome, each in zip(outcomes, readable, strict=True):
@@ -66,7 +66,7 @@ def test_it_notices_a_fault(name, fault, directory):
     text, count = re.subn(pattern, instead, path.read_text())
     assert count
     path.write_text(text)
-    (outcome,) = ask(CLIENTS[name], [read_exported(directory)])
+    (outcome,) = run_client(CLIENTS[name], [read_exported(directory)])
     if outcome.state == "absent":
         pytest.skip(f"{name}: {outcome.message}")
     assert outcome.state == "failed"

@@ -1,4 +1,4 @@
-"""An export as input of clients: the request to a client, and the comparison of its answer with the asset."""
+"""Requests to clients about an export, and the comparison of an answer with the asset."""
 
 import json
 import os
@@ -17,7 +17,7 @@ from artgen.asset.files import ASSET_FILE, main_files
 from artgen.asset.joint import DYNAMICS
 from artgen.asset.report import Finding
 from artgen.errors import ExportError
-from artgen.validate.clients.client import Client
+from artgen.validate.clients.registry import Client
 from artgen.validate.readback.compare import Comparison, Expected
 from artgen.validate.readback.reading import Inertial, Reading, Said
 
@@ -54,6 +54,8 @@ class ClientExport:
     def request(self, client: Client) -> dict[str, Any]:
         """Return the request to a client's driver; see `drivers/README.md`."""
         return {
+            "client": client.name,
+            "distribution": client.distribution,
             "file": os.path.abspath(self.mains[client.format]),  # noqa: PTH100 - a link stays a link
             "format": client.format,
             "directory": os.path.abspath(self.directory),  # noqa: PTH100
@@ -66,21 +68,31 @@ class ClientExport:
         }
 
     def _joint(self, joint: AssetJoint) -> dict[str, Any]:
+        copied = (
+            "name",
+            "kind",
+            "damping",
+            "stiffness",
+            "rest",
+            "friction",
+            "armature",
+            "effort",
+            "velocity",
+        )
         return {
-            "name": joint.name,
-            "kind": joint.kind,
+            **{key: getattr(joint, key) for key in copied},
             "limits": None if joint.limits is None else list(joint.limits),
             "follows": None if joint.follows is None else head(joint, self.asset).name,
-            "damping": joint.damping,
-            "stiffness": joint.stiffness,
-            "rest": joint.rest,
-            "friction": joint.friction,
-            "armature": joint.armature,
-            "effort": joint.effort,
-            "velocity": joint.velocity,
             "blocked": self.is_blocked(joint),
-            "mass": _moved_mass(self.asset, joint),
+            "mass": self._moved_mass(joint),
         }
+
+    def _moved_mass(self, joint: AssetJoint) -> float:
+        moved = {joint.child}
+        for parent, child, _ in self.asset.pairs():  # parents come before their children
+            if parent in moved:
+                moved.add(child)
+        return float(sum(self.asset.link(name).mass_properties.mass for name in moved))
 
 
 def read_exported(directory: str | Path) -> ClientExport:
@@ -89,16 +101,8 @@ def read_exported(directory: str | Path) -> ClientExport:
     asset = Asset.load(folder)
     layout = json.loads((folder / ASSET_FILE).read_text(encoding="utf-8")).get("layout", "flat")
     if not isinstance(layout, str):
-        raise ExportError(f"the layout of {folder} is {layout!r}, which is no name; export the asset again")
+        raise ExportError(f"the layout of {folder} is {layout!r}, but must be a name; export the asset again")
     return ClientExport(folder, asset, layout, main_files(folder))
-
-
-def _moved_mass(asset: Asset, joint: AssetJoint) -> float:
-    moved = {joint.child}
-    for parent, child, _ in asset.pairs():  # parents come before their children
-        if parent in moved:
-            moved.add(child)
-    return float(sum(asset.link(name).mass_properties.mass for name in moved))
 
 
 _REQUIRED = {"links": ("mass", "center", "inertia"), "joints": ("kind", "limits")}
@@ -110,61 +114,49 @@ _UNLIMITED = 1.0  # distance that an unlimited joint is driven [rad or m]
 
 def differences(client: Client, exported: ClientExport, answer: Mapping[str, Any]) -> Iterator[Finding]:
     """Yield the differences between a client's answer and the asset, and the missing values."""
-    asset = exported.asset
     yield from _missing(client, exported, answer)
-    told = len(answer.get("poses", ()))
-    complete = told == len(exported.poses())
-    if "poses" in answer and not complete:
-        yield Finding(client.name, f"it tells {told} poses of {len(exported.poses())}")
-    parts = frozenset(part for part in ("links", "joints", "couplings", "poses") if part in answer)
-    reading = _reading(client, exported, answer, parts if complete else parts - {"poses"})
+    parts = {part for part in ("links", "joints", "couplings", "poses") if part in answer}
+    count = len(answer.get("poses", ()))
+    if "poses" in answer and count != len(exported.poses()):
+        yield Finding(client.name, f"its answer has {count} of {len(exported.poses())} poses")
+        parts.remove("poses")
+    reading = _reading(client, exported, answer, frozenset(parts))
     yield from Comparison(
-        client.name,
-        exported.expected,
-        reading,
-        client.format,
-        client.length_tolerance,
-        client.relative_tolerance,
-        hint="",
+        client.name, exported.expected, reading, client.format, *client.tolerances, hint=""
     ).differences()
     if not answer.get("finite", True):
         yield Finding(client.name, "positions become infinite or NaN in simulation")
     for name, span in answer.get("moved", {}).items():
-        yield from _motion(client, asset.joint(name), span)
+        yield from _motion(client, exported.asset.joint(name), span)
 
 
 def _missing(client: Client, exported: ClientExport, answer: Mapping[str, Any]) -> Iterator[Finding]:
-    """Yield the values missing in an answer, in total or for a link or joint.
-
-    A key of `Client.tells` such as `joints.damping` is a quantity of each joint.
-    """
-    whole = [key for key in client.tells if "." not in key]
-    missing = [key for key in whole if key not in answer]
-    if missing:
-        yield Finding(client.name, f"it tells nothing of {', '.join(missing)}")
-    required = {part: list(quantities) for part, quantities in _REQUIRED.items()}
-    for part, _, quantity in (key.partition(".") for key in client.tells if "." in key):
-        required[part].append(quantity)
-    for part, quantities in required.items():
-        for name, read in answer.get(part, {}).items() if part in whole else ():
+    """Yield the values missing in an answer, in total or for a link or joint."""
+    parts = [key for key in client.reports if "." not in key]
+    if missing := [key for key in parts if key not in answer]:
+        yield Finding(client.name, f"its answer lacks {', '.join(missing)}")
+    for part, quantities in _REQUIRED.items():
+        required = [f"{part}.{quantity}" for quantity in quantities] if part in parts else []
+        required += [key for key in client.reports if key.startswith(f"{part}.")]
+        for name, read in answer.get(part, {}).items():
             lost = [
                 quantity
-                for quantity in quantities
-                if quantity not in read and f"{part}.{quantity}" not in client.withholds
+                for key in required
+                if (quantity := key.partition(".")[2]) not in read and key not in client.omits
             ]
             if lost:
                 where = {part.removesuffix("s"): name}
-                yield Finding(client.name, f"it does not tell its {', '.join(lost)}", **where)
-    if "moved" in client.tells and "moved" in answer:
+                yield Finding(client.name, f"its answer lacks {', '.join(lost)}", **where)
+    if "moved" in client.reports and "moved" in answer:
         for joint in exported.asset.free_joints:
             if joint.name not in answer["moved"] and not exported.is_blocked(joint):
                 yield Finding(client.name, "it was not driven in simulation", joint=joint.name)
-    if "steps" in client.tells and not answer.get("steps", 1) > 0:
+    if "steps" in client.reports and not answer.get("steps", 1) > 0:
         yield Finding(client.name, "it simulated no steps")
 
 
 def _reading(
-    client: Client, exported: ClientExport, answer: Mapping[str, Any], told: frozenset[str]
+    client: Client, exported: ClientExport, answer: Mapping[str, Any], parts: frozenset[str]
 ) -> Reading:
     """Return an answer as the values of a reader."""
     asset = exported.asset
@@ -175,7 +167,7 @@ def _reading(
     return Reading(
         exported.mains[client.format].name if client.format in exported.mains else client.name,
         lambda _: {name: _array(frame, 4, 4) for name, frame in next(poses).items()},
-        told=told,
+        told=parts,
         partial=True,
         misplaced=moved_by_several(asset) if client.misplaces else frozenset(),
         inertials={

@@ -1,427 +1,261 @@
-"""All clients: simulators, validators and converters, with their tolerances and known messages."""
+"""Table of clients: simulators, validators and converters that read exported assets; and their packages."""
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Literal
 
 from artgen.errors import ParameterError, nearest
-from artgen.validate.clients.client import MOVED, READ, Client, FormatName, Unavoidable
 
-_LAYOUTS = ("flat", "partnet-mobility")
-_SAPIEN_TELLS = (*READ, *MOVED, "joints.damping")
-
-SAPIEN: tuple[Client, ...] = (
-    Client(
-        name="sapien",
-        format="urdf",
-        distribution="sapien",
-        environment="sapien",
-        driver="sapien_model",
-        layouts=_LAYOUTS,
-        seconds=300.0,
-        length_tolerance=1e-5,
-        relative_tolerance=1e-5,  # single precision
-        tells=_SAPIEN_TELLS,
+REQUIREMENTS: Mapping[str, tuple[str, ...]] = {
+    "bullet": ("pybullet>=3.2.7", "numpy"),
+    "drake": ("drake>=1.51",),
+    "genesis": ("genesis-world>=1.4.5", "torch"),
+    "light": (
+        "mujoco>=4.0",
+        "omniverse-asset-validator>=1.18; python_version < '3.13'",
+        "pin>=4.1",
+        "simready-foundation-tier-core>=2026.8; python_version < '3.13'",
+        "simready-validate>=2026.8; python_version < '3.13'",
+        "usd-core>=26.11",
+        "yourdfpy>=0.0.60",
     ),
-    Client(
-        name="mani_skill",
-        format="urdf",
-        distribution="mani_skill",
-        environment="mani_skill",
-        driver="mani_skill_model",
-        layouts=_LAYOUTS,
-        seconds=300.0,
-        length_tolerance=1e-5,
-        relative_tolerance=1e-5,
-        tells=_SAPIEN_TELLS,
-    ),
-)
-"""Clients that read URDF into SAPIEN's physics."""
+    "mani_skill": ("mani_skill>=3.0.1",),
+    "mjx": ("jax[cpu]", "mujoco-mjx[warp]>=3.17", "mujoco>=4.0"),
+    "newton": ("newton[importers,sim]>=1.8", "trimesh"),
+    "ovphysx": ("newton-usd-schemas", "ovphysx>=0.7", "physx-usd-schemas"),
+    "robosuite": ("robosuite>=1.5",),
+    "sapien": ("pillow", "sapien>=3.0.3"),
+    "urchin": ("urchin>=0.0.30",),
+    "usd_converters": ("mujoco-usd-converter>=0.8", "urdf-usd-converter>=0.3.4"),
+}
+"""Packages in each environment. `artgen[test]` installs those of `light` into artgen's own environment."""
 
 
-_USD = ("flat", "simready")
-
-# USD and these simulators use single precision: seven digits of metres and of sums of a few numbers
-_LENGTH, _RELATIVE = 3e-6, 1e-6
-
-_MAPS = Unavoidable(
-    r"NewtonWarning: (Roughness|Metallic) texture inputs are not yet supported; using scalar fallback\.",
-    "Newton draws roughness and metalness as one number each, and the asset has maps of them",
-)
+Format = Literal["urdf", "mjcf", "usd", "glb"]
 
 
-_TURNED = Unavoidable(
-    r"\[Genesis\] \[.*\] \[WARNING\] Link '.*' has dubious inertia \[.*\] compared to the estimate from "
-    r"geometry \[.*\]\.",
-    "Genesis compares principal moments, as MuJoCo sorts them, with those about the link's axes",
-)
+@dataclass(frozen=True)
+class Client:
+    """A program that reads exported assets, and its driver."""
 
-_MEETING = Unavoidable(
-    r"\[Genesis\] \[.*\] \[WARNING\] Filtered out geometry pairs causing self-collision for the neutral "
-    r"configuration \(qpos0\): .*\. Consider tuning Morph option .*\.",
-    "Genesis looks for parts in each other with voxels wider than the gap between the jaws of pliers",
-)
+    name: str  # identifier, such as `pybullet` or `newton_usd`
+    format: Format  # format that it reads
+    distribution: str  # Python distribution whose version is shown; empty for a system program
+    environment: str  # name of its environment in `REQUIREMENTS`; empty for a system program
+    driver: str  # name of its script in `artgen/validate/clients/drivers`, which runs in that environment
+    layouts: tuple[str, ...] = ("flat",)  # layouts of exports that it reads
+    # required keys of its answer, such as `links`, or `joints.damping` for a quantity of each joint: without
+    # them, a reader that stops reporting something would pass
+    reports: tuple[str, ...] = ()
+    omits: tuple[str, ...] = ()  # required keys that it cannot report, such as `joints.kind`
+    # tolerance of link positions and limits [m or rad], and relative tolerance of masses, moments and gains
+    tolerances: tuple[float, float] = (1e-6, 1e-6)
+    seconds: float = 120.0  # time limit for one asset [s]
+    # messages that are not faults: regular expressions that match a whole line of its output, and reasons why
+    # no asset can avoid them
+    unavoidable: tuple[tuple[str, str], ...] = ()
+    obtain: str = ""  # how to obtain it if no environment of artgen has it
+    misplaces: bool = False  # whether it always misplaces links with several joints
 
-
-def _newton(form: FormatName, *layouts: str) -> Client:
-    return Client(
-        f"newton_{form}",
-        form,
-        "newton",
-        "newton",
-        "newton_model",
-        layouts=layouts,
-        seconds=300.0,  # its first run on a machine compiles kernels
-        length_tolerance=_LENGTH,
-        relative_tolerance=_RELATIVE,
-        unavoidable=(_MAPS,),
-        tells=(*READ, "couplings", *MOVED),
-    )
-
-
-def _genesis(form: FormatName) -> Client:
-    return Client(
-        f"genesis_{form}",
-        form,
-        "genesis-world",
-        "genesis",
-        "genesis_model",
-        seconds=900.0,  # its first run on a machine compiles kernels for seven minutes
-        length_tolerance=_LENGTH,
-        relative_tolerance=_RELATIVE,
-        unavoidable=(
-            Unavoidable(
-                r"\[W .*\] \[frontend_ir\.cpp:.*\] qd\.loop_config\(serialize=True\) does not have effect .*",
-                "Genesis says so of its own kernels while it compiles them",
-            ),
-            _TURNED,
-            *((_MEETING,) if form == "urdf" else ()),
-        ),
-        tells=(*READ, "couplings", *MOVED),
-    )
-
-
-_OVPHYSX = Client(
-    "ovphysx",
-    "usd",
-    "ovphysx",
-    "ovphysx",
-    "physx_model",
-    layouts=_USD,
-    seconds=300.0,  # dials that have to be pushed before they turn are tested in many poses
-    length_tolerance=_LENGTH,
-    relative_tolerance=_RELATIVE,
-    unavoidable=(
-        Unavoidable(
-            r"\[Warning\] \[omni\.physx\] GPU broadphase requires a CUDA context manager; .*",
-            "PhysX says so of every stage that leaves the choice of a processor to its user",
-        ),
-        Unavoidable(
-            r"\[Warning\] \[\] PhysX warning: Cooking::cookConvexMesh: GPU-compatible convex hull could not "
-            r"be built because of oblong shape\..*",
-            "a convex piece is more than a hundred times as long as its insphere's radius, as a moulding "
-            "along a door frame is; PhysX collides such pieces on the processor, also in GPU simulation",
-        ),
-        Unavoidable(
-            r"\[Warning\] \[\] ConvexMeshCookingTask: failed to cook GPU-compatible mesh, .*",
-            "it follows the message about an oblong shape",
-        ),
-    ),
-    tells=(*READ, *MOVED, "joints.stiffness", "joints.damping"),
-    withholds=("joints.kind",),  # wrong values show in the poses
-)
-
-_VALIDATORS = (
-    Client(
-        "usd_validation",
-        "usd",
-        "usd-core",
-        "light",
-        "usd_validation",
-        layouts=_USD,
-        unavoidable=(
-            Unavoidable(
-                r"MissingShaderIdInRegistry: shaderId 'ND_\w+' .*",
-                "PyPI's usd-core comes without MaterialX, in whose nodes OpenPBR materials are written",
-            ),
-        ),
-        light=True,
-    ),
-    Client(
-        "omniverse_asset_validator",
-        "usd",
-        "omniverse-asset-validator",
-        "light",
-        "omniverse",
-        layouts=_USD,
-        light=True,
-    ),
-    Client(
-        "simready_validate",
-        "usd",
-        "simready-validate",
-        "light",
-        "simready_profile",
-        layouts=("simready",),
-        unavoidable=(
-            Unavoidable(
-                r"(WARNING:root:)?(DeprecationWarning: Use find\(\) instead|File .*, in validate_stage)",
-                "simready-validate calls its own engine in a way that is deprecated",
-            ),
-        ),
-        light=True,
-    ),
-    Client(
-        "gltf_validator",
-        "glb",
-        "",
-        "",
-        "gltf",
-        light=True,
-        obtain="install node, and run `npm install --global gltf-validator` or name its node_modules in "
-        "ARTGEN_NODE_MODULES",
-    ),
-)
-
-_DEPRECATED = Unavoidable(
-    r"\[Warning\] \[usdex\.core\.deprecation\] .* was deprecated .*",
-    "the converter calls usd-exchange in a way that is deprecated",
-)
-_CONVERTERS = (
-    Client(
-        "mujoco_usd_converter",
-        "mjcf",
-        "mujoco-usd-converter",
-        "usd_converters",
-        "usd_converters",
-        layouts=("flat",),
-        unavoidable=(
-            _DEPRECATED,
-            Unavoidable(
-                r"\[Warning\] \[mujoco_usd_converter\._impl\.material\.convert_material\] "
-                r"Unsupported texture layers for material '.*'",
-                "the material has maps, but none of color, which is all that the converter knows",
-            ),
-        ),
-        tells=(*READ, "couplings"),
-    ),
-    Client(
-        "urdf_usd_converter",
-        "urdf",
-        "urdf-usd-converter",
-        "usd_converters",
-        "usd_converters",
-        layouts=("flat",),
-        unavoidable=(_DEPRECATED,),
-        tells=(*READ, "couplings"),
-    ),
-)
-
-USD: tuple[Client, ...] = (
-    _OVPHYSX,
-    _newton("usd", *_USD),
-    _newton("mjcf", "flat"),
-    _newton("urdf", "flat"),
-    _genesis("mjcf"),
-    _genesis("urdf"),
-    *_VALIDATORS,
-    *_CONVERTERS,
-)
-"""In the order of the table."""
-
-
-_DAMPED = "joints.damping"
-_RUBBED = (_DAMPED, "joints.friction")
-
-
-def _drake(message: str, reason: str) -> Unavoidable:
-    return Unavoidable(rf"WARNING:drake:.*: (warning|error): {message}", reason)
-
-
-_DRAKE_URDF = (
-    _drake(
-        r"A joint has specified a non-zero value for the 'friction' attribute of a joint/dynamics tag\. .*",
-        "Drake has no dry friction of joints, which the asset has",
-    ),
-    _drake(
-        r"visual name '.*' has already been used, renaming to '.*' instead",
-        "in PartNet-Mobility all visuals of a part bear its name, which loaders look for",
-    ),
-)
-_DRAKE_MJCF = (
-    _drake(
-        r"The attribute '(frictionloss|stiffness|springref|actuatorfrcrange)' found in a 'joint' tag is "
-        r"currently unsupported and will be ignored\.",
-        "Drake's reader of MJCF knows no friction, spring and largest effort of a joint, which the asset has",
-    ),
-    _drake(
-        r"The tag 'joint' found as a child of 'equality' is currently unsupported and will be ignored\.",
-        "Drake's reader of MJCF knows no coupling of joints, which the asset has",
-    ),
-    _drake(
-        r"The tag 'site' found as a child of 'body' is currently unsupported and will be ignored\.",
-        "Drake's reader of MJCF knows no sites, which mark grasps and pushes",
-    ),
-    _drake(
-        r"The texture element is not supported, .*",
-        "Drake's reader of MJCF knows no textures",
-    ),
-)
-
-URDF: tuple[Client, ...] = (
-    Client(
-        "mujoco",
-        "mjcf",
-        "mujoco",
-        "light",
-        "mujoco_model",
-        layouts=("flat", "robocasa"),
-        light=True,
-        tells=(*READ, "couplings", *MOVED, *_RUBBED, "joints.stiffness", "joints.armature"),
-    ),
-    Client(
-        "mujoco_urdf",
-        "urdf",
-        "mujoco",
-        "light",
-        "mujoco_model",
-        light=True,
-        tells=(*READ, *MOVED, *_RUBBED),
-    ),
-    Client(
-        "pinocchio",
-        "urdf",
-        "pin",
-        "light",
-        "pinocchio_model",
-        layouts=("flat", "partnet-mobility"),
-        light=True,
-        tells=(*READ, *_RUBBED),
-    ),
-    Client(
-        "yourdfpy",
-        "urdf",
-        "yourdfpy",
-        "light",
-        "yourdfpy_model",
-        layouts=("flat", "partnet-mobility"),
-        light=True,
-        tells=(*READ, *_RUBBED),
-    ),
-    Client(
-        "check_urdf",
-        "urdf",
-        "",
-        "",
-        "check_urdf",
-        layouts=("flat", "partnet-mobility"),
-        light=True,
-        obtain="install liburdfdom-tools by apt, or pin by pip, which brings it",
-    ),
-    Client(
-        "urchin",
-        "urdf",
-        "urchin",
-        "urchin",
-        "urchin_model",
-        layouts=("flat", "partnet-mobility"),
-        tells=(*READ, *_RUBBED),
-    ),
-    Client(
-        "pybullet",
-        "urdf",
-        "pybullet",
-        "bullet",
-        "bullet",
-        layouts=("flat", "partnet-mobility"),
-        tells=(*READ, *MOVED, *_RUBBED),
-        unavoidable=(Unavoidable("pybullet build time: .*", "it says so whenever it is imported"),),
-    ),
-    Client(
-        "drake_urdf",
-        "urdf",
-        "drake",
-        "drake",
-        "drake",
-        layouts=("flat", "partnet-mobility"),
-        tells=(*READ, *MOVED, _DAMPED),
-        unavoidable=_DRAKE_URDF,
-    ),
-    Client(
-        "drake_mjcf",
-        "mjcf",
-        "drake",
-        "drake",
-        "drake",
-        tells=(*READ, *MOVED, _DAMPED),
-        unavoidable=_DRAKE_MJCF,
-        misplaces=True,  # it turns such a body about the origin of its parent
-    ),
-)
-"""In the order of the table."""
-
-
-_SINGLE = 1e-5  # precision of single-precision numbers
-_GAINS = ("joints.damping", "joints.friction", "joints.stiffness", "joints.armature")
-_TELLS = (*READ, "couplings", "steps", *_GAINS)
-_ADVICE = "advice on the installation of robosuite, whatever is loaded"
-
-ROBOSUITE: tuple[Client, ...] = (
-    Client(
-        name="robosuite",
-        format="mjcf",
-        distribution="robosuite",
-        environment="robosuite",
-        driver="robosuite_model",
-        layouts=("robocasa",),
-        tells=(*_TELLS, "moved"),
-        unavoidable=(
-            Unavoidable(r"\[robosuite WARNING\] No private macro file found!.*", _ADVICE),
-            Unavoidable(r"\[robosuite WARNING\] It is recommended to use a private macro file.*", _ADVICE),
-            Unavoidable(r"\[robosuite WARNING\] To setup, run: python .*setup_macros\.py.*", _ADVICE),
-            Unavoidable(r"\[robosuite WARNING\] Could not import robosuite_models\..*", _ADVICE),
-            Unavoidable(r"\[robosuite WARNING\] Could not load the mink-based whole-body IK\..*", _ADVICE),
-        ),
-    ),
-    Client(
-        name="mjx",
-        format="mjcf",
-        distribution="mujoco-mjx",
-        environment="mjx",
-        driver="mjx_model",
-        seconds=600.0,  # it compiles each model again
-        tells=_TELLS,
-        unavoidable=(
-            Unavoidable(
-                r"Failed to import (warp|mujoco_warp): .*",
-                "MJX says so wherever the optional Warp is missing",
-            ),
-        ),
-        length_tolerance=_SINGLE,
-        relative_tolerance=_SINGLE,
-    ),
-    Client(
-        name="mujoco_warp",
-        format="mjcf",
-        distribution="mujoco-warp",
-        environment="newton",
-        driver="mujoco_warp_model",
-        seconds=600.0,  # its first run on a machine compiles kernels
-        tells=_TELLS,
-        length_tolerance=_SINGLE,
-        relative_tolerance=_SINGLE,
-    ),
-)
-"""Clients that read MJCF, except for MuJoCo itself."""
-
-
-CLIENTS: Mapping[str, Client] = {client.name: client for client in (*URDF, *SAPIEN, *ROBOSUITE, *USD)}
-"""Every client by its name."""
 
 ALL = "all"
 """Name that selects all clients."""
 
+_FLAT, _PARTNET, _SIMREADY = ("flat",), ("flat", "partnet-mobility"), ("flat", "simready")
+
+_READ = ("links", "joints", "poses")
+_FRICTION = ("joints.damping", "joints.friction")
+_GAINS = (*_FRICTION, "joints.stiffness", "joints.armature")
+_READ_FRICTION = (*_READ, *_FRICTION)
+_MOVED = (*_READ, "moved", "steps", "finite")
+_MOVED_FRICTION = (*_MOVED, *_FRICTION)
+_MOVED_DAMPING = (*_MOVED, "joints.damping")
+_MOVED_SPRINGS = (*_MOVED, "joints.stiffness", "joints.damping")
+_MOVED_COUPLINGS = (*_READ, "couplings", "moved", "steps", "finite")
+_MOVED_GAINS = (*_MOVED_COUPLINGS, *_GAINS)
+_CONVERTED = (*_READ, "couplings")
+_STEPPED = (*_READ, "couplings", "steps", *_GAINS)
+
+# name, format, distribution, environment, driver, layouts, reports
+_TABLE: tuple[tuple[str, Format, str, str, str, tuple[str, ...], tuple[str, ...]], ...] = (
+    ("mujoco", "mjcf", "mujoco", "light", "mujoco_model", ("flat", "robocasa"), _MOVED_GAINS),
+    ("mujoco_urdf", "urdf", "mujoco", "light", "mujoco_model", _FLAT, _MOVED_FRICTION),
+    ("pinocchio", "urdf", "pin", "light", "pinocchio_model", _PARTNET, _READ_FRICTION),
+    ("yourdfpy", "urdf", "yourdfpy", "light", "urdf_readers", _PARTNET, _READ_FRICTION),
+    ("check_urdf", "urdf", "", "", "check_urdf", _PARTNET, ()),
+    ("urchin", "urdf", "urchin", "urchin", "urdf_readers", _PARTNET, _READ_FRICTION),
+    ("pybullet", "urdf", "pybullet", "bullet", "bullet", _PARTNET, _MOVED_FRICTION),
+    ("drake_urdf", "urdf", "drake", "drake", "drake", _PARTNET, _MOVED_DAMPING),
+    ("drake_mjcf", "mjcf", "drake", "drake", "drake", _FLAT, _MOVED_DAMPING),
+    ("sapien", "urdf", "sapien", "sapien", "sapien_model", _PARTNET, _MOVED_DAMPING),
+    ("mani_skill", "urdf", "mani_skill", "mani_skill", "mani_skill_model", _PARTNET, _MOVED_DAMPING),
+    ("robosuite", "mjcf", "robosuite", "robosuite", "robosuite_model", ("robocasa",), (*_STEPPED, "moved")),
+    ("mjx", "mjcf", "mujoco-mjx", "mjx", "mjx_model", _FLAT, _STEPPED),
+    ("mujoco_warp", "mjcf", "mujoco-warp", "newton", "mujoco_warp_model", _FLAT, _STEPPED),
+    ("ovphysx", "usd", "ovphysx", "ovphysx", "physx_model", _SIMREADY, _MOVED_SPRINGS),
+    ("newton_usd", "usd", "newton", "newton", "newton_model", _SIMREADY, _MOVED_COUPLINGS),
+    ("newton_mjcf", "mjcf", "newton", "newton", "newton_model", _FLAT, _MOVED_COUPLINGS),
+    ("newton_urdf", "urdf", "newton", "newton", "newton_model", _FLAT, _MOVED_COUPLINGS),
+    ("genesis_mjcf", "mjcf", "genesis-world", "genesis", "genesis_model", _FLAT, _MOVED_COUPLINGS),
+    ("genesis_urdf", "urdf", "genesis-world", "genesis", "genesis_model", _FLAT, _MOVED_COUPLINGS),
+    ("usd_validation", "usd", "usd-core", "light", "usd_validation", _SIMREADY, ()),
+    ("omniverse_asset_validator", "usd", "omniverse-asset-validator", "light", "nvidia_usd", _SIMREADY, ()),
+    ("simready_validate", "usd", "simready-validate", "light", "nvidia_usd", ("simready",), ()),
+    ("gltf_validator", "glb", "", "", "gltf", _FLAT, ()),
+    (
+        "mujoco_usd_converter",
+        "mjcf",
+        "mujoco-usd-converter",
+        "usd_converters",
+        "converters",
+        _FLAT,
+        _CONVERTED,
+    ),
+    ("urdf_usd_converter", "urdf", "urdf-usd-converter", "usd_converters", "converters", _FLAT, _CONVERTED),
+)
+
+_SINGLE = (1e-5, 1e-5)  # single precision
+_DIGITS = (3e-6, 1e-6)  # single precision: seven digits of metres and of sums of a few numbers
+_TOLERANCES = {
+    **dict.fromkeys(("sapien", "mani_skill", "mjx", "mujoco_warp"), _SINGLE),
+    **dict.fromkeys(("ovphysx", "newton_usd", "newton_mjcf", "newton_urdf"), _DIGITS),
+    **dict.fromkeys(("genesis_mjcf", "genesis_urdf"), _DIGITS),
+}
+
+_SECONDS = {
+    **dict.fromkeys(("sapien", "mani_skill"), 300.0),
+    # their first run on a machine compiles kernels; MJX compiles each model
+    **dict.fromkeys(("newton_usd", "newton_mjcf", "newton_urdf"), 300.0),
+    **dict.fromkeys(("mjx", "mujoco_warp"), 600.0),
+    **dict.fromkeys(("genesis_mjcf", "genesis_urdf"), 900.0),
+    "ovphysx": 300.0,  # dials that must be pushed before they turn are driven in many poses
+}
+
+_OBTAIN = {
+    "check_urdf": "install liburdfdom-tools by apt, or pin by pip, which brings it",
+    "gltf_validator": "install node, and run `npm install --global gltf-validator` or name its node_modules "
+    "in ARTGEN_NODE_MODULES",
+}
+
+_NEWTON = {
+    r"NewtonWarning: (Roughness|Metallic) texture inputs are not yet supported; using scalar fallback\.": (
+        "Newton draws roughness and metalness as one number each, and the asset has maps of them"
+    ),
+}
+_GENESIS = {
+    r"\[W .*\] \[frontend_ir\.cpp:.*\] qd\.loop_config\(serialize=True\) does not have effect .*": (
+        "Genesis prints this about its own kernels while it compiles them"
+    ),
+    r"\[Genesis\] \[.*\] \[WARNING\] Link '.*' has dubious inertia \[.*\] compared to the estimate from "
+    r"geometry \[.*\]\.": (
+        "Genesis compares principal moments, as MuJoCo sorts them, with those about the link's axes"
+    ),
+}
+_USDEX = {
+    r"\[Warning\] \[usdex\.core\.deprecation\] .* was deprecated .*": (
+        "the converter calls usd-exchange in a deprecated way"
+    ),
+}
+_DRAKE = r"WARNING:drake:.*: (warning|error): "
+_ROBOSUITE = r"\[robosuite WARNING\] "
+_ADVICE = "advice on the installation of robosuite, for every model"
+
+MACHINE = {
+    r"Warp CUDA warning: Could not find or load the NVIDIA CUDA driver\..*": (
+        "Warp prints this on every machine without a GPU"
+    ),
+}
+"""Messages of any client about the machine instead of the asset: patterns, and reasons."""
+
+_UNAVOIDABLE: Mapping[str, Mapping[str, str]] = {
+    "pybullet": {"pybullet build time: .*": "it prints this at every import"},
+    "drake_urdf": {
+        rf"{_DRAKE}A joint has specified a non-zero value for the 'friction' attribute of a "
+        r"joint/dynamics tag\. .*": "Drake has no dry friction of joints, which the asset has",
+        rf"{_DRAKE}visual name '.*' has already been used, renaming to '.*' instead": (
+            "in PartNet-Mobility, all visuals of a part have its name, which loaders look up"
+        ),
+    },
+    "drake_mjcf": {
+        rf"{_DRAKE}The attribute '(frictionloss|stiffness|springref|actuatorfrcrange)' found in a 'joint' "
+        r"tag is currently unsupported and will be ignored\.": (
+            "Drake's MJCF reader supports no friction, spring and effort limit of joints, which the asset has"
+        ),
+        rf"{_DRAKE}The tag 'joint' found as a child of 'equality' is currently unsupported and will be "
+        r"ignored\.": "Drake's MJCF reader supports no coupling of joints, which the asset has",
+        rf"{_DRAKE}The tag 'site' found as a child of 'body' is currently unsupported and will be "
+        r"ignored\.": "Drake's MJCF reader supports no sites, which mark grasps and pushes",
+        rf"{_DRAKE}The texture element is not supported, .*": "Drake's MJCF reader supports no textures",
+    },
+    "robosuite": {
+        rf"{_ROBOSUITE}No private macro file found!.*": _ADVICE,
+        rf"{_ROBOSUITE}It is recommended to use a private macro file.*": _ADVICE,
+        rf"{_ROBOSUITE}To setup, run: python .*setup_macros\.py.*": _ADVICE,
+        rf"{_ROBOSUITE}Could not import robosuite_models\..*": _ADVICE,
+        rf"{_ROBOSUITE}Could not load the mink-based whole-body IK\..*": _ADVICE,
+    },
+    "mjx": {r"Failed to import (warp|mujoco_warp): .*": "MJX prints this if the optional Warp is missing"},
+    "ovphysx": {
+        r"\[Warning\] \[omni\.physx\] GPU broadphase requires a CUDA context manager; .*": (
+            "PhysX prints this for every stage that leaves the choice of a processor to its user"
+        ),
+        r"\[Warning\] \[\] PhysX warning: Cooking::cookConvexMesh: GPU-compatible convex hull could not be "
+        r"built because of oblong shape\..*": (
+            "a convex piece is more than a hundred times as long as its insphere's radius, as a moulding "
+            "along a door frame is; PhysX collides such pieces on the processor, also in GPU simulation"
+        ),
+        r"\[Warning\] \[\] ConvexMeshCookingTask: failed to cook GPU-compatible mesh, .*": (
+            "it follows the message about an oblong shape"
+        ),
+    },
+    "newton_usd": _NEWTON,
+    "newton_mjcf": _NEWTON,
+    "newton_urdf": _NEWTON,
+    "genesis_mjcf": _GENESIS,
+    "genesis_urdf": {
+        **_GENESIS,
+        r"\[Genesis\] \[.*\] \[WARNING\] Filtered out geometry pairs causing self-collision for the neutral "
+        r"configuration \(qpos0\): .*\. Consider tuning Morph option .*\.": (
+            "Genesis searches for overlapping parts with voxels wider than the gap between the jaws of pliers"
+        ),
+    },
+    "usd_validation": {
+        r"MissingShaderIdInRegistry: shaderId 'ND_\w+' .*": (
+            "PyPI's usd-core comes without MaterialX, whose nodes OpenPBR materials use"
+        ),
+    },
+    "simready_validate": {
+        r"(WARNING:root:)?(DeprecationWarning: Use find\(\) instead|File .*, in validate_stage)": (
+            "simready-validate calls its own engine in a deprecated way"
+        ),
+    },
+    "mujoco_usd_converter": {
+        **_USDEX,
+        r"\[Warning\] \[mujoco_usd_converter\._impl\.material\.convert_material\] Unsupported texture layers "
+        r"for material '.*'": (
+            "the material has maps, but none of color, and the converter supports maps of color only"
+        ),
+    },
+    "urdf_usd_converter": _USDEX,
+}
+
+CLIENTS: Mapping[str, Client] = {
+    row[0]: Client(
+        *row,
+        tolerances=_TOLERANCES.get(row[0], (1e-6, 1e-6)),
+        seconds=_SECONDS.get(row[0], 120.0),
+        unavoidable=tuple(_UNAVOIDABLE.get(row[0], {}).items()),
+        obtain=_OBTAIN.get(row[0], ""),
+        omits=("joints.kind",) if row[0] == "ovphysx" else (),  # a wrong kind shows in the poses
+        misplaces=row[0] == "drake_mjcf",  # it turns such a body about the origin of its parent
+    )
+    for row in _TABLE
+}
+"""Every client by its name."""
+
 
 def chosen_clients(names: str) -> tuple[Sequence[Client], bool]:
-    """Return the clients in a text such as `all` or `pybullet,drake_urdf`, each once."""
+    """Return the clients in a text such as `all` or `pybullet,drake_urdf`, each once, and whether by name."""
     words = list(dict.fromkeys(word for part in names.split(",") if (word := part.strip())))
     if not words:
         raise ParameterError(f"{names!r} names no client; give {ALL!r} or some of: {', '.join(CLIENTS)}")

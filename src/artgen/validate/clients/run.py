@@ -1,29 +1,157 @@
-"""Running of clients on an export, each in its own process with a time limit."""
+"""Running of clients on an export, each in its own process with a time limit, and their outcomes."""
 
 import json
 import os
+import re
 import signal
 import subprocess
 import tempfile
 import threading
 import time
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
-from dataclasses import dataclass, field, replace
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
-from typing import IO, Any
+from typing import IO, Any, Literal
 
-from artgen.asset.report import Finding
+from artgen.asset.report import Finding, Report
 from artgen.errors import ArtgenError
-from artgen.validate.clients.client import Client
 from artgen.validate.clients.exported import ClientExport, differences, read_exported
-from artgen.validate.clients.install_location import how_to_get, interpreters
-from artgen.validate.clients.outcome import Outcome, State, Tolerated, joined_lines, sorted_messages
+from artgen.validate.clients.install import OWN_PYTHON, how_to_get, interpreters
+from artgen.validate.clients.registry import MACHINE, Client
 
-_KEPT = 400_000  # most bytes of output that are kept
+DRIVERS = Path(__file__).parent / "drivers"
+"""Folder of the drivers."""
+
+_MOST_OUTPUT = 400_000  # most bytes of output that are read
 _RUNNING: "set[subprocess.Popen[bytes]]" = set()
 _PATIENCE = 5.0  # time to wait for output after the group was killed [s]
+_GLANCE = 0.1  # interval between two checks for stopped programs [s]
+_AFTER = 30.0  # time after the limit at which the alarm rings [s]
+_ABSENT = 3  # exit code of a driver whose client is missing
+_SHOWN = 5  # most messages of one client
+# The folder of the drivers comes last, because `newton.py` there must not hide the package. The alarm ends a
+# driver whose parent was killed first.
+_START = (
+    "import os, runpy, signal, sys; getattr(signal, 'alarm', int)(int(sys.argv[1])); "
+    "sys.argv = sys.argv[2:]; sys.path[0] = os.path.dirname(sys.argv[0]); sys.path.append(sys.path.pop(0)); "
+    "runpy.run_path(sys.argv[0], run_name='__main__')"
+)
+
+State = Literal["passed", "failed", "timed out", "absent", "nothing to read"]
+_UNREAD = ("absent", "nothing to read")
+
+
+@dataclass(frozen=True)
+class Tolerated:
+    """Messages of a client that are not faults."""
+
+    message: str  # first of these messages
+    count: int  # number of these messages
+    reason: str  # reason why no asset can avoid it
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """The result of a client for an export."""
+
+    client: str  # name of the client
+    format: str  # format that it reads
+    version: str  # the client's version; empty if it is absent
+    state: State  # only `passed` is a pass
+    findings: tuple[Finding, ...] = ()  # faults, or how to get an absent client
+    note: str = ""  # short note about the client or its answer
+    seconds: float = 0.0  # duration [s]
+    tolerated: tuple[Tolerated, ...] = ()  # messages that are not faults
+
+    @property
+    def fault(self) -> bool:
+        """Whether there is a fault."""
+        return any(finding.severity == "fault" for finding in self.findings)
+
+    @property
+    def message(self) -> str:
+        """The first fault, or the first note."""
+        faults = [finding for finding in self.findings if finding.severity == "fault"]
+        return next((str(finding) for finding in (*faults, *self.findings)), self.note)
+
+    def to_data(self) -> dict[str, Any]:
+        """Return the outcome as JSON data."""
+        return {
+            "client": self.client,
+            "format": self.format,
+            "version": self.version,
+            "state": self.state,
+            "note": self.note,
+            "seconds": round(self.seconds, 1),
+            "findings": [finding.to_data() for finding in self.findings],
+            "tolerated": [asdict(each) for each in self.tolerated],
+        }
+
+
+@dataclass(frozen=True)
+class ClientReport(Report):
+    """Results of all checks and several clients for one asset."""
+
+    outcomes: tuple[Outcome, ...] = ()  # one for each client
+
+    @property
+    def passed(self) -> bool:
+        """Whether neither a check nor a client found a fault."""
+        return super().passed and not any(outcome.fault for outcome in self.outcomes)
+
+    def __str__(self) -> str:
+        """Return one line for each check and client, and one line for each finding."""
+        lines = [super().__str__()]
+        for outcome in self.outcomes:
+            name = f"{outcome.client} {outcome.version}".strip()
+            lines.append(f"{name}: {outcome.state}" + (f" ({outcome.note})" if outcome.note else ""))
+            lines += [f"  {finding.severity}: {finding}" for finding in outcome.findings]
+        return "\n".join(lines)
+
+    def to_data(self) -> dict[str, Any]:
+        """Return the report as JSON data."""
+        return {**super().to_data(), "clients": [outcome.to_data() for outcome in self.outcomes]}
+
+
+_COLORS = re.compile(r"\x1b(\[[0-?]*[ -/]*[@-~]|\][^\x07\x1b]*(\x07|\x1b\\)|[@-Z\\^_])")
+_SERIOUS = re.compile(
+    r"\b(error|warning|failed|failure|fatal|invalid|cannot|could not|unable to|not found)\b(?!\()",
+    re.IGNORECASE,
+)
+
+
+def joined_lines(output: str) -> list[str]:
+    """Return the messages of an output; an indented line belongs to the message before it."""
+    result: list[str] = []
+    for line in _COLORS.sub("", output).replace("\r", "\n").splitlines():
+        if line[:1].isspace() and line.strip() and result:
+            result[-1] += "\n" + line.strip()
+        elif line.strip():
+            result.append(line.strip())
+    return result
+
+
+def sorted_messages(client: Client, messages: Sequence[str]) -> tuple[tuple[str, ...], tuple[Tolerated, ...]]:
+    """Return the messages that are faults, and those that no asset can avoid.
+
+    A pattern has to match the whole message or its beginning; the rest, such as a line of source code, must
+    not mention an error.
+    """
+    faults: list[str] = []
+    tolerated: dict[str, Tolerated] = {}
+    for text in messages:
+        line = " ".join(text.split())
+        for pattern, reason in (*client.unavoidable, *MACHINE.items()):
+            found = re.match(rf"(?:{pattern})(?P<rest>(?:\s[\s\S]*)?)\Z", text)
+            if found and not _SERIOUS.search(found["rest"]):
+                known = tolerated.get(pattern, Tolerated(line, 0, reason))
+                tolerated[pattern] = replace(known, count=known.count + 1)
+                break
+        else:
+            faults.append(line)
+    return tuple(faults), tuple(tolerated.values())
 
 
 @dataclass(frozen=True)
@@ -62,8 +190,8 @@ def run_process(
     )
     _RUNNING.add(process)
     assert process.stdout is not None
-    kept = bytearray()
-    reader = threading.Thread(target=_read, args=(process.stdout, kept), daemon=True)
+    output = bytearray()
+    reader = threading.Thread(target=_read, args=(process.stdout, output), daemon=True)
     reader.start()
     timed_out = False
     try:
@@ -76,20 +204,20 @@ def run_process(
         process.wait()
         _RUNNING.discard(process)
         reader.join(_PATIENCE)
-    return Finished(process.returncode, bytes(kept).decode(errors="replace"), taken, timed_out)
+    return Finished(process.returncode, bytes(output).decode(errors="replace"), taken, timed_out)
+
+
+def _read(stream: IO[bytes], output: bytearray) -> None:
+    """Read a stream to its end, so that the writer never blocks, and store the first part."""
+    with stream:
+        while chunk := stream.read1(65536):  # type: ignore[attr-defined]
+            output += chunk[: _MOST_OUTPUT - len(output)]
 
 
 def stop_running() -> None:
     """Kill all programs that `run_process` runs in any thread."""
     for process in tuple(_RUNNING):
         _kill_group(process)
-
-
-def _read(stream: IO[bytes], kept: bytearray) -> None:
-    """Read a stream to its end, so that the writer never blocks, and keep the first part."""
-    with stream:
-        while chunk := stream.read1(65536):  # type: ignore[attr-defined]
-            kept += chunk[: _KEPT - len(kept)]
 
 
 def _kill_group(process: "subprocess.Popen[bytes]") -> None:
@@ -101,27 +229,36 @@ def _kill_group(process: "subprocess.Popen[bytes]") -> None:
         process.kill()
 
 
-DRIVERS = Path(__file__).parent / "drivers"
-"""Folder of the drivers."""
+def run_clients(directory: str | Path, clients: Sequence[Client], *, by_name: bool) -> list[Outcome]:
+    """Return the results of clients for an export, in their order.
 
-_ABSENT = 3  # exit code of a driver whose client is missing
-_SHOWN = 5  # most messages of one client
-# The folder of the drivers comes last, because `newton.py` there must not hide the package. The alarm ends a
-# driver whose parent was killed first.
-_START = (
-    "import os, runpy, signal, sys; getattr(signal, 'alarm', int)(int(sys.argv[1])); "
-    "sys.argv = sys.argv[2:]; sys.path[0] = os.path.dirname(sys.argv[0]); sys.path.append(sys.path.pop(0)); "
-    "runpy.run_path(sys.argv[0], run_name='__main__')"
-)
-_GLANCE = 0.1  # interval between two checks for stopped programs [s]
-_AFTER = 30.0  # time after the limit at which the alarm rings [s]
+    An absent client is a fault if the clients were requested by name, or if no client read the export.
+    """
+    try:
+        exported = read_exported(directory)
+    except ArtgenError as error:
+        return [
+            Outcome(client.name, client.format, "", "failed", (Finding(client.name, str(error)),))
+            for client in clients
+        ]
+    readers = [client for client in clients if exported.is_read_by(client)]
+    outcomes = run_all(clients if by_name or not readers else readers, exported)
+    none_read = all(outcome.state in _UNREAD for outcome in outcomes)
+    return [_required(outcome) for outcome in outcomes] if by_name or none_read else outcomes
 
 
-def ask_all(clients: Sequence[Client], exported: ClientExport) -> list[Outcome]:
+def _required(outcome: Outcome) -> Outcome:
+    if outcome.state not in _UNREAD:
+        return outcome
+    findings = tuple(replace(finding, severity="fault") for finding in outcome.findings)
+    return replace(outcome, findings=findings)
+
+
+def run_all(clients: Sequence[Client], exported: ClientExport) -> list[Outcome]:
     """Return the results of clients for an export, in their order; several clients run in parallel."""
     workers = max(1, (os.cpu_count() or 2) // 2)
     with ThreadPoolExecutor(workers) as pool:
-        started = [pool.submit(ask, client, [exported]) for client in clients]
+        started = [pool.submit(run_client, client, [exported]) for client in clients]
         try:
             return [each.result()[0] for each in started]
         except BaseException:  # such as Ctrl-C: leaving the pool would wait for clients, possibly minutes
@@ -132,42 +269,27 @@ def ask_all(clients: Sequence[Client], exported: ClientExport) -> list[Outcome]:
             raise
 
 
-def ask(client: Client, exports: Sequence[ClientExport]) -> list[Outcome]:
+def run_client(client: Client, exports: Sequence[ClientExport]) -> list[Outcome]:
     """Return the result of a client for each export.
 
-    One process reads all exports, which pays for a slow start once. If its messages may belong to any of
+    One process reads all exports, so that a slow start happens once. If its messages may belong to any of
     them, or answers are missing, halves are read again until the export is known.
     """
-    outcomes: list[Outcome | None] = [
-        None if each.is_read_by(client) else _nothing_to_read(client, each) for each in exports
-    ]
-    rest = [number for number, outcome in enumerate(outcomes) if outcome is None]
-    for number, outcome in zip(rest, _ask(client, [exports[index] for index in rest]), strict=True):
-        outcomes[number] = outcome
-    return [outcome for outcome in outcomes if outcome is not None]
-
-
-def absent(client: Client, *, severity: str = "note") -> Outcome:
-    """Return the outcome of a missing client; it is a fault if the client was requested by name."""
-    finding = Finding(client.name, "it is not installed", hint=how_to_get(client))
-    if severity == "note":
-        finding = replace(finding, severity="note")
-    return Outcome(client.name, client.format, "", "absent", (finding,))
+    readable = [each for each in exports if each.is_read_by(client)]
+    read = iter(_run_on(client, readable))
+    return [next(read) if each.is_read_by(client) else _nothing_to_read(client, each) for each in exports]
 
 
 def _nothing_to_read(client: Client, exported: ClientExport) -> Outcome:
+    message = f"it reads the layouts {', '.join(client.layouts)}, not {exported.layout}"
     if client.format not in exported.mains:
         message = f"it reads {client.format}, which the export does not have"
-    else:
-        message = f"it reads the layouts {', '.join(client.layouts)}, not {exported.layout}"
     finding = Finding(client.name, message, severity="note")
     return Outcome(client.name, client.format, "", "nothing to read", (finding,))
 
 
-def _ask(client: Client, exports: Sequence[ClientExport]) -> list[Outcome]:
-    if not exports:
-        return []
-    for program in interpreters(client):
+def _run_on(client: Client, exports: Sequence[ClientExport]) -> list[Outcome]:
+    for program in interpreters(client) if exports else ():
         session = _session(client, program, exports)
         if session.finished.code == _ABSENT and not any(session.answers) and not session.messages:
             continue  # an existing client that exits this way prints the reason
@@ -175,69 +297,55 @@ def _ask(client: Client, exports: Sequence[ClientExport]) -> list[Outcome]:
             return [_outcome(client, exports[0], session)]
         if session.messages or session.finished.ending or None in session.answers:
             half = len(exports) // 2
-            return _ask(client, exports[:half]) + _ask(client, exports[half:])
-        shared = replace(
-            session, finished=replace(session.finished, seconds=session.finished.seconds / len(exports))
-        )
+            return _run_on(client, exports[:half]) + _run_on(client, exports[half:])
+        finished = replace(session.finished, seconds=session.finished.seconds / len(exports))
         return [
-            _outcome(client, each, replace(shared, answers=[answer]))
+            _outcome(client, each, replace(session, finished=finished, answers=[answer]))
             for each, answer in zip(exports, session.answers, strict=True)
         ]
-    return [absent(client) for _ in exports]
+    finding = Finding(client.name, "it is not installed", hint=how_to_get(client), severity="note")
+    return [Outcome(client.name, client.format, "", "absent", (finding,)) for _ in exports]
 
 
 @dataclass(frozen=True)
 class _Session:
     """One process of a client."""
 
-    finished: Finished  # how it ended
+    finished: Finished
     # answer to each request; None if it is missing, a text if it cannot be read
     answers: Sequence[Mapping[str, Any] | str | None]
-    messages: tuple[str, ...] = ()  # messages that are faults
-    tolerated: tuple[Tolerated, ...] = field(default=())  # messages that are not faults
+    messages: tuple[str, ...]  # messages that are faults
+    tolerated: tuple[Tolerated, ...]  # messages that are not faults
 
 
 def _session(client: Client, program: Path, exports: Sequence[ClientExport]) -> _Session:
     """Let the driver of a client answer one request per export."""
-    with tempfile.TemporaryDirectory(prefix="artgen_client_") as folder:
-        place = Path(folder)
-        work = place / "work"
+    with tempfile.TemporaryDirectory(prefix="artgen_client_") as name:
+        folder = Path(name)
+        work = folder / "work"
         work.mkdir()
-        paths = [
-            (place / f"{number}.request.json", place / f"{number}.response.json")
-            for number in range(len(exports))
-        ]
-        for (request, _), exported in zip(paths, exports, strict=True):
-            request.write_text(json.dumps(exported.request(client)), encoding="utf-8")
+        files: list[Path] = []
+        for number, exported in enumerate(exports):
+            files += [folder / f"{number}.request.json", folder / f"{number}.response.json"]
+            files[-2].write_text(json.dumps(exported.request(client)), encoding="utf-8")
         seconds = client.seconds * len(exports)
-        command: list[str | Path] = [
-            *(
-                program,
-                "-B",
-                "-c",
-                _START,
-                str(int(seconds + _AFTER)),
-                DRIVERS / f"{client.driver}.py",
-            ),
-            *(path for pair in paths for path in pair),
-        ]
+        alarm, driver = str(int(seconds + _AFTER)), DRIVERS / f"{client.driver}.py"
+        command: list[str | Path] = [program, "-B", "-c", _START, alarm, driver, *files]
         try:
             finished = run_process(command, work, _environment(program), seconds)
         except OSError as error:
             finished = Finished(1, f"{program} cannot be started: {error.strerror}", 0.0, timed_out=False)
-        answers = [_answer(response) for _, response in paths]
-    messages, tolerated = sorted_messages(client, joined_lines(finished.output))
-    return _Session(finished, answers, messages, tolerated)
+        answers = [_answer(response) for response in files[1::2]]
+    return _Session(finished, answers, *sorted_messages(client, joined_lines(finished.output)))
 
 
 def _environment(program: Path) -> dict[str, str]:
     """Return the environment variables of a driver, without variables for artgen's own packages."""
     result = {**os.environ, "PYTHONUNBUFFERED": "1", "PYTHONUTF8": "1"}
-    for name in ("PYTHONHOME", "PYTHONWARNINGS", "PYTHONSTARTUP"):
-        result.pop(name, None)
-    if program not in interpreters(None):
-        result.pop("PYTHONPATH", None)
-    return result
+    removed = {"PYTHONHOME", "PYTHONWARNINGS", "PYTHONSTARTUP"}
+    if program != OWN_PYTHON:
+        removed.add("PYTHONPATH")
+    return {name: value for name, value in result.items() if name not in removed}
 
 
 def _answer(path: Path) -> Mapping[str, Any] | str | None:
@@ -267,52 +375,21 @@ def _outcome(client: Client, exported: ClientExport, session: _Session) -> Outco
     elif answer is not None:
         try:
             version, note = str(answer.get("version", "")), str(answer.get("note", ""))
-            said, more = sorted_messages(
-                client, [" ".join(str(text).split()) for text in answer.get("said", ())]
-            )
-            messages, tolerated = (*messages, *said), (*tolerated, *more)
+            said = [" ".join(str(text).split()) for text in answer.get("said", ())]
+            faults, more = sorted_messages(client, said)
+            messages, tolerated = (*messages, *faults), (*tolerated, *more)
             findings += differences(client, exported, answer)
         except Exception as error:  # noqa: BLE001 - a damaged answer may hold anything
             findings.append(Finding(client.name, f"its answer is damaged: {type(error).__name__}: {error}"))
     if finished.ending:
         # the end of a traceback contains its start
         messages = tuple(text for text in messages[:-1] if not text.startswith("Traceback "))
-    findings += _said(client, messages)
+    distinct = list(dict.fromkeys(messages))
+    findings += [Finding(client.name, f"it reports: {text}") for text in distinct[:_SHOWN]]
+    if (more_messages := len(distinct) - _SHOWN) > 0:
+        message = f"it reports {more_messages} more messages"
+        findings.append(Finding(client.name, message, value=float(more_messages)))
     state: State = "timed out" if finished.timed_out else "failed" if findings else "passed"
     return Outcome(
         client.name, client.format, version, state, tuple(findings), note, finished.seconds, tolerated
     )
-
-
-def _said(client: Client, messages: Sequence[str]) -> Iterator[Finding]:
-    distinct = list(dict.fromkeys(messages))
-    for text in distinct[:_SHOWN]:
-        yield Finding(client.name, f"it says: {text}")
-    if len(distinct) > _SHOWN:
-        more = len(distinct) - _SHOWN
-        yield Finding(client.name, f"it says {more} more things", value=float(more))
-
-
-_UNREAD = ("absent", "nothing to read")
-
-
-def ask_clients(directory: str | Path, clients: Sequence[Client], *, by_name: bool) -> list[Outcome]:
-    """Return the results of clients for an export, in their order."""
-    try:
-        exported = read_exported(directory)
-    except ArtgenError as error:
-        return [
-            Outcome(client.name, client.format, "", "failed", (Finding(client.name, str(error)),))
-            for client in clients
-        ]
-    readers = [client for client in clients if exported.is_read_by(client)]
-    outcomes = ask_all(clients if by_name or not readers else readers, exported)
-    none_read = all(outcome.state in _UNREAD for outcome in outcomes)
-    return [_required(outcome) for outcome in outcomes] if by_name or none_read else outcomes
-
-
-def _required(outcome: Outcome) -> Outcome:
-    if outcome.state not in _UNREAD:
-        return outcome
-    findings = tuple(replace(finding, severity="fault") for finding in outcome.findings)
-    return replace(outcome, findings=findings)

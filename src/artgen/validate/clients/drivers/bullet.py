@@ -3,20 +3,19 @@
 from typing import Any
 
 import numpy as np
-from driver_protocol import about_axes, ends, free, serve, transform
-from partnet_request import numbered
+from driver_protocol import ends, free, in_base, mass_properties, require, serve, transform
+
+require("pybullet")
+import pybullet as bullet
 
 _SETTLE = 240  # number of steps: one second
 _TURN = 1.0  # time of a joint from one end to the other [s]
 _STEP = 1.0 / 240.0  # time step [s]
+_KINDS = {0: "revolute", 1: "prismatic"}
 
 
 def read(request: dict[str, Any]) -> dict[str, Any]:
     """Return the response to a request."""
-    from importlib.metadata import version
-
-    import pybullet as bullet
-
     client = bullet.connect(bullet.DIRECT)
     try:
         fixed = request["base"] == "fixed"
@@ -31,66 +30,62 @@ def read(request: dict[str, Any]) -> dict[str, Any]:
         for q in request["poses"]:
             for name, info in joints.items():
                 bullet.resetJointState(body, info[0], q[name])
-            poses.append(_frames(bullet, body, numbers, request["links"]))
-        links = {name: _link(bullet, body, numbers[name]) for name in request["links"]}
+            frames = {name: _frame(body, numbers[name]) for name in request["links"]}
+            poses.append(in_base(frames, request["links"]))
+        links = {name: _link(body, numbers[name]) for name in request["links"]}
         if fixed:
             links.pop(base, None)  # PyBullet gives fixed bodies no mass
-        response = {
-            "version": version("pybullet"),
+        return {
             "links": links,
             "joints": {name: _joint(info) for name, info in joints.items()},
             "poses": poses,
+            **_simulate(body, joints, request),
         }
-        return {**response, **_simulate(bullet, body, joints, request)}
     finally:
         bullet.disconnect(client)
 
 
-_KINDS = {0: "revolute", 1: "prismatic"}
-
-
-def _link(bullet: Any, body: int, number: int) -> dict[str, Any]:
+def _link(body: int, number: int) -> dict[str, Any]:
     info = bullet.getDynamicsInfo(body, number)
-    turn = np.array(bullet.getMatrixFromQuaternion(info[4])).reshape(3, 3)
-    return {"mass": info[0], "center": info[3], "inertia": about_axes(info[2], turn)}
+    return mass_properties(info[0], info[3], info[2], bullet.getMatrixFromQuaternion(info[4]))
 
 
 def _joint(info: Any) -> dict[str, Any]:
     low, high = info[8], info[9]
-    return {
-        "kind": _KINDS[info[2]],
-        "limits": [low, high] if low <= high else None,
-        "damping": info[6],
-        "friction": info[7],
-    }
+    limits = [low, high] if low <= high else None
+    return {"kind": _KINDS[info[2]], "limits": limits, "damping": info[6], "friction": info[7]}
 
 
-def _frames(bullet: Any, body: int, numbers: dict[str, int], links: list[str]) -> dict[str, Any]:
-    found = {}
-    for name in links:
-        if numbers[name] < 0:
-            place = _frame(bullet, *bullet.getBasePositionAndOrientation(body))
-            # the frame of its center of mass
-            inertial = bullet.getDynamicsInfo(body, -1)
-            found[name] = place @ np.linalg.inv(_frame(bullet, inertial[3], inertial[4]))
-        else:
-            state = bullet.getLinkState(body, numbers[name], computeForwardKinematics=True)
-            found[name] = _frame(bullet, state[4], state[5])
-    base = np.linalg.inv(found[links[0]])
-    return {name: base @ frame for name, frame in found.items()}
+def _frame(body: int, number: int) -> Any:
+    if number >= 0:
+        state = bullet.getLinkState(body, number, computeForwardKinematics=True)
+        return transform(bullet.getMatrixFromQuaternion(state[5]), state[4])
+    position, turn = bullet.getBasePositionAndOrientation(body)
+    place = transform(bullet.getMatrixFromQuaternion(turn), position)
+    # the frame of its center of mass
+    inertial = bullet.getDynamicsInfo(body, -1)
+    return place @ np.linalg.inv(transform(bullet.getMatrixFromQuaternion(inertial[4]), inertial[3]))
 
 
-def _frame(bullet: Any, position: Any, quaternion: Any) -> Any:
-    return transform(bullet.getMatrixFromQuaternion(quaternion), position)
-
-
-def _simulate(bullet: Any, body: int, joints: dict[str, Any], request: dict[str, Any]) -> dict[str, Any]:
+def _simulate(body: int, joints: dict[str, Any], request: dict[str, Any]) -> dict[str, Any]:
     """Let the asset settle, then drive each free joint to both ends by its motor."""
+
+    def start() -> None:
+        for name, info in joints.items():
+            bullet.resetJointState(body, info[0], request["poses"][0][name])
+
+    def position(number: int) -> float:
+        return float(bullet.getJointState(body, number)[0])
+
+    def drive(number: int, speed: float, effort: float) -> None:
+        bullet.setJointMotorControl2(
+            body, number, bullet.VELOCITY_CONTROL, targetVelocity=speed, force=effort
+        )
+
     bullet.setTimeStep(_STEP)
     bullet.setGravity(0.0, 0.0, -9.81)
     steps = _SETTLE
-    for name, info in joints.items():
-        bullet.resetJointState(body, info[0], request["poses"][0][name])
+    start()
     for _ in range(_SETTLE):
         bullet.stepSimulation()
     moved = {}
@@ -99,23 +94,19 @@ def _simulate(bullet: Any, body: int, joints: dict[str, Any], request: dict[str,
         low, high = ends(joint)
         # remaining impulses of earlier drives, such as a door against its stop, would push a light button for
         # seconds
-        for name, info in joints.items():
-            bullet.resetJointState(body, info[0], request["poses"][0][name])
-        seen = [bullet.getJointState(body, number)[0]]
+        start()
+        seen = [position(number)]
         for end in (high, low):
             for _ in range(round(1.5 * _TURN / _STEP)):
-                speed = np.sign(end - seen[-1]) * (high - low) / _TURN
-                bullet.setJointMotorControl2(
-                    body, number, bullet.VELOCITY_CONTROL, targetVelocity=speed, force=effort
-                )
+                drive(number, np.sign(end - seen[-1]) * (high - low) / _TURN, effort)
                 bullet.stepSimulation()
-                seen.append(bullet.getJointState(body, number)[0])
+                seen.append(position(number))
             steps += round(1.5 * _TURN / _STEP)
-        bullet.setJointMotorControl2(body, number, bullet.VELOCITY_CONTROL, targetVelocity=0.0, force=effort)
+        drive(number, 0.0, effort)
         moved[joint["name"]] = [min(seen), max(seen)]
-    positions = [bullet.getJointState(body, info[0])[0] for info in joints.values()]
-    return {"moved": moved, "steps": steps, "finite": bool(np.isfinite(positions).all())}
+    finite = bool(np.isfinite([position(info[0]) for info in joints.values()]).all())
+    return {"moved": moved, "steps": steps, "finite": finite}
 
 
 if __name__ == "__main__":
-    serve(numbered(read), "pybullet")
+    serve(read)

@@ -4,21 +4,26 @@ import xml.etree.ElementTree as ET
 from typing import Any
 
 import numpy as np
-from driver_protocol import ends, free, serve
-from partnet_request import numbered
+from driver_protocol import ends, finite_limits, free, mass_properties, require, serve
+
+require("pydrake")
+from pydrake.multibody.parsing import Parser
+from pydrake.multibody.plant import AddMultibodyPlantSceneGraph
+from pydrake.multibody.tree import PdControllerGains
+from pydrake.systems.analysis import Simulator
+from pydrake.systems.framework import DiagramBuilder
 
 _STEP = 2e-3  # [s]
 _TURN = 1.0  # time of a joint from one end to the other [s]
+_PARTS = 20  # samples between two positions
+_KINDS = {"RevoluteJoint": "revolute", "PrismaticJoint": "prismatic"}
 
 
 def read(request: dict[str, Any]) -> dict[str, Any]:
     """Return the response to a request."""
-    from importlib.metadata import version
-
     diagram, plant, instance = _plant(request)
-    names = request["links"]
     # in URDF, a pair of links with several joints has intermediate bodies, which are not requested
-    bodies = {name: plant.GetBodyByName(name, instance) for name in names}
+    bodies = {name: plant.GetBodyByName(name, instance) for name in request["links"]}
     joints = {
         joint.name(): joint
         for joint in (plant.get_joint(index) for index in plant.GetJointIndices(instance))
@@ -27,19 +32,17 @@ def read(request: dict[str, Any]) -> dict[str, Any]:
     poses = []
     context = diagram.CreateDefaultContext()
     inner = plant.GetMyMutableContextFromRoot(context)
+    base = bodies[request["links"][0]].body_frame()
     for q in request["poses"]:
-        for name, joint in joints.items():
-            plant.SetPositions(inner, _with(plant, inner, joint, q[name]))
-        base = bodies[names[0]].body_frame()
+        _set_positions(plant, inner, {joint: q[name] for name, joint in joints.items()})
         found = {name: body.body_frame().CalcPose(inner, base) for name, body in bodies.items()}
         poses.append({name: pose.GetAsMatrix4() for name, pose in found.items()})
     following = sum(joint["follows"] is not None for joint in request["joints"])
     said = []
     # its MJCF reader skips couplings with a message; not every layout of URDF has all of them
     if (request["format"], request["layout"]) == ("urdf", "flat") and plant.num_constraints() != following:
-        said.append(f"it holds {plant.num_constraints()} couplings of {following}")
+        said.append(f"it has {plant.num_constraints()} of {following} couplings")
     return {
-        "version": version("drake"),
         "links": {name: _link(body) for name, body in bodies.items()},
         "joints": {name: _joint(joint) for name, joint in joints.items()},
         "poses": poses,
@@ -48,16 +51,8 @@ def read(request: dict[str, Any]) -> dict[str, Any]:
     }
 
 
-_KINDS = {"RevoluteJoint": "revolute", "PrismaticJoint": "prismatic"}
-
-
 def _plant(request: dict[str, Any], driven: tuple[dict[str, Any], ...] = ()) -> tuple[Any, Any, Any]:
     """Return a diagram with the asset, motors on the driven joints, its plant and the model instance."""
-    from pydrake.multibody.parsing import Parser
-    from pydrake.multibody.plant import AddMultibodyPlantSceneGraph
-    from pydrake.multibody.tree import PdControllerGains
-    from pydrake.systems.framework import DiagramBuilder
-
     builder = DiagramBuilder()
     plant, _ = AddMultibodyPlantSceneGraph(builder, _STEP)
     (instance,) = Parser(plant).AddModels(request["file"])
@@ -80,75 +75,56 @@ def _root(path: str) -> str:
     return next(str(link.get("name")) for link in robot.iterfind("link") if link.get("name") not in children)
 
 
-def _with(plant: Any, context: Any, joint: Any, position: float) -> Any:
+def _set_positions(plant: Any, context: Any, positions: dict[Any, float]) -> None:
     result = plant.GetPositions(context)
-    result[joint.position_start()] = position
-    return result
+    for joint, position in positions.items():
+        result[joint.position_start()] = position
+    plant.SetPositions(context, result)
 
 
 def _link(body: Any) -> dict[str, Any]:
     spatial = body.default_spatial_inertia()
     inertia = spatial.CalcRotationalInertia().ShiftToCenterOfMass(spatial.get_mass(), spatial.get_com())
-    return {
-        "mass": spatial.get_mass(),
-        "center": spatial.get_com(),
-        "inertia": inertia.CopyToFullMatrix3(),
-    }
+    return mass_properties(spatial.get_mass(), spatial.get_com(), inertia.CopyToFullMatrix3())
 
 
 def _joint(joint: Any) -> dict[str, Any]:
-    low, high = joint.position_lower_limits()[0], joint.position_upper_limits()[0]
     return {
         "kind": _KINDS[type(joint).__name__],
-        "limits": [low, high] if np.isfinite([low, high]).all() else None,
+        "limits": finite_limits(joint.position_lower_limits()[0], joint.position_upper_limits()[0]),
         "damping": joint.default_damping(),
     }
 
 
 def _simulate(request: dict[str, Any]) -> dict[str, Any]:
     """Drive each free joint to both ends by a motor with its effort."""
-    from pydrake.systems.analysis import Simulator
-
-    joints = tuple(free(request))
+    joints, start = tuple(free(request)), request["poses"][0]
     diagram, plant, instance = _plant(request, joints)
     simulator = Simulator(diagram)
     context = plant.GetMyMutableContextFromRoot(simulator.get_mutable_context())
-    for joint in request["joints"]:
-        found = plant.GetJointByName(joint["name"], instance)
-        plant.SetPositions(context, _with(plant, context, found, request["poses"][0][joint["name"]]))
+    found = {joint["name"]: plant.GetJointByName(joint["name"], instance) for joint in request["joints"]}
+    _set_positions(plant, context, {joint: start[name] for name, joint in found.items()})
     port = plant.get_desired_state_input_port(instance)
-    place = {
-        joint["name"]: plant.GetJointByName(joint["name"], instance).position_start() for joint in joints
-    }
-    wanted = np.array([request["poses"][0][joint["name"]] for joint in joints])
-    moved = {joint["name"]: [np.inf, -np.inf] for joint in joints}
+    targets = np.array([start[joint["name"]] for joint in joints])
+    moved = {}
     time, finite = 0.0, True
     for number, joint in enumerate(joints):
-        start = wanted[number]
-        low, high = ends(joint)
-        for target in (*_way(start, high), *_way(high, low), *_way(low, start)):
-            wanted[number] = target
-            if joints:
-                port.FixValue(context, np.concatenate([wanted, np.zeros(len(joints))]))
-            time += _TURN / _PARTS
-            simulator.AdvanceTo(time)
-            q = plant.GetPositions(context)
-            seen = q[place[joint["name"]]]
-            span = moved[joint["name"]]
-            span[:] = [min(span[0], seen), max(span[1], seen)]
-            finite = finite and bool(np.isfinite(q).all())
+        seen, begin, (low, high) = [], targets[number], ends(joint)
+        for before, after in ((begin, high), (high, low), (low, begin)):
+            for target in np.linspace(before, after, _PARTS + 1)[1:]:
+                targets[number] = target
+                port.FixValue(context, np.concatenate([targets, np.zeros(len(joints))]))
+                time += _TURN / _PARTS
+                simulator.AdvanceTo(time)
+                q = plant.GetPositions(context)
+                seen.append(q[found[joint["name"]].position_start()])
+                finite = finite and bool(np.isfinite(q).all())
+        moved[joint["name"]] = [min(seen), max(seen)]
     if not joints:
         simulator.AdvanceTo(0.2)
         time, finite = 0.2, bool(np.isfinite(plant.GetPositions(context)).all())
     return {"moved": moved, "steps": round(time / _STEP), "finite": finite}
 
 
-_PARTS = 20  # samples between two positions
-
-
-def _way(start: float, end: float) -> Any:
-    return np.linspace(start, end, _PARTS + 1)[1:]
-
-
 if __name__ == "__main__":
-    serve(numbered(read), "pydrake")
+    serve(read)

@@ -1,10 +1,10 @@
-"""Driving of joints in a simulation, for clients that move joints by torques and forces."""
+"""Posing of joints, and driving of joints in a simulation by torques and forces."""
 
 import itertools
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
-from driver_protocol import ends, transform
+from driver_protocol import ends, in_base
 
 _TICK = 0.004  # time between two changes of a force [s]
 _MOST = 4.0  # time to one end [s]
@@ -19,24 +19,70 @@ _COMBINATIONS = 16
 _SETTLE = 1.0  # time before anything is driven [s]
 
 
-class Simulation(Protocol):
-    """Interface of a client for driving."""
+class Simulation:
+    """Base class of the simulations of clients."""
 
-    steps: int  # number of simulated steps
-    finite: bool  # whether all positions were finite
+    time_step = 0.002  # [s]
 
-    def position(self, name: str) -> float:
-        """Return the position of a joint [rad or m]."""
+    def __init__(self, places: dict[str, int], degrees: dict[str, int]) -> None:
+        self.places, self.degrees = places, degrees  # indices of joints among positions and among forces
+        self.steps, self.finite = 0, True  # number of steps, and whether all positions were finite
+
+    def place(self, pose: dict[str, float]) -> None:
+        """Put the joints to their positions [rad or m]."""
+        raise NotImplementedError
+
+    def frames(self) -> dict[str, Any]:
+        """Return the frame of each link, shape (4, 4) [m]."""
+        raise NotImplementedError
+
+    def positions(self) -> Any:
+        """Return the positions of all joints [rad or m]."""
+        raise NotImplementedError
 
     def push(self, forces: dict[str, float]) -> None:
         """Set the torques and forces of joints until the next call; all others get 0 [N m or N]."""
+        raise NotImplementedError
+
+    def step(self, count: int) -> None:
+        """Simulate a number of steps."""
+        raise NotImplementedError
+
+    def position(self, name: str) -> float:
+        """Return the position of a joint [rad or m]."""
+        return float(self.positions()[self.places[name]])
 
     def advance(self, seconds: float) -> None:
         """Simulate."""
+        count = max(1, round(seconds / self.time_step))
+        self.step(count)
+        self.steps += count
+        self.finite = self.finite and bool(np.isfinite(self.positions()).all())
+
+    def in_order(self, values: dict[str, float], result: Any) -> Any:
+        """Return an array in the order of forces, in which the values of joints are set."""
+        for name in values.keys() & self.degrees:
+            result[self.degrees[name]] = values[name]
+        return result
+
+    def poses(self, request: dict[str, Any]) -> list[dict[str, Any]]:
+        """Return the frames of links at the poses of a request."""
+        found = []
+        for pose in request["poses"]:
+            self.place(pose)
+            found.append(in_base(self.frames(), request["links"]))
+        return found
 
 
-def drive_all(simulation: Simulation, request: dict[str, Any]) -> dict[str, list[float]]:
-    """Drive each free joint to both ends, blocked joints last."""
+def pose_and_drive(simulation: Simulation, request: dict[str, Any]) -> dict[str, Any]:
+    """Return the poses and the motion for a response; the motion starts at the first pose."""
+    poses = simulation.poses(request)
+    simulation.place(request["poses"][0])
+    return {"poses": poses, **drive_all(simulation, request)}
+
+
+def drive_all(simulation: Simulation, request: dict[str, Any]) -> dict[str, Any]:
+    """Drive each free joint to both ends, blocked joints last, and return the motion for a response."""
     simulation.advance(_SETTLE)
     joints = [joint for joint in request["joints"] if joint["follows"] is None]
     moved: dict[str, list[float]] = {}
@@ -51,7 +97,7 @@ def drive_all(simulation: Simulation, request: dict[str, Any]) -> dict[str, list
             low, high = _drive_blocked(simulation, joint, held)
             if high - low > _FREED * (ends(joint)[1] - ends(joint)[0]):
                 moved[joint["name"]] = [low, high]
-    return moved
+    return {"moved": moved, "steps": simulation.steps, "finite": simulation.finite}
 
 
 def _drive_blocked(
@@ -80,11 +126,10 @@ def _drive(
     lower, upper = ends(joint)
     span = upper - lower
     seen, most = [simulation.position(name)], _LEAST
-    for side in (-1.0, 1.0):
+    for side, end in ((-1.0, lower), (1.0, upper)):
         share = _LEAST
         for _ in range(round(_MOST / _TICK)):
-            left = side * ((upper if side > 0.0 else lower) - seen[-1])
-            if left <= _NEAR * span or not simulation.finite:
+            if side * (end - seen[-1]) <= _NEAR * span or not simulation.finite:
                 break
             simulation.push({**held, name: side * share * joint["effort"]})
             simulation.advance(_TICK)
@@ -98,20 +143,3 @@ def _drive(
     simulation.push({})
     hold = min(1.0, _FIRM * most) * joint["effort"]
     return min(seen), max(seen), [-hold, hold]
-
-
-def posed(pose: Any) -> Any:
-    """Return position and quaternion (x, y, z, w) as a frame, shape (4, 4)."""
-    x, y, z, w = np.asarray(pose[3:], float) / np.linalg.norm(pose[3:])
-    turn = [
-        [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
-        [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
-        [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
-    ]
-    return transform(turn, pose[:3])
-
-
-def in_base(frames: dict[str, Any], links: list[str]) -> dict[str, Any]:
-    """Return the frames of links in the frame of the base, which is the first link."""
-    base = np.linalg.inv(frames[links[0]])
-    return {name: base @ frames[name] for name in links if name in frames}

@@ -1,5 +1,6 @@
-"""Shared functions of drivers: reading requests, writing responses, converting numbers."""
+"""Shared functions of drivers: requests, responses, and numbers in the form of a response."""
 
+import importlib.metadata
 import importlib.util
 import json
 import os
@@ -9,26 +10,39 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from driver_layouts import with_layout_names
 
-_MISSING = 3  # exit code
+_MISSING = 3  # exit code of a driver whose client is not installed
+_UNLIMITED = 1e5  # limits from this number on count as none
 
 
-def serve(read: Callable[[dict[str, Any]], dict[str, Any]], *needs: str) -> None:
-    """Answer each request on the command line."""
-    if any(importlib.util.find_spec(name) is None for name in needs):
+def require(*modules: str) -> None:
+    """End the process if a module of the client is not installed."""
+    if any(importlib.util.find_spec(name) is None for name in modules):
         sys.exit(_MISSING)
-    paths = [Path(argument) for argument in sys.argv[1:]]
-    for request, response in zip(paths[::2], paths[1::2], strict=True):
-        answer = read(json.loads(request.read_text(encoding="utf-8")))
-        sys.stdout.flush()
-        partial = response.with_name(response.name + ".partial")
-        partial.write_text(json.dumps(answer, default=_plain), encoding="utf-8")
-        os.replace(partial, response)  # noqa: PTH105 - the same in all versions of Python
 
 
 def missing() -> None:
     """End the process: the client is not installed."""
     sys.exit(_MISSING)
+
+
+def serve(read: Callable[[dict[str, Any]], dict[str, Any]]) -> None:
+    """Answer each request on the command line; add the version of the client's Python distribution."""
+    paths = [Path(argument) for argument in sys.argv[1:]]
+    for source, target in zip(paths[::2], paths[1::2], strict=True):
+        request = json.loads(source.read_text(encoding="utf-8"))
+        answer = with_layout_names(read, request)
+        if request["distribution"]:
+            answer["version"] = importlib.metadata.version(request["distribution"])
+        sys.stdout.flush()
+        partial = target.with_name(target.name + ".partial")
+        partial.write_text(json.dumps(answer, default=_plain), encoding="utf-8")
+        os.replace(partial, target)  # noqa: PTH105 - the same in all versions of Python
+
+
+def _plain(value: Any) -> Any:
+    return np.asarray(value, float).tolist()
 
 
 def transform(rotation: Any, position: Any) -> Any:
@@ -39,9 +53,51 @@ def transform(rotation: Any, position: Any) -> Any:
     return result
 
 
-def about_axes(moments: Any, turn: Any) -> Any:
-    """Return an inertia, shape (3, 3), of its principal moments and axes, the columns of a rotation."""
-    return np.asarray(turn) @ np.diag(moments) @ np.asarray(turn).T
+def frame_of(pose: Any) -> Any:
+    """Return position and quaternion (x, y, z, w) as a frame, shape (4, 4)."""
+    x, y, z, w = np.asarray(pose[3:], float) / np.linalg.norm(pose[3:])
+    rotation = [
+        [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
+        [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
+        [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
+    ]
+    return transform(rotation, pose[:3])
+
+
+def in_base(frames: dict[str, Any], links: list[str]) -> dict[str, Any]:
+    """Return the frames of links in the frame of the base, which is the first link."""
+    base = np.linalg.inv(np.asarray(frames[links[0]], float))
+    return {name: base @ frames[name] for name in links if name in frames}
+
+
+def mass_properties(mass: Any, center: Any, inertia: Any, axes: Any = None) -> dict[str, Any]:
+    """Return a link of a response.
+
+    `inertia` is a matrix, shape (3, 3), or principal moments, shape (3,), about the columns of `axes`.
+    """
+    inertia = np.asarray(inertia, float)
+    if axes is not None:
+        axes = np.asarray(axes).reshape(3, 3)
+        inertia = axes @ (np.diag(inertia) if inertia.ndim == 1 else inertia) @ axes.T
+    return {"mass": mass, "center": center, "inertia": inertia}
+
+
+def finite_limits(low: Any, high: Any) -> list[Any] | None:
+    """Return the limits of a joint; None if they are infinite or so large that they mean none."""
+    return [low, high] if abs(low) < _UNLIMITED and abs(high) < _UNLIMITED else None
+
+
+def couplings_to_heads(couplings: dict[str, list[Any]]) -> dict[str, list[Any]]:
+    """Return couplings to the free joints at the heads of chains of leaders."""
+
+    def to_head(name: str) -> list[Any]:
+        leader, ratio, offset = couplings[name]
+        if leader not in couplings:
+            return [leader, ratio, offset]
+        head, above, shift = to_head(leader)
+        return [head, ratio * above, ratio * shift + offset]
+
+    return {name: to_head(name) for name in couplings}
 
 
 def free(request: dict[str, Any]) -> list[dict[str, Any]]:
@@ -53,7 +109,3 @@ def ends(joint: dict[str, Any]) -> tuple[float, float]:
     """Return the two end positions for driving a joint [rad or m]."""
     low, high = joint["limits"] or (-1.0, 1.0)
     return float(low), float(high)
-
-
-def _plain(value: Any) -> Any:
-    return np.asarray(value, float).tolist()

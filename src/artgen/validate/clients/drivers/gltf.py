@@ -22,8 +22,7 @@ _SEVERE = 1  # severities: 0 error, 1 warning, 2 information, 3 hint
 
 def read(request: dict[str, Any]) -> dict[str, Any]:
     """Return the response to a request."""
-    node = shutil.which("node")
-    modules = _modules()
+    node, modules = shutil.which("node"), _modules()
     if node is None or modules is None:
         missing()
     command = [str(node), "--eval", _SCRIPT, str(modules), request["file"]]
@@ -31,14 +30,13 @@ def read(request: dict[str, Any]) -> dict[str, Any]:
     if done.returncode:
         raise RuntimeError(f"the validator fails: {done.stderr.strip()}")
     report = json.loads(done.stdout)
-    messages = report["messages"]
-    hints = sum(message["severity"] > _SEVERE for message in messages)
+    severe = [message for message in report["messages"] if message["severity"] <= _SEVERE]
+    hints = len(report["messages"]) - len(severe)
     return {
         "version": report["version"],
         "said": [
             f"{message['code']}: {message['message']} ({message.get('pointer', 'the file')})"
-            for message in messages
-            if message["severity"] <= _SEVERE
+            for message in severe
         ],
         "note": f"{hints} hints" if hints else "",
     }

@@ -7,46 +7,37 @@ import json
 from pathlib import Path
 from typing import Any
 
-from driver_protocol import serve
-from partnet_request import numbered
-from sapien_model import couple, read_alone, read_articulation, simulate, without_graphics
+from driver_protocol import require, serve
+from sapien_model import new_scene, read_articulation, read_entity, skip_visuals
 
-_STEP = 1.0 / 240.0  # [s]
-_ABOUT = "maniskill.json"  # ManiSkill's table of models
-_TWIN = "mobility_cvx.urdf"  # the file that it opens
+require("mani_skill")
+import sapien
+import torch
+from mani_skill.envs.scene import ManiSkillScene
+from mani_skill.envs.utils.system.backend import BackendInfo
+
+_MODELS = "maniskill.json"  # ManiSkill's table of models
+_URDF = "mobility_cvx.urdf"  # the file that it opens
 
 
 def read(request: dict[str, Any]) -> dict[str, Any]:
     """Return the response to a request."""
-    from importlib.metadata import version
-
-    import sapien
-    import torch
-    from mani_skill.envs.scene import ManiSkillScene
-    from mani_skill.envs.utils.system.backend import BackendInfo
-
-    sapien.physx.set_body_config(sleep_threshold=0.0)  # a slow drive would fall asleep after 0.4 s
-    inner = sapien.Scene([sapien.physx.PhysxCpuSystem()])
-    inner.set_timestep(_STEP)
+    inner = new_scene()
     device = torch.device("cpu")
     backend = BackendInfo(device, sapien.Device("cpu"), "physx_cpu", None, "none")
     scene = ManiSkillScene([inner], device=device, backend=backend)
     builder = _builder(scene, request)
     builder.initial_pose = sapien.Pose()
     if not hasattr(builder, "link_builders"):
-        actor = builder.build(name=request["asset"])
-        return {"version": version("mani_skill"), **read_alone(inner.step, actor._objs[0], request)}
+        return read_entity(inner.step, builder.build(name=request["asset"])._objs[0], request)
     built = builder.build(name=request["asset"], build_mimic_joints=False)
     articulation = built._objs[0]  # the object that ManiSkill wraps
     for item in (*articulation.links, *articulation.joints):
         item.name = item.name.removeprefix(f"scene-0-{request['asset']}_")
-    couple(articulation, builder.mimic_joint_records)
-    told = read_articulation(articulation, builder.mimic_joint_records, request)
-    note = told["note"]
+    answer = read_articulation(inner.step, articulation, builder.mimic_joint_records, request)
     if request["layout"] == "partnet-mobility":
-        note += f", {_handles(builder)} links with a handle"
-    moved = simulate(inner.step, articulation, request)
-    return {"version": version("mani_skill"), **told, **moved, "note": note}
+        answer["note"] += f", {_handles(builder)} links with a handle"
+    return answer
 
 
 def _builder(scene: Any, request: dict[str, Any]) -> Any:
@@ -57,13 +48,11 @@ def _builder(scene: Any, request: dict[str, Any]) -> Any:
 
         folder, name = Path(request["directory"]), request["asset"]
         partnet_mobility.PARTNET_MOBILITY = {
-            "model_data": {name: json.loads((folder / _ABOUT).read_text(encoding="utf-8"))},
-            "model_urdf_paths": {name: folder / _TWIN},
+            "model_data": {name: json.loads((folder / _MODELS).read_text(encoding="utf-8"))},
+            "model_urdf_paths": {name: folder / _URDF},
         }
         return articulations.get_articulation_builder(scene, f"partnet-mobility:{name}", fix_root_link=fixed)
-    from sapien.wrapper import urdf_loader
-
-    without_graphics(urdf_loader)
+    skip_visuals()
     loader = scene.create_urdf_loader()
     loader.fix_root_link = fixed
     loader.name = request["asset"]
@@ -78,4 +67,4 @@ def _handles(builder: Any) -> int:
 
 
 if __name__ == "__main__":
-    serve(numbered(read), "mani_skill")
+    serve(read)

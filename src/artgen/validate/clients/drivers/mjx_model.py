@@ -4,13 +4,17 @@ In JAX, MJX has no contacts of cylinders with boxes and meshes, and allocates ev
 touch, which are thousands; so only the joints are simulated.
 """
 
-import importlib.metadata
 import importlib.util
 from typing import Any
 
 import numpy as np
-from driver_protocol import serve
-from mujoco_fields import Fields
+from driver_protocol import in_base, require, serve
+
+require("jax", "mujoco")
+import jax
+import mujoco
+from mujoco import mjx
+from mujoco_model import Model
 
 _STEPS = 20
 _CONTACTS = 1024  # room for contacts, and four times as much for constraints
@@ -18,10 +22,6 @@ _CONTACTS = 1024  # room for contacts, and four times as much for constraints
 
 def read(request: dict[str, Any]) -> dict[str, Any]:
     """Return the response to a request."""
-    import jax
-    import mujoco
-    from mujoco import mjx
-
     model = mujoco.MjModel.from_xml_path(request["file"])
     try:
         mjx.put_model(model)
@@ -30,14 +30,15 @@ def read(request: dict[str, Any]) -> dict[str, Any]:
         note = f"JAX: {error}"
     bare = mujoco.MjModel.from_xml_path(request["file"])
     bare.geom_contype[:] = bare.geom_conaffinity[:] = 0
-    given = mjx.put_model(bare)
-    fields = Fields(model, lambda name: getattr(given, name))
-    data, kinematics = mjx.make_data(given), jax.jit(mjx.kinematics)
+    converted = mjx.put_model(bare)
+    fields = Model(model, lambda name: getattr(converted, name))
+    data, kinematics = mjx.make_data(converted), jax.jit(mjx.kinematics)
     poses = []
     for pose in request["poses"]:
-        placed = kinematics(given, data.replace(qpos=jax.numpy.array(fields.placed(request, pose))))
-        poses.append(fields.frames(np.asarray(placed.xpos), np.asarray(placed.xmat), request["links"]))
-    states = [_stepped(given, data)]
+        placed = kinematics(converted, data.replace(qpos=jax.numpy.array(fields.placed(pose))))
+        frames = fields.frames(np.asarray(placed.xpos), np.asarray(placed.xmat))
+        poses.append(in_base(frames, request["links"]))
+    states = [_stepped(converted, data)]
     if importlib.util.find_spec("warp"):
         import warp
 
@@ -47,7 +48,6 @@ def read(request: dict[str, Any]) -> dict[str, Any]:
         states.append(_stepped(whole, room))
         note = f"Warp takes its contacts; {note}"
     return {
-        "version": importlib.metadata.version("mujoco-mjx"),
         **fields.read(request),
         "poses": poses,
         "steps": _STEPS * len(states),
@@ -58,9 +58,6 @@ def read(request: dict[str, Any]) -> dict[str, Any]:
 
 def _stepped(model: Any, data: Any) -> Any:
     """Return the joint positions after several steps."""
-    import jax
-    from mujoco import mjx
-
     step = jax.jit(mjx.step)
     for _ in range(_STEPS):
         data = step(model, data)
@@ -68,4 +65,4 @@ def _stepped(model: Any, data: Any) -> Any:
 
 
 if __name__ == "__main__":
-    serve(read, "jax", "mujoco")
+    serve(read)

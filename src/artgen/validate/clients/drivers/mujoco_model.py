@@ -1,113 +1,138 @@
-"""MuJoCo driver: reads a URDF or MJCF and moves its joints."""
+"""MuJoCo driver: reads a URDF or MJCF and moves its joints. Drivers of its relatives share `Model`."""
 
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
-from driver_motion import drive_all
-from driver_protocol import about_axes, serve, transform
+from driver_motion import Simulation, pose_and_drive
+from driver_protocol import mass_properties, require, serve, transform
+
+require("mujoco")
+import mujoco
 
 _KINDS = {2: "prismatic", 3: "revolute"}  # values of mjtJoint with one degree of freedom
 
 
 def read(request: dict[str, Any]) -> dict[str, Any]:
     """Return the response to a request."""
-    import mujoco
-
     spec = mujoco.MjSpec.from_file(request["file"])
     if request["format"] == "urdf":
         spec.compiler.fusestatic = False  # keeps links of fixed joints separate
-    model = spec.compile()
-    data = mujoco.MjData(model)
-    joints = {
-        model.joint(number).name: number for number in range(model.njnt) if model.jnt_type[number] in _KINDS
-    }
-    poses = []
-    for q in request["poses"]:
-        for name, number in joints.items():
-            data.qpos[model.jnt_qposadr[number]] = q[name]
-        mujoco.mj_kinematics(model, data)
-        poses.append(_frames(data, request["links"]))
-    simulation = _Simulation(mujoco, model, joints, request["poses"][0])
-    moved = drive_all(simulation, request)
-    return {
-        "version": mujoco.__version__,
-        "links": {name: _link(mujoco, model, name) for name in request["links"]},
-        "joints": {name: _joint(model, number, request["format"]) for name, number in joints.items()},
-        "couplings": dict(_coupling(model, number) for number in range(model.neq)),
-        "poses": poses,
-        "moved": moved,
-        "steps": simulation.steps,
-        "finite": simulation.finite,
-        "said": [
-            f"it warns {each.number} times while stepping" for each in simulation.data.warning if each.number
-        ],
-    }
+    model = Model(spec.compile())
+    answer = model.read(request)
+    if request["format"] == "urdf":  # it has no springs and armature
+        for joint in answer["joints"].values():
+            for quantity in ("stiffness", "armature", "rest"):
+                joint.pop(quantity, None)
+    return {**answer, **model.simulate(request)}
 
 
-def _frames(data: Any, links: list[str]) -> dict[str, Any]:
-    found = {name: transform(data.body(name).xmat, data.body(name).xpos) for name in links}
-    base = np.linalg.inv(found[links[0]])
-    return {name: base @ frame for name, frame in found.items()}
+class Model:
+    """Numbers of a model, with MuJoCo's names."""
+
+    def __init__(self, model: Any, get: Callable[[str], Any] | None = None, prefix: str = "") -> None:
+        self.model, self.prefix = model, prefix
+        get = get or (lambda name: getattr(model, name))
+        self._get = lambda name: np.asarray(get(name), float).reshape(np.shape(getattr(model, name)))
+        names = {number: model.joint(number).name for number in range(model.njnt)}
+        self.joints = {
+            name.removeprefix(prefix): number
+            for number, name in names.items()
+            if model.jnt_type[number] in _KINDS and name.startswith(prefix)
+        }
+        self.places = {name: int(model.jnt_qposadr[number]) for name, number in self.joints.items()}
+        self.degrees = {name: int(model.jnt_dofadr[number]) for name, number in self.joints.items()}
+
+    def _link(self, name: str) -> dict[str, Any]:
+        body, turn = self.model.body(self.prefix + name).id, np.zeros(9)
+        mujoco.mju_quat2Mat(turn, self._get("body_iquat")[body])
+        mass, center, moments = (self._get(f"body_{key}")[body] for key in ("mass", "ipos", "inertia"))
+        return mass_properties(mass, center, moments, turn)
+
+    def _joint(self, name: str) -> dict[str, Any]:
+        number, degree = self.joints[name], self.degrees[name]
+        found = {
+            "kind": _KINDS[self.model.jnt_type[number]],
+            "limits": self._get("jnt_range")[number] if self.model.jnt_limited[number] else None,
+            "damping": np.ravel(self._get("dof_damping")[degree])[0],
+            "friction": self._get("dof_frictionloss")[degree],
+            "armature": self._get("dof_armature")[degree],
+            "stiffness": np.ravel(self._get("jnt_stiffness")[number])[0],
+        }
+        return found | ({"rest": self._get("qpos_spring")[self.places[name]]} if found["stiffness"] else {})
+
+    def _couplings(self) -> dict[str, list[Any]]:
+        """Return leader, ratio and offset by follower."""
+        names, found = {number: name for name, number in self.joints.items()}, {}
+        for number in range(self.model.neq):
+            pair = [int(self.model.eq_obj1id[number]), int(self.model.eq_obj2id[number])]
+            if pair[0] in names:
+                # MuJoCo couples displacements from the reference positions
+                start, start_of_leader = self._get("qpos0")[self.model.jnt_qposadr[pair]]
+                constant, ratio = self._get("eq_data")[number][:2]
+                offset = start + constant - ratio * start_of_leader
+                found[names[pair[0]]] = [names[pair[1]], ratio, offset]
+        return found
+
+    def read(self, request: dict[str, Any]) -> dict[str, Any]:
+        """Return links, joints and couplings for a response."""
+        return {
+            "links": {name: self._link(name) for name in request["links"]},
+            "joints": {name: self._joint(name) for name in self.joints},
+            "couplings": self._couplings(),
+        }
+
+    def frames(self, positions: Any, turns: Any) -> dict[str, Any]:
+        """Return the frame of each link."""
+        bodies = [(number, self.model.body(number).name) for number in range(1, self.model.nbody)]
+        return {
+            name.removeprefix(self.prefix): transform(turns[number], positions[number])
+            for number, name in bodies
+            if name.startswith(self.prefix)
+        }
+
+    def placed(self, pose: dict[str, float]) -> Any:
+        """Return the positions of the model in a pose, shape (nq,)."""
+        qpos = np.array(self.model.qpos0)
+        for name, place in self.places.items():
+            qpos[place] = pose.get(name, qpos[place])
+        return qpos
+
+    def simulate(self, request: dict[str, Any]) -> dict[str, Any]:
+        """Return poses, motion and warnings for a response."""
+        simulation = _Simulation(self)
+        motion = pose_and_drive(simulation, request)
+        return {**motion, "said": warnings_of(simulation.data)}
 
 
-def _link(mujoco: Any, model: Any, name: str) -> dict[str, Any]:
-    body = model.body(name)
-    turn = np.zeros(9)
-    mujoco.mju_quat2Mat(turn, body.iquat)
-    inertia = about_axes(body.inertia, turn.reshape(3, 3))
-    return {"mass": body.mass[0], "center": body.ipos, "inertia": inertia}
+class _Simulation(Simulation):
+    def __init__(self, model: Model) -> None:
+        super().__init__(model.places, model.degrees)
+        self._fields, self._model, self.time_step = model, model.model, model.model.opt.timestep
+        self.data = mujoco.MjData(self._model)
 
+    def place(self, pose: dict[str, float]) -> None:
+        mujoco.mj_resetData(self._model, self.data)
+        self.data.qpos[:] = self._fields.placed(pose)
+        mujoco.mj_kinematics(self._model, self.data)
 
-def _joint(model: Any, number: int, form: str) -> dict[str, Any]:
-    degree = model.jnt_dofadr[number]
-    found = {
-        "kind": _KINDS[model.jnt_type[number]],
-        "limits": model.jnt_range[number] if model.jnt_limited[number] else None,
-        "damping": np.ravel(model.dof_damping[degree])[0],
-        "friction": model.dof_frictionloss[degree],
-    }
-    if form == "mjcf":
-        found["stiffness"] = np.ravel(model.jnt_stiffness[number])[0]
-        found["armature"] = model.dof_armature[degree]
-        if found["stiffness"]:
-            found["rest"] = model.qpos_spring[model.jnt_qposadr[number]]
-    return found
+    def frames(self) -> dict[str, Any]:
+        return self._fields.frames(self.data.xpos, self.data.xmat)
 
-
-def _coupling(model: Any, number: int) -> tuple[str, list[Any]]:
-    follower, leader = int(model.eq_obj1id[number]), int(model.eq_obj2id[number])
-    # MuJoCo couples displacements from the reference positions
-    start, start_of_leader = (float(model.qpos0[model.jnt_qposadr[joint]]) for joint in (follower, leader))
-    ratio = float(model.eq_data[number, 1])
-    offset = start + float(model.eq_data[number, 0]) - ratio * start_of_leader
-    return model.joint(follower).name, [model.joint(leader).name, ratio, offset]
-
-
-class _Simulation:
-    """A MuJoCo simulation from the initial positions."""
-
-    def __init__(self, mujoco: Any, model: Any, joints: dict[str, int], start: dict[str, float]) -> None:
-        self._mujoco, self._model, self.data = mujoco, model, mujoco.MjData(model)
-        self._places = {name: int(model.jnt_qposadr[number]) for name, number in joints.items()}
-        self._degrees = {name: int(model.jnt_dofadr[number]) for name, number in joints.items()}
-        for name, place in self._places.items():
-            self.data.qpos[place] = start[name]
-        self.steps, self.finite = 0, True
-
-    def position(self, name: str) -> float:
-        return float(self.data.qpos[self._places[name]])
+    def positions(self) -> Any:
+        return self.data.qpos
 
     def push(self, forces: dict[str, float]) -> None:
-        self.data.qfrc_applied[list(self._degrees.values())] = 0.0
-        for name, force in forces.items():
-            self.data.qfrc_applied[self._degrees[name]] = force
+        self.data.qfrc_applied[:] = self.in_order(forces, np.zeros(self._model.nv))
 
-    def advance(self, seconds: float) -> None:
-        count = max(1, round(seconds / self._model.opt.timestep))
-        self._mujoco.mj_step(self._model, self.data, nstep=count)
-        self.steps += count
-        self.finite = self.finite and bool(np.isfinite(self.data.qpos).all())
+    def step(self, count: int) -> None:
+        mujoco.mj_step(self._model, self.data, nstep=count)
+
+
+def warnings_of(data: Any) -> list[str]:
+    """Return the warnings of a simulation as messages."""
+    return [f"it warns {each.number} times while stepping" for each in data.warning if each.number]
 
 
 if __name__ == "__main__":
-    serve(read, "mujoco")
+    serve(read)

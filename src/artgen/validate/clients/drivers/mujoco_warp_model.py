@@ -1,11 +1,17 @@
 """MuJoCo Warp driver: reads an MJCF and simulates it at rest."""
 
-import importlib.metadata
 from typing import Any
 
 import numpy as np
-from driver_protocol import serve
-from mujoco_fields import Fields
+from driver_protocol import in_base, require, serve
+
+require("mujoco_warp")
+import warp
+
+warp.config.log_level = warp.LOG_WARNING  # official switch for its banner; warnings stay
+import mujoco
+import mujoco_warp
+from mujoco_model import Model
 
 _STEPS = 200
 _CONTACTS = 1024  # room for contacts, and four times as much for constraints
@@ -13,27 +19,20 @@ _CONTACTS = 1024  # room for contacts, and four times as much for constraints
 
 def read(request: dict[str, Any]) -> dict[str, Any]:
     """Return the response to a request."""
-    import warp
-
-    # official switch for its banner; warnings stay
-    warp.config.log_level = warp.LOG_WARNING
-    import mujoco
-    import mujoco_warp
-
     model = mujoco.MjModel.from_xml_path(request["file"])
     with warp.ScopedDevice("cpu"):
-        given = mujoco_warp.put_model(model)
-        fields = Fields(model, lambda name: getattr(given, name).numpy())
+        converted = mujoco_warp.put_model(model)
+        fields = Model(model, lambda name: getattr(converted, name).numpy())
         poses = []
         for pose in request["poses"]:
-            placed = _data(mujoco, mujoco_warp, model, fields.placed(request, pose))
-            mujoco_warp.kinematics(given, placed)
-            poses.append(fields.frames(placed.xpos.numpy()[0], placed.xmat.numpy()[0], request["links"]))
-        data = _data(mujoco, mujoco_warp, model, fields.placed(request, request["poses"][0]))
+            data = _data(model, fields.placed(pose))
+            mujoco_warp.kinematics(converted, data)
+            frames = fields.frames(data.xpos.numpy()[0], data.xmat.numpy()[0])
+            poses.append(in_base(frames, request["links"]))
+        data = _data(model, fields.placed(request["poses"][0]))
         for _ in range(_STEPS):
-            mujoco_warp.step(given, data)
+            mujoco_warp.step(converted, data)
     return {
-        "version": importlib.metadata.version("mujoco-warp"),
         **fields.read(request),
         "poses": poses,
         "steps": _STEPS,
@@ -42,7 +41,7 @@ def read(request: dict[str, Any]) -> dict[str, Any]:
     }
 
 
-def _data(mujoco: Any, mujoco_warp: Any, model: Any, qpos: Any) -> Any:
+def _data(model: Any, qpos: Any) -> Any:
     """Return the state of one world."""
     data = mujoco.MjData(model)
     data.qpos[:] = qpos
@@ -51,4 +50,4 @@ def _data(mujoco: Any, mujoco_warp: Any, model: Any, qpos: Any) -> Any:
 
 
 if __name__ == "__main__":
-    serve(read, "mujoco_warp")
+    serve(read)

@@ -1,42 +1,47 @@
 """Newton driver: reads a URDF, MJCF or USD and moves its joints in MuJoCo's solver on the CPU."""
 
-import math
 import warnings
 from dataclasses import dataclass
 from typing import Any
 
-import numpy as np
-from driver_motion import drive_all, in_base, posed
-from driver_protocol import serve
-from usd_runtime import enabled
+from driver_layouts import enabled
+from driver_motion import Simulation, pose_and_drive
+from driver_protocol import couplings_to_heads, finite_limits, frame_of, mass_properties, require, serve
 
-_STEP = 0.002  # [s]
-_UNLIMITED = 1e5  # larger limits, efforts and speeds count as none
+require("newton", "mujoco", "pxr")
+import warp
+
+# one line per warning, without the source line
+warnings.formatwarning = lambda message, category, *_: f"{category.__name__}: {message}\n"
+warp.config.log_level = warp.LOG_WARNING  # official switch for its banner; warnings stay
+import newton
+
+_UNLIMITED = 1e5  # larger efforts and speeds count as none
 
 
 def read(request: dict[str, Any]) -> dict[str, Any]:
     """Return the response to a request."""
-    import warp
-
-    # its own switch for its banner; warnings stay
-    warp.config.log_level = warp.LOG_WARNING
-    import newton
-
-    model = _load(newton, request).finalize(device="cpu")
-    run = _Run(newton, model, request)
+    model = _load(request).finalize(device="cpu")
+    degrees = _degrees(model, request)
+    simulation = _Simulation(model, degrees)
+    bodies = simulation.bodies
+    masses, centers, inertias = (
+        values.numpy() for values in (model.body_mass, model.body_com, model.body_inertia)
+    )
+    links = {
+        name: mass_properties(masses[bodies[name]], centers[bodies[name]], inertias[bodies[name]])
+        for name in request["links"]
+        if name in bodies
+    }
     return {
-        "version": newton.__version__,
-        "links": _links(model, request, run.bodies),
-        "joints": _joints(model, request, run.degrees),
-        "couplings": _couplings(model, run.degrees),
-        "poses": [run.pose(pose, request["links"]) for pose in request["poses"]],
-        "moved": drive_all(run, request),
-        "steps": run.steps,
-        "finite": run.finite,
+        "links": links,
+        "joints": _joints(model, request, degrees),
+        "couplings": _couplings(model, degrees),
+        **pose_and_drive(simulation, request),
     }
 
 
-def _load(newton: Any, request: dict[str, Any]) -> Any:
+def _load(request: dict[str, Any]) -> Any:
     builder = newton.ModelBuilder()
     if request["format"] == "urdf":
         builder.add_urdf(request["file"], floating=request["base"] == "free")
@@ -46,41 +51,6 @@ def _load(newton: Any, request: dict[str, Any]) -> Any:
         with enabled(request, "Newton") as file:
             builder.add_usd(file)
     return builder
-
-
-def _links(model: Any, request: dict[str, Any], bodies: dict[str, int]) -> dict[str, Any]:
-    masses, centers, inertias = (
-        values.numpy() for values in (model.body_mass, model.body_com, model.body_inertia)
-    )
-    return {
-        name: {
-            "mass": masses[bodies[name]],
-            "center": centers[bodies[name]],
-            "inertia": inertias[bodies[name]],
-        }
-        for name in request["links"]
-        if name in bodies
-    }
-
-
-def _joints(model: Any, request: dict[str, Any], degrees: dict[str, "_Degree"]) -> dict[str, Any]:
-    springs = {joint["name"]: joint for joint in request["joints"]}
-    found = {}
-    for name, degree in degrees.items():
-        found[name] = _joint(model, degree, request["format"])
-        if "rest" in found[name] and _beyond(springs.get(name)) and request["format"] == "usd":
-            # Newton moves a drive's target beyond the limits to the center of the range, and has no other
-            # spring in USD
-            del found[name]["rest"]
-    return found
-
-
-def _beyond(joint: dict[str, Any] | None) -> bool:
-    """Tell whether the rest position of a joint's spring is outside its limits."""
-    if joint is None or joint["limits"] is None:
-        return False
-    low, high = joint["limits"]
-    return not low <= joint["rest"] <= high
 
 
 @dataclass(frozen=True)
@@ -93,7 +63,7 @@ class _Degree:
     start: float  # position of the joint where the model has 0, which an MJCF may choose [rad or m]
 
 
-def _degrees(newton: Any, model: Any, request: dict[str, Any]) -> dict[str, _Degree]:
+def _degrees(model: Any, request: dict[str, Any]) -> dict[str, _Degree]:
     """Return the degrees of freedom by the names of their joints.
 
     In an MJCF, Newton makes one joint of several between two bodies: it has all their names, and its slides
@@ -111,7 +81,7 @@ def _degrees(newton: Any, model: Any, request: dict[str, Any]) -> dict[str, _Deg
         slides, count = int(dimensions[number][0]), int(dimensions[number].sum())
         if int(types[number]) not in known or not count:
             continue
-        names = [_last(label)] if count == 1 else _parts(_last(label), list(kinds))
+        names = [_last(label)] if count == 1 else _split_names(_last(label), list(kinds))
         # the sort is stable: each kind keeps its order
         for index, name in enumerate(sorted(names, key=lambda each: kinds.get(each) == "revolute")):
             speed = int(speeds[number]) + index
@@ -121,14 +91,33 @@ def _degrees(newton: Any, model: Any, request: dict[str, Any]) -> dict[str, _Deg
     return found
 
 
-def _parts(text: str, names: list[str]) -> list[str]:
+def _split_names(text: str, names: list[str]) -> list[str]:
     """Return the names that form a text with underscores; empty for other texts."""
     for name in names:
         if text == name:
             return [name]
-        if text.startswith(f"{name}_") and (rest := _parts(text[len(name) + 1 :], names)):
+        if text.startswith(f"{name}_") and (rest := _split_names(text[len(name) + 1 :], names)):
             return [name, *rest]
     return []
+
+
+def _joints(model: Any, request: dict[str, Any], degrees: dict[str, _Degree]) -> dict[str, Any]:
+    requested = {joint["name"]: joint for joint in request["joints"]}
+    found = {}
+    for name, degree in degrees.items():
+        found[name] = _joint(model, degree, request["format"])
+        if request["format"] == "usd" and _rests_beyond_limits(requested.get(name)):
+            # Newton moves a drive's target beyond the limits to the center of the range, and has no other
+            # spring in USD
+            found[name].pop("rest", None)
+    return found
+
+
+def _rests_beyond_limits(joint: dict[str, Any] | None) -> bool:
+    if joint is None or joint["limits"] is None:
+        return False
+    low, high = joint["limits"]
+    return not low <= joint["rest"] <= high
 
 
 def _joint(model: Any, degree: _Degree, form: str) -> dict[str, Any]:
@@ -137,13 +126,12 @@ def _joint(model: Any, degree: _Degree, form: str) -> dict[str, Any]:
     def value(name: str) -> float:
         return float(getattr(model, name).numpy()[degree.speed])
 
-    low, high = value("joint_limit_lower"), value("joint_limit_upper")
-    limited = math.isfinite(low) and math.isfinite(high) and max(abs(low), abs(high)) < _UNLIMITED
     # a drive pulls to its target, a spring of the joint to its rest: a file has one of them
     driven, passive = value("joint_target_ke"), value("joint_stiffness")
+    low, high = value("joint_limit_lower") + degree.start, value("joint_limit_upper") + degree.start
     result: dict[str, Any] = {
         "kind": degree.kind,
-        "limits": [low + degree.start, high + degree.start] if limited else None,
+        "limits": finite_limits(low, high),
         "damping": value("joint_target_kd") + value("joint_damping"),
         "friction": value("joint_friction"),
     }
@@ -152,95 +140,66 @@ def _joint(model: Any, degree: _Degree, form: str) -> dict[str, Any]:
         if driven or passive:
             rests = model.joint_target_q if driven else model.joint_rest_q
             result["rest"] = float(rests.numpy()[degree.place]) + degree.start
-    for name in ("effort", "velocity"):
-        bound = value(f"joint_{name}_limit")
-        if bound < _UNLIMITED:
-            result[name] = bound
-    return result
+    bounds = {name: value(f"joint_{name}_limit") for name in ("effort", "velocity")}
+    return result | {name: bound for name, bound in bounds.items() if bound < _UNLIMITED}
 
 
 def _couplings(model: Any, degrees: dict[str, _Degree]) -> dict[str, Any]:
     """Return couplings: those of joints, or equalities of MuJoCo, which Newton stores separately."""
     names = [_last(label) for label in model.joint_label]
-    laws = [
-        (number, int(leader), *coefficients)
-        for number, (leader, coefficients) in enumerate(
-            zip(model.joint_mimic_joint.numpy(), model.joint_mimic_coeffs.numpy(), strict=True)
-        )
-    ]
-    equalities = model.mujoco
-    followers, leaders = (getattr(equalities, f"equality_constraint_joint{side}").numpy() for side in (1, 2))
-    for follower, leader, terms in zip(
-        followers, leaders, equalities.equality_constraint_polycoef.numpy(), strict=True
-    ):
-        laws.append((int(follower), int(leader), *terms[:2]))
+    mimics = zip(model.joint_mimic_joint.numpy(), model.joint_mimic_coeffs.numpy(), strict=True)
+    laws = [(number, leader, terms) for number, (leader, terms) in enumerate(mimics)]
+    equalities = (
+        getattr(model.mujoco, f"equality_constraint_{name}").numpy()
+        for name in ("joint1", "joint2", "polycoef")
+    )
+    laws += zip(*equalities, strict=True)
     found: dict[str, list[Any]] = {}
-    for follower, leader, offset, ratio in laws:
+    for follower, leader, (offset, ratio, *_) in laws:
         if follower >= 0 and leader >= 0:
-            name, head = names[follower], names[leader]
+            name, head = names[int(follower)], names[int(leader)]
             shift = degrees[name].start - float(ratio) * degrees[head].start
             found[name] = [head, float(ratio), float(offset) + shift]
-    return {name: _to_head(found, name) for name in found}
+    return couplings_to_heads(found)
 
 
-def _to_head(found: dict[str, list[Any]], name: str) -> list[Any]:
-    """Return the coupling of a joint to the free joint at the head of its chain of leaders."""
-    leader, ratio, offset = found[name]
-    if leader not in found:
-        return [leader, ratio, offset]
-    head, above, shift = _to_head(found, leader)
-    return [head, ratio * above, ratio * shift + offset]
-
-
-class _Run:
-    """A model, posed and simulated."""
-
-    def __init__(self, newton: Any, model: Any, request: dict[str, Any]) -> None:
-        self.steps, self.finite = 0, True
-        self.degrees = _degrees(newton, model, request)
+class _Simulation(Simulation):
+    def __init__(self, model: Any, degrees: dict[str, _Degree]) -> None:
+        places = {name: degree.place for name, degree in degrees.items()}
+        super().__init__(places, {name: degree.speed for name, degree in degrees.items()})
         self.bodies = {_last(label): number for number, label in enumerate(model.body_label)}
-        self._newton, self._model = newton, model
+        self._model, self._starts = model, {name: degree.start for name, degree in degrees.items()}
         self._solver = newton.solvers.SolverMuJoCo(model, use_mujoco_cpu=True)
         self._states = [model.state(), model.state()]
         self._control = model.control()
-        self._place(self._states[0], request["poses"][0])
 
-    def pose(self, pose: dict[str, float], links: list[str]) -> dict[str, Any]:
-        """Return the frames of links at a pose."""
-        state = self._model.state()
-        self._place(state, pose)
-        placed = state.body_q.numpy()
-        return in_base({name: posed(placed[number]) for name, number in self.bodies.items()}, links)
-
-    def _place(self, state: Any, pose: dict[str, float]) -> None:
+    def place(self, pose: dict[str, float]) -> None:
+        state = self._states[0]
         q = state.joint_q.numpy()
         for name, position in pose.items():
-            if name in self.degrees:
-                q[self.degrees[name].place] = position - self.degrees[name].start
+            if name in self.places:
+                q[self.places[name]] = position - self._starts[name]
         state.joint_q.assign(q)
-        self._newton.eval_fk(self._model, state.joint_q, state.joint_qd, state)
+        newton.eval_fk(self._model, state.joint_q, state.joint_qd, state)
+
+    def frames(self) -> dict[str, Any]:
+        poses = self._states[0].body_q.numpy()
+        return {name: frame_of(poses[number]) for name, number in self.bodies.items()}
+
+    def positions(self) -> Any:
+        return self._states[0].joint_q.numpy()
 
     def position(self, name: str) -> float:
-        """Return the position of a joint [rad or m]."""
-        degree = self.degrees[name]
-        return float(self._states[0].joint_q.numpy()[degree.place]) + degree.start
+        return super().position(name) + self._starts[name]
 
     def push(self, forces: dict[str, float]) -> None:
-        """Set the torques and forces of joints [N m or N]."""
-        values = self._control.joint_f.numpy()
-        values[:] = 0.0
-        for name, amount in forces.items():
-            values[self.degrees[name].speed] = amount
-        self._control.joint_f.assign(values)
+        self._control.joint_f.assign(self.in_order(forces, 0.0 * self._control.joint_f.numpy()))
 
-    def advance(self, seconds: float) -> None:
-        """Simulate."""
-        for _ in range(round(seconds / _STEP)):
+    def step(self, count: int) -> None:
+        for _ in range(count):
             self._states[0].clear_forces()
-            self._solver.step(self._states[0], self._states[1], self._control, None, _STEP)
+            self._solver.step(self._states[0], self._states[1], self._control, None, self.time_step)
             self._states.reverse()
-            self.steps += 1
-        self.finite = self.finite and bool(np.isfinite(self._states[0].joint_q.numpy()).all())
 
 
 def _last(label: str) -> str:
@@ -249,6 +208,4 @@ def _last(label: str) -> str:
 
 
 if __name__ == "__main__":
-    # one line per warning, without the source line
-    warnings.formatwarning = lambda message, category, *_: f"{category.__name__}: {message}\n"
-    serve(read, "newton", "mujoco", "pxr")
+    serve(read)

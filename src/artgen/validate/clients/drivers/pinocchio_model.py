@@ -1,17 +1,18 @@
 """Pinocchio driver: reads a URDF, and its meshes with coal."""
 
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import numpy as np
-from driver_protocol import serve, transform
-from partnet_request import numbered
+from driver_protocol import mass_properties, require, serve, transform
+
+require("pinocchio")
+import pinocchio
 
 
 def read(request: dict[str, Any]) -> dict[str, Any]:
     """Return the response to a request."""
-    import pinocchio
-
     path = request["file"]
     # a joint with six degrees of freedom at the base separates its mass from the world's
     model = pinocchio.buildModelFromUrdf(path, pinocchio.JointModelFreeFlyer())
@@ -20,18 +21,17 @@ def read(request: dict[str, Any]) -> dict[str, Any]:
         for kind in (pinocchio.GeometryType.COLLISION, pinocchio.GeometryType.VISUAL)
     ]
     note = f"{meshes[0].ngeoms} colliders, {meshes[1].ngeoms} visuals"
-    coupled, why_not = _coupled(pinocchio, path)
+    coupled, why_not = _coupled(path)
     moving = {model.names[number]: model.joints[number] for number in range(2, model.njoints)}
     return {
-        "version": pinocchio.__version__,
-        "links": dict(_links(pinocchio, model, request["links"])),
+        "links": dict(_links(model, request["links"])),
         "joints": {name: _joint(model, joint) for name, joint in moving.items()},
-        "poses": _poses(pinocchio, coupled or model, request),
+        "poses": _poses(coupled or model, request),
         "note": note + why_not,
     }
 
 
-def _coupled(pinocchio: Any, path: str) -> tuple[Any, str]:
+def _coupled(path: str) -> tuple[Any, str]:
     """Return a model with couplings, or the reason why there is none."""
     try:
         return pinocchio.buildModelFromUrdf(path, pinocchio.JointModelFreeFlyer(), mimic=True), ""
@@ -42,7 +42,7 @@ def _coupled(pinocchio: Any, path: str) -> tuple[Any, str]:
         return None, "; it cannot couple a joint to one of a later name"
 
 
-def _links(pinocchio: Any, model: Any, names: list[str]) -> Any:
+def _links(model: Any, names: list[str]) -> Iterator[tuple[str, dict[str, Any]]]:
     """Yield the links that pinocchio keeps separate: those without a fixed joint to another link."""
     fused = pinocchio.FrameType.FIXED_JOINT
     for name in names:
@@ -53,7 +53,7 @@ def _links(pinocchio: Any, model: Any, names: list[str]) -> Any:
         for other in model.frames:
             if other.type == fused and other.parentJoint == frame.parentJoint:
                 own = own - other.placement.act(other.inertia)
-        yield name, {"mass": own.mass, "center": own.lever, "inertia": own.inertia}
+        yield name, mass_properties(own.mass, own.lever, own.inertia)
 
 
 def _joint(model: Any, joint: Any) -> dict[str, Any]:
@@ -67,7 +67,7 @@ def _joint(model: Any, joint: Any) -> dict[str, Any]:
     }
 
 
-def _poses(pinocchio: Any, model: Any, request: dict[str, Any]) -> list[dict[str, Any]]:
+def _poses(model: Any, request: dict[str, Any]) -> list[dict[str, Any]]:
     frames = {name: model.getFrameId(name, pinocchio.FrameType.BODY) for name in request["links"]}
     data = model.createData()
     result = []
@@ -85,4 +85,4 @@ def _poses(pinocchio: Any, model: Any, request: dict[str, Any]) -> list[dict[str
 
 
 if __name__ == "__main__":
-    serve(numbered(read), "pinocchio")
+    serve(read)

@@ -3,44 +3,34 @@
 from typing import Any
 
 import numpy as np
-from driver_protocol import ends, free, serve
-from mujoco_fields import Fields
+from driver_protocol import require, serve
+
+require("robosuite", "mujoco")
+import mujoco
+from mujoco_model import Model, warnings_of
+from robosuite.models.arenas import EmptyArena
+from robosuite.models.objects import MujocoXMLObject
+from robosuite.models.robots.robot_model import create_robot
+from robosuite.models.tasks import ManipulationTask
 
 _NAMES = ("first_object", "second_object")
 _APART = 4.0  # distance between the objects [m]
 _CLEAR = 0.002  # height of a free object above the floor before it drops [m]
 _STEPS = 1000
-_TURN = 0.5  # time of a joint from one end to the other [s]
-_MOST = 1.5  # time to one end [s]
-_NEAR = 0.02  # tolerance at the end, as a share of the range
-_GROWTH = 15.0  # growth of a force while its joint hardly moves [1/s]
-_LEAST = 1e-4  # share of the effort at the start
 _CORNERS = ("p0", "px", "py", "pz")
 
 
 def read(request: dict[str, Any]) -> dict[str, Any]:
     """Return the response to a request."""
-    import mujoco
-    import robosuite
-
     objects = [_object(request, name) for name in _NAMES]
     model = _model(request, objects)
     data = mujoco.MjData(model)
     mujoco.mj_step(model, data, nstep=_STEPS)
-    said = [f"it warns {each.number} times while stepping" for each in data.warning if each.number]
-    said += _missing(model, objects) + _misread(request)
-    fields = Fields(model, lambda name: getattr(model, name), objects[-1].naming_prefix)
-    poses = []
-    for pose in request["poses"]:
-        placed = mujoco.MjData(model)
-        placed.qpos[:] = fields.placed(request, pose)
-        mujoco.mj_kinematics(model, placed)
-        poses.append(fields.frames(placed.xpos, placed.xmat, request["links"]))
+    said = warnings_of(data) + _missing(model, objects) + _misread(request)
+    fields = Model(model, prefix=objects[-1].naming_prefix)
     return {
-        "version": robosuite.__version__,
         **fields.read(request),
-        "poses": poses,
-        "moved": {joint["name"]: _driven(mujoco, fields, joint, request) for joint in free(request)},
+        **fields.simulate(request),
         "steps": _STEPS,
         "finite": bool(np.isfinite(data.qpos).all()),
         "said": said,
@@ -49,18 +39,12 @@ def read(request: dict[str, Any]) -> dict[str, Any]:
 
 
 def _object(request: dict[str, Any], name: str) -> Any:
-    from robosuite.models.objects import MujocoXMLObject
-
     joints = "default" if request["base"] == "free" else None
     return MujocoXMLObject(request["file"], name, joints=joints, duplicate_collision_geoms=False)
 
 
 def _model(request: dict[str, Any], objects: list[Any]) -> Any:
     """Return the model of a task with a robot and the objects next to each other on the floor."""
-    from robosuite.models.arenas import EmptyArena
-    from robosuite.models.robots.robot_model import create_robot
-    from robosuite.models.tasks import ManipulationTask
-
     clear = _CLEAR if request["base"] == "free" else 0.0
     for number, each in enumerate(objects):
         each.set_pos([_APART, _APART * number, clear - each.bottom_offset[2]])
@@ -73,21 +57,19 @@ def _model(request: dict[str, Any], objects: list[Any]) -> Any:
 
 def _missing(model: Any, objects: list[Any]) -> list[str]:
     """Return the names of robosuite's objects that are missing in the model."""
-    import mujoco
-
     kinds = {
-        "bodies": "BODY",
-        "joints": "JOINT",
-        "contact_geoms": "GEOM",
-        "visual_geoms": "GEOM",
-        "sites": "SITE",
+        "bodies": mujoco.mjtObj.mjOBJ_BODY,
+        "joints": mujoco.mjtObj.mjOBJ_JOINT,
+        "contact_geoms": mujoco.mjtObj.mjOBJ_GEOM,
+        "visual_geoms": mujoco.mjtObj.mjOBJ_GEOM,
+        "sites": mujoco.mjtObj.mjOBJ_SITE,
     }
     return [
-        f"{kind} names {name!r}, which the model has not"
+        f"{part} has the name {name!r}, which is missing in the model"
         for each in objects
-        for kind, what in kinds.items()
-        for name in getattr(each, kind)
-        if mujoco.mj_name2id(model, getattr(mujoco.mjtObj, f"mjOBJ_{what}"), name) < 0
+        for part, kind in kinds.items()
+        for name in getattr(each, part)
+        if mujoco.mj_name2id(model, kind, name) < 0
     ]
 
 
@@ -125,41 +107,5 @@ def _misread(request: dict[str, Any]) -> list[str]:
     return said
 
 
-def _driven(mujoco: Any, fields: Fields, joint: dict[str, Any], request: dict[str, Any]) -> list[float]:
-    """Return the range of a joint that is driven alone to both ends at a steady speed."""
-    model, number = fields.model, fields.joints(request)[joint["name"]]
-    data = mujoco.MjData(model)
-    data.qpos[:] = fields.placed(request, request["poses"][0])
-    place, degree = model.jnt_qposadr[number], model.jnt_dofadr[number]
-    low, high = ends(joint)
-    seen = [float(data.qpos[place])]
-    for side, end in ((1.0, high), (-1.0, low)):
-        speed, more = side * (high - low) / _TURN, 0.0
-        for _ in range(round(_MOST / model.opt.timestep)):
-            if side * (end - seen[-1]) <= _NEAR * (high - low):
-                break  # it would be pressed into its limit, which gives way
-            more = _push(mujoco, model, data, degree, speed, joint["effort"], more)
-            seen.append(float(data.qpos[place]))
-    return [min(seen), max(seen)]
-
-
-def _push(mujoco: Any, model: Any, data: Any, degree: int, speed: float, effort: float, more: float) -> float:
-    """Simulate a step with the torque that brings a degree of freedom to a speed."""
-    mujoco.mj_forward(model, data)
-    if abs(data.qvel[degree]) < 0.5 * abs(speed) or data.qvel[degree] * speed < 0.0:
-        more = min(effort, max(_LEAST * effort, more * (1.0 + _GROWTH * model.opt.timestep)))
-    else:
-        more *= 0.5
-    unit, column = np.zeros((1, model.nv)), np.zeros((1, model.nv))
-    unit[0, degree] = 1.0
-    mujoco.mj_solveM(model, data, column, unit)
-    lack = (speed - data.qvel[degree]) / (5.0 * model.opt.timestep)
-    force = data.qfrc_bias[degree] - data.qfrc_passive[degree] + lack / max(column[0, degree], 1e-12)
-    force += np.sign(speed) * (model.dof_frictionloss[degree] + more)
-    data.qfrc_applied[degree] = np.clip(force, -effort, effort)
-    mujoco.mj_step(model, data)
-    return more
-
-
 if __name__ == "__main__":
-    serve(read, "robosuite", "mujoco")
+    serve(read)

@@ -3,8 +3,12 @@
 from typing import Any
 
 import numpy as np
-from driver_protocol import about_axes, ends, free, serve
-from partnet_request import numbered
+from driver_protocol import ends, finite_limits, free, in_base, mass_properties, require, serve
+
+require("sapien")
+import sapien
+from sapien.wrapper import urdf_loader
+from sapien.wrapper.actor_builder import ActorBuilder
 
 _SETTLE = 1.0  # time of an asset at rest before the motion [s]
 _TURN = 1.0  # time of a joint from one end to the other [s]
@@ -13,16 +17,9 @@ _STEP = 1.0 / 240.0  # [s]
 
 def read(request: dict[str, Any]) -> dict[str, Any]:
     """Return the response to a request."""
-    from importlib.metadata import version
-
-    import sapien
-    from sapien.wrapper import urdf_loader
-
     if request["layout"] == "flat":
-        without_graphics(urdf_loader)
-    sapien.physx.set_body_config(sleep_threshold=0.0)  # a slow drive would fall asleep after 0.4 s
-    scene = sapien.Scene([sapien.physx.PhysxCpuSystem()])
-    scene.set_timestep(_STEP)
+        skip_visuals()
+    scene = new_scene()
     loader = urdf_loader.URDFLoader()
     loader.set_scene(scene)
     loader.fix_root_link = request["base"] == "fixed"
@@ -32,20 +29,37 @@ def read(request: dict[str, Any]) -> dict[str, Any]:
     if not articulations:
         (actor,) = actors
         actor.visual_records = []
-        return {"version": version("sapien"), **read_alone(scene.step, actor.build(), request)}
+        return read_entity(scene.step, actor.build(), request)
     (builder,) = articulations
     for link in builder.link_builders:
         link.visual_records = []
     articulation = builder.build(build_mimic_joints=False)
-    couple(articulation, builder.mimic_joint_records)
-    told = read_articulation(articulation, builder.mimic_joint_records, request)
-    return {"version": version("sapien"), **told, **simulate(scene.step, articulation, request)}
+    return read_articulation(scene.step, articulation, builder.mimic_joint_records, request)
 
 
-def read_alone(step: Any, entity: Any, request: dict[str, Any]) -> dict[str, Any]:
-    """Return the values of a link without joints, which SAPIEN loads as an actor."""
-    import sapien
+def new_scene() -> Any:
+    """Return a scene with physics on the CPU."""
+    sapien.physx.set_body_config(sleep_threshold=0.0)  # a slow drive would fall asleep after 0.4 s
+    scene = sapien.Scene([sapien.physx.PhysxCpuSystem()])
+    scene.set_timestep(_STEP)
+    return scene
 
+
+def skip_visuals() -> None:
+    """Allow URDF with materials without a graphics device: visuals are skipped."""
+
+    class Material:
+        """Replacement that accepts the loader's settings."""
+
+    def skip(builder: Any, *_: Any, **__: Any) -> Any:
+        return builder
+
+    urdf_loader.RenderMaterial = Material
+    ActorBuilder.add_visual_from_file = skip
+
+
+def read_entity(step: Any, entity: Any, request: dict[str, Any]) -> dict[str, Any]:
+    """Return the response for a link without joints, which SAPIEN loads as an actor."""
     body = entity.find_component_by_type(sapien.physx.PhysxRigidDynamicComponent)
     for _ in range(round(_SETTLE / _STEP)):
         step()
@@ -63,23 +77,31 @@ def read_alone(step: Any, entity: Any, request: dict[str, Any]) -> dict[str, Any
     }
 
 
-def without_graphics(urdf_loader: Any) -> None:
-    """Allow URDF with materials without a graphics device: visuals are skipped."""
-    from sapien.wrapper.actor_builder import ActorBuilder
-
-    class Material:
-        """Replacement that accepts the loader's settings."""
-
-    def passed_over(builder: Any, *_: Any, **__: Any) -> Any:
-        return builder
-
-    urdf_loader.RenderMaterial = Material
-    ActorBuilder.add_visual_from_file = passed_over
-
-
-def couple(articulation: Any, mimics: Any) -> None:
-    """Correct couplings to the meaning of URDF: SAPIEN 3.0 reverses those between joints of one body."""
+def read_articulation(step: Any, articulation: Any, mimics: Any, request: dict[str, Any]) -> dict[str, Any]:
+    """Return the response for an articulation without couplings, and their records."""
+    links = {link.name: link for link in articulation.links}
     joints = {joint.name: joint for joint in articulation.active_joints}
+    _couple(articulation, joints, mimics)
+    rest = dict.fromkeys(joints, 0.0)
+    poses = []
+    for q in request["poses"]:
+        positions = [{**rest, **q}[name] for name in joints]
+        articulation.set_qpos(np.array(positions, np.float32))
+        frames = {name: links[name].entity_pose.to_transformation_matrix() for name in request["links"]}
+        poses.append(in_base(frames, request["links"]))
+    return {
+        "links": {name: _link(links[name]) for name in request["links"]},
+        "joints": {name: _joint(joint) for name, joint in joints.items()},
+        "couplings": {item.joint: [item.mimic, item.multiplier, item.offset] for item in mimics},
+        "poses": poses,
+        "note": f"{sum(len(link.collision_shapes) for link in links.values())} colliders, "
+        f"{sum(link.mass for link in links.values()):.6g} kg",
+        **_simulate(step, articulation, joints, request),
+    }
+
+
+def _couple(articulation: Any, joints: dict[str, Any], mimics: Any) -> None:
+    """Correct couplings to the meaning of URDF: SAPIEN 3.0 reverses those between joints of one body."""
     for item in mimics:
         follower, leader = joints[item.joint], joints[item.mimic]
         siblings = follower.parent_link == leader.parent_link
@@ -93,46 +115,23 @@ def couple(articulation: Any, mimics: Any) -> None:
         )
 
 
-def read_articulation(articulation: Any, mimics: Any, request: dict[str, Any]) -> dict[str, Any]:
-    """Return masses, joints, couplings and poses of an articulation, by the names in the request."""
-    links = {link.name: link for link in articulation.links}
-    joints = {joint.name: joint for joint in articulation.active_joints}
-    stand = dict.fromkeys(joints, 0.0)
-    poses = []
-    for q in request["poses"]:
-        positions = [{**stand, **q}[name] for name in joints]
-        articulation.set_qpos(np.array(positions, np.float32))
-        frames = {name: links[name].entity_pose.to_transformation_matrix() for name in request["links"]}
-        base = np.linalg.inv(frames[request["links"][0]].astype(float))
-        poses.append({name: base @ frame for name, frame in frames.items()})
-    return {
-        "links": {name: _link(links[name]) for name in request["links"]},
-        "joints": {name: _joint(joint) for name, joint in joints.items()},
-        "couplings": {item.joint: [item.mimic, item.multiplier, item.offset] for item in mimics},
-        "poses": poses,
-        "note": f"{sum(len(link.collision_shapes) for link in links.values())} colliders, "
-        f"{sum(link.mass for link in links.values()):.6g} kg",
-    }
-
-
 def _link(link: Any) -> dict[str, Any]:
     pose = link.cmass_local_pose
-    turn = pose.to_transformation_matrix()[:3, :3]
-    return {"mass": link.mass, "center": pose.p, "inertia": about_axes(link.inertia, turn)}
+    return mass_properties(link.mass, pose.p, link.inertia, pose.to_transformation_matrix()[:3, :3])
 
 
 def _joint(joint: Any) -> dict[str, Any]:
-    low, high = np.asarray(joint.limit, float).reshape(-1)[:2]
     return {
         "kind": "prismatic" if joint.type == "prismatic" else "revolute",
-        "limits": [low, high] if np.isfinite([low, high]).all() else None,
+        "limits": finite_limits(*np.asarray(joint.limit, float).reshape(-1)[:2]),
         "damping": joint.damping,  # SAPIEN 3.0 does not read the friction
     }
 
 
-def simulate(step: Any, articulation: Any, request: dict[str, Any]) -> dict[str, Any]:
+def _simulate(
+    step: Any, articulation: Any, joints: dict[str, Any], request: dict[str, Any]
+) -> dict[str, Any]:
     """Let the asset settle, then drive each free joint to both ends."""
-    joints = {joint.name: joint for joint in articulation.active_joints}
     order = list(joints)
     articulation.set_qpos(np.array([request["poses"][0].get(name, 0.0) for name in order], np.float32))
     articulation.set_qvel(np.zeros(len(order), np.float32))
@@ -161,4 +160,4 @@ def simulate(step: Any, articulation: Any, request: dict[str, Any]) -> dict[str,
 
 
 if __name__ == "__main__":
-    serve(numbered(read), "sapien")
+    serve(read)

@@ -1,17 +1,17 @@
-"""What the validators of OpenUSD say of a USD, in each of its variants."""
+"""Driver of the validators of OpenUSD: errors of a USD in each of its variants."""
 
 from collections.abc import Iterator
 from typing import Any
 
-from driver_protocol import serve
+from driver_protocol import require, serve
+
+require("pxr")
+from pxr import Usd, UsdValidation
 
 
 def read(request: dict[str, Any]) -> dict[str, Any]:
     """Return the response to a request."""
-    from pxr import Usd, UsdValidation
-
-    registry = UsdValidation.ValidationRegistry()
-    validators = registry.GetOrLoadAllValidators()
+    validators = UsdValidation.ValidationRegistry().GetOrLoadAllValidators()
     context = UsdValidation.ValidationContext(validators)
     stage = Usd.Stage.Open(request["file"])
     said: dict[str, None] = {}
@@ -19,11 +19,7 @@ def read(request: dict[str, Any]) -> dict[str, Any]:
         for error in context.Validate(stage):
             places = ", ".join(str(_path(site)) for site in error.GetSites())
             said[f"{error.GetName()}: {error.GetMessage()} ({places}{label})"] = None
-    return {
-        "version": ".".join(str(number) for number in Usd.GetVersion()[1:]),
-        "said": list(said),
-        "note": f"{len(validators)} validators",
-    }
+    return {"said": list(said), "note": f"{len(validators)} validators"}
 
 
 def _path(site: Any) -> Any:
@@ -33,13 +29,11 @@ def _path(site: Any) -> Any:
 
 
 def _variants(stage: Any) -> Iterator[str]:
-    """Select each variant of the asset in turn, the authored choice first; tell which by a label."""
+    """Select each variant of the asset in turn, the authored choice first, and yield its label."""
     yield ""
     prim = stage.GetDefaultPrim()
     if not prim:
         return
-    from pxr import Usd
-
     with Usd.EditContext(stage, stage.GetSessionLayer()):
         for name in prim.GetVariantSets().GetNames():
             chosen = prim.GetVariantSet(name)
@@ -50,4 +44,4 @@ def _variants(stage: Any) -> Iterator[str]:
 
 
 if __name__ == "__main__":
-    serve(read, "pxr")
+    serve(read)

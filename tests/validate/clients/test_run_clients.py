@@ -7,9 +7,8 @@ import pytest
 from artgen.asset.report import CheckResult, Finding
 from artgen.errors import ParameterError
 from artgen.validate.clients import run as module
-from artgen.validate.clients.outcome import ClientReport, Outcome
 from artgen.validate.clients.registry import CLIENTS, chosen_clients
-from artgen.validate.clients.run import ask_clients
+from artgen.validate.clients.run import ClientReport, Outcome, run_clients
 from support.exports import edit_json
 
 PASSED = Outcome("one", "urdf", "1", "passed", note="all of it")
@@ -21,16 +20,16 @@ def asked(monkeypatch):
     """Let no client run, and remember which were asked."""
     names = []
 
-    def ask_all(clients, exported):
+    def run_all(clients, exported):
         names.extend(client.name for client in clients)
         return [PASSED, ABSENT][: len(clients)]
 
-    monkeypatch.setattr(module, "ask_all", ask_all)
+    monkeypatch.setattr(module, "run_all", run_all)
     return names
 
 
 def test_of_all_only_those_are_asked_that_have_something_to_read(asked, drawer):
-    outcomes = ask_clients(drawer, list(CLIENTS.values()), by_name=False)
+    outcomes = run_clients(drawer, list(CLIENTS.values()), by_name=False)
     assert {"pinocchio", "drake_mjcf", "newton_usd"} <= set(asked)
     assert not {"gltf_validator", "simready_validate", "robosuite"} & set(asked)
     assert outcomes == [PASSED, ABSENT]
@@ -38,28 +37,28 @@ def test_of_all_only_those_are_asked_that_have_something_to_read(asked, drawer):
 
 
 def test_an_absent_client_is_a_fault_if_it_was_named(asked, drawer):
-    outcomes = ask_clients(drawer, list(CLIENTS.values())[:2], by_name=True)
+    outcomes = run_clients(drawer, list(CLIENTS.values())[:2], by_name=True)
     assert [outcome.fault for outcome in outcomes] == [False, True]
     assert outcomes[1].state == "absent"
 
 
 def test_where_no_client_reads_the_export_that_is_no_pass(drawer, monkeypatch):
-    monkeypatch.setattr(module, "ask_all", lambda clients, exported: [ABSENT for _ in clients])
-    outcomes = ask_clients(drawer, list(CLIENTS.values()), by_name=False)
+    monkeypatch.setattr(module, "run_all", lambda clients, exported: [ABSENT for _ in clients])
+    outcomes = run_clients(drawer, list(CLIENTS.values()), by_name=False)
     assert outcomes
     assert all(outcome.fault and outcome.state == "absent" for outcome in outcomes)
 
 
 def test_where_no_client_knows_the_layout_all_have_failed(directory):
     edit_json(directory / "asset.json", lambda data: data.update(layout="flatt"))
-    outcomes = ask_clients(directory, list(CLIENTS.values()), by_name=False)
+    outcomes = run_clients(directory, list(CLIENTS.values()), by_name=False)
     assert {outcome.state for outcome in outcomes} == {"nothing to read"}
     assert all(outcome.fault for outcome in outcomes)
 
 
 def test_an_export_that_cannot_be_read_fails_every_client(directory):
     (directory / "asset.json").write_text("{}")
-    (outcome,) = ask_clients(directory, [CLIENTS["drake_urdf"]], by_name=False)
+    (outcome,) = run_clients(directory, [CLIENTS["drake_urdf"]], by_name=False)
     assert outcome.state == "failed"
     assert "has format None" in outcome.message
 

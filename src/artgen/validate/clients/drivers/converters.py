@@ -1,35 +1,27 @@
-"""What the converters of the Newton project make of an MJCF or a URDF: a USD, which OpenUSD reads back."""
+"""Driver of the converters of the Newton project: the USD that they make of an MJCF or a URDF."""
 
 import tempfile
+from importlib import import_module
 from typing import Any
 
 import numpy as np
-from driver_motion import in_base
-from driver_protocol import about_axes, serve, transform
+from driver_protocol import finite_limits, in_base, mass_properties, require, serve, transform
 
-_UNLIMITED = 1e5  # limits beyond are none
+require("mujoco_usd_converter", "urdf_usd_converter")
+import usdex.core
+from pxr import Gf, Usd, UsdPhysics
 
 
 def read(request: dict[str, Any]) -> dict[str, Any]:
     """Return the response to a request."""
-    from importlib import import_module
-    from importlib.metadata import version
-
-    import usdex.core
-    from pxr import Usd
-
     usdex.core.activateDiagnosticsDelegate()
     usdex.core.setDiagnosticsLevel(usdex.core.DiagnosticsLevel.eWarning)  # its progress is no message
-    name = "mujoco_usd_converter" if request["format"] == "mjcf" else "urdf_usd_converter"
     with tempfile.TemporaryDirectory() as directory:
-        path = import_module(name).Converter().convert(request["file"], directory)
-        stage = Usd.Stage.Open(path.path)
-        return {"version": version(name.replace("_", "-")), **_read(stage, request)}
+        path = import_module(request["client"]).Converter().convert(request["file"], directory)
+        return _read(Usd.Stage.Open(path.path), request)
 
 
 def _read(stage: Any, request: dict[str, Any]) -> dict[str, Any]:
-    from pxr import UsdPhysics
-
     prims = list(stage.Traverse())
     bodies = {prim.GetName(): prim for prim in prims if prim.HasAPI(UsdPhysics.RigidBodyAPI)}
     joints = {
@@ -47,33 +39,34 @@ def _read(stage: Any, request: dict[str, Any]) -> dict[str, Any]:
 
 
 def _link(prim: Any) -> dict[str, Any]:
-    from pxr import UsdPhysics
-
     api = UsdPhysics.MassAPI(prim)
-    turn = _frame((0, 0, 0), api.GetPrincipalAxesAttr().Get())[:3, :3]
-    return {
-        "mass": api.GetMassAttr().Get(),
-        "center": api.GetCenterOfMassAttr().Get(),
-        "inertia": about_axes(np.array(api.GetDiagonalInertiaAttr().Get(), float), turn),
-    }
+    axes = _frame((0, 0, 0), api.GetPrincipalAxesAttr().Get())[:3, :3]
+    mass, center, moments = (
+        attribute.Get()
+        for attribute in (api.GetMassAttr(), api.GetCenterOfMassAttr(), api.GetDiagonalInertiaAttr())
+    )
+    return mass_properties(mass, center, moments, axes)
 
 
 def _joint(prim: Any) -> dict[str, Any]:
-    """Return kind, limits and passive terms, which stand in Newton's and MuJoCo's schemas."""
+    """Return kind, limits and passive terms, which are in Newton's and MuJoCo's schemas."""
+
+    def value(name: str) -> Any:
+        return prim.GetAttribute(name).Get() or 0.0
+
     unit = _unit(prim)
-    low, high = (unit * prim.GetAttribute(f"physics:{end}Limit").Get() for end in ("lower", "upper"))
-    limited = np.isfinite(low) and np.isfinite(high) and max(abs(low), abs(high)) < _UNLIMITED
     found = {
         "kind": "prismatic" if unit == 1.0 else "revolute",
-        "limits": [low, high] if limited else None,
-        "damping": (prim.GetAttribute("newton:damping").Get() or 0.0) / unit,
-        "friction": prim.GetAttribute("newton:friction").Get() or 0.0,
+        "limits": finite_limits(
+            *(unit * prim.GetAttribute(f"physics:{end}Limit").Get() for end in ("lower", "upper"))
+        ),
+        "damping": value("newton:damping") / unit,
+        "friction": value("newton:friction"),
     }
     if prim.HasAPI("MjcJointAPI"):
-        found["armature"] = prim.GetAttribute("newton:armature").Get() or 0.0
-        found["stiffness"] = prim.GetAttribute("mjc:stiffness").Get() or 0.0
+        found |= {"armature": value("newton:armature"), "stiffness": value("mjc:stiffness")}
         if found["stiffness"]:
-            found["rest"] = prim.GetAttribute("mjc:springref").Get() or 0.0
+            found["rest"] = value("mjc:springref")
     return found
 
 
@@ -86,25 +79,19 @@ def _coupling(prim: Any) -> tuple[str, list[Any]]:
 
 def _unit(prim: Any) -> float:
     """Return SI units per unit of a joint's position."""
-    from pxr import UsdPhysics
-
     return np.pi / 180.0 if prim.IsA(UsdPhysics.RevoluteJoint) else 1.0
 
 
 def _arm(prim: Any) -> tuple[str, str, str, Any, Any, int]:
     """Return a joint's name, its bodies, its frames in them and its axis; a slide's is counted from 3."""
-    from pxr import UsdPhysics
-
     joint = UsdPhysics.Joint(prim)
-    names = [
-        [path.name for path in relation.GetTargets()] or [""]
-        for relation in (joint.GetBody0Rel(), joint.GetBody1Rel())
-    ]
+    bodies = (relation.GetTargets() for relation in (joint.GetBody0Rel(), joint.GetBody1Rel()))
+    parent, child = (paths[0].name if paths else "" for paths in bodies)
     before = _frame(joint.GetLocalPos0Attr().Get(), joint.GetLocalRot0Attr().Get())
     after = _frame(joint.GetLocalPos1Attr().Get(), joint.GetLocalRot1Attr().Get())
     axis = prim.GetAttribute("physics:axis").Get()
     number = "XYZ".index(axis) + (3 if prim.IsA(UsdPhysics.PrismaticJoint) else 0) if axis else -1
-    return prim.GetName(), names[0][0], names[1][0], before, after, number
+    return prim.GetName(), parent, child, before, after, number
 
 
 def _pose(arms: list[Any], pose: dict[str, float], links: list[str]) -> dict[str, Any]:
@@ -136,11 +123,9 @@ def _motion(axis: int, position: float) -> Any:
 
 
 def _frame(position: Any, quaternion: Any) -> Any:
-    from pxr import Gf
-
     turn = np.array(Gf.Matrix3d(Gf.Quatd(quaternion).GetNormalized())).T
     return transform(turn, position)
 
 
 if __name__ == "__main__":
-    serve(read, "mujoco_usd_converter", "urdf_usd_converter")
+    serve(read)
