@@ -18,10 +18,10 @@ from artgen.errors import (
 from artgen.generator import Generator, generator, one_of
 from artgen.graph import Cache
 from artgen.nodes.body import detail, part
-from artgen.nodes.choose import require
 from artgen.nodes.handles import Body, Float, Solid
 from artgen.nodes.joint import Revolute
 from artgen.nodes.primitive import box, sphere
+from artgen.nodes.scalar import require
 from artgen.nodes.vector import X
 from artgen.sampling import count, uniform
 from support.generators import OAK, block, door, knob, lever, round_grip

@@ -4,31 +4,14 @@ import builtins
 import importlib
 import inspect
 import math
-from types import ModuleType
+import re
+import sys
 
 import artgen
 from artgen.graph import OPERATIONS
-from artgen.nodes import MODULES, body, contact, csg, measure, points, profile, scalar, transform, vector
 
-# constructors that authors spell as operators or methods of a handle
-BY_METHOD = {
-    body: {"attach", "mirror_body", "repeat", "rotate_body", "suffix", "translate_body"},
-    contact: {"allow_contact"},
-    csg: {"difference", "intersection", "paint", "split"},
-    measure: {"anchor", "area", "bounds", "center_of_mass", "centroid", "mass", "size", "volume"},
-    points: {"along", "points", "points_move", "points_scale"},
-    profile: {name for name in vars(profile) if name.startswith("profile_")} | {"offset"},
-    scalar: {"absolute", "add", "and_", "floor", "not_", "or_", "round_", "subtract"},
-    transform: {"align", "mirror", "rotate", "scale", "translate"},
-    vector: {"component", "cross", "dot", "norm", "normalize"}
-    | {"vector_add", "vector_rotate", "vector_scale", "vector_subtract"},
-}
-
-
-def constructors(module: ModuleType) -> set[str]:
-    """Return the names of the functions of a module that record an operation of it."""
-    recorded = {known.constructor for known in OPERATIONS.values() if known.module == module.__name__}
-    return {name for name in recorded if hasattr(module, name)}
+BY_METHOD = {"component", "joint", "points"}
+"""Constructors that authors spell as properties of a handle or as classes."""
 
 
 def test_all_is_sorted_without_doubles_and_exists() -> None:
@@ -52,12 +35,13 @@ def test_the_surface_is_small_and_hides_no_builtin() -> None:
 
 
 def test_every_constructor_is_on_the_surface_or_a_method() -> None:
-    missing = {}
-    for module in MODULES:
-        hidden = constructors(module) - set(artgen.__all__) - BY_METHOD.get(module, set()) - {"joint"}
-        if hidden:
-            missing[module.__name__] = hidden
-    assert not missing
+    recorded = {
+        known.constructor
+        for known in OPERATIONS.values()
+        if re.fullmatch(r"artgen\.nodes\.\w+", known.module)  # without details
+        if hasattr(sys.modules[known.module], known.constructor)
+    }
+    assert recorded - {*artgen.__all__} == BY_METHOD
 
 
 def test_every_public_function_and_type_has_a_docstring() -> None:

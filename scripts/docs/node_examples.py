@@ -8,9 +8,8 @@ from typing import Any
 
 import artgen
 from artgen import details
-from artgen.nodes.condition import Condition, Dependency
 from artgen.nodes.handles import Body, Path, Profile, Solid, Vector
-from artgen.nodes.joint import Coupling, Joint
+from artgen.nodes.joint import Condition, Coupling, Dependency, Joint
 
 HANDLES = (
     artgen.Float,
@@ -78,7 +77,7 @@ def nodes() -> Iterator[tuple[str, Any]]:
 
 
 def examples() -> dict[str, Example]:
-    """Return the example of every node, by name.
+    """Return the example of every node, by name; a handle's example may also be that of its methods.
 
     Raises:
         LookupError: A node has none.
@@ -86,7 +85,10 @@ def examples() -> dict[str, Example]:
     parser = doctest.DocTestParser()
     found = {}
     for name, made in nodes():
+        handle, _, method = name.rpartition(".")
         source = tuple(each.source.rstrip("\n") for each in parser.get_examples(made.__doc__ or ""))
+        if not source and handle in found and any(f".{method}(" in line for line in found[handle].source):
+            source = found[handle].source
         if not source:
             raise LookupError(f"{made.__module__}.{made.__qualname__} has no example; add `Examples:` to it")
         found[name] = Example(name, made.__module__, source)

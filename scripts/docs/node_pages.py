@@ -40,7 +40,7 @@ PAGES = (
         "Numbers and conditions",
         "`Float` and `Bool` stand for numbers that are not known yet. Operators work on them; these "
         "functions do what Python's own `min`, `math.sin` or `if` cannot.",
-        ("scalar", "choose"),
+        ("scalar",),
         ("Float", "Bool"),
     ),
     NodePage(
@@ -49,7 +49,7 @@ PAGES = (
         "A `Vector` is a point or a direction; a tuple of three numbers is taken for one everywhere. "
         "`Points` are where `array` and `repeat` put copies. `X`, `Y` and `Z` are the axes: right, "
         "back and up.",
-        ("vector", "points"),
+        ("vector",),
         ("Vector", "Points"),
     ),
     NodePage(
@@ -78,7 +78,7 @@ PAGES = (
         "swept",
         "Solids from profiles",
         "Solids that a profile makes when it is drawn out, turned or moved along a path.",
-        ("extrude", "half_section", "sweep", "loft"),
+        ("extrude", "sweep", "loft"),
     ),
     NodePage(
         "solids",
@@ -94,7 +94,7 @@ PAGES = (
         "A `Body` is a link with everything that is joined to it. Only `part` makes links; `attach` "
         "and `repeat` join them, `weld` adds more to the same link. A red arrow shows where a hand "
         "acts.",
-        ("body", "measure", "grasp_frames"),
+        ("body", "grasp_frames"),
         ("Body",),
     ),
     NodePage(

@@ -17,17 +17,13 @@ from artgen.graph import Cache, Graph
 from artgen.materials import MATERIALS, Material, colored, material
 from artgen.nodes import details
 from artgen.nodes.body import detail, part, weld
-from artgen.nodes.choose import require, switch
-from artgen.nodes.condition import Condition, Dependency
 from artgen.nodes.csg import array, bounding_collider, hull, shell, simplified_collider, union
-from artgen.nodes.extrude import extrude, revolve
+from artgen.nodes.extrude import extrude, half_section, revolve
 from artgen.nodes.grasp_frames import Frame, frame, grasp_on, push_on
-from artgen.nodes.half_section import half_section
 from artgen.nodes.handles import Body, Bool, Float, Points, Profile, Scalar, Solid, Span, Vector, VectorLike
-from artgen.nodes.joint import Joint, Prismatic, Revolute
+from artgen.nodes.joint import Condition, Dependency, Joint, Prismatic, Revolute
 from artgen.nodes.loft import loft
 from artgen.nodes.path import arc, bezier, helix, line, polyline, spline
-from artgen.nodes.points import grid, ring_points, row
 from artgen.nodes.primitive import (
     board,
     bore,
@@ -45,10 +41,10 @@ from artgen.nodes.primitive import (
     wedge,
 )
 from artgen.nodes.profile import bow, circle, ellipse, polygon, rectangle, regular_polygon, ring, slot
-from artgen.nodes.scalar import atan2, clamp, cos, max_, min_, sin, sqrt, tan
+from artgen.nodes.scalar import atan2, clamp, cos, max_, min_, require, sin, sqrt, switch, tan
 from artgen.nodes.sweep import sweep
 from artgen.nodes.text import text
-from artgen.nodes.vector import X, Y, Z, vector
+from artgen.nodes.vector import X, Y, Z, grid, ring_points, row, vector
 from artgen.range_proof import prove_range
 from artgen.sampling import by, choice, count, fixed, given, loguniform, truncated_normal, uniform
 from artgen.version import __version__

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from artgen import Y, cylinder_between, vector
 from artgen.asset.shape import ComposedShape, Shape
 from artgen.graph import evaluate
-from artgen.nodes import csg, primitive, sweep, transform
+from artgen.nodes import csg, primitive, solid_methods, sweep
 from artgen.nodes.path import _polyline
 from artgen.nodes.profile import _circle
 from support.shapes import X, Z
@@ -39,7 +39,7 @@ def test_a_solid_is_the_same_with_and_without_its_manifold(x, y, z, bevel):
     wire = sweep._sweep(_circle(0.003), _polyline(corners, 0.004, closed=False))
     for solid in (primitive._box(x, y, z, bevel), primitive._cylinder(x, z, Z, bevel / 4.0), wire):
         assert_mesh_is_the_manifold(solid)
-        assert_mesh_is_the_manifold(transform._rotate(solid, X, 0.4, np.zeros(3)))
+        assert_mesh_is_the_manifold(solid_methods._rotate(solid, X, 0.4, np.zeros(3)))
 
 
 def test_solids_that_are_apart_are_one_solid_with_all_their_parts():
@@ -49,7 +49,7 @@ def test_solids_that_are_apart_are_one_solid_with_all_their_parts():
     assert_mesh_is_the_manifold(row)
     assert len(row.parts) == len(row.manifold.decompose()) == 4
     assert {len(part) for part in row.parts} == {len(pin.parts[0])}
-    moved = transform._translate(row, X)
+    moved = solid_methods._translate(row, X)
     np.testing.assert_allclose(moved.bounds(), row.bounds() + X)
     mesh = row.mesh
     one = Shape.from_mesh(mesh.vertices, mesh.normals, mesh.uvs, mesh.triangles, row.pieces)

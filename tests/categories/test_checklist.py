@@ -9,7 +9,7 @@ import pytest
 
 from artgen.catalog import categories, find
 from artgen.errors import InfeasibleError
-from artgen.nodes.joint_outline import PlannedJoint, joints_of
+from support.joint_outline import PlannedJoint, joints_of
 
 FEWEST, MOST = 100, 300
 """Seeds of a category that are drawn: at least, and at most until every number has occurred."""

@@ -16,9 +16,9 @@ from surveys.products import misfits
 from artgen.asset import Asset
 from artgen.catalog import categories, find
 from artgen.graph import Cache, Graph
-from artgen.nodes.joint_outline import joints_of
 from support.agreement import check_formats_agree
 from support.geometry import check_collider_pieces, check_colliders_cover, check_mass, check_solids
+from support.joint_outline import joints_of
 
 SEEDS = range(int(os.environ.get("ARTGEN_TEST_SEEDS", "2")))
 cases = pytest.mark.parametrize(

@@ -8,10 +8,10 @@ from artgen.errors import AssetError, BuildError, CheckError, InfeasibleError, P
 from artgen.generator import generator
 from artgen.materials import material
 from artgen.nodes.body import part
-from artgen.nodes.choose import require
 from artgen.nodes.handles import Body, Float
 from artgen.nodes.joint import Prismatic, Revolute
 from artgen.nodes.primitive import box
+from artgen.nodes.scalar import require
 from artgen.nodes.vector import X, Y
 from artgen.sampling import choice, uniform
 

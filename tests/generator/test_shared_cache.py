@@ -8,7 +8,7 @@ import atexit
 
 def told():
     from artgen.generator.generator import SHARED
-    from artgen.nodes.rounded_box import _unit_box
+    from artgen.nodes.surfaces import _unit_box
 
     print(len(SHARED), _unit_box.cache_info().currsize)
 

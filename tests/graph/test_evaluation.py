@@ -7,12 +7,10 @@ from hypothesis import strategies as st
 
 from artgen.errors import BuildError, EvaluationError, GraphError, InfeasibleError
 from artgen.graph import OPERATIONS, Cache, Graph, evaluate, kernel
-from artgen.nodes.choose import switch
 from artgen.nodes.handles import Float, Points, Vector
-from artgen.nodes.points import points
 from artgen.nodes.primitive import box
-from artgen.nodes.scalar import max_, sqrt
-from artgen.nodes.vector import vector
+from artgen.nodes.scalar import max_, sqrt, switch
+from artgen.nodes.vector import points, vector
 from support.lines import place_of
 
 

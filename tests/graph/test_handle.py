@@ -9,13 +9,12 @@ import pytest
 from artgen.errors import BuildError
 from artgen.materials import material
 from artgen.nodes.body import part
-from artgen.nodes.choose import switch
 from artgen.nodes.handles import Body, Bool, Float, Points, Profile, Solid, Vector
 from artgen.nodes.joint import Joint, Revolute
-from artgen.nodes.points import points, row
 from artgen.nodes.primitive import box, cylinder
 from artgen.nodes.profile import circle
-from artgen.nodes.vector import Z, vector
+from artgen.nodes.scalar import switch
+from artgen.nodes.vector import Z, points, row, vector
 from support.lines import place_of
 
 

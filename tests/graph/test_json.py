@@ -14,10 +14,9 @@ from artgen.materials import Material, material
 from artgen.nodes.body import part
 from artgen.nodes.handles import Float
 from artgen.nodes.joint import Revolute
-from artgen.nodes.points import points
 from artgen.nodes.primitive import box
 from artgen.nodes.scalar import min_, sqrt
-from artgen.nodes.vector import Z
+from artgen.nodes.vector import Z, points
 from support.lines import place_of
 
 

@@ -8,13 +8,11 @@ from artgen.errors import GraphError
 from artgen.graph import Graph
 from artgen.materials import material
 from artgen.nodes.body import part, weld
-from artgen.nodes.choose import switch
 from artgen.nodes.handles import Bool, Float
 from artgen.nodes.joint import Prismatic, Revolute
-from artgen.nodes.points import grid
 from artgen.nodes.primitive import box, cylinder
-from artgen.nodes.scalar import min_
-from artgen.nodes.vector import X, Y, Z
+from artgen.nodes.scalar import min_, switch
+from artgen.nodes.vector import X, Y, Z, grid
 
 
 def built(source, name="build"):
@@ -28,16 +26,15 @@ def test_source_reads_as_an_author_would_write_it():
     leaf = box(width, 0.04, width * 2.0 + 0.1)
     assert Graph(leaf - cylinder(0.01, 0.2, axis=(0, 1, 0)).at(leaf.anchor(x=-1))).to_python("leaf") == (
         "from artgen.nodes.handles import Solid\n"
-        "from artgen.nodes.measure import anchor\n"
         "from artgen.nodes.primitive import box, cylinder\n"
         "from artgen.nodes.scalar_handles import Float\n"
-        "from artgen.nodes.transform import translate\n"
         "\n"
         "\n"
         "def leaf() -> Solid:\n"
         "    width_1 = Float.parameter('width')\n"
         "    box_1 = box(width_1, 0.04, ((width_1 * 2.0) + 0.1))\n"
-        "    return (box_1 - translate(cylinder(0.01, 0.2, axis=(0.0, 1.0, 0.0)), anchor(box_1, x=-1.0)))\n"
+        "    return (box_1 - cylinder(0.01, 0.2, axis=(0.0, 1.0, 0.0))"
+        ".at(box_1.anchor(x=-1.0, y=0.0, z=0.0)))\n"
     )
 
 
@@ -95,7 +92,7 @@ def test_any_arithmetic_round_trips(a, b, comparison):
 def test_joints_leave_out_what_is_usual():
     turn = Revolute("turn", axis=Z, limits=(0.0, 1.5), damping=0.1)
     assert (
-        "joint('turn', 'revolute', axis=vector(z=1.0), limits=(0.0, 1.5), damping=0.1)"
+        "joint('turn', 'revolute', axis=vector(z=1.0), limits=(0.0, 1.5), damping=0.1, velocity=10.0)"
         in Graph(turn).to_python()
     )
 

@@ -7,13 +7,12 @@ from artgen.asset import Asset
 from artgen.errors import AssetError, BuildError, EvaluationError
 from artgen.graph import evaluate
 from artgen.materials import material
-from artgen.nodes.body import attach, detail, part, repeat, weld
+from artgen.nodes.body import detail, part, weld
 from artgen.nodes.grasp_frames import frame
-from artgen.nodes.handles import Float
+from artgen.nodes.handles import Body, Float
 from artgen.nodes.joint import Prismatic, Revolute
-from artgen.nodes.points import row
 from artgen.nodes.primitive import box
-from artgen.nodes.vector import X, Y, Z
+from artgen.nodes.vector import X, Y, Z, row
 from support.lines import place_of
 
 OAK, STEEL, GLASS = material("oak"), material("steel"), material("glass")
@@ -290,10 +289,13 @@ def test_suffixes_reach_links_joints_and_grasps():
     assert made.links[0].label == "a"
 
 
-def test_functions_and_methods_are_the_same():
+def test_methods_record_the_operations():
     a, b, t, at = block("a"), block("b"), turn(), row(X, Y, 2)
-    assert attach(a, b, (t,)).node.key == a.attach(b, t).node.key
-    assert repeat(a, b, (t,), at).node.key == a.repeat(b, t, at=at).node.key
+    assert Body.record("attach", parent=a, child=b, joints=(t,)).node.key == a.attach(b, t).node.key
+    assert (
+        Body.record("repeat", parent=a, child=b, joints=(t,), at=at).node.key
+        == a.repeat(b, t, at=at).node.key
+    )
 
 
 def test_bodies_do_not_combine_like_solids():

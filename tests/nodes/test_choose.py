@@ -7,14 +7,13 @@ from artgen.errors import BuildError, InfeasibleError
 from artgen.graph import evaluate
 from artgen.materials import material
 from artgen.nodes.body import part
-from artgen.nodes.choose import require, switch
 from artgen.nodes.handles import Bool, Float, Path, Points, Profile, Solid, Vector
 from artgen.nodes.joint import Revolute
 from artgen.nodes.path import line
-from artgen.nodes.points import points
 from artgen.nodes.primitive import box, sphere
 from artgen.nodes.profile import circle, rectangle
-from artgen.nodes.vector import X, Z
+from artgen.nodes.scalar import require, switch
+from artgen.nodes.vector import X, Z, points
 from support.lines import place_of
 
 A = Float.parameter("a")

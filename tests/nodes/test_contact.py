@@ -9,7 +9,6 @@ from artgen.generator import generator
 from artgen.graph import evaluate
 from artgen.materials import material
 from artgen.nodes.body import detail, part, weld
-from artgen.nodes.contact import allow_contact
 from artgen.nodes.handles import Body, Float
 from artgen.nodes.joint import Prismatic, Revolute
 from artgen.nodes.primitive import box
@@ -82,7 +81,7 @@ def test_a_label_on_several_links_means_all_of_them():
 
 
 def test_the_function_is_the_method():
-    made = allow_contact(fridge(), "gasket", "body", depth=0.001, when=hinge < 0.1, reason=WHY)
+    made = fridge().allow_contact("gasket", "body", depth=0.001, when=hinge < 0.1, reason=WHY)
     method = fridge().allow_contact("gasket", "body", depth=0.001, when=hinge < 0.1, reason=WHY)
     assert made.node.key == method.node.key
 

@@ -8,13 +8,14 @@ from hypothesis import strategies as st
 from artgen.errors import EvaluationError
 from artgen.graph import evaluate
 from artgen.materials import material
-from artgen.nodes import csg, extrude, primitive, profile, transform
+from artgen.nodes import csg, extrude, primitive, profile, solid_methods
+from artgen.nodes.handles import Solid
 from artgen.nodes.primitive import box, cylinder
 from support.shapes import X, Y, Z, check_metric, check_shape, relative_volume, same_bytes
 
 BLOCK = primitive._box(0.1, 0.1, 0.1, 0.005)
 PIN = primitive._cylinder(0.02, 0.2, Z, 0.0)
-FAR = transform._translate(PIN, X)
+FAR = solid_methods._translate(PIN, X)
 CORNER = profile._polygon(((0, 0), (0.3, 0), (0.3, 0.2), (0.15, 0.2), (0.15, 0.1), (0, 0.1)), 0.0)
 
 
@@ -39,8 +40,8 @@ def test_operators_are_the_operations():
     a, b = box(0.1, 0.1, 0.1), cylinder(0.02, 0.2)
     for made, plain in (
         (a | b, csg.union(a, b)),
-        (a - b, csg.difference(a, b)),
-        (a & b, csg.intersection(a, b)),
+        (a - b, Solid.record("difference", a=a, b=b)),
+        (a & b, Solid.record("intersection", a=a, b=b)),
     ):
         assert made.node.key == plain.node.key
         assert same_bytes(value(made), value(plain))
@@ -49,7 +50,7 @@ def test_operators_are_the_operations():
 @settings(max_examples=10)
 @given(st.lists(st.tuples(*[st.floats(-0.05, 0.05)] * 3), min_size=2, max_size=5))
 def test_a_union_of_many_is_the_union_one_by_one(places):
-    shapes = [transform._translate(BLOCK, np.array(place)) for place in places]
+    shapes = [solid_methods._translate(BLOCK, np.array(place)) for place in places]
     together = csg.united(shapes)
     check_shape(together)
     one_by_one = shapes[0]
@@ -76,7 +77,7 @@ def test_paint_stays_on_what_the_tool_cut():
     painted = mesh.paints == steel.number
     assert set(mesh.paints.tolist()) == {steel.number, brass.number}
     np.testing.assert_allclose(np.linalg.norm(mesh.vertices[painted, :2], axis=1), 0.02, atol=1e-9)
-    moved = transform._rotate(transform._scale(cut, np.array([1.0, 2.0, 1.0])), X, 0.3, np.zeros(3))
+    moved = solid_methods._rotate(solid_methods._scale(cut, np.array([1.0, 2.0, 1.0])), X, 0.3, np.zeros(3))
     assert set(moved.mesh.paints.tolist()) == {steel.number, brass.number}
     check_shape(moved)
 
@@ -97,7 +98,7 @@ def test_two_paints_of_one_name_are_refused():
 
 
 def test_a_hull_is_convex_and_has_normals():
-    shape = csg._hull((BLOCK, transform._translate(PIN, 0.1 * X)))
+    shape = csg._hull((BLOCK, solid_methods._translate(PIN, 0.1 * X)))
     check_shape(shape)
     assert volume(shape) == pytest.approx(shape.manifold.hull().volume())
     sharp = csg._hull((primitive._box(0.1, 0.2, 0.3, 0.0),))
@@ -130,7 +131,7 @@ def test_a_shell_has_walls_of_its_thickness(bevel, open_side):
             lengths = lengths + 0.01 * np.abs(open_side)
         assert volume(shape) == pytest.approx(volume(outer) - math.prod(lengths))
         assert shape.manifold.genus() == (0 if open_side is not None else -1)
-    probe = transform._translate(primitive._box(0.0099, 0.01, 0.01, 0.0), 0.045 * X).manifold
+    probe = solid_methods._translate(primitive._box(0.0099, 0.01, 0.01, 0.0), 0.045 * X).manifold
     assert (probe - shape.manifold).volume() < 1e-12
 
 

@@ -11,9 +11,8 @@ from artgen.errors import AssetError, BuildError, EvaluationError
 from artgen.graph import evaluate
 from artgen.materials import material
 from artgen.nodes.body import part
-from artgen.nodes.condition import Condition
 from artgen.nodes.handles import Float
-from artgen.nodes.joint import Coupling, Joint, Prismatic, Revolute
+from artgen.nodes.joint import Condition, Coupling, Joint, Prismatic, Revolute
 from artgen.nodes.primitive import box
 from artgen.nodes.vector import X, Z
 from support.lines import place_of
@@ -88,8 +87,8 @@ def test_limits_have_no_sentinels():
         ({"needs": (KNOB > 0.5).beyond(0.0)}, "beyond must be positive, got 0: leave it out where"),
         ({"needs": (KNOB > 0.5).beyond(0.2).until(0.1)}, "beyond 0.2 must be below until 0.1"),
         ({"needs": (KNOB > 0.5).until(0.1).beyond(0.2)}, "beyond 0.2 must be below until 0.1"),
-        ({"needs": (KNOB > 0.5).until(0.1).until(0.2)}, "until is said twice: 0.1 and 0.2"),
-        ({"needs": (KNOB > 0.5).beyond(0.1).beyond(0.2)}, "beyond is said twice: 0.1 and 0.2"),
+        ({"needs": (KNOB > 0.5).until(0.1).until(0.2)}, "until is given twice: 0.1 and 0.2"),
+        ({"needs": (KNOB > 0.5).beyond(0.1).beyond(0.2)}, "beyond is given twice: 0.1 and 0.2"),
         (
             {"needs": (KNOB > 0.5).beyond(0.4), "limits": (-0.3, 0.4)},
             "joint 'turn' has limits -0.3 to 0.4: it never needs anything beyond 0.4",

@@ -5,9 +5,8 @@ import pytest
 from artgen import Body, Graph, Prismatic, Revolute, X, Z, box, material, part, row, weld
 from artgen.errors import BuildError
 from artgen.generator import category
-from artgen.nodes.body import suffix
-from artgen.nodes.joint_outline import PlannedJoint, joints_of
-from artgen.nodes.points import points
+from artgen.nodes.vector import points
+from support.joint_outline import PlannedJoint, joints_of
 
 OAK = material("oak")
 
@@ -54,7 +53,7 @@ def test_a_suffix_renames_a_joint_and_who_follows_it_but_not_a_leader_outside() 
     lid = Revolute("lid", axis=X, follows=pedal)
     latch = Prismatic("latch", axis=Z, follows=0.01 * lid)
     flap = block("bin").attach(block("lid").attach(block("latch"), latch), lid)
-    found = {joint.name: joint.follows for joint in joints_of(Graph(suffix(flap, "_left")))}
+    found = {joint.name: joint.follows for joint in joints_of(Graph(flap.suffixed("_left")))}
     assert found == {"lid_left": "pedal", "latch_left": "lid_left"}
 
 
@@ -66,7 +65,7 @@ def test_welded_bodies_keep_their_joints() -> None:
 
 def test_equal_bodies_that_are_written_twice_each_have_their_joints() -> None:
     def leaf(tail: str) -> Body:
-        return suffix(block("a").attach(block("b"), Prismatic("slide", axis=X, limits=(0.0, 0.1))), tail)
+        return block("a").attach(block("b"), Prismatic("slide", axis=X, limits=(0.0, 0.1))).suffixed(tail)
 
     assert names(weld(block("frame"), leaf("_0"), leaf("_1"))) == ["slide_0", "slide_1"]
 

@@ -9,8 +9,7 @@ from artgen.errors import EvaluationError
 from artgen.graph import evaluate
 from artgen.nodes.handles import Float
 from artgen.nodes.path import arc, line, polyline
-from artgen.nodes.points import along, grid, points, ring_points, row
-from artgen.nodes.vector import X, Y, Z
+from artgen.nodes.vector import X, Y, Z, grid, points, ring_points, row
 
 VECTORS = st.tuples(*[st.integers(-50, 50).map(float)] * 3)
 
@@ -67,21 +66,21 @@ def test_ring_points_about_y_start_on_x():
 
 
 def test_along_spaces_points_by_length():
-    made = value(along(polyline([(0, 0, 0), (1, 0, 0), (1, 3, 0)]), 5))
+    made = value(polyline([(0, 0, 0), (1, 0, 0), (1, 3, 0)]).points(5))
     assert made.tolist() == [[0, 0, 0], [1, 0, 0], [1, 1, 0], [1, 2, 0], [1, 3, 0]]
 
 
 def test_a_single_point_lies_in_the_middle():
-    assert value(along(line((0, 0, 0), (0, 0, 4)), 1)).tolist() == [[0, 0, 2]]
+    assert value(line((0, 0, 0), (0, 0, 4)).points(1)).tolist() == [[0, 0, 2]]
 
 
 def test_along_a_closed_path_no_point_comes_twice():
     square = polyline([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)], closed=True)
-    assert value(along(square, 4)).tolist() == [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]
+    assert value(square.points(4)).tolist() == [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]
 
 
 def test_along_an_arc_keeps_the_radius():
-    made = value(along(arc((0, 0, 0), 2.0, start=0.0, sweep=3.0), 7))
+    made = value(arc((0, 0, 0), 2.0, start=0.0, sweep=3.0).points(7))
     assert np.linalg.norm(made, axis=1) == pytest.approx(np.full(7, 2.0), rel=2e-3)
 
 
@@ -102,7 +101,7 @@ def test_points_move_and_grow():
         (ring_points(X, 1.0, count=0), "the count of points in a ring must be at least 1"),
         (ring_points(X, -1.0, count=3), "radius must be positive, got -1 m"),
         (ring_points(X, 1.0, count=3, axis=(0, 0, 0)), "a vector of length zero has no direction"),
-        (along(line(X, Y), 0), "the count of points along a path must be at least 1"),
+        (line(X, Y).points(0), "the count of points along a path must be at least 1"),
     ],
 )
 def test_impossible_points_are_refused(made, message):

@@ -107,7 +107,7 @@ def test_offset_grows_and_shrinks():
         0.01 + 4 * 0.001 + math.pi * 0.0001, rel=1e-3
     )
     assert outline_area(value(square.offset(-0.01)).contours) == pytest.approx(0.0064)
-    sharp = value(profile.offset(square, 0.01, join="miter"))
+    sharp = value(square.offset(0.01, join="miter"))
     assert outline_area(sharp.contours) == pytest.approx(0.0144)
     assert value(square.offset(0.0)) is value(square) or len(value(square.offset(0.0)).contours) == 1
 
@@ -156,4 +156,4 @@ def test_empty_results_say_so():
 
 def test_the_join_is_known_while_building():
     with pytest.raises(BuildError, match="'round', 'miter'"):
-        profile.offset(profile.circle(0.1), 0.01, join="square")
+        profile.circle(0.1).offset(0.01, join="square")

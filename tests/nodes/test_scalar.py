@@ -62,8 +62,8 @@ def test_comparisons_on_either_side(operation, a, b):
         (scalar.sin(A), math.sin),
         (scalar.cos(A), math.cos),
         (scalar.tan(A), math.tan),
-        (scalar.floor(A), math.floor),
-        (scalar.round_(A), round),
+        (math.floor(A), math.floor),
+        (round(A), round),
         (scalar.sqrt(abs(A)), lambda a: math.sqrt(abs(a))),
     ],
 )
@@ -92,9 +92,9 @@ def test_clamp_gives_the_nearest_number_within(a, ends):
 def test_logic(a, b):
     x, y = A > 0.0, B > 0.0
     numbers = (float(a), float(b))
-    assert value(x & y, *numbers) is value(scalar.and_(x, y), *numbers) is (a and b)
-    assert value(x | y, *numbers) is value(scalar.or_(x, y), *numbers) is (a or b)
-    assert value(~x, *numbers) is value(scalar.not_(x), *numbers) is (not a)
+    assert value(x & y, *numbers) is (a and b)
+    assert value(x | y, *numbers) is (a or b)
+    assert value(~x, *numbers) is (not a)
     assert value(x & b, *numbers) is value(b & x, *numbers) is (a and b)
     assert value(b | x, *numbers) is (a or b)
 

@@ -9,8 +9,7 @@ from artgen.asset import Contour
 from artgen.colliders import Exact
 from artgen.nodes import validators as inputs
 from artgen.nodes.contours import circle_contour, faceted, reversed_contour, rounded_polygon
-from artgen.nodes.rounded_box import rounded_box
-from artgen.nodes.surfaces import CHORD, Rail, bevel_steps, extrusion, lathe, mitres, sides_of
+from artgen.nodes.surfaces import CHORD, Rail, bevel_steps, extrusion, lathe, mitres, rounded_box, sides_of
 
 SQUARE = np.array([[-0.1, -0.1], [0.1, -0.1], [0.1, 0.1], [-0.1, 0.1]])
 

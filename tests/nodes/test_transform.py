@@ -6,7 +6,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from artgen.graph import evaluate
-from artgen.nodes import csg, primitive, transform
+from artgen.nodes import csg, primitive, solid_methods
+from artgen.nodes.handles import Solid
 from artgen.nodes.primitive import box
 from support.shapes import X, Y, Z, check_metric, check_shape
 
@@ -18,64 +19,68 @@ DIRECTIONS = VECTORS.filter(lambda v: np.linalg.norm(v) > 0.1)
 @settings(max_examples=15)
 @given(DIRECTIONS, st.floats(-7, 7), VECTORS)
 def test_a_turn_moves_vertices_and_normals_together(axis, angle, about):
-    shape = transform._rotate(PART, axis, angle, about)
+    shape = solid_methods._rotate(PART, axis, angle, about)
     check_shape(shape)
     check_metric(shape)
     assert shape.manifold.volume() == pytest.approx(PART.manifold.volume())
-    back = transform._rotate(shape, axis, -angle, about)
+    back = solid_methods._rotate(shape, axis, -angle, about)
     np.testing.assert_allclose(back.bounds(), PART.bounds(), atol=1e-9)
 
 
 def test_quarter_turns_are_exact():
-    shape = transform._rotate(primitive._box(0.1, 0.2, 0.3, 0.0), Z, math.pi / 2, np.zeros(3))
+    shape = solid_methods._rotate(primitive._box(0.1, 0.2, 0.3, 0.0), Z, math.pi / 2, np.zeros(3))
     np.testing.assert_allclose(np.ptp(shape.bounds(), axis=0), [0.2, 0.1, 0.3], rtol=1e-11)
     assert shape.pieces.outer(0.001)[0].kind == "box"
 
 
 def test_a_turn_is_right_handed():
-    np.testing.assert_allclose(transform.rotation_about(Z, math.pi / 2) @ X, Y, atol=1e-15)
-    shape = transform._rotate(primitive._box(0.1, 0.1, 0.1, 0.0), Z, math.pi, X)
+    np.testing.assert_allclose(solid_methods.rotation_about(Z, math.pi / 2) @ X, Y, atol=1e-15)
+    shape = solid_methods._rotate(primitive._box(0.1, 0.1, 0.1, 0.0), Z, math.pi, X)
     np.testing.assert_allclose(shape.bounds().mean(axis=0), 2 * X, atol=1e-12)
 
 
 @settings(max_examples=15)
 @given(st.tuples(*[st.floats(0.5, 2)] * 3).map(np.array))
 def test_scaling_keeps_normals_true(factors):
-    shape = transform._scale(PART, factors)
+    shape = solid_methods._scale(PART, factors)
     check_shape(shape)
     assert shape.manifold.volume() == pytest.approx(PART.manifold.volume() * np.prod(factors))
     np.testing.assert_allclose(shape.bounds(), PART.bounds() * factors, atol=1e-12)
 
 
 def test_texture_grows_with_its_solid():
-    check_metric(transform._scale(primitive._box(0.1, 0.2, 0.3, 0.0), np.array([2.0, 2.0, 2.0])))
+    check_metric(solid_methods._scale(primitive._box(0.1, 0.2, 0.3, 0.0), np.array([2.0, 2.0, 2.0])))
 
 
 @settings(max_examples=15)
 @given(DIRECTIONS)
 def test_a_mirror_image_is_no_inside_out(normal):
-    shape = transform._mirror(PART, normal)
+    shape = solid_methods._mirror(PART, normal)
     check_shape(shape)
-    twice = transform._mirror(shape, normal)
+    twice = solid_methods._mirror(shape, normal)
     np.testing.assert_allclose(twice.bounds(), PART.bounds(), atol=1e-9)
 
 
 @settings(max_examples=15)
 @given(VECTORS, *[st.floats(-1, 1)] * 3)
 def test_an_anchor_comes_to_its_point(to, x, y, z):
-    shape = transform._align(PART, to, x, y, z)
-    np.testing.assert_allclose(transform.anchor_of(shape, x, y, z), to, atol=1e-9)
+    shape = solid_methods._align(PART, to, x, y, z)
+    np.testing.assert_allclose(solid_methods._anchor(shape, x, y, z), to, atol=1e-9)
 
 
 def test_methods_record_the_operations():
     solid = box(0.1, 0.2, 0.3)
+    turn = {"axis": (0, 0, 1), "angle": 0.5, "about": (0, 0, 0)}
     for made, plain in (
-        (solid.at(1, 2, 3), transform.translate(solid, (1, 2, 3))),
-        (solid.at((1, 2, 3)), transform.translate(solid, (1, 2, 3))),
-        (solid.rotate((0, 0, 1), 0.5), transform.rotate(solid, (0, 0, 1), 0.5)),
-        (solid.scale(2), transform.scale(solid, (2, 2, 2))),
-        (solid.mirror((1, 0, 0)), transform.mirror(solid, (1, 0, 0))),
-        (solid.align((0, 0, 1), z=-1), transform.align(solid, (0, 0, 1), z=-1)),
+        (solid.at(1, 2, 3), Solid.record("translate", solid=solid, offset=(1, 2, 3))),
+        (solid.at((1, 2, 3)), Solid.record("translate", solid=solid, offset=(1, 2, 3))),
+        (
+            solid.rotate((0, 0, 1), 0.5),
+            Solid.record("rotate", solid=solid, **turn),
+        ),
+        (solid.scale(2), Solid.record("scale", solid=solid, factors=(2, 2, 2))),
+        (solid.mirror((1, 0, 0)), Solid.record("mirror", solid=solid, normal=(1, 0, 0))),
+        (solid.align((0, 0, 1), z=-1), Solid.record("align", solid=solid, to=(0, 0, 1), x=0, y=0, z=-1)),
     ):
         assert made.node.key == plain.node.key
         check_shape(evaluate(made).value)
@@ -84,14 +89,14 @@ def test_methods_record_the_operations():
 @pytest.mark.parametrize(
     ("make", "message"),
     [
-        (lambda: transform._translate(PART, X * math.nan), "offset must be finite"),
-        (lambda: transform._rotate(PART, 0 * X, 1.0, X), "axis must have a direction"),
-        (lambda: transform._rotate(PART, X, math.inf, X), "angle must be a finite number, got inf rad"),
+        (lambda: solid_methods._translate(PART, X * math.nan), "offset must be finite"),
+        (lambda: solid_methods._rotate(PART, 0 * X, 1.0, X), "axis must have a direction"),
+        (lambda: solid_methods._rotate(PART, X, math.inf, X), "angle must be a finite number, got inf rad"),
         (
-            lambda: transform._scale(PART, np.array([1.0, -1.0, 1.0])),
+            lambda: solid_methods._scale(PART, np.array([1.0, -1.0, 1.0])),
             r"must be positive, got \(1, -1, 1\); mirror",
         ),
-        (lambda: transform._mirror(PART, 0 * X), "normal must have a direction"),
+        (lambda: solid_methods._mirror(PART, 0 * X), "normal must have a direction"),
     ],
 )
 def test_what_cannot_be_is_refused(make, message):

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from artgen.nodes import csg, extrude, loft, path, primitive, profile, sweep, transform
+from artgen.nodes import csg, extrude, loft, path, primitive, profile, solid_methods, sweep
 from support.shapes import X, Y, Z, agreement
 
 LENGTHS = st.floats(0.01, 2.0)
@@ -256,7 +256,7 @@ def test_revolved_sections(radius, angle, axis):
 @given(st.lists(st.tuples(*[st.floats(-0.3, 0.3)] * 3), min_size=6, max_size=12))
 def test_hulls_are_projected_along_their_long_side(points):
     corners = [primitive._box(0.05, 0.05, 0.05, 0.0)]
-    corners += [transform._translate(corners[0], np.array(point)) for point in points]
+    corners += [solid_methods._translate(corners[0], np.array(point)) for point in points]
     shape = csg._hull(tuple(corners))
     found = check_laid(shape, stretch=math.sqrt(3.0), off=1.0)
     size = np.ptp(shape.bounds(), axis=0)
@@ -270,7 +270,7 @@ def test_hulls_are_projected_along_their_long_side(points):
 def test_texture_and_normals_survive_booleans():
     board = primitive._box(0.04, 0.1, 0.6, 0.004)
     whole = laid(board.mesh)
-    cut = csg._difference(board, transform._translate(primitive._box(0.02, 0.2, 0.1, 0.0), 0.1 * Z))
+    cut = csg._difference(board, solid_methods._translate(primitive._box(0.02, 0.2, 0.1, 0.0), 0.1 * Z))
     found = laid(cut.mesh)
     own = ~found.mirrored  # faces that the tool cut have the tool's texture, seen from behind
     assert found.area[own].sum() > 0.8 * whole.area.sum()

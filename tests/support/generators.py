@@ -5,11 +5,10 @@ from typing import Literal
 from artgen.generator import Generator, generator, one_of
 from artgen.materials import Material, material
 from artgen.nodes.body import part
-from artgen.nodes.choose import require
 from artgen.nodes.handles import Body, Bool, Float, Solid, Vector
 from artgen.nodes.joint import Prismatic, Revolute
 from artgen.nodes.primitive import box, sphere
-from artgen.nodes.scalar import sqrt
+from artgen.nodes.scalar import require, sqrt
 from artgen.nodes.vector import X, Y
 from artgen.sampling import by, choice, count, loguniform, truncated_normal, uniform
 

@@ -17,10 +17,9 @@ from artgen.nodes.grasp_frames import frame
 from artgen.nodes.handles import Array3, ArrayN3, Float
 from artgen.nodes.joint import Revolute
 from artgen.nodes.path import line
-from artgen.nodes.points import row
 from artgen.nodes.primitive import box
 from artgen.nodes.profile import circle, rectangle
-from artgen.nodes.vector import Z
+from artgen.nodes.vector import Z, row
 
 for _module in pkgutil.walk_packages(artgen.nodes.__path__, "artgen.nodes."):
     importlib.import_module(_module.name)

@@ -12,9 +12,9 @@ from artgen.generator import Generator, generator
 from artgen.graph import Graph
 from artgen.materials import material
 from artgen.nodes.body import part
-from artgen.nodes.choose import require
 from artgen.nodes.handles import Body, Float
 from artgen.nodes.primitive import box
+from artgen.nodes.scalar import require
 from artgen.sampling import choice, uniform
 from artgen.testing import check_category
 from support.exports import stand

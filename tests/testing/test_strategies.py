@@ -12,9 +12,9 @@ from artgen.errors import ParameterError
 from artgen.generator import generator
 from artgen.materials import material
 from artgen.nodes.body import part
-from artgen.nodes.choose import require
 from artgen.nodes.handles import Body, Float
 from artgen.nodes.primitive import box
+from artgen.nodes.scalar import require
 from artgen.sampling import by, choice, count, fixed, loguniform, truncated_normal, uniform
 from artgen.testing.strategies import assets, parameters
 from support.generators import door

@@ -6,7 +6,7 @@ from typing import Any
 
 from artgen.graph.draw import table, to_mermaid
 from artgen.graph.evaluation import Cache, Evaluation, evaluate
-from artgen.graph.handle import LITERAL_TYPES, Handle, LiteralType, handle_of
+from artgen.graph.handle import LITERAL_TYPES, Handle, LiteralType, handle_of, records
 from artgen.graph.jsonfile import from_json, to_json
 from artgen.graph.kernel import OPERATIONS, Operation, kernel, operation
 from artgen.graph.node import PARAMETER, Node, topological
@@ -82,5 +82,6 @@ __all__ = [
     "handle_of",
     "kernel",
     "operation",
+    "records",
     "topological",
 ]

@@ -167,12 +167,11 @@ def _needed(node: Node, known: Operation, values: Mapping[str, Any]) -> Sequence
 
 
 def _run(node: Node, known: Operation, values: Mapping[str, Any]) -> Any:
-    inputs = {
-        name: _resolve(node.inputs[name], hint, values, lazy=known.lazy)
-        for name, hint in known.inputs.items()
-    }
+    inputs = [
+        _resolve(node.inputs[name], hint, values, lazy=known.lazy) for name, hint in known.inputs.items()
+    ]
     try:
-        value = known.kernel(**inputs)
+        value = known.kernel(*inputs)
     except InfeasibleError as error:
         raise InfeasibleError(f"{error}\n  at {node.where}") from None
     except Exception as error:

@@ -1,17 +1,20 @@
 """Handles: typed references to nodes while a graph is built. A handle has a type and a node, but no value."""
 
+import inspect
 import typing
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cache, lru_cache, partial
+from functools import cache, lru_cache, partial, wraps
 from types import NoneType
-from typing import Any, ClassVar, NoReturn, Self
+from typing import Any, ClassVar, NoReturn, Self, TypeVar
 
 import numpy as np
 
 from artgen.errors import BuildError, nearest
-from artgen.graph.kernel import OPERATIONS, Operation, alternatives, operation
+from artgen.graph.kernel import OPERATIONS, Operation, alternatives, operation, register, types_of
 from artgen.graph.node import PARAMETER, Data, Node, authors_line
+
+C = TypeVar("C", bound=Callable[..., Any])
 
 
 class Handle:
@@ -167,6 +170,41 @@ class Handle:
     def __repr__(self) -> str:
         """Return the type, the operation and its place."""
         return f"<{type(self).__name__} {self.node.op} at {self.node.where}>"
+
+
+def records(kernel: Callable[..., Any], of: Any = None, *, spelling: str = "") -> Callable[[C], C]:
+    """Make a function without a body the constructor of an operation: a call of it records the operation.
+
+    The name of the function is that of the operation, and its parameters are the inputs.
+
+    Args:
+        kernel: Function that computes the result from the values of the inputs; its annotations are their
+            types.
+        of: The type of all inputs and of the result, for a kernel without annotations such as `math.sin`.
+        spelling: Python source of the operation, e.g. `({a} & {b})`; by default a call of the function.
+    """
+
+    def decorate(constructor: C) -> C:
+        parameters = inspect.signature(constructor).parameters
+        name = constructor.__name__
+        inputs, result = types_of(kernel, name) if of is None else (dict.fromkeys(parameters, of), of)
+        known = Operation(name, kernel, inputs, result, constructor.__module__, spelling, constructor=name)
+        register(known)
+        kind = Handle.HANDLES[result]
+        defaults = {key: item.default for key, item in parameters.items() if item.default is not item.empty}
+        first = next(iter(parameters.values()))
+        several = first.name if first.kind is first.VAR_POSITIONAL else ""
+
+        @wraps(constructor)
+        def record(*arguments: Any, **keywords: Any) -> Any:
+            constructor(*arguments, **keywords)  # checks the arguments like any call
+            given = {several: arguments} if several else dict(zip(parameters, arguments, strict=False))
+            where = authors_line()
+            return kind(Node(name, lift_all(known, {**defaults, **given, **keywords}, where), where))
+
+        return typing.cast("C", record)
+
+    return decorate
 
 
 @dataclass(frozen=True)

@@ -19,26 +19,23 @@ class Operation:
 
     Attributes:
         name: Name of the kernel without leading underscores, and of its constructor.
-        kernel: Function that computes the result from the values of the inputs, passed by keyword.
+        kernel: Function that computes the result from the values of the inputs, passed in order.
         inputs: The type of each input's value, from the kernel's annotations.
         result: The type of the result's value.
+        module: Module of the constructor.
         spelling: Python source of the operation, such as `({a} + {b})`; empty for a call of the constructor.
         lazy: Whether the input `condition` selects which of the inputs `a` and `b` is evaluated.
-        constructor: Name of the function next to the kernel that records the operation.
+        constructor: Name of the function in the module that records the operation, if there is one.
     """
 
     name: str
     kernel: Callable[..., Any]
     inputs: Mapping[str, Any]
     result: Any
+    module: str
     spelling: str = ""
     lazy: bool = False
     constructor: str = ""
-
-    @property
-    def module(self) -> str:
-        """Module of the kernel and the constructor."""
-        return self.kernel.__module__
 
 
 OPERATIONS: dict[str, Operation] = {}
@@ -72,26 +69,44 @@ def kernel(
         GraphError: Another kernel has that name.
     """
 
-    def register(made: F) -> F:
+    def decorate(made: F) -> F:
         operation = name or made.__name__.lstrip("_")
-        if operation in OPERATIONS:
-            other = OPERATIONS[operation].kernel
-            raise GraphError(
-                f"the operation {operation!r} is defined twice, in {other.__module__} and {made.__module__}"
+        inputs, result = types_of(made, operation)
+        register(
+            Operation(
+                operation, made, inputs, result, made.__module__, spelling, lazy, constructor or operation
             )
-        hints = typing.get_type_hints(made, include_extras=True)
-        result = hints.pop("return", None)
-        names = inspect.signature(made).parameters
-        missing = [parameter for parameter in names if parameter not in hints]
-        if missing or result is None:
-            raise GraphError(f"the kernel {operation!r} must annotate {missing or 'its result'}")
-        inputs = {parameter: hints[parameter] for parameter in names}
-        OPERATIONS[operation] = Operation(
-            operation, made, inputs, result, spelling, lazy, constructor or operation
         )
         return made
 
-    return register if function is None else register(function)
+    return decorate if function is None else decorate(function)
+
+
+def register(known: Operation) -> None:
+    """Enter an operation in the table.
+
+    Raises:
+        GraphError: Another operation has that name.
+    """
+    if known.name in OPERATIONS:
+        other = OPERATIONS[known.name].module
+        raise GraphError(f"the operation {known.name!r} is defined twice, in {other} and {known.module}")
+    OPERATIONS[known.name] = known
+
+
+def types_of(made: Callable[..., Any], operation: str) -> tuple[dict[str, Any], Any]:
+    """Return the types of a kernel's inputs and of its result, from its annotations.
+
+    Raises:
+        GraphError: An annotation is missing.
+    """
+    hints = typing.get_type_hints(made, include_extras=True)
+    result = hints.pop("return", None)
+    names = inspect.signature(made).parameters
+    missing = [parameter for parameter in names if parameter not in hints]
+    if missing or result is None:
+        raise GraphError(f"the kernel {operation!r} must annotate {missing or 'its result'}")
+    return {parameter: hints[parameter] for parameter in names}, result
 
 
 def operation(name: str) -> Operation:

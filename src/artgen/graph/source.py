@@ -77,8 +77,10 @@ class _Writer:
             return f"{kind}.parameter({node.inputs['name']!r})"
         known = operation(node.op)
         if _is_infix(known, node):
-            operands = {name: _operand(self._value(value)) for name, value in node.inputs.items()}
-            return known.spelling.format(**operands)
+            written = {name: self._value(value) for name, value in node.inputs.items()}
+            if known.spelling.startswith("("):  # an operator
+                written = {name: _operand(text) for name, text in written.items()}
+            return known.spelling.format(**written)
         return self._call(known, node)
 
     def _call(self, known: Operation, node: Node) -> str:

@@ -5,47 +5,21 @@ Importing the package registers every operation for the operators and methods of
 
 from artgen.nodes import (
     body,
-    choose,
-    contact,
     csg,
     details,
     extrude,
     grasp_frames,
     joint,
     loft,
-    measure,
     path,
-    points,
     primitive,
     profile,
     scalar,
+    solid_methods,
     sweep,
     text,
-    transform,
     vector,
 )
 
-MODULES = (
-    scalar,
-    vector,
-    points,
-    choose,
-    profile,
-    text,
-    path,
-    primitive,
-    extrude,
-    sweep,
-    loft,
-    csg,
-    transform,
-    measure,
-    joint,
-    grasp_frames,
-    body,
-    contact,
-    details,
-)
-"""The modules that define operations."""
-
-__all__ = ["MODULES"]
+__all__ = ["body", "csg", "details", "extrude", "grasp_frames", "joint", "loft", "path", "primitive"]
+__all__ += ["profile", "scalar", "solid_methods", "sweep", "text", "vector"]

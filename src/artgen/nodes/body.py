@@ -1,4 +1,4 @@
-"""Bodies: parts become links, joints join them."""
+"""Bodies: parts become links, joints join them; masses and allowed contacts."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -7,13 +7,27 @@ import numpy as np
 
 from artgen import asset as values
 from artgen._names import NAME_RULE, is_identifier
-from artgen.asset import Branch, Grasp, Link, Piece, PrintDirection, Push, Shape, Tree, rotation
+from artgen.asset import (
+    AllowedContact,
+    Branch,
+    Grasp,
+    Link,
+    Piece,
+    PrintDirection,
+    Push,
+    Shape,
+    Tree,
+    rotation,
+)
 from artgen.asset.gripper import GRIPPER, held
-from artgen.graph import kernel
+from artgen.asset.link import MovedLink
+from artgen.asset.mass import total
+from artgen.errors import nearest
+from artgen.graph import kernel, records
 from artgen.materials import Material
 from artgen.nodes.grasp_frames import Array4x4, Frame
-from artgen.nodes.handles import Array3, ArrayN3, Body, PointsLike, Scalar, Solid, VectorLike
-from artgen.nodes.joint import Joint
+from artgen.nodes.handles import Array3, ArrayN3, Body, Scalar, Solid, VectorLike
+from artgen.nodes.validators import finite
 from artgen.nodes.vector import unit
 
 
@@ -104,7 +118,6 @@ def part(
     )
 
 
-@kernel
 def _detail(solid: Shape, label: str, material: Material, reads: Array3 | None, about: Array3 | None) -> Tree:
     _check_name(label, "label")
     reading = None
@@ -114,6 +127,7 @@ def _detail(solid: Shape, label: str, material: Material, reads: Array3 | None, 
     return Tree(Link(label, label, (Piece(label, material, solid, visual=True, reading=reading),)))
 
 
+@records(_detail)
 def detail(
     solid: Solid,
     label: str,
@@ -137,10 +151,8 @@ def detail(
         >>> plate = part(box(0.06, 0.004, 0.04), "plate", material("abs"))
         >>> weld(plate, detail(box(0.03, 0.001, 0.01).at(y=-0.0025), "stripe", material("copper")))
     """
-    return Body.record(_detail, solid=solid, label=label, material=material, reads=reads, about=about)
 
 
-@kernel
 def _weld(bodies: tuple[Tree, ...]) -> Tree:
     if not bodies:
         raise ValueError("weld needs at least one body")
@@ -159,6 +171,7 @@ def _weld(bodies: tuple[Tree, ...]) -> Tree:
     return Tree(link, tuple(branch for body in bodies for branch in body.branches), contacts).checked()
 
 
+@records(_weld)
 def weld(*bodies: Body) -> Body:
     """Join bodies rigidly to one link, named like the first body; solids keep their labels and materials.
 
@@ -168,25 +181,19 @@ def weld(*bodies: Body) -> Body:
         >>> head = part(box(0.1, 0.03, 0.03).at(z=0.15), "head", material("steel"))
         >>> weld(part(cylinder(0.012, 0.3), "handle", material("oak")), head)
     """
-    return Body.record(_weld, bodies=bodies)
 
 
-@kernel
+@kernel(spelling="{parent}.attach({child}, *{joints})")
 def _attach(parent: Tree, child: Tree, joints: tuple[values.AssetJoint, ...]) -> Tree:
     if not joints:
         raise ValueError("attach needs at least one joint; weld joins bodies rigidly")
     return replace(parent, branches=(*parent.branches, Branch(joints, child))).checked()
 
 
-def attach(parent: Body, child: Body, joints: Sequence[Joint]) -> Body:
-    """Join a child to a parent by joints that act in order, the first nearest to the parent."""
-    return Body.record(_attach, parent=parent, child=child, joints=joints)
-
-
 _NOWHERE = Link("nowhere", "nowhere")  # placeholder for the parent while a branch is copied
 
 
-@kernel
+@kernel(spelling="{parent}.repeat({child}, *{joints}, at={at})")
 def _repeat(parent: Tree, child: Tree, joints: tuple[values.AssetJoint, ...], at: ArrayN3) -> Tree:
     if not joints:
         raise ValueError("repeat needs at least one joint; array and weld join copies rigidly")
@@ -199,24 +206,14 @@ def _repeat(parent: Tree, child: Tree, joints: tuple[values.AssetJoint, ...], at
     return replace(parent, branches=(*parent.branches, *branches)).checked()
 
 
-def repeat(parent: Body, child: Body, joints: Sequence[Joint], at: PointsLike) -> Body:
-    """Join a copy of a child at each point, with copies of its joints, suffixed `_0`, `_1`, ..."""
-    return Body.record(_repeat, parent=parent, child=child, joints=joints, at=at)
-
-
-@kernel
+@kernel(spelling="{body}.at({offset})")
 def _translate_body(body: Tree, offset: Array3) -> Tree:
     matrix = np.eye(4)
     matrix[:3, 3] = offset
     return body.moved(matrix)
 
 
-def translate_body(body: Body, offset: VectorLike) -> Body:
-    """Move a body with its joints by a vector [m]."""
-    return Body.record(_translate_body, body=body, offset=offset)
-
-
-@kernel
+@kernel(spelling="{body}.rotate({axis}, {angle}, about={about})")
 def _rotate_body(body: Tree, axis: Array3, angle: float, about: Array3) -> Tree:
     matrix = np.eye(4)
     matrix[:3, :3] = rotation(unit(axis), angle)
@@ -224,12 +221,7 @@ def _rotate_body(body: Tree, axis: Array3, angle: float, about: Array3) -> Tree:
     return body.moved(matrix)
 
 
-def rotate_body(body: Body, axis: VectorLike, angle: Scalar, about: VectorLike) -> Body:
-    """Rotate a body with its joints about an axis through a point by an angle [rad]."""
-    return Body.record(_rotate_body, body=body, axis=axis, angle=angle, about=about)
-
-
-@kernel
+@kernel(spelling="{body}.mirror({normal})")
 def _mirror_body(body: Tree, normal: Array3) -> Tree:
     direction = unit(normal)
     matrix = np.eye(4)
@@ -237,17 +229,75 @@ def _mirror_body(body: Tree, normal: Array3) -> Tree:
     return body.moved(matrix)
 
 
-def mirror_body(body: Body, normal: VectorLike) -> Body:
-    """Reflect a body with its joints in the plane through the origin with a normal."""
-    return Body.record(_mirror_body, body=body, normal=normal)
-
-
-@kernel
+@kernel(spelling="{body}.suffixed({suffix})")
 def _suffix(body: Tree, suffix: str) -> Tree:
     _check_name(f"x{suffix}", "suffix")
     return body.suffixed(suffix)
 
 
-def suffix(body: Body, suffix: str) -> Body:
-    """Add a suffix to the names of all links, joints, grasps and pushes of a body."""
-    return Body.record(_suffix, body=body, suffix=suffix)
+Place = tuple[str, str]
+"""A link and a label of solid pieces on it."""
+
+
+@kernel
+def _allow_contact(
+    body: Tree, a: str, b: str, depth: float, reason: str, when: values.AssetCondition | None
+) -> Tree:
+    if finite("depth", depth) < 0.0:
+        raise ValueError(f"depth must not be negative, got {depth:.6g} m; 0 allows them to touch")
+    if not reason.strip():
+        raise ValueError(f"the contact of {a!r} with {b!r} has no reason; say why they may touch")
+    found: dict[frozenset[Place], AllowedContact] = {}
+    first, second = _places(body, a), _places(body, b)
+    for one in first:
+        for other in second:
+            if one[0] != other[0]:
+                links, labels = (one[0], other[0]), (one[1], other[1])
+                contact = AllowedContact(links, labels, depth, reason.strip(), when)
+                found.setdefault(frozenset((one, other)), contact)
+    if not found:
+        raise ValueError(
+            f"{a!r} and {b!r} are both on link {first[0][0]!r} and on no other; pieces of one link never "
+            "move against each other: name pieces of two links"
+        )
+    return replace(body, contacts=(*body.contacts, *found.values()))
+
+
+def _places(body: Tree, name: str) -> list[Place]:
+    """Return the links and labels of `label` or `link/label` in a body, at least one."""
+    labels = {link.name: _solid_labels(link) for link in body.links()}
+    link, slash, label = name.rpartition("/")
+    if slash:
+        if link not in labels:
+            raise ValueError(f"{name!r}: this body has no link {link!r}.{nearest(link, labels)}")
+        if label not in labels[link]:
+            options = nearest(label, labels[link])
+            raise ValueError(f"{name!r}: link {link!r} has no solid labelled {label!r}.{options}")
+        return [(link, label)]
+    found = [(each, name) for each, carried in labels.items() if name in carried]
+    if not found and name in labels:
+        raise ValueError(
+            f"{name!r} is a link, and contacts are declared per labelled piece; write "
+            + " or ".join(f"'{name}/{each}'" for each in labels[name])
+        )
+    if not found:
+        every = {each for carried in labels.values() for each in carried}
+        raise ValueError(f"no solid of this body is labelled {name!r}.{nearest(name, every)}")
+    return found
+
+
+def _solid_labels(link: Link) -> tuple[str, ...]:
+    """Return the labels of a link's solids, without visual details."""
+    while isinstance(link, MovedLink):  # accessing its own pieces would move them all
+        link = link.source
+    return tuple(dict.fromkeys(piece.label for piece in link.pieces if not piece.visual))
+
+
+@kernel(spelling="{body}.mass()")
+def _mass(body: Tree) -> float:
+    return sum(link.mass_properties.mass for link in body.links())
+
+
+@kernel(spelling="{body}.center_of_mass()")
+def _center_of_mass(body: Tree) -> Array3:
+    return total([link.mass_properties.moments() for link in body.links()]).center

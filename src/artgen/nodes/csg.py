@@ -17,13 +17,13 @@ from artgen.asset.surface import corner_normals
 from artgen.colliders import Convex, Exact, Pieces
 from artgen.colliders.pieces import Cover
 from artgen.colliders.triangles import cross, hull_of, triangles_of
-from artgen.graph import kernel
+from artgen.graph import kernel, records
 from artgen.materials import Material
 from artgen.nodes import validators as inputs
 from artgen.nodes.contours import CREASE
 from artgen.nodes.handles import Array3, ArrayN3, PointsLike, Scalar, Solid, VectorLike
 from artgen.nodes.primitive_colliders import around_hull
-from artgen.nodes.rounded_box import rounded_box
+from artgen.nodes.surfaces import rounded_box
 from artgen.nodes.unwrap import boxed_uvs
 from artgen.nodes.validators import between
 
@@ -48,7 +48,6 @@ class _Coarse(Pieces):
         return self._base.simplified(max(tolerance, self._least), most_vertices)
 
 
-@kernel
 def _simplified_collider(solid: Shape, within: float) -> Shape:
     between("within", within, 0.0, MOST)
     if within == 0.0:
@@ -56,6 +55,7 @@ def _simplified_collider(solid: Shape, within: float) -> Shape:
     return Shape(solid.manifold, _Coarse(solid.pieces, within), solid.paints)
 
 
+@records(_simplified_collider)
 def simplified_collider(solid: Solid, within: Scalar = MOST) -> Solid:
     """Simplify the colliders of a round solid; appearance and mass stay the same.
 
@@ -69,7 +69,6 @@ def simplified_collider(solid: Solid, within: Scalar = MOST) -> Solid:
     Examples:
         >>> simplified_collider(tube(0.1, 0.098, 0.2))
     """
-    return Solid.record(_simplified_collider, solid=solid, within=within)
 
 
 def with_properties(manifold: Manifold, change: Callable[[Array], None]) -> Manifold:
@@ -153,18 +152,17 @@ def united(shapes: Sequence[Shape]) -> Shape:
     return replace(whole, united=tuple(member for shape in shapes for member in shape.members))
 
 
-@kernel
 def _union(solids: tuple[Shape, ...]) -> Shape:
     return united(solids)
 
 
+@records(_union)
 def union(*solids: Solid) -> Solid:
     """Unite solids; also written `a | b`. Overlaps count once.
 
     Examples:
         >>> union(box(0.3, 0.02, 0.02), box(0.02, 0.3, 0.02), sphere(0.04))
     """
-    return Solid.record(_union, solids=solids)
 
 
 @kernel(spelling="({a} - {b})")
@@ -177,11 +175,6 @@ def _difference(a: Shape, b: Shape) -> Shape:
     )
 
 
-def difference(a: Solid, b: Solid) -> Solid:
-    """Cut the second solid out of the first; also written `a - b`."""
-    return Solid.record(_difference, a=a, b=b)
-
-
 @kernel(spelling="({a} & {b})")
 def _intersection(a: Shape, b: Shape) -> Shape:
     return _combined(
@@ -192,16 +185,10 @@ def _intersection(a: Shape, b: Shape) -> Shape:
     )
 
 
-def intersection(a: Solid, b: Solid) -> Solid:
-    """Return the common part of two solids; also written `a & b`."""
-    return Solid.record(_intersection, a=a, b=b)
-
-
 def _corners(shapes: Sequence[Shape]) -> Array:
     return np.concatenate([shape.mesh.vertices for shape in shapes])
 
 
-@kernel
 def _hull(solids: tuple[Shape, ...]) -> Shape:
     if not solids:
         raise ValueError("a hull needs at least one solid, got none")
@@ -209,13 +196,13 @@ def _hull(solids: tuple[Shape, ...]) -> Shape:
     return faceted_shape(hull_of(vertices), around_hull(vertices))
 
 
+@records(_hull)
 def hull(*solids: Solid) -> Solid:
     """Return the convex hull of solids.
 
     Examples:
         >>> hull(cylinder(0.05, 0.03), cylinder(0.02, 0.03).at(0.15))
     """
-    return Solid.record(_hull, solids=solids)
 
 
 def half_space(shape: Shape, point: Array, normal: Array) -> Shape:
@@ -231,7 +218,7 @@ def half_space(shape: Shape, point: Array, normal: Array) -> Shape:
     return box.transformed(matrix)
 
 
-@kernel
+@kernel(spelling="{solid}.split(point={point}, normal={normal})")
 def _split(solid: Shape, point: Array3, normal: Array3) -> Shape:
     across = inputs.direction("normal", normal)
     place = inputs.vector("point", point)
@@ -244,12 +231,6 @@ def _split(solid: Shape, point: Array3, normal: Array3) -> Shape:
     )
 
 
-def split(solid: Solid, *, point: VectorLike, normal: VectorLike) -> Solid:
-    """Keep the part in front of a plane; also written `solid.split(point=..., normal=...)`."""
-    return Solid.record(_split, solid=solid, point=point, normal=normal)
-
-
-@kernel
 def _shell(solid: Shape, thickness: float, open: Array3 | None) -> Shape:
     inputs.positive("thickness", thickness)
     around = solid.manifold.hull()
@@ -325,6 +306,7 @@ def _deepest(normals: Array, reach: Array) -> Array:
     return best
 
 
+@records(_shell)
 def shell(solid: Solid, thickness: Scalar, *, open: VectorLike | None = None) -> Solid:
     """Hollow a convex solid, leaving walls.
 
@@ -336,10 +318,9 @@ def shell(solid: Solid, thickness: Scalar, *, open: VectorLike | None = None) ->
     Examples:
         >>> shell(box(0.3, 0.2, 0.1, bevel=0.01), 0.008, open=Z)
     """
-    return Solid.record(_shell, solid=solid, thickness=thickness, open=open)
 
 
-@kernel
+@kernel(spelling="{solid}.paint({material})")
 def _paint(solid: Shape, material: Material) -> Shape:
     number = material.number
 
@@ -349,20 +330,12 @@ def _paint(solid: Shape, material: Material) -> Shape:
     return Shape(with_properties(solid.manifold, mark), solid.pieces, {number: material}).checked()
 
 
-def paint(solid: Solid, material: Material) -> Solid:
-    """Give all faces of a solid a material that they keep in any part.
-
-    Paint stays on faces through booleans: a painted tool leaves painted cuts.
-    """
-    return Solid.record(_paint, solid=solid, material=material)
-
-
-@kernel
 def _bounding_collider(solid: Shape) -> Shape:
     around = around_hull(np.ascontiguousarray(solid.mesh.vertices))
     return Shape(solid.manifold, colliders.Bounded(around.outer, solid.pieces.inner), solid.paints)
 
 
+@records(_bounding_collider)
 def bounding_collider(solid: Solid) -> Solid:
     """Use the convex hull of a solid as its collider; appearance and mass stay the same.
 
@@ -376,10 +349,8 @@ def bounding_collider(solid: Solid) -> Solid:
         >>> slats = array(box(0.01, 0.1, 0.02), at=row((0, 0, 0), (0.02, 0, 0), 10))
         >>> bounding_collider(slats | box(0.2, 0.005, 0.02).at(0.09))
     """
-    return Solid.record(_bounding_collider, solid=solid)
 
 
-@kernel
 def _array(solid: Shape, at: ArrayN3) -> Shape:
     places = inputs.points("at", at, 3, 1)
     copies = [solid.transformed(inputs.pose(np.eye(3), place)) for place in places]
@@ -399,6 +370,7 @@ def _are_apart(places: Array, size: Array) -> bool:
     return bool(apart.all())
 
 
+@records(_array)
 def array(solid: Solid, *, at: PointsLike) -> Solid:
     """Copy a solid to several places as one solid; touching and overlapping copies are united.
 
@@ -409,4 +381,3 @@ def array(solid: Solid, *, at: PointsLike) -> Solid:
     Examples:
         >>> array(box(0.02, 0.1, 0.05), at=row((0, 0, 0), (0.04, 0, 0), 5))
     """
-    return Solid.record(_array, solid=solid, at=at)

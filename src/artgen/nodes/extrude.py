@@ -1,4 +1,4 @@
-"""Extrusion of a profile along an axis, and revolution about an axis."""
+"""Extrusion of a profile, revolution about an axis, and half sections for it."""
 
 import math
 from collections.abc import Callable, Sequence
@@ -6,11 +6,19 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from artgen._arrays import Array, successors
-from artgen.asset.shape import Contour, Outline, Shape
-from artgen.graph import kernel
+from artgen.asset.shape import Contour, Curve, Outline, Shape
+from artgen.graph import records
 from artgen.nodes import validators as inputs
-from artgen.nodes.contours import is_disjoint, moved_outline, refined
-from artgen.nodes.handles import Array3, Profile, Scalar, Solid, VectorLike
+from artgen.nodes.contours import (
+    estimated,
+    faceted,
+    is_disjoint,
+    moved_outline,
+    refined,
+    side_normals,
+    without_repeats,
+)
+from artgen.nodes.handles import Array3, Path, Profile, Scalar, Solid, VectorLike
 from artgen.nodes.primitive_colliders import around_extrusion, around_lathe, moved
 from artgen.nodes.surfaces import extrusion, lathe, mitres
 
@@ -18,7 +26,6 @@ _ON_AXIS = 1e-7  # points nearer to the axis than this lie on it [m]
 _FEWEST, _MOST = 3, 128  # sides of a full turn
 
 
-@kernel
 def _revolve(profile: Outline, angle: float, axis: Array3, sides: int = 0) -> Shape:
     inputs.between("angle", angle, 0.001, math.tau + 1e-9, "rad")
     if sides != 0 and not _FEWEST <= sides <= _MOST:
@@ -42,6 +49,7 @@ def _revolve(profile: Outline, angle: float, axis: Array3, sides: int = 0) -> Sh
     return skin.turned(turn).shape(moved(pieces, inputs.pose(turn)))
 
 
+@records(_revolve)
 def revolve(
     profile: Profile, *, angle: Scalar = math.tau, axis: VectorLike = (0.0, 0.0, 1.0), sides: int = 0
 ) -> Solid:
@@ -58,13 +66,11 @@ def revolve(
     Examples:
         >>> revolve(rectangle(0.04, 0.1, radius=0.01).at(0.08), angle=4.5)
     """
-    return Solid.record(_revolve, profile=profile, angle=angle, axis=axis, sides=sides)
 
 
 _TWIST_STEP = math.pi / 32.0
 
 
-@kernel
 def _extrude(
     profile: Outline, length: float, axis: Array3, bevel: float, taper: float, twist: float
 ) -> Shape:
@@ -87,6 +93,7 @@ def _extrude(
     return skin.shape(moved(pieces, inputs.pose(turn)))
 
 
+@records(_extrude)
 def extrude(
     profile: Profile,
     length: Scalar,
@@ -113,9 +120,6 @@ def extrude(
     Examples:
         >>> extrude(regular_polygon(6, 0.05), 0.15, bevel=0.004, taper=0.3, twist=0.5)
     """
-    return Solid.record(
-        _extrude, profile=profile, length=length, axis=axis, bevel=bevel, taper=taper, twist=twist
-    )
 
 
 def _check_bevel(contours: Sequence[Contour], bevel: float) -> None:
@@ -161,3 +165,148 @@ def _warp(length: float, taper: float, twist: float) -> Callable[[Array, Array],
         return moved_vertices, turned / np.linalg.norm(turned, axis=1, keepdims=True)
 
     return warp
+
+
+_ON_AXIS = 1e-6  # points nearer to the axis than this lie on it [m]
+_FLAT = 0.01  # largest deviation of a line from the plane of a half section [m]
+
+
+def _half_section(
+    path: Curve | tuple[Curve, ...], wall: float | None, inset: float, bore: float, within: float
+) -> Outline:
+    path = path if isinstance(path, Curve) else _joined(path)
+    if path.closed:
+        raise ValueError("the line of a half section must be open: from its lower end to its upper one")
+    if np.abs(path.points[:, 1]).max() > _FLAT * max(1.0, float(np.abs(path.points).max())):
+        raise ValueError("the line of a half section must lie in the plane y = 0: x is the radius")
+    line = path.points[:, [0, 2]]
+    if line[:, 0].min() < -_ON_AXIS:
+        raise ValueError(f"the line reaches x = {line[:, 0].min():g} m; x is the radius, so it starts at 0")
+    if inputs.between("within", within, 0.0, 0.01) > 0.0:
+        low, high = line[:, 1].min(), line[:, 1].max()
+        apart = np.append(True, np.linalg.norm(np.diff(line, axis=0), axis=1) > _ON_AXIS)
+        line = _chords(line[apart], 0.5 * within)
+        path = Curve(np.column_stack([line[:, 0], np.zeros(len(line)), line[:, 1]]))
+        inset = inset + 0.5 * within
+    outward, corners = _normals(path, line)
+    outer = _on_axis(line - inputs.finite("inset", inset) * corners)
+    if within > 0.0:  # slanted ends move along their normals, off the heights at which the line ends
+        outer[:, 1] = np.clip(outer[:, 1], low, high)
+        ends = [end for end in (0, -1) if outer[end, 0] > 0.0]
+        outer[ends, 1] = line[ends, 1]
+    if wall is None:
+        made = _solid(outer, outward, inputs.between("bore", bore, 0.0, float(outer[:, 0].max())))
+    else:
+        inner = _on_axis(line - (inset + inputs.positive("wall", wall)) * corners)
+        made = _shell(outer, inner, outward, smooth=path.tangents is not None)
+    made = without_repeats(made if within == 0.0 else faceted(made.points))
+    if not is_disjoint([made.points]):
+        raise ValueError("the half section crosses itself: bend its line less, or make its wall thinner")
+    return Outline((made,))
+
+
+@records(_half_section)
+def half_section(
+    path: Path | Sequence[Path],
+    *,
+    wall: Scalar | None = None,
+    inset: Scalar = 0.0,
+    bore: Scalar = 0.0,
+    within: Scalar = 0.0,
+) -> Profile:
+    """Make the profile for `revolve` from the line of its outside.
+
+    Args:
+        path: The outside from the lower end to the upper end, in the plane y = 0: x is the radius, z becomes
+            the profile's y. A spline makes a smooth outside; several paths meet at sharp edges, or at steps
+            where they are apart.
+        wall: Thickness of a shell inside the line, open at both ends; a solid by default [m].
+        inset: Distance by which the outside moves inward [m].
+        bore: Radius of the hole along the axis of a solid without wall [m].
+        within: Largest depth below the line at which straight segments replace it; 0 follows the line [m].
+            They never lie outside the line: a core with few facets fits inside a smooth skin.
+
+    Examples:
+        >>> outside = spline([(0.03, 0, 0), (0.05, 0, 0.05), (0.02, 0, 0.1), (0.03, 0, 0.14)])
+        >>> revolve(half_section(outside, wall=0.003))
+    """
+
+
+def _chords(line: Array, off: float) -> Array:
+    """Return the points of a line between which straight segments stay within a distance of it [m]."""
+    first, last = line[0], line[-1]
+    along = last - first
+    length = float(np.hypot(*along))
+    if len(line) < 3:
+        return line
+    if length < _ON_AXIS:
+        apart = np.hypot(*(line - first).T)
+    else:
+        apart = np.abs(along[0] * (line[:, 1] - first[1]) - along[1] * (line[:, 0] - first[0])) / length
+    far = int(np.argmax(apart))
+    if apart[far] <= off:
+        return np.stack([first, last])
+    return np.concatenate([_chords(line[: far + 1], off)[:-1], _chords(line[far:], off)])
+
+
+def _joined(paths: Sequence[Curve]) -> Curve:
+    """Return paths as one from end to end; points at which they meet appear twice."""
+    points: list[Array] = []
+    tangents: list[Array] = []
+    for path in paths:
+        if path.tangents is None:
+            raise ValueError("a half section of several paths takes lines, arcs and splines, no polylines")
+        if points:
+            gap = path.points[0] - points[-1][-1]
+            length = float(np.linalg.norm(gap))
+            if length > _ON_AXIS:
+                points.append(np.stack([points[-1][-1], path.points[0]]))
+                tangents.append(np.stack([gap / length] * 2))
+        points.append(path.points)
+        tangents.append(path.tangents)
+    return Curve(np.concatenate(points), False, np.concatenate(tangents))
+
+
+def _normals(path: Curve, line: Array) -> tuple[Array, Array]:
+    """Return the unit normals of the outside, and the motion of its points per metre of inset."""
+    if path.tangents is not None:
+        along = path.tangents[:, [0, 2]]
+        outward = np.column_stack([along[:, 1], -along[:, 0]])
+        outward /= np.linalg.norm(outward, axis=1, keepdims=True)
+        for end in (0, -1):
+            if line[end, 0] <= _ON_AXIS:  # a pole has a normal along the axis
+                outward[end] = (0.0, np.sign(outward[end, 1]) or 1.0)
+        return outward, outward
+    sides = side_normals(line)[:-1]
+    before, after = np.vstack([sides[:1], sides]), np.vstack([sides, sides[-1:]])
+    # the corner between two sides moves along their bisector, farther than the sides
+    mitred = (before + after) / (1.0 + np.einsum("ij,ij->i", before, after))[:, None]
+    return mitred / np.linalg.norm(mitred, axis=1, keepdims=True), mitred
+
+
+def _on_axis(points: Array) -> Array:
+    points = points.copy()
+    points[points[:, 0] < _ON_AXIS, 0] = 0.0
+    return points
+
+
+def _solid(outer: Array, outward: Array, bore: float = 0.0) -> Contour:
+    first = [] if outer[0, 0] <= bore else [[bore, outer[0, 1]]]
+    last = [] if outer[-1, 0] <= bore else [[bore, outer[-1, 1]]]
+    points = np.concatenate([np.array(part, float).reshape(-1, 2) for part in (first, outer, last)])
+    return _with_normals(points, outward, len(first))
+
+
+def _shell(outer: Array, inner: Array, outward: Array, *, smooth: bool) -> Contour:
+    points = np.concatenate([outer, inner[::-1]])
+    made = _with_normals(points, outward, 0)
+    return _with_normals(points, -outward[::-1], len(outer), made) if smooth else estimated(points)
+
+
+def _with_normals(points: Array, outward: Array, start: int, rest: Contour | None = None) -> Contour:
+    """Return a contour with given normals for the points from `start` on; the others are estimated."""
+    known = rest or estimated(points)
+    arriving, leaving = known.normals_in.copy(), known.normals_out.copy()
+    end = start + len(outward)
+    arriving[start + 1 : end], leaving[start : end - 1] = outward[1:], outward[:-1]
+    return Contour(points, arriving, leaving)

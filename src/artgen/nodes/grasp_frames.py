@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from artgen.asset import Shape
 from artgen.asset.gripper import GRIPPER, block, clipped
-from artgen.graph import Handle, kernel
+from artgen.graph import Handle, records
 from artgen.nodes.handles import Array3, Scalar, Solid, VectorLike
 from artgen.nodes.vector import unit
 
@@ -28,7 +28,6 @@ class Frame(Handle):
     value_type: ClassVar[Any] = Array4x4
 
 
-@kernel
 def _frame(at: Array3, approach: Array3, closing: Array3) -> Array4x4:
     return _posed(at, approach, closing)
 
@@ -48,6 +47,7 @@ def _posed(at: Array3, approach: Array3, closing: Array3) -> Array4x4:
     return result
 
 
+@records(_frame)
 def frame(
     at: VectorLike, *, approach: VectorLike = (0.0, 1.0, 0.0), closing: VectorLike = (0.0, 0.0, 1.0)
 ) -> Frame:
@@ -62,10 +62,8 @@ def frame(
         >>> bar = box(0.2, 0.012, 0.012)
         >>> part(bar, "handle", material("steel"), grasp=frame((0, 0, 0), approach=Y, closing=Z))
     """
-    return Frame.record(_frame, at=at, approach=approach, closing=closing)
 
 
-@kernel
 def _grasp_on(
     solid: Shape, approach: Array3, closing: Array3, at: Array3 | None, depth: float | None
 ) -> Array4x4:
@@ -87,6 +85,7 @@ def _grasp_on(
     return result
 
 
+@records(_grasp_on)
 def grasp_on(
     solid: Solid,
     *,
@@ -113,10 +112,8 @@ def grasp_on(
         >>> bar = box(0.2, 0.012, 0.012)
         >>> part(bar, "handle", material("steel"), grasp=grasp_on(bar, closing=Z))
     """
-    return Frame.record(_grasp_on, solid=solid, approach=approach, closing=closing, at=at, depth=depth)
 
 
-@kernel
 def _push_on(solid: Shape, direction: Array3, at: Array3 | None) -> Array4x4:
     middle = solid.bounds().mean(axis=0) if at is None else at
     axis = unit(direction)
@@ -130,6 +127,7 @@ def _push_on(solid: Shape, direction: Array3, at: Array3 | None) -> Array4x4:
     return result
 
 
+@records(_push_on)
 def push_on(solid: Solid, *, direction: VectorLike = (0.0, 1.0, 0.0), at: VectorLike | None = None) -> Frame:
     """Find the point at which a finger first touches a solid to push it, for `part(..., push=...)`.
 
@@ -142,7 +140,6 @@ def push_on(solid: Solid, *, direction: VectorLike = (0.0, 1.0, 0.0), at: Vector
         >>> cap = cylinder(0.01, 0.006, axis=Y, bevel=0.001)
         >>> part(cap, "button", material("abs"), push=push_on(cap))
     """
-    return Frame.record(_push_on, solid=solid, direction=direction, at=at)
 
 
 def _text(point: Array3) -> str:

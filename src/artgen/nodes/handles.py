@@ -1,7 +1,7 @@
 """Typed handles for authors: profiles, paths, solids, bodies (scalars are in `scalar_handles`)."""
 
 from collections.abc import Sequence
-from typing import Any, ClassVar
+from typing import Any, ClassVar, Literal
 
 import numpy as np
 
@@ -92,13 +92,13 @@ class Profile(Handle):
         """
         return Profile.record("profile_scale", profile=self, x=x, y=x if y is None else y)
 
-    def offset(self, distance: Scalar) -> "Profile":
-        """Grow by a distance with rounded corners, or shrink by a negative one [m].
+    def offset(self, distance: Scalar, *, join: Literal["round", "miter"] = "round") -> "Profile":
+        """Grow by a distance, or shrink by a negative one [m]; `join` is the shape of the corners.
 
         Examples:
             >>> polygon([(0, 0), (0.1, 0), (0.05, 0.08)]).offset(0.02)
         """
-        return Profile.record("offset", profile=self, distance=distance, join="round")
+        return Profile.record("offset", profile=self, distance=distance, join=join)
 
     def mirror(self, x: Scalar = 1.0, y: Scalar = 0.0) -> "Profile":
         """Reflect in the line through the origin whose normal is (x, y).

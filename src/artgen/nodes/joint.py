@@ -1,7 +1,7 @@
-"""Joints, and couplings between them."""
+"""Joints, couplings between them, conditions on their positions, and dependencies on conditions."""
 
 import inspect
-from collections.abc import Mapping
+from dataclasses import replace
 from typing import Any, ClassVar, Literal
 
 import numpy as np
@@ -9,15 +9,173 @@ import numpy as np
 from artgen import asset as values
 from artgen._names import NAME_RULE, is_identifier
 from artgen.graph import Handle, kernel
-from artgen.graph.node import Node
-from artgen.nodes.condition import Condition, Dependency
 from artgen.nodes.handles import Array3, Float, Scalar, VectorLike
 from artgen.nodes.vector import unit
 
-Limits = tuple[Scalar, Scalar] | None
+Kind = Literal["revolute", "prismatic"]
 
 
-class Coupling(Handle):
+class Condition(Handle):
+    """A region of joint space.
+
+    Examples:
+        >>> case = part(box(0.3, 0.1, 0.02), "case", material("walnut"))
+        >>> lever = part(box(0.1, 0.02, 0.01).at(-0.08, 0, 0.02), "lever", material("steel"))
+        >>> bolt = part(box(0.08, 0.02, 0.01).at(0.08, 0, 0.02), "bolt", material("brass"))
+        >>> turn = Revolute("turn", pivot=(-0.08, 0, 0), axis=Z, limits=(0, 1.2))
+        >>> needs = (turn > 1.0).until(0.04).beyond(0.01)
+        >>> case.attach(lever, turn).attach(bolt, Prismatic("slide", axis=X, limits=(0, 0.05), needs=needs))
+    """
+
+    __slots__ = ()
+    value_type: ClassVar[Any] = values.AssetCondition
+
+    def __and__(self, other: "Condition") -> "Condition":
+        """Intersect two regions."""
+        return Condition.record("condition_all", a=self, b=other)
+
+    def __or__(self, other: "Condition") -> "Condition":
+        """Unite two regions."""
+        return Condition.record("condition_any", a=self, b=other)
+
+    def until(self, position: Scalar) -> "Dependency":
+        """Limit the dependency to positions of the dependent joint below a value [rad or m]."""
+        return Dependency.record("dependency", condition=self, until=position)
+
+    def beyond(self, position: Scalar) -> "Dependency":
+        """Limit the dependency to positions of the dependent joint beyond a value [rad or m].
+
+        Up to the value the joint is free, like a drawer that is slightly behind a door.
+        """
+        return Dependency.record("dependency_beyond", needs=self, position=position)
+
+
+class Dependency(Handle):
+    """Condition under which a joint may leave its closed position.
+
+    Examples:
+        >>> case = part(box(0.3, 0.1, 0.02), "case", material("walnut"))
+        >>> lever = part(box(0.1, 0.02, 0.01).at(-0.08, 0, 0.02), "lever", material("steel"))
+        >>> bolt = part(box(0.08, 0.02, 0.01).at(0.08, 0, 0.02), "bolt", material("brass"))
+        >>> turn = Revolute("turn", pivot=(-0.08, 0, 0), axis=Z, limits=(0, 1.2))
+        >>> needs = (turn > 1.0).until(0.04).beyond(0.01)
+        >>> case.attach(lever, turn).attach(bolt, Prismatic("slide", axis=X, limits=(0, 0.05), needs=needs))
+    """
+
+    __slots__ = ()
+    value_type: ClassVar[Any] = values.AssetDependency
+
+    def until(self, position: Scalar) -> "Dependency":
+        """Limit the dependency to positions of the dependent joint below a value [rad or m]."""
+        return Dependency.record("dependency_until", needs=self, position=position)
+
+    def beyond(self, position: Scalar) -> "Dependency":
+        """Limit the dependency to positions of the dependent joint beyond a value [rad or m]."""
+        return Dependency.record("dependency_beyond", needs=self, position=position)
+
+    @classmethod
+    def lift(cls, value: Any) -> Any:
+        """Accept a Dependency, or a Condition that is always required."""
+        if isinstance(value, Condition):
+            return Dependency.record("dependency", condition=value, until=None).node
+        return super().lift(value)
+
+
+@kernel
+def _joint_above(joint: str, position: float) -> values.AssetCondition:
+    return values.AssetCondition("above", joint, position)
+
+
+@kernel
+def _joint_below(joint: str, position: float) -> values.AssetCondition:
+    return values.AssetCondition("below", joint, position)
+
+
+@kernel(spelling="({a} & {b})")
+def _condition_all(a: values.AssetCondition, b: values.AssetCondition) -> values.AssetCondition:
+    return values.AssetCondition("all", terms=(a, b))
+
+
+@kernel(spelling="({a} | {b})")
+def _condition_any(a: values.AssetCondition, b: values.AssetCondition) -> values.AssetCondition:
+    return values.AssetCondition("any", terms=(a, b))
+
+
+@kernel
+def _dependency(condition: values.AssetCondition, until: float | None) -> values.AssetDependency:
+    return _checked(values.AssetDependency(condition, until))
+
+
+@kernel(spelling="{needs}.until({position})")
+def _dependency_until(needs: values.AssetDependency, position: float) -> values.AssetDependency:
+    if needs.until is not None:
+        raise ValueError(f"until is given twice: {needs.until:.6g} and {position:.6g}")
+    return _checked(replace(needs, until=position))
+
+
+@kernel(spelling="{needs}.beyond({position})")
+def _dependency_beyond(needs: values.AssetDependency, position: float) -> values.AssetDependency:
+    if needs.beyond is not None:
+        raise ValueError(f"beyond is given twice: {needs.beyond:.6g} and {position:.6g}")
+    return _checked(replace(needs, beyond=position))
+
+
+def _checked(needs: values.AssetDependency) -> values.AssetDependency:
+    """Return a dependency with checked positions."""
+    if needs.until is not None and needs.until <= 0.0:
+        raise ValueError(f"until must be positive, got {needs.until:.6g}: a joint needs nothing at 0")
+    if needs.beyond is not None and needs.beyond <= 0.0:
+        raise ValueError(
+            f"beyond must be positive, got {needs.beyond:.6g}: leave it out where the condition is needed "
+            "from 0 on"
+        )
+    if needs.until is not None and needs.beyond is not None and needs.until <= needs.beyond:
+        raise ValueError(
+            f"beyond {needs.beyond:.6g} must be below until {needs.until:.6g}: the condition is needed "
+            "between them"
+        )
+    return needs
+
+
+class _Leader(Handle):
+    """Arithmetic that makes the coupling of a follower."""
+
+    __slots__ = ()
+
+    def __mul__(self, ratio: Scalar) -> "Coupling":
+        """Multiply the ratio of the follower."""
+        return Coupling.record("coupling_scale", coupling=self, factor=ratio)
+
+    def __add__(self, offset: Scalar) -> "Coupling":
+        """Shift the follower [rad or m]."""
+        return Coupling.record("coupling_shift", coupling=self, by=offset)
+
+    def __sub__(self, offset: Scalar) -> "Coupling":
+        """Shift the follower back [rad or m]."""
+        return self + (-offset)
+
+    def __rsub__(self, offset: Scalar) -> "Coupling":
+        """Reverse the follower and shift it [rad or m]."""
+        return -self + offset
+
+    def __truediv__(self, divisor: Scalar) -> "Coupling":
+        """Divide the ratio of the follower."""
+        return self * Float.record("divide", a=1.0, b=divisor)
+
+    def __neg__(self) -> "Coupling":
+        """Reverse the follower."""
+        return self * -1.0
+
+    def __radd__(self, offset: Scalar) -> "Coupling":
+        """Shift the follower [rad or m]."""
+        return self + offset
+
+    def __rmul__(self, ratio: Scalar) -> "Coupling":
+        """Multiply the ratio of the follower."""
+        return self * ratio
+
+
+class Coupling(_Leader):
     """Law of a joint that follows another: `ratio * leader + offset`.
 
     Examples:
@@ -36,34 +194,8 @@ class Coupling(Handle):
         """Accept a Coupling, or a Joint that is followed with ratio 1."""
         return (1.0 * value).node if isinstance(value, Joint) else super().lift(value)
 
-    def __add__(self, offset: Scalar) -> "Coupling":
-        """Shift the follower [rad or m]."""
-        return Coupling.record("coupling_shift", coupling=self, by=offset)
 
-    def __sub__(self, offset: Scalar) -> "Coupling":
-        """Shift the follower back [rad or m]."""
-        return self + (-offset)
-
-    def __mul__(self, factor: Scalar) -> "Coupling":
-        """Multiply the ratio of the follower."""
-        return Coupling.record("coupling_scale", coupling=self, factor=factor)
-
-    def __rsub__(self, offset: Scalar) -> "Coupling":
-        """Reverse the follower and shift it [rad or m]."""
-        return -self + offset
-
-    def __truediv__(self, divisor: Scalar) -> "Coupling":
-        """Divide the ratio of the follower."""
-        return self * Float.record("divide", a=1.0, b=divisor)
-
-    def __neg__(self) -> "Coupling":
-        """Reverse the follower."""
-        return self * -1.0
-
-    __radd__, __rmul__ = __add__, __mul__
-
-
-class Joint(Handle):
+class Joint(_Leader):
     """A joint for `attach`. Its arithmetic makes couplings, its comparisons make conditions.
 
     Examples:
@@ -87,34 +219,12 @@ class Joint(Handle):
         """Make a coupling with a ratio to this joint."""
         return Coupling.record("coupling", leader=self.name, ratio=ratio, offset=0.0)
 
-    def __add__(self, offset: Scalar) -> Coupling:
-        """Make a coupling with an offset to this joint [rad or m]."""
-        return self * 1.0 + offset
-
-    def __sub__(self, offset: Scalar) -> Coupling:
-        """Make a coupling with a negative offset to this joint [rad or m]."""
-        return self * 1.0 - offset
-
-    def __rsub__(self, offset: Scalar) -> Coupling:
-        """Make a reversed coupling with an offset to this joint [rad or m]."""
-        return -self + offset
-
-    def __truediv__(self, divisor: Scalar) -> Coupling:
-        """Make a coupling with an inverse ratio to this joint."""
-        return self * Float.record("divide", a=1.0, b=divisor)
-
-    def __neg__(self) -> Coupling:
-        """Make a reversed coupling to this joint."""
-        return self * -1.0
-
-    __radd__, __rmul__ = __add__, __mul__
-
     def __gt__(self, position: Scalar) -> Condition:
-        """Make the condition that this joint stands above a position [rad or m]."""
+        """Make the condition that the position of this joint is above a value [rad or m]."""
         return Condition.record("joint_above", joint=self.name, position=position)
 
     def __lt__(self, position: Scalar) -> Condition:
-        """Make the condition that this joint stands below a position [rad or m]."""
+        """Make the condition that the position of this joint is below a value [rad or m]."""
         return Condition.record("joint_below", joint=self.name, position=position)
 
     __ge__, __le__ = __gt__, __lt__
@@ -137,14 +247,10 @@ def _coupling_scale(coupling: values.AssetCoupling, factor: float) -> values.Ass
     return _coupling(coupling.leader, coupling.ratio * factor, coupling.offset * factor)
 
 
-_NOT_NEGATIVE = ("stiffness", "damping", "friction", "armature")
-_POSITIVE = ("effort", "velocity")
-
-
 @kernel
 def _joint(
     name: str,
-    kind: Literal["revolute", "prismatic"],
+    kind: Kind,
     pivot: Array3,
     axis: Array3,
     limits: tuple[float, float] | None,
@@ -175,41 +281,67 @@ def _joint(
             f"joint {name!r} has limits {limits[0]:.6g} to {limits[1]:.6g}: it never needs anything beyond "
             f"{beyond:.6g}; leave needs out, or take a position within the limits"
         )
-    dynamics: dict[str, Any] = {
-        "stiffness": stiffness,
-        "damping": damping,
-        "friction": friction,
-        "armature": armature,
-        "effort": effort,
-        "velocity": velocity,
-    }
-    for field in _NOT_NEGATIVE:
-        if dynamics[field] < 0.0:
-            raise ValueError(f"joint {name!r}: {field} {dynamics[field]:.6g} must not be negative")
-    for field in _POSITIVE:
-        if dynamics[field] <= 0.0:
-            raise ValueError(f"joint {name!r}: {field} {dynamics[field]:.6g} must be positive")
+    for field, number in (
+        ("stiffness", stiffness),
+        ("damping", damping),
+        ("friction", friction),
+        ("armature", armature),
+    ):
+        if number < 0.0:
+            raise ValueError(f"joint {name!r}: {field} {number:.6g} must not be negative")
+    for field, number in (("effort", effort), ("velocity", velocity)):
+        if number <= 0.0:
+            raise ValueError(f"joint {name!r}: {field} {number:.6g} must be positive")
     return values.AssetJoint(
         name,
         kind,
         unit(np.asarray(axis)),
         np.asarray(pivot),
         limits,
+        stiffness=stiffness,
+        damping=damping,
+        friction=friction,
         rest=rest,
+        armature=armature,
+        effort=effort,
+        velocity=velocity,
         follows=follows,
         needs=needs,
         driven=driven,
-        **dynamics,
     )
 
 
-def _recorded(kind: Literal["revolute", "prismatic"], arguments: Mapping[str, Any]) -> Node:
-    """Return the node of a joint from the arguments of its type."""
-    inputs = {name: value for name, value in arguments.items() if name not in ("self", "__class__")}
-    return Joint.record(_joint, kind=kind, **inputs).node
+class _Axial(Joint):
+    """A joint that moves about or along an axis."""
+
+    __slots__ = ()
+    _kind: ClassVar[Kind]
+    _velocity: ClassVar[float]  # default [rad/s or m/s]
+
+    def __init__(
+        self,
+        name: str,
+        *,
+        axis: VectorLike,
+        pivot: VectorLike = (0.0, 0.0, 0.0),
+        limits: tuple[Scalar, Scalar] | None = None,
+        stiffness: Scalar = 0.0,
+        damping: Scalar = 0.0,
+        friction: Scalar = 0.0,
+        rest: Scalar = 0.0,
+        armature: Scalar = 0.0,
+        effort: Scalar = 100.0,
+        velocity: Scalar | None = None,
+        follows: Coupling | Joint | None = None,
+        needs: Condition | Dependency | None = None,
+        driven: str = "",
+    ) -> None:
+        inputs = {key: value for key, value in locals().items() if key not in ("self", "__class__")}
+        inputs["velocity"] = self._velocity if velocity is None else velocity
+        super().__init__(Joint.record("joint", kind=self._kind, **inputs).node)
 
 
-class Revolute(Joint):
+class Revolute(_Axial):
     """A joint that rotates about an axis, counter-clockwise when the axis points to the viewer.
 
     Args:
@@ -223,7 +355,7 @@ class Revolute(Joint):
         rest: Angle at which the spring is relaxed; outside the limits for a preloaded spring [rad].
         armature: Additional inertia at the joint [kg m^2].
         effort: Largest torque of an actuator [N m].
-        velocity: Largest speed [rad/s].
+        velocity: Largest speed; 10 rad/s by default.
         follows: Coupling to another joint, such as `4.0 * pedal + 0.02`; it determines the limits.
         needs: Condition under which the joint may leave 0, such as `handle > 0.5`; `(handle >
             0.5).until(0.06)` applies only below 0.06, `(door > 1.2).beyond(0.03)` only beyond 0.03.
@@ -236,29 +368,10 @@ class Revolute(Joint):
     """
 
     __slots__ = ()
-
-    def __init__(
-        self,
-        name: str,
-        *,
-        axis: VectorLike,
-        pivot: VectorLike = (0.0, 0.0, 0.0),
-        limits: Limits = None,
-        stiffness: Scalar = 0.0,
-        damping: Scalar = 0.0,
-        friction: Scalar = 0.0,
-        rest: Scalar = 0.0,
-        armature: Scalar = 0.0,
-        effort: Scalar = 100.0,
-        velocity: Scalar = 10.0,
-        follows: Coupling | Joint | None = None,
-        needs: Condition | Dependency | None = None,
-        driven: str = "",
-    ) -> None:
-        super().__init__(_recorded("revolute", locals()))
+    _kind, _velocity = "revolute", 10.0
 
 
-class Prismatic(Joint):
+class Prismatic(_Axial):
     """A joint that slides along an axis.
 
     Args:
@@ -272,7 +385,7 @@ class Prismatic(Joint):
         rest: Position at which the spring is relaxed; outside the limits for a preloaded spring [m].
         armature: Additional mass at the joint [kg].
         effort: Largest force of an actuator [N].
-        velocity: Largest speed [m/s].
+        velocity: Largest speed; 1 m/s by default.
         follows: Coupling to another joint, such as `0.02 * handle`; it determines the limits.
         needs: Condition under which the joint may leave 0, such as `door > 1.2`; `(door > 1.2).beyond(0.03)`
             applies only beyond 0.03, `(door > 1.2).until(0.3)` only below 0.3.
@@ -285,33 +398,15 @@ class Prismatic(Joint):
     """
 
     __slots__ = ()
-
-    def __init__(
-        self,
-        name: str,
-        *,
-        axis: VectorLike,
-        limits: Limits = None,
-        pivot: VectorLike = (0.0, 0.0, 0.0),
-        stiffness: Scalar = 0.0,
-        damping: Scalar = 0.0,
-        friction: Scalar = 0.0,
-        rest: Scalar = 0.0,
-        armature: Scalar = 0.0,
-        effort: Scalar = 100.0,
-        velocity: Scalar = 1.0,
-        follows: Coupling | Joint | None = None,
-        needs: Condition | Dependency | None = None,
-        driven: str = "",
-    ) -> None:
-        super().__init__(_recorded("prismatic", locals()))
+    _kind, _velocity = "prismatic", 1.0
 
 
-def joint(name: str, kind: Literal["revolute", "prismatic"], **options: Any) -> Revolute | Prismatic:
+def joint(name: str, kind: Kind, **options: Any) -> Revolute | Prismatic:
     """Make a joint of either kind; `options` are the keywords of `Revolute` and `Prismatic`."""
     return (Revolute if kind == "revolute" else Prismatic)(name, **options)
 
 
-_KIND = inspect.signature(joint).parameters["kind"]
 _NAME, *_OPTIONS = inspect.signature(Revolute).parameters.values()
-joint.__signature__ = inspect.Signature([_NAME, _KIND, *_OPTIONS])  # type: ignore[attr-defined]
+joint.__signature__ = inspect.Signature(  # type: ignore[attr-defined]
+    [_NAME, inspect.signature(joint).parameters["kind"], *_OPTIONS]
+)

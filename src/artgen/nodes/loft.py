@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from artgen._arrays import Array, predecessors, successors
 from artgen.asset.shape import Contour, Outline, Shape
-from artgen.graph import kernel
+from artgen.graph import records
 from artgen.nodes import validators as inputs
 from artgen.nodes.contours import CREASE, moved_outline
 from artgen.nodes.handles import Array3, Profile, Scalar, Solid, VectorLike
@@ -19,7 +19,6 @@ from artgen.nodes.unwrap import Rail, cap_uvs, lies_flat, runs_across, tapered_a
 _SHARE = 1e-7  # share of a border's length within which positions are equal
 
 
-@kernel
 def _loft(profiles: tuple[Outline, ...], heights: tuple[float, ...], axis: Array3) -> Shape:
     if len(profiles) < 2 or len(profiles) != len(heights):
         raise ValueError(
@@ -42,6 +41,7 @@ def _loft(profiles: tuple[Outline, ...], heights: tuple[float, ...], axis: Array
     return _skin(contours, rings).turned(turn).shape(around_chain([ring @ turn.T for ring in rings]))
 
 
+@records(_loft)
 def loft(
     profiles: Sequence[Profile],
     heights: Sequence[Scalar],
@@ -61,7 +61,6 @@ def loft(
     Examples:
         >>> loft([rectangle(0.2, 0.2), circle(0.08), circle(0.04)], [0.0, 0.1, 0.2])
     """
-    return Solid.record(_loft, profiles=profiles, heights=heights, axis=axis)
 
 
 def _border(at: int, outline: Outline) -> Contour:

@@ -7,7 +7,7 @@ import numpy as np
 
 from artgen._arrays import Array, predecessors, successors
 from artgen.asset.shape import Curve
-from artgen.graph import kernel
+from artgen.graph import records
 from artgen.nodes import validators as inputs
 from artgen.nodes.handles import Array3, Path, Scalar, VectorLike
 from artgen.nodes.surfaces import CHORD, arc_steps
@@ -19,7 +19,6 @@ def _unit_rows(vectors: Array) -> Array:
     return np.asarray(vectors / np.maximum(np.linalg.norm(vectors, axis=1, keepdims=True), 1e-300))
 
 
-@kernel
 def _line(start: Array3, end: Array3) -> Curve:
     points = np.stack([inputs.vector("start", start), inputs.vector("end", end)])
     along = points[1] - points[0]
@@ -29,16 +28,15 @@ def _line(start: Array3, end: Array3) -> Curve:
     return Curve(points, tangents=np.stack([along / length] * 2))
 
 
+@records(_line)
 def line(start: VectorLike, end: VectorLike) -> Path:
     """Make a straight path between two points [m].
 
     Examples:
         >>> line((0, 0, 0), (0.3, 0, 0.1))
     """
-    return Path.record(_line, start=start, end=end)
 
 
-@kernel
 def _polyline(points: tuple[Array3, ...], fillet: float, closed: bool) -> Curve:
     corners = inputs.points("the polyline", points or np.zeros((0, 3)), 3, 3 if closed else 2)
     fillet = inputs.rounding("fillet", fillet, math.inf)
@@ -95,6 +93,7 @@ def _without_repeats(points: Array, tangents: Array, closed: bool) -> Curve:
     return Curve(points[kept], closed, tangents[kept])
 
 
+@records(_polyline)
 def polyline(points: Sequence[VectorLike], *, fillet: Scalar = 0.0, closed: bool = False) -> Path:
     """Make a path of straight segments.
 
@@ -106,10 +105,8 @@ def polyline(points: Sequence[VectorLike], *, fillet: Scalar = 0.0, closed: bool
     Examples:
         >>> polyline([(0, 0, 0), (0.2, 0, 0), (0.2, 0, 0.15), (0.35, 0, 0.15)], fillet=0.03)
     """
-    return Path.record(_polyline, points=points, fillet=fillet, closed=closed)
 
 
-@kernel
 def _arc(center: Array3, radius: float, start: float, sweep: float, axis: Array3) -> Curve:
     inputs.positive("radius", radius)
     inputs.finite("start", start, "rad")
@@ -128,6 +125,7 @@ def _arc(center: Array3, radius: float, start: float, sweep: float, axis: Array3
     return Curve(points, closed, sign * np.column_stack([-np.sin(angle), np.cos(angle), zero]) @ turn.T)
 
 
+@records(_arc)
 def arc(
     center: VectorLike,
     radius: Scalar,
@@ -150,7 +148,6 @@ def arc(
     Examples:
         >>> arc((0, 0, 0), 0.1, start=0.0, sweep=4.0, axis=-Y)
     """
-    return Path.record(_arc, center=center, radius=radius, start=start, sweep=sweep, axis=axis)
 
 
 def _cubic(controls: Array, steps: int, last: bool) -> tuple[Array, Array]:
@@ -177,7 +174,6 @@ def _steps_of(controls: Array) -> int:
     return int(min(_MOST_SAMPLES, max(4, math.ceil(needed))))
 
 
-@kernel
 def _bezier(points: tuple[Array3, ...]) -> Curve:
     controls = inputs.points("the curve", points or np.zeros((0, 3)), 3, 3)
     steps = _steps_of(controls)
@@ -196,16 +192,15 @@ def _bezier(points: tuple[Array3, ...]) -> Curve:
     return Curve(value(controls), False, _unit_rows(tangents))
 
 
+@records(_bezier)
 def bezier(points: Sequence[VectorLike]) -> Path:
     """Make a Bezier curve from its first to its last control point [m].
 
     Examples:
         >>> bezier([(0, 0, 0), (0.1, 0, 0.3), (0.3, 0, -0.1), (0.4, 0, 0.15)])
     """
-    return Path.record(_bezier, points=points)
 
 
-@kernel
 def _spline(points: tuple[Array3, ...], closed: bool) -> Curve:
     through = inputs.points("the spline", points or np.zeros((0, 3)), 3, 3 if closed else 2)
     gap = np.linalg.norm(successors(through) - through, axis=1)
@@ -244,6 +239,7 @@ def _centripetal_slopes(through: Array, closed: bool) -> Array:
     return _unit_rows(np.where(stuck, after, slopes))
 
 
+@records(_spline)
 def spline(points: Sequence[VectorLike], *, closed: bool = False) -> Path:
     """Make a smooth curve through points [m].
 
@@ -254,10 +250,8 @@ def spline(points: Sequence[VectorLike], *, closed: bool = False) -> Path:
     Examples:
         >>> spline([(0, 0, 0), (0.1, 0, 0.1), (0.2, 0, 0), (0.3, 0, 0.15)])
     """
-    return Path.record(_spline, points=points, closed=closed)
 
 
-@kernel
 def _helix(radius: float, pitch: float, turns: float, axis: Array3) -> Curve:
     inputs.positive("radius", radius)
     inputs.positive("pitch", pitch)
@@ -272,6 +266,7 @@ def _helix(radius: float, pitch: float, turns: float, axis: Array3) -> Curve:
     return Curve(points @ turn.T, False, _unit_rows(tangents) @ turn.T)
 
 
+@records(_helix)
 def helix(radius: Scalar, pitch: Scalar, turns: Scalar, *, axis: VectorLike = (0.0, 0.0, 1.0)) -> Path:
     """Make a right-handed helix centered on the origin.
 
@@ -284,4 +279,3 @@ def helix(radius: Scalar, pitch: Scalar, turns: Scalar, *, axis: VectorLike = (0
     Examples:
         >>> helix(0.05, 0.03, 5)
     """
-    return Path.record(_helix, radius=radius, pitch=pitch, turns=turns, axis=axis)

@@ -7,7 +7,7 @@ import numpy as np
 from artgen._arrays import Array
 from artgen.asset.shape import Contour, Shape
 from artgen.colliders import Convex, Exact
-from artgen.graph import kernel
+from artgen.graph import records
 from artgen.nodes import validators as inputs
 from artgen.nodes.contours import arc_points, circle_contour, faceted, rounded_polygon
 from artgen.nodes.handles import Array3, Scalar, Solid, Span, VectorLike
@@ -19,8 +19,7 @@ from artgen.nodes.primitive_colliders import (
     around_rounded_box,
     moved,
 )
-from artgen.nodes.rounded_box import rounded_box
-from artgen.nodes.surfaces import bevel_steps, extrusion, lathe, sides_of
+from artgen.nodes.surfaces import bevel_steps, extrusion, lathe, rounded_box, sides_of
 
 
 def axial(radius: float, half: float, bevel: float, top_radius: float | None = None) -> Contour:
@@ -62,7 +61,6 @@ def onto_axis(points: Array, normals: Array) -> Contour:
 UP = (0.0, 0.0, 1.0)
 
 
-@kernel
 def _box(x: float, y: float, z: float, bevel: float) -> Shape:
     size = np.array(
         [inputs.positive("size x", x), inputs.positive("size y", y), inputs.positive("size z", z)]
@@ -74,6 +72,7 @@ def _box(x: float, y: float, z: float, bevel: float) -> Shape:
     return rounded_box(size, bevel, steps).shape(around_rounded_box(size, bevel))
 
 
+@records(_box)
 def box(x: Scalar, y: Scalar, z: Scalar, *, bevel: Scalar = 0.0) -> Solid:
     """Make a box centered on the origin.
 
@@ -86,10 +85,8 @@ def box(x: Scalar, y: Scalar, z: Scalar, *, bevel: Scalar = 0.0) -> Solid:
     Examples:
         >>> box(0.3, 0.2, 0.1, bevel=0.01)
     """
-    return Solid.record(_box, x=x, y=y, z=z, bevel=bevel)
 
 
-@kernel
 def _box_between(low: Array3, high: Array3, bevel: float) -> Shape:
     size = inputs.vector("high", high) - inputs.vector("low", low)
     for name, length in zip("xyz", size, strict=True):
@@ -100,6 +97,7 @@ def _box_between(low: Array3, high: Array3, bevel: float) -> Shape:
     )
 
 
+@records(_box_between)
 def box_between(low: VectorLike, high: VectorLike, *, bevel: Scalar = 0.0) -> Solid:
     """Make a box from its lowest and its highest corner.
 
@@ -111,7 +109,6 @@ def box_between(low: VectorLike, high: VectorLike, *, bevel: Scalar = 0.0) -> So
     Examples:
         >>> box_between((0, 0, 0), (0.3, 0.2, 0.018)) | box_between((0, 0, 0.018), (0.018, 0.2, 0.2))
     """
-    return Solid.record(_box_between, low=low, high=high, bevel=bevel)
 
 
 def board(x: Span, y: Span, z: Span, *, bevel: Scalar = 0.0) -> Solid:
@@ -130,7 +127,6 @@ def board(x: Span, y: Span, z: Span, *, bevel: Scalar = 0.0) -> Solid:
     return box_between(low, high, bevel=bevel)
 
 
-@kernel
 def _cylinder(radius: float, length: float, axis: Array3, bevel: float) -> Shape:
     inputs.positive("radius", radius)
     inputs.positive("length", length)
@@ -141,6 +137,7 @@ def _cylinder(radius: float, length: float, axis: Array3, bevel: float) -> Shape
     return skin.shape(pieces)
 
 
+@records(_cylinder)
 def cylinder(radius: Scalar, length: Scalar, *, axis: VectorLike = UP, bevel: Scalar = 0.0) -> Solid:
     """Make a cylinder centered on the origin.
 
@@ -153,10 +150,8 @@ def cylinder(radius: Scalar, length: Scalar, *, axis: VectorLike = UP, bevel: Sc
     Examples:
         >>> cylinder(0.05, 0.2, bevel=0.005)
     """
-    return Solid.record(_cylinder, radius=radius, length=length, axis=axis, bevel=bevel)
 
 
-@kernel
 def _cylinder_between(start: Array3, end: Array3, radius: float, bevel: float) -> Shape:
     along = inputs.vector("end", end) - inputs.vector("start", start)
     length = math.hypot(*along)
@@ -166,6 +161,7 @@ def _cylinder_between(start: Array3, end: Array3, radius: float, bevel: float) -
     return made.transformed(inputs.pose(np.eye(3), 0.5 * (start + end)))
 
 
+@records(_cylinder_between)
 def cylinder_between(start: VectorLike, end: VectorLike, radius: Scalar, *, bevel: Scalar = 0.0) -> Solid:
     """Make a cylinder between two points: a pin, a post, a rod, a straight wire.
 
@@ -178,10 +174,8 @@ def cylinder_between(start: VectorLike, end: VectorLike, radius: Scalar, *, beve
     Examples:
         >>> cylinder_between((0, 0, 0), (0.3, 0, 0.1), 0.01)
     """
-    return Solid.record(_cylinder_between, start=start, end=end, radius=radius, bevel=bevel)
 
 
-@kernel
 def _bore(radius: float, length: float, axis: Array3) -> Shape:
     inputs.positive("radius", radius)
     inputs.positive("length", length)
@@ -192,6 +186,7 @@ def _bore(radius: float, length: float, axis: Array3) -> Shape:
     return skin.shape(around_cylinder(outside, length, sides, inputs.pose(turn)))
 
 
+@records(_bore)
 def bore(radius: Scalar, length: Scalar, *, axis: VectorLike = UP) -> Solid:
     """Make a tool that drills a hole, centered on the origin: a shaft of `radius` fits into the hole.
 
@@ -205,10 +200,8 @@ def bore(radius: Scalar, length: Scalar, *, axis: VectorLike = UP) -> Solid:
     Examples:
         >>> box(0.1, 0.1, 0.04) - bore(0.02, 0.1)
     """
-    return Solid.record(_bore, radius=radius, length=length, axis=axis)
 
 
-@kernel
 def _frustum(bottom_radius: float, top_radius: float, length: float, axis: Array3, bevel: float) -> Shape:
     inputs.between("bottom radius", bottom_radius, 0.0, math.inf)
     inputs.between("top radius", top_radius, 0.0, math.inf)
@@ -220,6 +213,7 @@ def _frustum(bottom_radius: float, top_radius: float, length: float, axis: Array
     return lathe([contour]).turned(turn).shape(moved(around_lathe([contour]), inputs.pose(turn)))
 
 
+@records(_frustum)
 def frustum(
     bottom_radius: Scalar,
     top_radius: Scalar,
@@ -240,33 +234,23 @@ def frustum(
     Examples:
         >>> frustum(0.08, 0.04, 0.12, bevel=0.005)
     """
-    return Solid.record(
-        _frustum,
-        bottom_radius=bottom_radius,
-        top_radius=top_radius,
-        length=length,
-        axis=axis,
-        bevel=bevel,
-    )
 
 
-@kernel
 def _sphere(radius: float) -> Shape:
     inputs.positive("radius", radius)
     skin = lathe([half_ellipse(radius, radius, -0.5 * math.pi)])
     return skin.shape(around_round(Convex.sphere(radius), skin.vertices))
 
 
+@records(_sphere)
 def sphere(radius: Scalar) -> Solid:
     """Make a sphere [m] about the origin.
 
     Examples:
         >>> sphere(0.05)
     """
-    return Solid.record(_sphere, radius=radius)
 
 
-@kernel
 def _ellipsoid(radius_x: float, radius_y: float, radius_z: float) -> Shape:
     radii = np.array(
         [
@@ -285,6 +269,7 @@ def _ellipsoid(radius_x: float, radius_y: float, radius_z: float) -> Shape:
     )
 
 
+@records(_ellipsoid)
 def ellipsoid(radius_x: Scalar, radius_y: Scalar, radius_z: Scalar) -> Solid:
     """Make an ellipsoid about the origin.
 
@@ -296,10 +281,8 @@ def ellipsoid(radius_x: Scalar, radius_y: Scalar, radius_z: Scalar) -> Solid:
     Examples:
         >>> ellipsoid(0.15, 0.1, 0.05)
     """
-    return Solid.record(_ellipsoid, radius_x=radius_x, radius_y=radius_y, radius_z=radius_z)
 
 
-@kernel
 def _dome(radius: float, height: float | None, axis: Array3) -> Shape:
     inputs.positive("radius", radius)
     rise = radius if height is None else inputs.positive("height", height)
@@ -308,6 +291,7 @@ def _dome(radius: float, height: float | None, axis: Array3) -> Shape:
     return skin.shape(around_hull(skin.vertices))
 
 
+@records(_dome)
 def dome(radius: Scalar, *, height: Scalar | None = None, axis: VectorLike = UP) -> Solid:
     """Make half of a sphere or ellipsoid, the center of its flat base at the origin.
 
@@ -319,10 +303,8 @@ def dome(radius: Scalar, *, height: Scalar | None = None, axis: VectorLike = UP)
     Examples:
         >>> dome(0.1, height=0.06)
     """
-    return Solid.record(_dome, radius=radius, height=height, axis=axis)
 
 
-@kernel
 def _capsule(radius: float, length: float, axis: Array3) -> Shape:
     inputs.positive("radius", radius)
     inputs.between("length", length, 2.0 * radius, math.inf)
@@ -338,6 +320,7 @@ def _capsule(radius: float, length: float, axis: Array3) -> Shape:
     return skin.shape(around_round(Convex.capsule(radius, 2.0 * half, inputs.pose(turn)), skin.vertices))
 
 
+@records(_capsule)
 def capsule(radius: Scalar, length: Scalar, *, axis: VectorLike = UP) -> Solid:
     """Make a cylinder with half spheres at both ends, centered on the origin.
 
@@ -349,10 +332,8 @@ def capsule(radius: Scalar, length: Scalar, *, axis: VectorLike = UP) -> Solid:
     Examples:
         >>> capsule(0.03, 0.2, axis=X)
     """
-    return Solid.record(_capsule, radius=radius, length=length, axis=axis)
 
 
-@kernel
 def _torus(major: float, minor: float, axis: Array3) -> Shape:
     inputs.positive("major radius", major)
     inputs.between("minor radius", minor, 1e-6, major * 0.999)
@@ -362,6 +343,7 @@ def _torus(major: float, minor: float, axis: Array3) -> Shape:
     return lathe([contour]).turned(turn).shape(moved(around_lathe([contour]), inputs.pose(turn)))
 
 
+@records(_torus)
 def torus(major: Scalar, minor: Scalar, *, axis: VectorLike = UP) -> Solid:
     """Make a torus about the origin.
 
@@ -373,10 +355,8 @@ def torus(major: Scalar, minor: Scalar, *, axis: VectorLike = UP) -> Solid:
     Examples:
         >>> torus(0.1, 0.025)
     """
-    return Solid.record(_torus, major=major, minor=minor, axis=axis)
 
 
-@kernel
 def _tube(outer: float, inner: float, length: float, axis: Array3, bevel: float) -> Shape:
     inputs.positive("inner radius", inner)
     if not outer > inner:
@@ -390,6 +370,7 @@ def _tube(outer: float, inner: float, length: float, axis: Array3, bevel: float)
     return lathe([contour]).turned(turn).shape(moved(around_lathe([contour]), inputs.pose(turn)))
 
 
+@records(_tube)
 def tube(
     outer: Scalar, inner: Scalar, length: Scalar, *, axis: VectorLike = UP, bevel: Scalar = 0.0
 ) -> Solid:
@@ -405,10 +386,8 @@ def tube(
     Examples:
         >>> tube(0.05, 0.04, 0.12, bevel=0.002)
     """
-    return Solid.record(_tube, outer=outer, inner=inner, length=length, axis=axis, bevel=bevel)
 
 
-@kernel
 def _wedge(x: float, y: float, z: float) -> Shape:
     half = [inputs.positive(f"size {name}", size) / 2.0 for name, size in (("x", x), ("y", y), ("z", z))]
     ramp = faceted(np.array([[-half[1], -half[2]], [half[1], -half[2]], [half[1], half[2]]]))
@@ -416,6 +395,7 @@ def _wedge(x: float, y: float, z: float) -> Shape:
     return skin.shape(around_hull(skin.vertices))
 
 
+@records(_wedge)
 def wedge(x: Scalar, y: Scalar, z: Scalar) -> Solid:
     """Make a ramp that rises from the front (-Y) to the back; its bounding box is centered on the origin.
 
@@ -427,4 +407,3 @@ def wedge(x: Scalar, y: Scalar, z: Scalar) -> Solid:
     Examples:
         >>> wedge(0.1, 0.2, 0.08)
     """
-    return Solid.record(_wedge, x=x, y=y, z=z)

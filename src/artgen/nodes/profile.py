@@ -12,7 +12,7 @@ from manifold3d import CrossSection, JoinType
 
 from artgen._arrays import successors
 from artgen.asset.shape import Contour, Outline
-from artgen.graph import kernel
+from artgen.graph import kernel, records
 from artgen.nodes import validators as inputs
 from artgen.nodes.contours import (
     arc_points,
@@ -36,7 +36,6 @@ def _convex(contour: Contour) -> Outline:
     return Outline((contour,), (contour.points,))
 
 
-@kernel
 def _rectangle(width: float, height: float, radius: float) -> Outline:
     inputs.positive("width", width)
     inputs.positive("height", height)
@@ -46,6 +45,7 @@ def _rectangle(width: float, height: float, radius: float) -> Outline:
     return _convex(rounded_polygon(corners, [radius] * 4) if radius > 0.0 else faceted(corners))
 
 
+@records(_rectangle)
 def rectangle(width: Scalar, height: Scalar, *, radius: Scalar = 0.0) -> Profile:
     """Make a rectangle centered on the origin.
 
@@ -57,30 +57,28 @@ def rectangle(width: Scalar, height: Scalar, *, radius: Scalar = 0.0) -> Profile
     Examples:
         >>> rectangle(0.3, 0.2, radius=0.03)
     """
-    return Profile.record(_rectangle, width=width, height=height, radius=radius)
 
 
-@kernel
 def _circle(radius: float) -> Outline:
     return _convex(circle_contour(inputs.positive("radius", radius)))
 
 
+@records(_circle)
 def circle(radius: Scalar) -> Profile:
     """Make a circle [m] about the origin.
 
     Examples:
         >>> circle(0.1)
     """
-    return Profile.record(_circle, radius=radius)
 
 
-@kernel
 def _ellipse(radius_x: float, radius_y: float) -> Outline:
     inputs.positive("radius x", radius_x)
     inputs.positive("radius y", radius_y)
     return _convex(ellipse_contour(radius_x, radius_y))
 
 
+@records(_ellipse)
 def ellipse(radius_x: Scalar, radius_y: Scalar) -> Profile:
     """Make an ellipse about the origin.
 
@@ -91,10 +89,8 @@ def ellipse(radius_x: Scalar, radius_y: Scalar) -> Profile:
     Examples:
         >>> ellipse(0.15, 0.08)
     """
-    return Profile.record(_ellipse, radius_x=radius_x, radius_y=radius_y)
 
 
-@kernel
 def _polygon(points: tuple[tuple[float, float], ...], radius: float) -> Outline:
     corners = inputs.points("the polygon", points or np.zeros((0, 2)), 2, 3)
     radius = inputs.rounding("radius", radius, math.inf)
@@ -117,6 +113,7 @@ def _polygon(points: tuple[tuple[float, float], ...], radius: float) -> Outline:
     return Outline((contour,), (contour.points,) if is_convex else None)
 
 
+@records(_polygon)
 def polygon(points: Sequence[tuple[Scalar, Scalar]], *, radius: Scalar = 0.0) -> Profile:
     """Make a polygon from its corners in order, in either direction.
 
@@ -127,10 +124,8 @@ def polygon(points: Sequence[tuple[Scalar, Scalar]], *, radius: Scalar = 0.0) ->
     Examples:
         >>> polygon([(0, 0), (0.3, 0), (0.3, 0.08), (0.08, 0.08), (0.08, 0.2), (0, 0.2)], radius=0.01)
     """
-    return Profile.record(_polygon, points=points, radius=radius)
 
 
-@kernel
 def _regular_polygon(sides: int, radius: float) -> Outline:
     if sides < 3:
         raise ValueError(f"a regular polygon has at least 3 sides, got {sides}")
@@ -139,6 +134,7 @@ def _regular_polygon(sides: int, radius: float) -> Outline:
     return _convex(faceted(radius * np.column_stack([np.cos(angle), np.sin(angle)])))
 
 
+@records(_regular_polygon)
 def regular_polygon(sides: int, radius: Scalar) -> Profile:
     """Make a regular polygon about the origin, one side at the bottom.
 
@@ -149,10 +145,8 @@ def regular_polygon(sides: int, radius: Scalar) -> Profile:
     Examples:
         >>> regular_polygon(6, 0.1)
     """
-    return Profile.record(_regular_polygon, sides=sides, radius=radius)
 
 
-@kernel
 def _slot(length: float, width: float) -> Outline:
     inputs.positive("width", width)
     inputs.between("length", length, width, math.inf)
@@ -164,6 +158,7 @@ def _slot(length: float, width: float) -> Outline:
     return _convex(without_repeats(Contour(np.concatenate([right, left]), normals, normals)))
 
 
+@records(_slot)
 def slot(length: Scalar, width: Scalar) -> Profile:
     """Make a slot with round ends, centered on the origin.
 
@@ -174,10 +169,8 @@ def slot(length: Scalar, width: Scalar) -> Profile:
     Examples:
         >>> slot(0.3, 0.08)
     """
-    return Profile.record(_slot, length=length, width=width)
 
 
-@kernel
 def _ring(outer: float, inner: float) -> Outline:
     inputs.positive("inner radius", inner)
     if not outer > inner:
@@ -187,6 +180,7 @@ def _ring(outer: float, inner: float) -> Outline:
     return Outline((circle_contour(outer, sides), hole))
 
 
+@records(_ring)
 def ring(outer: Scalar, inner: Scalar) -> Profile:
     """Make a ring about the origin.
 
@@ -197,10 +191,8 @@ def ring(outer: Scalar, inner: Scalar) -> Profile:
     Examples:
         >>> ring(0.1, 0.07)
     """
-    return Profile.record(_ring, outer=outer, inner=inner)
 
 
-@kernel
 def _bow(radius: float, width: float, start: float, sweep: float) -> Outline:
     inputs.positive("radius", radius)
     inputs.between("width", width, 1e-6, 2.0 * radius * (1.0 - 1e-6))
@@ -220,6 +212,7 @@ def _bow(radius: float, width: float, start: float, sweep: float) -> Outline:
     return Outline((Contour(points, arriving, leaving),))
 
 
+@records(_bow)
 def bow(radius: Scalar, width: Scalar, *, start: Scalar = 0.0, sweep: Scalar = math.pi) -> Profile:
     """Make a band bent along a circle about the origin, with flat ends.
 
@@ -232,10 +225,9 @@ def bow(radius: Scalar, width: Scalar, *, start: Scalar = 0.0, sweep: Scalar = m
     Examples:
         >>> bow(0.1, 0.03, start=0.3, sweep=2.5)
     """
-    return Profile.record(_bow, radius=radius, width=width, start=start, sweep=sweep)
 
 
-@kernel
+@kernel(spelling="{profile}.offset({distance}, join={join})")
 def _offset(profile: Outline, distance: float, join: Literal["round", "miter"]) -> Outline:
     inputs.finite("distance", distance)
     if abs(distance) < 1e-9:
@@ -243,11 +235,6 @@ def _offset(profile: Outline, distance: float, join: Literal["round", "miter"]) 
     kind = JoinType.Round if join == "round" else JoinType.Miter
     region = section(profile.contours).offset(distance, kind, 4.0, sides_of(abs(distance)))
     return outline_of(region, f"the profile after an offset of {distance * 1e3:g} mm")
-
-
-def offset(profile: Profile, distance: Scalar, *, join: Literal["round", "miter"] = "round") -> Profile:
-    """Move the border of a profile outward, or inward for a negative distance."""
-    return Profile.record(_offset, profile=profile, distance=distance, join=join)
 
 
 def _is_far_from(a: Outline, b: Outline) -> bool:
@@ -262,11 +249,6 @@ def _profile_union(a: Outline, b: Outline) -> Outline:
         convex = a.convex + b.convex if a.convex is not None and b.convex is not None else None
         return Outline(a.contours + b.contours, convex)
     return outline_of(section(a.contours) + section(b.contours), "the union of the profiles")
-
-
-def profile_union(a: Profile, b: Profile) -> Profile:
-    """Unite two profiles; also written `a | b`."""
-    return Profile.record(_profile_union, a=a, b=b)
 
 
 @kernel(spelling="({a} - {b})")
@@ -293,55 +275,30 @@ def _pierced(a: Outline, b: Outline) -> Outline | None:
     return None if touches or area <= 1e-12 else Outline(contours)
 
 
-def profile_difference(a: Profile, b: Profile) -> Profile:
-    """Subtract the second profile from the first; also written `a - b`."""
-    return Profile.record(_profile_difference, a=a, b=b)
-
-
 @kernel(spelling="({a} & {b})")
 def _profile_intersection(a: Outline, b: Outline) -> Outline:
     return outline_of(section(a.contours) ^ section(b.contours), "the intersection of the profiles")
 
 
-def profile_intersection(a: Profile, b: Profile) -> Profile:
-    """Return the intersection of two profiles; also written `a & b`."""
-    return Profile.record(_profile_intersection, a=a, b=b)
-
-
-@kernel
+@kernel(spelling="{profile}.at({x}, {y})")
 def _profile_translate(profile: Outline, x: float, y: float) -> Outline:
     offset = np.array([inputs.finite("x", x), inputs.finite("y", y)])
     return moved_outline(profile, np.eye(2), offset)
 
 
-def profile_translate(profile: Profile, x: Scalar = 0.0, y: Scalar = 0.0) -> Profile:
-    """Move a profile [m]; also written `profile.at(x, y)`."""
-    return Profile.record(_profile_translate, profile=profile, x=x, y=y)
-
-
-@kernel
+@kernel(spelling="{profile}.rotate({angle})")
 def _profile_rotate(profile: Outline, angle: float) -> Outline:
     cosine, sine = math.cos(inputs.finite("angle", angle, "rad")), math.sin(angle)
     return moved_outline(profile, np.array([[cosine, -sine], [sine, cosine]]), np.zeros(2))
 
 
-def profile_rotate(profile: Profile, angle: Scalar) -> Profile:
-    """Turn a profile about the origin, counter-clockwise [rad]; also written `profile.rotate(angle)`."""
-    return Profile.record(_profile_rotate, profile=profile, angle=angle)
-
-
-@kernel
+@kernel(spelling="{profile}.scale({x}, {y})")
 def _profile_scale(profile: Outline, x: float, y: float) -> Outline:
     scale = np.diag([inputs.finite("scale x", x, ""), inputs.finite("scale y", y, "")])
     return moved_outline(profile, scale, np.zeros(2))
 
 
-def profile_scale(profile: Profile, x: Scalar, y: Scalar) -> Profile:
-    """Scale a profile about the origin; a negative factor mirrors. Also written `profile.scale(x, y)`."""
-    return Profile.record(_profile_scale, profile=profile, x=x, y=y)
-
-
-@kernel
+@kernel(spelling="{profile}.mirror({x}, {y})")
 def _profile_mirror(profile: Outline, x: float, y: float) -> Outline:
     normal = np.array([inputs.finite("x", x, ""), inputs.finite("y", y, "")])
     length = float(np.hypot(x, y))
@@ -349,8 +306,3 @@ def _profile_mirror(profile: Outline, x: float, y: float) -> Outline:
         raise ValueError("the normal of the mirror must have a direction, got (0, 0)")
     normal /= length
     return moved_outline(profile, np.eye(2) - 2.0 * np.outer(normal, normal), np.zeros(2))
-
-
-def profile_mirror(profile: Profile, x: Scalar = 1.0, y: Scalar = 0.0) -> Profile:
-    """Reflect a profile in the line through the origin with normal (x, y); also `profile.mirror`."""
-    return Profile.record(_profile_mirror, profile=profile, x=x, y=y)

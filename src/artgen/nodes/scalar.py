@@ -1,24 +1,45 @@
-"""Numbers and truth values: arithmetic, functions, comparisons, logic."""
+"""Numbers and truth values: arithmetic, functions, logic, choice between values, and requirements."""
 
 import math
+import operator
+from collections.abc import Callable
+from typing import Any, TypeVar, overload
 
-from artgen.graph import kernel
-from artgen.nodes.handles import Bool, Condition_, Float, Scalar
+import numpy as np
 
+from artgen.errors import BuildError, InfeasibleError
+from artgen.graph import Handle, Operation, kernel, records
+from artgen.graph.kernel import register
+from artgen.graph.node import authors_line
+from artgen.nodes.handles import (
+    Body,
+    Bool,
+    Condition_,
+    Float,
+    Path,
+    Points,
+    PointsLike,
+    Profile,
+    Scalar,
+    Solid,
+    Vector,
+    VectorLike,
+)
 
-@kernel(spelling="({a} + {b})")
-def _add(a: float, b: float) -> float:
-    return a + b
-
-
-@kernel(spelling="({a} - {b})")
-def _subtract(a: float, b: float) -> float:
-    return a - b
-
-
-@kernel(spelling="({a} * {b})")
-def _multiply(a: float, b: float) -> float:
-    return a * b
+_OPERATORS: tuple[tuple[str, str, Callable[..., Any], type, type], ...] = (
+    ("add", "+", operator.add, float, float),
+    ("subtract", "-", operator.sub, float, float),
+    ("multiply", "*", operator.mul, float, float),
+    ("less", "<", operator.lt, float, bool),
+    ("greater", ">", operator.gt, float, bool),
+    ("at_most", "<=", operator.le, float, bool),
+    ("at_least", ">=", operator.ge, float, bool),
+    ("and_", "&", operator.and_, bool, bool),
+    ("or_", "|", operator.or_, bool, bool),
+)
+for _name, _sign, _function, _input, _result in _OPERATORS:
+    _spelling = f"({{a}} {_sign} {{b}})"
+    register(Operation(_name, _function, {"a": _input, "b": _input}, _result, __name__, _spelling))
 
 
 @kernel(spelling="({a} / {b})")
@@ -52,196 +73,216 @@ def _absolute(a: float) -> float:
     return abs(a)
 
 
-@kernel(spelling="({a} < {b})")
-def _less(a: float, b: float) -> bool:
-    return a < b
-
-
-@kernel(spelling="({a} > {b})")
-def _greater(a: float, b: float) -> bool:
-    return a > b
-
-
-@kernel(spelling="({a} <= {b})")
-def _at_most(a: float, b: float) -> bool:
-    return a <= b
-
-
-@kernel(spelling="({a} >= {b})")
-def _at_least(a: float, b: float) -> bool:
-    return a >= b
-
-
-@kernel
-def _and_(a: bool, b: bool) -> bool:
-    return a and b
-
-
-def and_(a: Condition_, b: Condition_) -> Bool:
-    """Tell whether both conditions hold; also written `a & b`."""
-    return Bool.record("and_", a=a, b=b)
-
-
-@kernel
-def _or_(a: bool, b: bool) -> bool:
-    return a or b
-
-
-def or_(a: Condition_, b: Condition_) -> Bool:
-    """Tell whether at least one of the conditions holds; also written `a | b`."""
-    return Bool.record("or_", a=a, b=b)
-
-
-@kernel
+@kernel(spelling="(~{a})")
 def _not_(a: bool) -> bool:
     return not a
 
 
-def not_(a: Condition_) -> Bool:
-    """Tell whether the condition does not hold; also written `~a`."""
-    return Bool.record("not_", a=a)
+@kernel(spelling="{a}.__floor__()")
+def _floor(a: float) -> float:
+    return float(math.floor(a))
 
 
-@kernel
-def _min_(a: float, b: float) -> float:
-    return min(a, b)
+@kernel(spelling="round({a})")
+def _round_(a: float) -> float:
+    return float(round(a))
 
 
+@records(min, of=float)
 def min_(a: Scalar, b: Scalar) -> Float:
     """Return the smaller of two numbers.
 
     Examples:
-        >>> block = box(0.3, 0.2, 0.1)
-        >>> size = block.size()
-        >>> block - bore(0.4 * min_(size.x, size.y), 0.2)
+        >>> size = box(0.3, 0.2, 0.1).size()
+        >>> box(0.3, 0.2, 0.1) - bore(0.4 * min_(size.x, size.y), 0.2)
     """
-    return Float.record("min_", a=a, b=b)
 
 
-@kernel
-def _max_(a: float, b: float) -> float:
-    return max(a, b)
-
-
+@records(max, of=float)
 def max_(a: Scalar, b: Scalar) -> Float:
     """Return the larger of two numbers.
 
     Examples:
-        >>> block = box(0.3, 0.2, 0.1)
-        >>> size = block.size()
-        >>> block | cylinder(0.6 * max_(size.x, size.y), 0.01)
+        >>> size = box(0.3, 0.2, 0.1).size()
+        >>> box(0.3, 0.2, 0.1) | cylinder(0.6 * max_(size.x, size.y), 0.01)
     """
-    return Float.record("max_", a=a, b=b)
 
 
-@kernel
 def _clamp(value: float, low: float, high: float) -> float:
     if low > high:
         raise ValueError(f"clamp between {low:.6g} and {high:.6g}: low exceeds high")
     return min(max(value, low), high)
 
 
+@records(_clamp)
 def clamp(value: Scalar, low: Scalar, high: Scalar) -> Float:
     """Return the number between `low` and `high` that is nearest to `value`.
 
     Examples:
-        >>> heights = [clamp(0.015 * i, 0.03, 0.1) for i in range(10)]
-        >>> union(*(box(0.02, 0.03, h).align((0.02 * i, 0, 0), z=-1) for i, h in enumerate(heights)))
+        >>> union(*(box(0.02, 0.03, clamp(0.015 * i, 0.03, 0.1)).at(0.02 * i) for i in range(10)))
     """
-    return Float.record(_clamp, value=value, low=low, high=high)
 
 
-@kernel
 def _sqrt(a: float) -> float:
     if a < 0.0:
         raise ValueError(f"square root of {a:.6g}")
     return math.sqrt(a)
 
 
+@records(_sqrt)
 def sqrt(a: Scalar) -> Float:
     """Return the square root.
 
     Examples:
-        >>> heights = [0.04 * sqrt(i + 1) for i in range(10)]
-        >>> union(*(box(0.02, 0.03, h).align((0.02 * i, 0, 0), z=-1) for i, h in enumerate(heights)))
+        >>> union(*(box(0.02, 0.03, 0.04 * sqrt(i + 1)).at(0.02 * i) for i in range(10)))
     """
-    return Float.record(_sqrt, a=a)
 
 
-@kernel
-def _sin(a: float) -> float:
-    return math.sin(a)
-
-
+@records(math.sin, of=float)
 def sin(a: Scalar) -> Float:
     """Return the sine of an angle [rad].
 
     Examples:
-        >>> heights = [0.08 + 0.05 * sin(0.5 * i) for i in range(13)]
-        >>> union(*(box(0.02, 0.03, h).align((0.02 * i, 0, 0), z=-1) for i, h in enumerate(heights)))
+        >>> union(*(box(0.02, 0.03, 0.08 + 0.05 * sin(0.5 * i)).at(0.02 * i) for i in range(13)))
     """
-    return Float.record(_sin, a=a)
 
 
-@kernel
-def _cos(a: float) -> float:
-    return math.cos(a)
-
-
+@records(math.cos, of=float)
 def cos(a: Scalar) -> Float:
     """Return the cosine of an angle [rad].
 
     Examples:
-        >>> heights = [0.08 + 0.05 * cos(0.5 * i) for i in range(13)]
-        >>> union(*(box(0.02, 0.03, h).align((0.02 * i, 0, 0), z=-1) for i, h in enumerate(heights)))
+        >>> union(*(box(0.02, 0.03, 0.08 + 0.05 * cos(0.5 * i)).at(0.02 * i) for i in range(13)))
     """
-    return Float.record(_cos, a=a)
 
 
-@kernel
-def _tan(a: float) -> float:
-    return math.tan(a)
-
-
+@records(math.tan, of=float)
 def tan(a: Scalar) -> Float:
     """Return the tangent of an angle [rad].
 
     Examples:
-        >>> rise = 0.3 * tan(0.5)
-        >>> wedge(0.1, 0.3, rise)
+        >>> wedge(0.1, 0.3, 0.3 * tan(0.5))
     """
-    return Float.record(_tan, a=a)
 
 
-@kernel
-def _atan2(y: float, x: float) -> float:
-    return math.atan2(y, x)
-
-
+@records(math.atan2, of=float)
 def atan2(y: Scalar, x: Scalar) -> Float:
     """Return the angle of the direction (x, y), from -pi to pi [rad].
 
     Examples:
         >>> box(0.3, 0.02, 0.02).rotate(Z, atan2(0.1, 0.2)) | sphere(0.03).at(0.2, 0.1)
     """
-    return Float.record(_atan2, y=y, x=x)
 
 
-@kernel
-def _floor(a: float) -> float:
-    return float(math.floor(a))
+H = TypeVar("H", bound=Handle)
 
 
-def floor(a: Scalar) -> Float:
-    """Return the largest whole number not above `a`; also written `math.floor(a)`."""
-    return Float.record(_floor, a=a)
+_CHOOSABLE = (Float, Bool, Vector, Points, Profile, Path, Solid, Body)
 
 
-@kernel
-def _round_(a: float) -> float:
-    return float(round(a))
+def _chosen(condition: bool, a: Any, b: Any) -> Any:
+    return a if condition else b
 
 
-def round_(a: Scalar) -> Float:
-    """Return the nearest whole number, of two the even one; also written `round(a)`."""
-    return Float.record("round_", a=a)
+def _required(value: Any, condition: bool, message: str) -> Any:
+    if not condition:
+        raise InfeasibleError(message)
+    return value
+
+
+for _handle in _CHOOSABLE:
+    _kind, _suffix = _handle.value_type, _handle.__name__.lower()
+    _inputs = {"condition": bool, "a": _kind, "b": _kind}
+    register(
+        Operation(f"switch_{_suffix}", _chosen, _inputs, _kind, __name__, lazy=True, constructor="switch")
+    )
+    _inputs = {"value": _kind, "condition": bool, "message": str}
+    register(Operation(f"require_{_suffix}", _required, _inputs, _kind, __name__, constructor="require"))
+
+
+def _common_type(a: Any, b: Any) -> type[Handle]:
+    """Return the common handle type of two values; plain values count as their handle type."""
+    for value in (a, b):
+        if isinstance(value, Handle):
+            return type(value)
+    kinds: tuple[type[Handle], ...] = (Bool, Float, Vector, Points)
+    return next(
+        (kind for kind in kinds if kind.lift(a) is not NotImplemented and kind.lift(b) is not NotImplemented),
+        Float,
+    )
+
+
+@overload
+def switch(condition: Condition_, a: H, b: H) -> H: ...  # type: ignore[overload-overlap] # the first match counts
+@overload
+def switch(condition: Condition_, a: bool, b: bool) -> Bool: ...  # type: ignore[overload-overlap] # the first match counts
+@overload
+def switch(condition: Condition_, a: Scalar, b: Scalar) -> Float: ...
+@overload
+def switch(condition: Condition_, a: VectorLike, b: VectorLike) -> Vector: ...  # type: ignore[overload-overlap] # the first match counts
+@overload
+def switch(condition: Condition_, a: PointsLike, b: PointsLike) -> Points: ...
+def switch(condition: Any, a: Any, b: Any) -> Any:
+    """Return `a` if the condition holds and `b` otherwise; only the chosen one is computed.
+
+    Args:
+        condition: A Bool, or a Python bool.
+        a: A handle, or a number, truth value, vector or list of points.
+        b: The same kind of value.
+
+    Raises:
+        BuildError: `a` and `b` have different types, or a type without choice.
+
+    Examples:
+        >>> block = box(0.3, 0.2, 0.1)
+        >>> switch(block.size().x > 0.2, block - bore(0.05, 0.2), block)
+    """
+    kind = _common_type(a, b)
+    if kind not in _CHOOSABLE:
+        names = ", ".join(handle.__name__ for handle in _CHOOSABLE)
+        raise BuildError(
+            f"switch chooses between values of {names}, not {kind.__name__}\n  at {authors_line()}"
+        )
+    return kind.record(f"switch_{kind.__name__.lower()}", condition=condition, a=a, b=b)
+
+
+@overload
+def require(value: H, condition: Condition_, message: str) -> H: ...  # type: ignore[overload-overlap] # the first match counts
+@overload
+def require(value: bool, condition: str) -> None: ...
+@overload
+def require(value: Scalar, condition: Condition_, message: str) -> Float: ...
+def require(value: Any, condition: Any, message: str = "") -> Any:
+    """Require a condition; a sample that violates it is infeasible and drawn again.
+
+    `require(condition, message)` checks a condition on structural parameters at once. `require(value,
+    condition, message)`, like `value.require(condition, message)`, returns the value with a condition that is
+    checked at evaluation; the value must be part of the result of the category, because a graph consists of
+    the nodes that its result reaches.
+
+    Raises:
+        InfeasibleError: The condition is known while building and does not hold.
+        BuildError: A condition that is known at evaluation has no value, or the first argument is neither a
+            condition nor a value.
+
+    Examples:
+        >>> block = box(0.3, 0.2, 0.1)
+        >>> require(block, block.size().x > 0.2, "the block is too narrow")
+    """
+    if not isinstance(condition, str):
+        if isinstance(value, Handle):
+            return value.require(condition, message)
+        kind = _common_type(value, value)
+        return kind.record(
+            f"require_{kind.__name__.lower()}", value=value, condition=condition, message=message
+        )
+    if isinstance(value, Handle):
+        raise BuildError(
+            f"require(condition, message) with a {type(value).__name__} would be reached by nothing\n"
+            f"  at {authors_line()}\n  Attach it to a value: return body.require(condition, message)"
+        )
+    if not isinstance(value, bool | np.bool_):
+        raise BuildError(f"require needs a condition, got {value!r}\n  at {authors_line()}")
+    if not value:
+        raise InfeasibleError(f"{condition}\n  at {authors_line()}")
+    return None

@@ -8,7 +8,7 @@ import numpy as np
 from artgen._arrays import Array, successors
 from artgen.asset.shape import Contour, Curve, Outline, Shape
 from artgen.colliders.triangles import cross
-from artgen.graph import kernel
+from artgen.graph import records
 from artgen.nodes.contours import CREASE
 from artgen.nodes.handles import Path, Profile, Solid
 from artgen.nodes.primitive_colliders import around_sweep
@@ -133,7 +133,6 @@ def _spread(stations: _Stations, plane: Array) -> Array:
     return np.asarray(stations.points[:, None, :] + np.einsum("sij,pj->spi", axes, plane))
 
 
-@kernel
 def _sweep(profile: Outline, path: Curve) -> Shape:
     stations = _Stations(path)
     for contour in profile.contours:
@@ -155,6 +154,7 @@ def swept_skin(profile: Outline, path: Curve) -> Skin:
     return _swept_skin(profile.contours, _Stations(path), path.closed)
 
 
+@records(_sweep)
 def sweep(profile: Profile, path: Path) -> Solid:
     """Sweep a profile along a path; corners of the path are mitred.
 
@@ -170,7 +170,6 @@ def sweep(profile: Profile, path: Path) -> Solid:
         >>> bail = polyline([(0, 0, 0), (0, -0.05, 0), (0.2, -0.05, 0), (0.2, 0, 0)], fillet=0.02)
         >>> sweep(rectangle(0.02, 0.01), bail)
     """
-    return Solid.record(_sweep, profile=profile, path=path)
 
 
 def _swept_skin(contours: Sequence[Contour], stations: _Stations, closed: bool) -> Skin:

@@ -11,7 +11,7 @@ import numpy as np
 
 from artgen._arrays import Array, cached
 from artgen.asset.shape import Contour, Outline
-from artgen.graph import kernel
+from artgen.graph import records
 from artgen.nodes import validators as inputs
 from artgen.nodes.contours import is_disjoint, moved_outline, outline_of, section
 from artgen.nodes.handles import Profile, Scalar
@@ -126,7 +126,6 @@ def _borders(drawing: Sequence[tuple[str, tuple[Any, ...]]]) -> Iterator[list[Ar
             yield [curve for curve in curves if np.abs(np.diff(curve, axis=0)).max() > 0.0]
 
 
-@kernel
 def _text(string: str, height: float, align: Literal["left", "center", "right"]) -> Outline:
     inputs.positive("height", height)
     contours: list[Contour] = []
@@ -148,6 +147,7 @@ def _text(string: str, height: float, align: Literal["left", "center", "right"])
     return moved_outline(outline, np.eye(2) * height, np.array([shift, rise]) * height)
 
 
+@records(_text)
 def text(string: str, height: Scalar, *, align: Literal["left", "center", "right"] = "center") -> Profile:
     """Make the outlines of a line of text in Roboto Medium.
 
@@ -160,7 +160,6 @@ def text(string: str, height: Scalar, *, align: Literal["left", "center", "right
     Examples:
         >>> text("Push 42", 0.02)
     """
-    return Profile.record(_text, string=string, height=height, align=align)
 
 
 def text_width(string: str) -> float:

@@ -1,4 +1,4 @@
-"""Motion, rotation, scaling and reflection of solids."""
+"""Operations behind the methods of `Solid`: motion, scaling, reflection and measures."""
 
 import math
 
@@ -8,7 +8,7 @@ from artgen._arrays import Array
 from artgen.asset.shape import Shape
 from artgen.graph import kernel
 from artgen.nodes import validators as inputs
-from artgen.nodes.handles import Array3, Scalar, Solid, VectorLike
+from artgen.nodes.handles import Array3, ArrayN3
 
 
 def rotation_about(axis: Array, angle: float) -> Array:
@@ -29,26 +29,16 @@ def moved(shape: Shape, linear: Array, offset: Array) -> Shape:
     return shape.transformed(inputs.pose(linear, offset)).checked()
 
 
-@kernel
+@kernel(spelling="{solid}.at({offset})")
 def _translate(solid: Shape, offset: Array3) -> Shape:
     return moved(solid, np.eye(3), inputs.vector("offset", offset))
 
 
-def translate(solid: Solid, offset: VectorLike) -> Solid:
-    """Move a solid by a vector [m]; also written `solid.at(x, y, z)`."""
-    return Solid.record(_translate, solid=solid, offset=offset)
-
-
-@kernel
+@kernel(spelling="{solid}.rotate({axis}, {angle}, about={about})")
 def _rotate(solid: Shape, axis: Array3, angle: float, about: Array3) -> Shape:
     turn = rotation_about(axis, angle)
     center = inputs.vector("about", about)
     return moved(solid, turn, center - turn @ center)
-
-
-def rotate(solid: Solid, axis: VectorLike, angle: Scalar, *, about: VectorLike = (0.0, 0.0, 0.0)) -> Solid:
-    """Turn a solid; also written `solid.rotate(axis, angle)`."""
-    return Solid.record(_rotate, solid=solid, axis=axis, angle=angle, about=about)
 
 
 @kernel
@@ -80,34 +70,49 @@ def _with_scaled_uvs(scaled: Shape, solid: Shape, factors: Array) -> Shape:
     )
 
 
-def scale(solid: Solid, factors: VectorLike) -> Solid:
-    """Scale a solid about the origin by factors along X, Y and Z; also written `solid.scale(x, y, z)`."""
-    return Solid.record(_scale, solid=solid, factors=factors)
-
-
-@kernel
+@kernel(spelling="{solid}.mirror({normal})")
 def _mirror(solid: Shape, normal: Array3) -> Shape:
     across = inputs.direction("normal", normal)
     return moved(solid, np.eye(3) - 2.0 * np.outer(across, across), np.zeros(3))
 
 
-def mirror(solid: Solid, normal: VectorLike) -> Solid:
-    """Reflect a solid in the plane through the origin with a normal; also `solid.mirror(normal)`."""
-    return Solid.record(_mirror, solid=solid, normal=normal)
-
-
-@kernel
+@kernel(spelling="{solid}.align({to}, x={x}, y={y}, z={z})")
 def _align(solid: Shape, to: Array3, x: float, y: float, z: float) -> Shape:
-    return moved(solid, np.eye(3), inputs.vector("to", to) - anchor_of(solid, x, y, z))
+    return moved(solid, np.eye(3), inputs.vector("to", to) - _anchor(solid, x, y, z))
 
 
-def align(solid: Solid, to: VectorLike, *, x: Scalar = 0.0, y: Scalar = 0.0, z: Scalar = 0.0) -> Solid:
-    """Move a solid so that an anchor of its bounding box lies at a point; also `solid.align(to, z=-1)`."""
-    return Solid.record(_align, solid=solid, to=to, x=x, y=y, z=z)
-
-
-def anchor_of(shape: Shape, x: float, y: float, z: float) -> Array:
-    """Return the point of the bounding box at (x, y, z), each from -1 to 1, shape (3,) [m]."""
+@kernel(spelling="{solid}.anchor(x={x}, y={y}, z={z})")
+def _anchor(solid: Shape, x: float, y: float, z: float) -> Array3:
     where = inputs.vector("the anchor", (x, y, z))
-    low, high = shape.bounds()
+    low, high = solid.bounds()
     return np.asarray(0.5 * (low + high) + 0.5 * where * (high - low))
+
+
+@kernel(spelling="{solid}.size()")
+def _size(solid: Shape) -> Array3:
+    low, high = solid.bounds()
+    return np.asarray(high - low)
+
+
+@kernel(spelling="{solid}.bounds()")
+def _bounds(solid: Shape) -> ArrayN3:
+    return solid.bounds()
+
+
+@kernel(spelling="{solid}.centroid()")
+def _centroid(solid: Shape) -> Array3:
+    mesh = solid.mesh
+    origin = solid.bounds().mean(axis=0)  # near the solid, where the sum of signed volumes is exact
+    a, b, c = np.moveaxis(mesh.vertices[mesh.triangles] - origin, 1, 0)
+    volume = np.einsum("ij,ij->i", a, np.cross(b, c))
+    return np.asarray(origin + (volume[:, None] * (a + b + c)).sum(axis=0) / (4.0 * volume.sum()))
+
+
+@kernel(spelling="{solid}.volume()")
+def _volume(solid: Shape) -> float:
+    return float(solid.manifold.volume())
+
+
+@kernel(spelling="{solid}.area()")
+def _area(solid: Shape) -> float:
+    return float(solid.manifold.surface_area())
