@@ -162,7 +162,7 @@ def test_a_shell_needs_a_convex_solid_with_room():
             lambda: box(0.1, 0.1, 0.1) & box(0.1, 0.1, 0.1).at(1),
             "intersection is empty: the solids do not meet",
         ),
-        (lambda: csg.split(box(0.1, 0.1, 0.1), point=(0, 0, 1), normal=(0, 0, 1)), "whole solid lies behind"),
+        (lambda: box(0.1, 0.1, 0.1).split(point=(0, 0, 1), normal=(0, 0, 1)), "whole solid lies behind"),
         (csg.union, "a union needs at least one solid, got none"),
         (csg.hull, "a hull needs at least one solid, got none"),
     ],
