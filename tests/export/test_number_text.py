@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from artgen.export.meshes import face_lines, lines, rounded, text
+from artgen.export.text import face_lines, lines, rounded, text
 
 
 def spelled(number: int, decimals: int) -> str:

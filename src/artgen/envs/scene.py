@@ -17,7 +17,8 @@ from artgen.envs.motion import Target
 from artgen.envs.robot import ASSET_BIT, HAND, LIMITS, OPENING, PREFIX, ROBOT_BIT, panda, simulator
 from artgen.export.frames import quaternion
 from artgen.export.meshes import mesh_files
-from artgen.export.mjcf import mjcf_text, mjcf_tree
+from artgen.export.mjcf import mjcf_tree
+from artgen.export.text import document
 from artgen.view import gl
 
 TIME_STEP = 0.0025
@@ -194,7 +195,7 @@ def compiled(asset: Asset, *, visual: bool = False, textures: int = 0) -> Any:
         _strip(root)
     named = {element.get("file") for element in root.iter()}
     files = {path: content for path, content in meshes.files.items() if path in named}
-    spec = mujoco.MjSpec.from_string(mjcf_text(root).decode(), assets=files)
+    spec = mujoco.MjSpec.from_string(document(root).decode(), assets=files)
     spec.option.timestep = TIME_STEP
     spec.option.integrator = mujoco.mjtIntegrator.mjINT_IMPLICITFAST
     world = spec.worldbody

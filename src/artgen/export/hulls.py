@@ -76,22 +76,19 @@ def _with_areas(vertices: Array, triangles: Indices) -> Surface:
 
 
 @cached(1)  # several formats of one asset are written in sequence
-def hulls(asset: Asset) -> Mapping[str, Mapping[int, Hull]]:
-    """Return the hulls among the colliders of each link, by the collider's number."""
-    numbers = {
-        link.name: [number for number, item in enumerate(link.colliders) if item.convex.kind == "hull"]
+def hulls(asset: Asset, *, in_links: bool = True) -> Mapping[str, Mapping[int, Hull]]:
+    """Return the hulls among the colliders of each link by number, in the frame of the link or the asset."""
+    pieces = [
+        (link.name, number, item.convex, asset.origin(link.name) if in_links else np.zeros(3))
         for link in asset.links
-    }
-    found = iter(
-        Hull.of(
-            [
-                (asset.link(link).colliders[number].convex, asset.origin(link))
-                for link, of_link in numbers.items()
-                for number in of_link
-            ]
-        )
-    )
-    return {link: {number: next(found) for number in of_link} for link, of_link in numbers.items()}
+        for number, item in enumerate(link.colliders)
+        if item.convex.kind == "hull"
+    ]
+    result: dict[str, dict[int, Hull]] = {link.name: {} for link in asset.links}
+    made = Hull.of([piece[2:] for piece in pieces])
+    for (link, number, *_), hull in zip(pieces, made, strict=True):
+        result[link][number] = hull
+    return result
 
 
 def _normals(surfaces: Sequence[Surface]) -> list[Array]:

@@ -1,9 +1,10 @@
 """Result of a writer: files as bytes and losses of the format; and the description of a layout."""
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import asdict, dataclass
 
-from artgen.asset import Asset, AssetJoint
+from artgen.asset import Asset
+from artgen.materials import Material
 
 
 @dataclass(frozen=True)
@@ -40,69 +41,45 @@ class Written:
     main: str = ""
 
 
-def loss(feature: str, where: Iterable[str], instead: str) -> tuple[Loss, ...]:
-    """Return one loss if it affects anything, else none."""
-    names = ", ".join(where)
-    return (Loss(feature, names, instead),) if names else ()
+Row = tuple[str, Iterable[str], str]
+"""A feature, the names of all that it affects in an asset, and its replacement."""
 
 
-def joints_where(asset: Asset, condition: Callable[[AssetJoint], bool]) -> list[str]:
-    """Return the names of the joints that satisfy a condition."""
-    return [joint.name for joint in asset.joints if condition(joint)]
+def losses(*rows: Row) -> tuple[Loss, ...]:
+    """Return the losses of a table; a feature that affects nothing is not lost."""
+    joined = [(feature, ", ".join(where), instead) for feature, where, instead in rows]
+    return tuple(Loss(*row) for row in joined if row[1])
 
 
-def dependency_losses(asset: Asset) -> tuple[Loss, ...]:
-    """Return the loss of dependencies, which no format can express."""
-    return tuple(
-        Loss(
-            "joint dependency",
-            joint.name,
-            f"nothing: the parts' contact must hold it unless {joint.needs}",
-        )
-        for joint in asset.joints
-        if joint.needs is not None
-    )
+def mechanism_rows(asset: Asset) -> Iterator[Row]:
+    """Yield the losses of all formats: dependencies of joints, and the depths of allowed contacts."""
+    for joint in asset.joints:
+        if joint.needs is not None:
+            instead = f"nothing: the parts' contact must hold it unless {joint.needs}"
+            yield "joint dependency", [joint.name], instead
+    for contact in asset.contacts:
+        instead = "nothing: simulators push the parts apart where they touch"
+        yield "contact by design", contact.links, instead
 
 
-def contact_losses(asset: Asset) -> tuple[Loss, ...]:
-    """Return the loss of allowed contacts, whose depth no format can express."""
-    return tuple(
-        Loss(
-            "contact by design",
-            f"{contact.links[0]}, {contact.links[1]}",
-            "nothing: simulators push the parts apart where they touch",
-        )
-        for contact in asset.contacts
-    )
+def affordance_rows(asset: Asset, grasp: str, push: str) -> Iterator[Row]:
+    """Yield the losses of grasps and pushes with their replacements."""
+    for kind, instead in (("grasp", grasp), ("push", push)):
+        yield f"{kind} frame", [each.name for each in asset.affordances if each.kind == kind], instead
 
 
-def label_losses(asset: Asset) -> tuple[Loss, ...]:
-    """Return the loss of semantic labels, for formats without them."""
-    return loss("semantic labels", [link.name for link in asset.links], "nothing; they are in asset.json")
+def look_rows(asset: Asset, textures: int) -> Iterator[Row]:
+    """Yield the losses of the appearance of materials with a number of texels per side of the maps."""
+    seen = seen_materials(asset)
+    unmapped = [material.name for material in seen if material.texture and not textures]
+    yield "texture", unmapped, "the mean color and roughness: maps were not asked for"
+    clear = [material.name for material in seen if material.transmission_weight]
+    yield "transmission", clear, "an opacity, which does not refract"
 
 
-def look_losses(asset: Asset, textures: int, *, coat: str = "") -> tuple[Loss, ...]:
-    """Return the losses of the appearance of materials.
-
-    Args:
-        asset: The asset.
-        textures: Texels per side of the written maps; 0 for none.
-        coat: Replacement of a coat; empty if the format supports coats.
-    """
-    seen = list(dict.fromkeys(surface.material for link in asset.links for surface in link.surfaces))
-    return (
-        *loss(
-            "texture",
-            [material.name for material in seen if material.texture and not textures],
-            "the mean color and roughness: maps were not asked for",
-        ),
-        *loss(
-            "transmission",
-            [material.name for material in seen if material.transmission_weight],
-            "an opacity, which does not refract",
-        ),
-        *loss("coat", [material.name for material in seen if material.coat_weight and coat], coat),
-    )
+def seen_materials(asset: Asset) -> list[Material]:
+    """Return the materials of visible surfaces, each once."""
+    return list(dict.fromkeys(surface.material for link in asset.links for surface in link.surfaces))
 
 
 @dataclass(frozen=True)

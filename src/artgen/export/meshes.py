@@ -1,11 +1,10 @@
-"""Mesh files of URDF and MJCF: OBJ surfaces, colliders, one MTL file, maps; fast formatting of numbers."""
+"""Mesh files of URDF and MJCF: OBJ surfaces, colliders, one MTL file, maps."""
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from artgen._arrays import Array, FrozenArrays, Indices, cached
 from artgen.asset import Asset, Mesh
@@ -14,153 +13,94 @@ from artgen.asset.rounding import NORMAL_DECIMALS, POSITION_DECIMALS, UV_DECIMAL
 from artgen.asset.surface import texture_coordinates
 from artgen.export.hulls import HULL_DECIMALS, Hull, hulls
 from artgen.export.maps import TEXTURE_DIRECTORY, MapFiles, map_files, phong_exponent, specular_color
+from artgen.export.text import face_lines, lines, rounded, text
 from artgen.materials import Material
 from artgen.materials.textures import Kind, displayed
-
-Bytes = NDArray[np.uint8]
-Words = NDArray[np.uint32]  # four characters each
-
-_GROUP = 10_000  # range of four digits
-
-
-def rounded(values: Array, decimals: int) -> Indices:
-    """Return numbers with a fixed number of decimals as integers."""
-    return np.rint(values * 10.0**decimals).astype(np.int64)
-
-
-def lines(heads: Sequence[str], scaled: Indices, decimals: int = 0) -> Bytes:
-    """Return one line of text per row of numbers, as input of `text`, without trailing zeros."""
-    magnitude = np.abs(scaled)
-    whole = magnitude // 10**decimals
-    words = _whole(whole)
-    if decimals:
-        words += _fraction(magnitude - whole * 10**decimals, decimals)
-    first, signed = _words(*heads), _words(*(f"{head}-" for head in heads))
-    rows, columns = scaled.shape
-    cells = 1 + len(words)
-    line = np.empty((rows, columns * cells + 1), np.uint32)
-    line[:, :-1:cells] = np.where(scaled < 0, signed, first)
-    for number, word in enumerate(words, start=1):
-        line[:, number:-1:cells] = word
-    line[:, -1] = _words("\n")
-    return line.view(np.uint8)
-
-
-def face_lines(corners: Indices, numbers: Indices) -> Bytes:
-    """Return the `f` lines of an OBJ file, as input of `text`."""
-    each = np.ascontiguousarray(lines((" ", "/", "/"), numbers)[:, :-4])  # without line ends
-    row = np.empty((len(corners), 2 + 3 * each.shape[1]), np.uint8)
-    row[:, 0] = ord("f")
-    # taking items is many times faster than taking rows
-    taken = np.take(each.view(f"V{each.shape[1]}").ravel(), corners)
-    row[:, 1:-1] = taken.view(np.uint8).reshape(len(corners), -1)
-    row[:, -1] = ord("\n")
-    return row
-
-
-def text(rows: Bytes) -> bytes:
-    """Return the text of several lines."""
-    return rows.tobytes().translate(None, b"\0")
-
-
-@cached(64)
-def _words(*characters: str) -> Words:
-    """Return strings of at most four characters as one number each with the same bytes."""
-    return np.frombuffer("".join(each.ljust(4, "\0") for each in characters).encode("ascii"), np.uint32)
-
-
-def _whole(numbers: Indices) -> list[Words]:
-    """Return the digits of integers, shape (...), without leading zeros."""
-    higher = numbers // _GROUP
-    group = numbers - higher * _GROUP
-    words = [np.where(higher > 0, _DIGITS[group], _LEADING[group])]
-    if higher.any():
-        words = [np.where(higher > 0, word, 0).astype(np.uint32) for word in _whole(higher)] + words
-    return words
-
-
-def _fraction(numbers: Indices, decimals: int) -> list[Words]:
-    """Return a point and the digits after it, without trailing zeros; empty if all are zero."""
-    groups = max(0, -(-(decimals - 3) // 4))  # four digits, after a point and three digits
-    rest = numbers * 10 ** (3 + 4 * groups - decimals)
-    words: list[Words] = []
-    shown = np.zeros(numbers.shape, bool)
-    for _ in range(groups):
-        higher = rest // _GROUP
-        group = rest - higher * _GROUP
-        words.insert(0, np.where(shown, _DIGITS[group], _TRAILING[group]))
-        shown |= group > 0
-        rest = higher
-    return [np.where(shown, _POINT_DIGITS[rest], _POINT_TRAILING[rest]), *words]
-
-
-_POWERS = np.array([1000, 100, 10, 1])
-_NUMBERS = np.arange(_GROUP)[:, None]
-_CHARACTERS = (_NUMBERS // _POWERS % 10 + ord("0")).astype(np.uint8)
-_POINTED = np.where(_POWERS == 1000, np.uint8(ord(".")), _CHARACTERS)[:1000]  # a point and three digits
-_ENDING = _NUMBERS % (10 * _POWERS) > 0  # whether a digit or a later one is not zero
-
-_DIGITS = _CHARACTERS.view(np.uint32).ravel()
-_LEADING = np.where((_NUMBERS >= _POWERS) | (_POWERS == 1), _CHARACTERS, 0).view(np.uint32).ravel()
-_TRAILING = np.where(_ENDING, _CHARACTERS, 0).view(np.uint32).ravel()
-_POINT_DIGITS = _POINTED.view(np.uint32).ravel()
-_POINT_TRAILING = np.where(_ENDING[:1000], _POINTED, 0).view(np.uint32).ravel()
 
 
 @dataclass(frozen=True)
 class MeshFiles(FrozenArrays):
-    """The mesh files of an asset.
+    """The mesh files of an asset, by path relative to its directory.
 
     Attributes:
-        files: Content by path relative to the asset's directory, maps included.
-        surfaces: File name of each surface, by link, in the link's order.
-        colliders: File name of each hull collider, in its own frame, by link and number of the collider.
-        middles: Origin of that frame in the link's frame, shape (3,) [m].
-        maps: Maps of the materials, in `textures/` next to the meshes.
+        files: Content by path, maps included.
+        surfaces: Path of each surface, by link, in the link's order.
+        colliders: Path of each hull collider, in its own frame, by link and number of the collider.
+        middles: Origin of that frame, shape (3,) [m].
+        maps: Maps of the materials, in `textures/` next to the surfaces.
     """
 
     files: Mapping[str, bytes]
-    surfaces: Mapping[str, tuple[str, ...]]
+    surfaces: Mapping[str, Sequence[str]]
     colliders: Mapping[str, Mapping[int, str]]
     middles: Mapping[str, Mapping[int, Array]]
     maps: MapFiles
 
-    @staticmethod
-    def path(name: str) -> str:
-        """Return the path of a mesh file relative to the asset's directory."""
-        return f"{MESH_DIRECTORY}/{name}"
-
 
 @cached(1)  # two formats of one asset are written in sequence
 def mesh_files(asset: Asset, textures: int = 0) -> MeshFiles:
-    """Write the surfaces and hull colliders of all links.
+    """Write the surfaces and hull colliders of all links, in the frames of the links.
 
     Args:
         asset: The asset.
         textures: Texels per side of the material maps; 0 for no maps.
     """
+    return arranged_files(asset, textures, (MESH_DIRECTORY, MESH_DIRECTORY), f"{asset.name}.mtl")
+
+
+def arranged_files(
+    asset: Asset, textures: int, directories: tuple[str, str], library: str, turn: Array | None = None
+) -> MeshFiles:
+    """Write the surfaces and hull colliders of all links to chosen directories.
+
+    Args:
+        asset: The asset.
+        textures: Texels per side of the material maps; 0 for no maps.
+        directories: Directories of the surfaces and of the colliders.
+        library: Name of the MTL file.
+        turn: Rotation by quarter turns from the asset's coordinates to those of all meshes, shape (3, 3);
+            None writes each mesh in the frame of its link.
+    """
     maps = map_files(asset, textures)
-    surfaces = mesh_names({link.name: [surface.name for surface in link.surfaces] for link in asset.links})
-    of_links = hulls(asset)
-    names = mesh_names(
-        {link: [f"collider_{number}" for number in found] for link, found in of_links.items()},
-        taken=[name for of_link in surfaces.values() for name in of_link],
-    )
-    library = f"{asset.name}.mtl"
-    files = {library: mtl_text([surface.material for link in asset.links for surface in link.surfaces], maps)}
+    visuals, convex = directories
+    names = mesh_names({link.name: [surface.name for surface in link.surfaces] for link in asset.links})
+    surfaces = {link: [f"{visuals}/{name}" for name in of_link] for link, of_link in names.items()}
+    materials = [surface.material for link in asset.links for surface in link.surfaces]
+    files = {f"{visuals}/{library}": mtl_text(materials, maps)}
     for link in asset.links:
-        origin = asset.origin(link.name)
-        for surface, name in zip(link.surfaces, surfaces[link.name], strict=True):
-            files[name] = surface_text(surface.mesh, origin, library, surface.material)
+        origin = asset.origin(link.name) if turn is None else np.zeros(3)
+        for surface, path in zip(link.surfaces, surfaces[link.name], strict=True):
+            mesh = surface.mesh
+            if turn is not None:
+                mesh = replace(mesh, vertices=mesh.vertices @ turn.T, normals=mesh.normals @ turn.T)
+            files[path] = surface_text(mesh, origin, library, surface.material)
+    of_links = hulls(asset, in_links=turn is None)
+    if turn is not None:  # quarter turns swap and negate rounded coordinates, so hulls stay convex
+        of_links = {
+            link: {
+                number: replace(hull, vertices=hull.vertices @ turn.T, middle=turn @ hull.middle)
+                for number, hull in found.items()
+            }
+            for link, found in of_links.items()
+        }
+    taken = [name for of_link in names.values() for name in of_link]
+    numbered = {link: [f"collider_{number}" for number in found] for link, found in of_links.items()}
+    colliders = {
+        link: dict(zip(of_links[link], (f"{convex}/{name}" for name in of_link), strict=True))
+        for link, of_link in mesh_names(numbered, taken).items()
+    }
     texts = hull_texts([hull for found in of_links.values() for hull in found.values()])
-    files |= zip((name for of_link in names.values() for name in of_link), texts, strict=True)
-    return MeshFiles(
-        {MeshFiles.path(name): content for name, content in files.items()} | dict(maps.files),
-        surfaces,
-        {link: dict(zip(found, names[link], strict=True)) for link, found in of_links.items()},
-        {link: {number: hull.middle for number, hull in found.items()} for link, found in of_links.items()},
-        maps,
-    )
+    files |= zip((path for found in colliders.values() for path in found.values()), texts, strict=True)
+    files |= {visuals + path.removeprefix(MESH_DIRECTORY): content for path, content in maps.files.items()}
+    middles = {
+        link: {number: hull.middle for number, hull in found.items()} for link, found in of_links.items()
+    }
+    return MeshFiles(files, surfaces, colliders, middles, maps)
+
+
+def mesh_name(path: str) -> str:
+    """Return the name of a mesh: that of its file."""
+    return path.rpartition("/")[2].removesuffix(".obj")
 
 
 def surface_text(mesh: Mesh, origin: Array, library: str, material: Material) -> bytes:

@@ -11,7 +11,7 @@ from collections.abc import Collection, Sequence
 
 import numpy as np
 
-from artgen.asset import Asset, AssetJoint, Link
+from artgen.asset import Asset, Link
 from artgen.asset.record import rounded
 from artgen.export.frames import (
     LinkFrame,
@@ -27,7 +27,7 @@ from artgen.export.glb.animations import animations, local_motion
 from artgen.export.glb.buffer import Buffer, Json
 from artgen.export.glb.materials import Looks
 from artgen.export.glb.meshes import primitive
-from artgen.export.losses import Loss, Written, joints_where, look_losses, loss
+from artgen.export.losses import Loss, Written, affordance_rows, look_rows, losses
 
 _UPRIGHT = [-math.sqrt(0.5), 0.0, 0.0, math.sqrt(0.5)]  # turns z up into y up
 _ROOT, _BASE = 0, 1  # numbers of nodes
@@ -148,19 +148,19 @@ def _mesh(frame: LinkFrame, link: Link, buffer: Buffer, looks: Looks, taken: Col
 
 
 def _losses(asset: Asset, textures: int, held: Sequence[str]) -> tuple[Loss, ...]:
-    names = [link.name for link in asset.links]
+    links = [link.name for link in asset.links]
+    driven = [
+        joint.name
+        for joint in asset.joints
+        if any((joint.stiffness, joint.damping, joint.friction, joint.armature))
+    ]
     recorded = "nothing; asset.json has it"
-    return (
-        *loss("mass and inertia", names, recorded),
-        *loss("colliders", names, recorded),
-        *loss("joints", joints_where(asset, lambda joint: True), "data of the root node and animations"),
-        *loss("joint dynamics", joints_where(asset, _is_driven), recorded),
-        *loss("animation", held, "nothing: no way was found that its dependencies allow"),
-        *loss("grasp frame", [each.name for each in asset.affordances if each.kind == "grasp"], recorded),
-        *loss("push frame", [each.name for each in asset.affordances if each.kind == "push"], recorded),
-        *look_losses(asset, textures),
+    return losses(
+        ("mass and inertia", links, recorded),
+        ("colliders", links, recorded),
+        ("joints", [joint.name for joint in asset.joints], "data of the root node and animations"),
+        ("joint dynamics", driven, recorded),
+        ("animation", held, "nothing: no way was found that its dependencies allow"),
+        *affordance_rows(asset, recorded, recorded),
+        *look_rows(asset, textures),
     )
-
-
-def _is_driven(joint: AssetJoint) -> bool:
-    return any((joint.stiffness, joint.damping, joint.friction, joint.armature))

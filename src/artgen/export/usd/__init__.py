@@ -18,7 +18,7 @@ from artgen.export.frames import (
     unused,
 )
 from artgen.export.hulls import hulls
-from artgen.export.losses import Written, look_losses
+from artgen.export.losses import Written, look_rows, losses
 from artgen.export.maps import TEXTURE_DIRECTORY, MapFiles, map_files
 from artgen.export.usd.geometry import (
     PART_LABEL,
@@ -85,11 +85,8 @@ def author(asset: Asset, layers: Layers, textures: int) -> Written:
     writer = _Writer(asset, layers, maps)
     with Sdf.ChangeBlock():
         writer.write()
-    losses = (
-        *joint_losses(asset, writer.segments, apart=layers.apart),
-        *look_losses(asset, textures),
-    )
-    return Written(maps.files, losses)
+    lost = joint_losses(asset, writer.segments, apart=layers.apart)
+    return Written(maps.files, (*lost, *losses(*look_rows(asset, textures))))
 
 
 class _Writer:

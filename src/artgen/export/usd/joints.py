@@ -13,7 +13,7 @@ from pxr import Gf, Sdf
 from artgen._arrays import Array
 from artgen.asset import Asset, AssetJoint
 from artgen.export.frames import INTERMEDIATE_MASS, Segment
-from artgen.export.losses import Loss, contact_losses, dependency_losses, loss
+from artgen.export.losses import Loss, losses, mechanism_rows
 from artgen.export.usd.layer import TYPES, Layers, define, quatf, relate, vec3, write
 from artgen.export.usd.runtimes import driven, instance_of, units_of, write_runtime_joint
 
@@ -80,54 +80,40 @@ def joint_losses(asset: Asset, segments: Sequence[Segment], *, apart: bool = Fal
     followers = [joint for joint in movable if joint.follows is not None]
     limits = _written_limits(asset)
     positions = asset.positions()
-    own = _IN_VARIANTS if apart else ""
-    return (
-        *loss(
+    own = "in the variants of the simulators only: " if apart else ""
+    words = own + "PhysxJointAxisAPI, NewtonJointAPI and MjcJointAPI, which other readers do not know"
+    return losses(
+        (
             "several joints between two links",
             [segment.child.name for segment in segments if segment.child.link is None],
             f"a body of {INTERMEDIATE_MASS:g} kg after each joint but the last",
         ),
-        *_losses_of_words(movable, own),
-        *loss(
+        ("joint friction", [joint.name for joint in movable if joint.friction > 0.0], words),
+        ("joint armature", [joint.name for joint in movable if joint.armature > 0.0], words),
+        (
+            "joint velocity limit",
+            [joint.name for joint in leading],
+            own + "PhysxJointAxisAPI and NewtonJointAPI, which other readers do not know",
+        ),
+        (
             "joint effort",
             [joint.name for joint in leading if not _effort_holds(joint)],
             "no maxForce on the drive, which is a spring and a damper that it would weaken",
         ),
-        *loss(
+        (
             "joint that does not stand at 0",
             [joint.name for joint in movable if positions[joint.name] != 0.0],
             "bodies placed as the joint stands, and PhysicsJointStateAPI" + (" in PhysX's variant" * apart),
         ),
-        *loss(
-            "joint coupling",
-            [joint.name for joint in followers],
-            own + (_APART if apart else _TOGETHER),
-        ),
-        *loss(
+        ("joint coupling", [joint.name for joint in followers], own + (_APART if apart else _TOGETHER)),
+        (
             "coupling without limits",
             [joint.name for joint in movable if joint.limits is None and limits[joint.name] is not None],
             "limits a hundred thousand turns away, since PhysX couples joints with limits only",
         ),
-        *dependency_losses(asset),
-        *contact_losses(asset),
+        *mechanism_rows(asset),
     )
 
-
-def _losses_of_words(movable: Sequence[AssetJoint], own: str) -> tuple[Loss, ...]:
-    return (
-        *loss("joint friction", [joint.name for joint in movable if joint.friction > 0.0], own + _DRY),
-        *loss("joint armature", [joint.name for joint in movable if joint.armature > 0.0], own + _DRY),
-        *loss(
-            "joint velocity limit", [joint.name for joint in movable if joint.follows is None], own + _SPEED
-        ),
-    )
-
-
-_IN_VARIANTS = "in the variants of the simulators only: "
-
-_SPEED = "PhysxJointAxisAPI and NewtonJointAPI, which other readers do not know"
-
-_DRY = "PhysxJointAxisAPI, NewtonJointAPI and MjcJointAPI, which other readers do not know"
 
 _TOGETHER = "PhysxMimicJointAPI and NewtonMimicAPI, or MjcEqualityJointAPI between a rotation and a slide"
 

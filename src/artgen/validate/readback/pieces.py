@@ -12,7 +12,7 @@ from artgen.asset.report import CHANGED, Finding
 from artgen.colliders import Convex
 from artgen.export.frames import translation
 from artgen.export.hulls import hulls
-from artgen.export.urdf.losses import primitives
+from artgen.export.urdf import primitives
 
 MOST_VERTICES = 64
 """Vertices that a collider may have; the budget of GPU simulators."""

@@ -8,13 +8,13 @@ The dataset has no couplings. SAPIEN 3.0 reads a coupling between two joints of 
 direction, which blocks both, so those are only in the table of names.
 """
 
-from artgen.asset import Asset
-from artgen.export.layouts.partnet.meshes import object_meshes
-from artgen.export.layouts.partnet.names import NAMES_FILE, ROOT, Naming, naming
+from artgen.asset import Asset, AssetJoint
+from artgen.export.layouts.partnet.names import NAMES_FILE, ROOT, UPRIGHT, Naming, naming
 from artgen.export.layouts.partnet.tables import tables
-from artgen.export.layouts.partnet.urdf import ROOT_MASS, urdf_text
-from artgen.export.losses import Layout, Loss, Written, look_losses, loss
-from artgen.export.urdf.losses import material_losses, motion_losses
+from artgen.export.layouts.partnet.urdf import urdf_text
+from artgen.export.losses import Layout, Loss, Written, affordance_rows, look_rows, losses
+from artgen.export.meshes import arranged_files
+from artgen.export.urdf import MARKER_MASS, material_rows, motion_rows
 
 MAIN = "mobility.urdf"
 """File for most loaders."""
@@ -22,60 +22,61 @@ MAIN = "mobility.urdf"
 TWIN = "mobility_cvx.urdf"
 """File for ManiSkill, which has convex colliders in the dataset."""
 
+VISUALS = "textured_objs"
+"""Directory of visual meshes with their MTL file and maps; readers take every OBJ file in it as visible."""
+
+COLLIDERS = "convex_objs"
+"""Directory of convex pieces."""
+
 
 def write_partnet(asset: Asset, name: str, textures: int) -> Written:
     """Write an asset in the layout of PartNet-Mobility; see `Layout.write`."""
     assert name == "urdf"
     named = naming(asset)
-    meshes = object_meshes(asset, textures)
+    meshes = arranged_files(asset, textures, (VISUALS, COLLIDERS), "materials.mtl", UPRIGHT)
     text = urdf_text(asset, named, meshes)
     files = {MAIN: text, TWIN: text, **tables(asset, named, meshes.surfaces), **meshes.files}
     return Written(files, _losses(asset, named, textures), main=MAIN)
 
 
 def _losses(asset: Asset, named: Naming, textures: int) -> tuple[Loss, ...]:
-    joints = [step.segment.joint for step in named.steps]
-    between = [joint.name for joint in joints if not joint.locked and not _closes_at_an_end(joint.limits)]
-    return (
-        *loss(
+    joints = {step.segment.joint.name: step for step in named.steps}
+    names = [f"{link} = {named.body(link)}" for link in named.links]
+    names += [f"{joint} = {step.name}" for joint, step in joints.items()]
+    between = [name for name, step in joints.items() if not _closes_at_an_end(step.segment.joint)]
+    siblings = [item.follower.segment.joint.name for item in named.couplings if item.siblings]
+    return losses(
+        (
             "names of links and joints",
-            [
-                *(f"{name} = {named.body(name)}" for name in named.links),
-                *(f"{step.segment.joint.name} = {step.name}" for step in named.steps),
-            ],
+            names,
             f"numbers, for loaders look for them; {NAMES_FILE} has the names, semantics.txt the labels",
         ),
-        *loss(
+        (
             "direction of a joint",
-            [step.segment.joint.name for step in named.steps if step.sign < 0],
+            [name for name, step in joints.items() if step.sign < 0],
             "the opposite axis, so that the lower limit is the closed end",
         ),
-        *loss("closed position", between, "limits on both sides of it: it is not the lower one"),
-        *loss(
+        ("closed position", between, "limits on both sides of it: it is not the lower one"),
+        (
             "joint coupling",
-            [item.follower.segment.joint.name for item in named.couplings if item.siblings],
+            siblings,
             f"nothing: SAPIEN turns it round where both joints start from one body; it is in {NAMES_FILE}",
         ),
-        *loss("body without geometry", [ROOT], f"a link of {ROOT_MASS:g} kg that turns the asset upright"),
-        *motion_losses(asset, [step.child for step in named.steps if step.segment.child.link is None]),
-        *loss(
-            "grasp frame",
-            [each.name for each in asset.affordances if each.kind == "grasp"],
+        ("body without geometry", [ROOT], f"a link of {MARKER_MASS:g} kg that turns the asset upright"),
+        *motion_rows(asset, [step.child for step in named.steps if step.segment.child.link is None]),
+        *affordance_rows(
+            asset,
             "the visual there has handle in its name; the frames are in asset.json",
-        ),
-        *loss(
-            "push frame",
-            [each.name for each in asset.affordances if each.kind == "push"],
             "nothing; the frames are in asset.json",
         ),
-        *material_losses(asset),
-        *look_losses(asset, textures),
+        *material_rows(asset),
+        *look_rows(asset, textures),
     )
 
 
-def _closes_at_an_end(limits: tuple[float, float] | None) -> bool:
-    """Return whether the position nearest to 0 is a limit; False without limits."""
-    return limits is None or not limits[0] < 0.0 < limits[1]
+def _closes_at_an_end(joint: AssetJoint) -> bool:
+    """Return whether the position nearest to 0 is a limit or the joint has no range."""
+    return joint.locked or joint.limits is None or not joint.limits[0] < 0.0 < joint.limits[1]
 
 
 PARTNET_MOBILITY = Layout(

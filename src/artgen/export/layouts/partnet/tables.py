@@ -10,6 +10,7 @@ from artgen._arrays import Array
 from artgen.asset import Asset, AssetJoint, Link
 from artgen.asset.record import json_text, rounded
 from artgen.export.layouts.partnet.names import NAMES_FILE, UPRIGHT, Naming, kind_of, semantic
+from artgen.export.meshes import mesh_name
 
 CATEGORIES: Mapping[str, str] = {
     "cabinet": "StorageFurniture",
@@ -32,7 +33,7 @@ def tables(asset: Asset, named: Naming, surfaces: Mapping[str, Sequence[str]]) -
     Args:
         asset: The asset.
         named: Its names in the dataset.
-        surfaces: File names of the surfaces of each link.
+        surfaces: Paths of the surfaces of each link.
     """
     base, *moving = asset.links
     links = (*moving, base)
@@ -130,7 +131,7 @@ def _hierarchy(
     for link in links:
         for part in named.parts[link.name]:
             files = zip(link.surfaces, surfaces[link.name], strict=True)
-            stems = [file.removesuffix(".obj") for surface, file in files if surface.label == part.label]
+            stems = [mesh_name(path) for surface, path in files if surface.label == part.label]
             leaves.append({"text": part.name, "name": part.name, "id": part.number, "objs": stems})
     category = _meta(asset)["model_cat"]
     return {"text": category, "name": category, "id": 0, "children": leaves}

@@ -18,10 +18,10 @@ from artgen.asset import Asset
 from artgen.errors import ExportError
 from artgen.export.frames import seen_box
 from artgen.export.layouts.robocasa.regions import interiors
-from artgen.export.losses import Layout, Loss, Written, loss
+from artgen.export.losses import Layout, Written, losses
 from artgen.export.meshes import mesh_files
-from artgen.export.mjcf import mjcf_losses, mjcf_text, mjcf_tree
-from artgen.export.mjcf.materials import numbers
+from artgen.export.mjcf import mjcf_losses, mjcf_tree
+from artgen.export.text import add, document
 
 FILE = "model.xml"
 """File that RoboCasa opens in the directory of an object."""
@@ -57,9 +57,13 @@ def write_robocasa(asset: Asset, name: str, textures: int) -> Written:
     root = mjcf_tree(asset, meshes)
     _spell_defaults(root)
     _wrap(root, asset)
-    return Written(
-        {FILE: mjcf_text(root), **meshes.files}, (*mjcf_losses(asset, textures), *_losses(asset)), FILE
+    coupled = [joint.name for joint in asset.joints if joint.follows is not None and not joint.locked]
+    instead = (
+        "an equality that robosuite leaves behind: append each element of the object's `equality` to that of "
+        "the task"
     )
+    own = losses(("joint coupling in robosuite", coupled, instead))
+    return Written({FILE: document(root), **meshes.files}, (*mjcf_losses(asset, textures), *own), FILE)
 
 
 def _spell_defaults(root: ET.Element) -> None:
@@ -70,19 +74,17 @@ def _spell_defaults(root: ET.Element) -> None:
     everywhere = {element.tag: element.attrib for element in outer if element.tag != "default"}
     classes = dict(_CLASSES)
     for inner in outer.iterfind("default"):
-        name = str(inner.get("class")).removeprefix(prefix)
+        name = inner.attrib["class"].removeprefix(prefix)
         classes[name] = {**_found(inner, "geom").attrib, **_CLASSES[name]}
     defaults.clear()
     for name, attributes in classes.items():
-        ET.SubElement(ET.SubElement(defaults, "default", {"class": name}), "geom", attributes)
+        add(add(defaults, "default", {"class": name}), "geom", attributes)
     for element in _found(root, "worldbody").iter():
         element.attrib.pop("childclass", None)
         if element.tag == "geom":
-            element.set("class", str(element.get("class")).removeprefix(prefix))
-            if element.get("type") == "sphere":
-                element.set(
-                    "size", " ".join([element.attrib["size"]] * 3)
-                )  # RoboCasa cannot scale single numbers
+            element.set("class", element.attrib["class"].removeprefix(prefix))
+            if element.get("type") == "sphere":  # RoboCasa cannot scale single numbers
+                element.set("size", " ".join([element.attrib["size"]] * 3))
         for key, value in everywhere.get(element.tag, {}).items():
             element.attrib.setdefault(key, value)
 
@@ -92,27 +94,28 @@ def _wrap(root: ET.Element, asset: Asset) -> None:
     world = _found(root, "worldbody")
     base = _found(world, "body")
     world.remove(base)
-    outer = ET.SubElement(world, "body")
+    outer = add(world, "body")
     for joint in base.findall("freejoint"):
         base.remove(joint)
         outer.append(joint)  # the readers drop it and give the object their own joint
-    inner = ET.SubElement(outer, "body", name=_OBJECT)
+    inner = add(outer, "body", name=_OBJECT)
     inner.append(base)
     box, rooms = seen_box(asset), interiors(asset)
-    regions = {"main": box, "bbox": box, "int": rooms[0]} if rooms else {"main": box, "bbox": box}
-    regions |= {f"int_{number}": room for number, room in enumerate(rooms[1:], start=1)}
+    regions = {"main": box, "bbox": box}
+    regions |= {f"int_{number}" if number else "int": room for number, room in enumerate(rooms)}
     for name, region in regions.items():
-        ET.SubElement(inner, "geom", {"name": f"reg_{name}", "class": "region", **_box(region)})
+        add(inner, "geom", {"name": f"reg_{name}", "class": "region", **_box(region)})
     for prefix, name in (("ext", "main"), ("int", "int")):
         for corner, where in _CORNERS.items() if name in regions else ():
             position = np.where(where, regions[name][1], regions[name][0])
-            ET.SubElement(inner, "site", {"name": f"{prefix}_{corner}", "pos": numbers(position), **_UNSEEN})
-    bodies = {str(body.get("name")): body for body in base.iter("body")}
+            add(inner, "site", name=f"{prefix}_{corner}", pos=position, **_UNSEEN)
+    bodies = {body.get("name"): body for body in base.iter("body")}
     for link in asset.links:
-        site = {"name": f"reg_{link.name}", **_box(link.bounds() - asset.origin(link.name))}
-        ET.SubElement(bodies[link.name], "site", {**site, "type": "box", "group": "4", "rgba": "0 1 0 0"})
+        box_of_link = _box(link.bounds() - asset.origin(link.name))
+        site = {"name": f"reg_{link.name}", **box_of_link, "type": "box", "group": "4", "rgba": "0 1 0 0"}
+        add(bodies[link.name], "site", site)
     for name, position in _extent(box).items():
-        ET.SubElement(outer, "site", {"name": f"{name}_site", "pos": numbers(position), **_UNSEEN})
+        add(outer, "site", name=f"{name}_site", pos=position, **_UNSEEN)
 
 
 def _extent(box: Array) -> dict[str, Array]:
@@ -126,28 +129,16 @@ def _extent(box: Array) -> dict[str, Array]:
     }
 
 
-def _box(corners: Array) -> dict[str, str]:
+def _box(corners: Array) -> dict[str, Array]:
     """Return center and half lengths of a box."""
     corners = np.round(corners, 6)
-    return {"pos": numbers(corners.mean(axis=0).round(7)), "size": numbers((corners[1] - corners[0]) / 2.0)}
+    return {"pos": corners.mean(axis=0).round(7), "size": (corners[1] - corners[0]) / 2.0}
 
 
 def _found(parent: ET.Element, tag: str) -> ET.Element:
     element = parent.find(tag)
     assert element is not None
     return element
-
-
-def _losses(asset: Asset) -> tuple[Loss, ...]:
-    follows = [joint.name for joint in asset.joints if joint.follows is not None and not joint.locked]
-    return (
-        *loss(
-            "joint coupling in robosuite",
-            follows,
-            "an equality that robosuite leaves behind: append each element of the object's `equality` to "
-            "that of the task",
-        ),
-    )
 
 
 ROBOCASA = Layout(

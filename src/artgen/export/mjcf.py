@@ -1,0 +1,255 @@
+"""MJCF, the format of MuJoCo, for inclusion in or attachment to other models.
+
+So the file has no floor, light, camera or solver option, and the names of its default classes, materials and
+textures begin with its own name; links, joints and meshes have the same names as in other formats.
+`<exclude>` is never used: parts that collide by mistake are a fault of the asset.
+
+Features without an MJCF element are in `<custom>`: a text `<link>_labels` holds the semantic labels of a
+link; a tuple with the name of a grasp or push holds its site, with the opening of the fingers as the number,
+and the joints that the hand moves, the nearest first.
+"""
+
+import xml.etree.ElementTree as ET
+
+import numpy as np
+
+from artgen._arrays import Array
+from artgen.asset import Asset, Link
+from artgen.asset.affordance import Grasp
+from artgen.colliders import Convex
+from artgen.export.frames import (
+    BodyFrame,
+    BodyJoint,
+    bodies,
+    coupling,
+    local,
+    mass_in_frame,
+    quaternion,
+    translation,
+)
+from artgen.export.losses import Loss, Written, look_rows, losses, mechanism_rows, seen_materials
+from artgen.export.maps import TEXTURE_DIRECTORY, MapFiles, highlight
+from artgen.export.meshes import MeshFiles, display_color, mesh_files, mesh_name
+from artgen.export.text import Attribute, add, document
+from artgen.materials import Material
+from artgen.materials.textures import Kind
+
+# time constant [s] and damping ratio of limits, contacts and couplings; MuJoCo allows at least two time steps
+# of 2 ms by default and lengthens it for longer steps; with the default of 20 ms, a bolt lags behind its
+# lever and a heavy door sinks into its stop
+_STIFF = "0.005 1"
+_COUPLING_IMPEDANCE = "0.99 0.9999 0.0001"
+_CONTACT_IMPEDANCE = "0.95 0.99 0.0005"
+_FRICTION_IMPEDANCE = "0.9999 0.9999 0.001"  # with the default, a rod that friction holds creeps 16 mm in 5 s
+
+
+def write_mjcf(asset: Asset, textures: int = 0) -> Written:
+    """Write an asset as MJCF, with its meshes.
+
+    The initial state of the model is `asset.positions()`, with every joint as near to 0 as its limits allow.
+
+    Args:
+        asset: The asset.
+        textures: Texels per side of the material maps; 0 for colors only.
+
+    Returns:
+        The MJCF, mesh and map files, and the losses of MJCF.
+    """
+    meshes = mesh_files(asset, textures)
+    text = document(mjcf_tree(asset, meshes))
+    return Written({f"{asset.name}.xml": text, **meshes.files}, mjcf_losses(asset, textures))
+
+
+def mjcf_losses(asset: Asset, textures: int) -> tuple[Loss, ...]:
+    """Return the losses of MJCF for an asset with a size of maps."""
+    locked = "no joint: the body is fixed to its parent where the joint holds it"
+    coats = [material.name for material in seen_materials(asset) if material.coat_weight]
+    return losses(
+        ("joint velocity limit", [joint.name for joint in asset.joints if not joint.locked], "nothing"),
+        ("locked joint", [joint.name for joint in asset.joints if joint.locked], locked),
+        *mechanism_rows(asset),
+        *look_rows(asset, textures),
+        ("coat", coats, "the highlight of the coat, in the classic renderer"),
+    )
+
+
+def mjcf_tree(asset: Asset, meshes: MeshFiles) -> ET.Element:
+    """Return an asset as elements of an MJCF file next to the directory of its meshes."""
+    root = ET.Element("mujoco", model=asset.name)
+    # no directories here: a scene that includes the file would not find its files
+    add(root, "compiler", angle="radian", autolimits="true")
+    _add_defaults(root, asset.name)
+    _add_assets(root, asset, meshes)
+    world = add(root, "worldbody")
+    elements: dict[str, ET.Element] = {}
+    for frame in bodies(asset):
+        parent = elements[frame.parent] if frame.parent else world
+        elements[frame.link.name] = _add_body(parent, asset, frame, meshes)
+    _add_couplings(root, asset)
+    _add_custom(root, asset)
+    return root
+
+
+def _add_defaults(root: ET.Element, name: str) -> None:
+    outer = add(add(root, "default"), "default", {"class": name})
+    add(outer, "joint", solreflimit=_STIFF, solreffriction=_STIFF, solimpfriction=_FRICTION_IMPEDANCE)
+    add(outer, "site", group="4", size="0.005")
+    visual = add(outer, "default", {"class": f"{name}_visual"})
+    add(visual, "geom", type="mesh", group="2", contype="0", conaffinity="0", mass="0")
+    collision = add(outer, "default", {"class": f"{name}_collision"})
+    add(collision, "geom", group="3", mass="0", solref=_STIFF, solimp=_CONTACT_IMPEDANCE)
+
+
+def _add_assets(root: ET.Element, asset: Asset, meshes: MeshFiles) -> None:
+    parent = add(root, "asset")
+    added: set[str] = set()
+    for material in asset.materials:
+        _add_material(parent, asset.name, material, meshes.maps, added)
+    for link in asset.links:
+        for path in meshes.surfaces[link.name]:
+            # its faces have no mass: a surface need not be closed
+            add(parent, "mesh", name=mesh_name(path), file=path, inertia="shell")
+        for path in meshes.colliders[link.name].values():
+            add(parent, "mesh", name=mesh_name(path), file=path, inertia="convex")
+
+
+_ROLES: dict[Kind, str] = {
+    "albedo": "rgb", "normal": "normal", "roughness": "roughness", "metalness": "metallic",
+}  # fmt: skip
+_GREATEST = 128.0  # exponent of the classic renderer at shininess 1
+
+
+def _add_material(
+    parent: ET.Element, prefix: str, material: Material, maps: MapFiles, added: set[str]
+) -> None:
+    """Add a material for both renderers of MuJoCo: the classic Phong renderer and the physically based one.
+
+    Its name and those of its maps begin with the asset's name, because assets in one scene may share
+    materials. MuJoCo multiplies the numbers of a material with its maps. The classic renderer shows the color
+    map unchanged only if MuJoCo chooses its color space: it decodes sRGB, but does not encode again.
+    """
+    files = {role: maps.of(material)[kind] for kind, role in _ROLES.items() if kind in maps.of(material)}
+    layers = {role: f"{prefix}_{file.removesuffix('.png')}" for role, file in files.items()}
+    for role, file in files.items():
+        if file not in added:
+            add(parent, "texture", type="2d", name=layers[role], file=f"{TEXTURE_DIRECTORY}/{file}")
+            added.add(file)
+    name, emission = f"{prefix}_{material.name}", None
+    if any(material.emission):
+        # a factor of the color for the classic renderer, a map of one texel for the other
+        emission = max(material.emission) / max(*material.base_color, 1e-3)
+        layers["emissive"] = f"{name}_emission"
+        light = [channel / emission for channel in material.emission]
+        flat = {"type": "2d", "name": layers["emissive"], "builtin": "flat"}
+        add(parent, "texture", flat, rgb1=light, width="1", height="1")
+    color = (1.0, 1.0, 1.0) if "rgb" in layers else material.base_color
+    specular, exponent = highlight(material, _GREATEST)
+    element = add(
+        parent,
+        "material",
+        name=name,
+        rgba=[*display_color(color), material.opacity],
+        specular=round(specular, 6),
+        shininess=round(exponent / _GREATEST, 6),
+        roughness=1.0 if "roughness" in layers else material.specular_roughness,
+        metallic=1.0 if "metallic" in layers else material.base_metalness,
+        emission=emission,
+    )
+    for role, texture in layers.items():
+        add(element, "layer", role=role, texture=texture)
+
+
+def _add_body(parent: ET.Element, asset: Asset, frame: BodyFrame, meshes: MeshFiles) -> ET.Element:
+    link = frame.link
+    body = add(parent, "body", name=link.name, **_placed(frame.placement))
+    if not frame.parent:
+        body.set("childclass", asset.name)
+        if asset.base == "free":
+            add(body, "freejoint", name=f"{asset.name}_free")
+    mass, center, inertia = mass_in_frame(asset, link)
+    six = inertia[[0, 1, 2, 0, 0, 1], [0, 1, 2, 1, 2, 2]]
+    add(body, "inertial", pos=center, mass=mass, fullinertia=six)
+    for joint in frame.joints:
+        _add_joint(body, joint)
+    for surface, path in zip(link.surfaces, meshes.surfaces[link.name], strict=True):
+        geom = {"name": mesh_name(path), "class": f"{asset.name}_visual", "mesh": mesh_name(path)}
+        add(body, "geom", geom, material=f"{asset.name}_{surface.material.name}")
+    _add_colliders(body, asset, link, meshes)
+    for hold in (*link.grasps, *link.pushes):
+        # the site keeps the width if `<custom>` is dropped
+        width = hold.width if isinstance(hold, Grasp) else None
+        add(body, "site", name=hold.name, **_placed(local(asset, link.name, hold.frame)), user=width)
+    return body
+
+
+def _add_colliders(body: ET.Element, asset: Asset, link: Link, meshes: MeshFiles) -> None:
+    for number, collider in enumerate(link.colliders):
+        geom: dict[str, Attribute] = {
+            "name": f"{link.name}_collider_{number}",
+            "class": f"{asset.name}_collision",
+            # sliding friction only: resistance to torsion depends on the hand
+            "friction": collider.material.friction,
+        }
+        convex = collider.convex
+        if convex.kind == "hull":
+            mesh = mesh_name(meshes.colliders[link.name][number])
+            pose = translation(meshes.middles[link.name][number])
+            add(body, "geom", geom, type="mesh", mesh=mesh, **_placed(pose))
+        else:
+            pose = local(asset, link.name, convex.pose)
+            add(body, "geom", geom, type=convex.kind, size=_half_sizes(convex), **_placed(pose))
+
+
+def _half_sizes(convex: Convex) -> list[float]:
+    whole = 0 if convex.kind == "box" else 1  # a radius comes first
+    return [*convex.size[:whole], *(length / 2 for length in convex.size[whole:])]
+
+
+def _add_joint(body: ET.Element, placed: BodyJoint) -> None:
+    joint, turns = placed.joint, placed.joint.kind == "revolute"
+    add(
+        body,
+        "joint",
+        name=joint.name,
+        type="hinge" if turns else "slide",
+        axis=np.round(placed.axis, 12),
+        pos=np.round(placed.pivot, 12) if turns and np.abs(placed.pivot).max() > 1e-12 else None,
+        limited="false" if joint.limits is None else None,
+        range=joint.limits,
+        ref=placed.position or None,
+        stiffness=joint.stiffness or None,
+        springref=joint.rest if joint.stiffness else None,
+        damping=joint.damping or None,
+        frictionloss=joint.friction or None,
+        armature=joint.armature or None,
+        actuatorfrcrange=[-joint.effort, joint.effort],
+    )
+
+
+def _add_couplings(root: ET.Element, asset: Asset) -> None:
+    found = [(joint.name, coupling(asset, joint)) for joint in asset.joints if not joint.locked]
+    follows = [(name, law) for name, law in found if law is not None]
+    equality = add(root, "equality") if follows else root
+    for name, law in follows:
+        # the polynomial relates displacements from the initial state, in which the coupling holds
+        polynomial = [0.0, law.ratio, 0.0, 0.0, 0.0]
+        joints = {"joint1": name, "joint2": law.leader}
+        add(equality, "joint", joints, polycoef=polynomial, solref=_STIFF, solimp=_COUPLING_IMPEDANCE)
+
+
+def _add_custom(root: ET.Element, asset: Asset) -> None:
+    """Add custom elements for features without an MJCF element; they survive attachment to a model."""
+    custom = add(root, "custom")
+    for link in asset.links:
+        add(custom, "text", name=f"{link.name}_labels", data=" ".join(link.labels))
+    for affordance in asset.affordances:
+        element = add(custom, "tuple", name=affordance.name)
+        add(element, "element", objtype="site", objname=affordance.name, prm=affordance.width)
+        for joint in affordance.joints:
+            add(element, "element", objtype="joint", objname=joint, prm="0")
+
+
+def _placed(matrix: Array) -> dict[str, Array | None]:
+    """Return position and orientation; None for default values."""
+    position, turn = np.round(matrix[:3, 3], 12), np.round(quaternion(matrix), 12)
+    return {"pos": position if position.any() else None, "quat": turn if turn[1:].any() else None}
