@@ -10,7 +10,7 @@ from artgen.asset import Asset
 from artgen.catalog import categories, find
 from artgen.view import close, render
 from artgen.view.sheet import shots
-from artgen.view.web import page_of
+from artgen.view import page_of
 
 SEEDS = {"box": 2, "lamp": 9, "trashcan": 6, "window": 6}
 """The seeds of those that are shown; 0 where none is named."""

@@ -16,7 +16,7 @@ import pytest
 
 from artgen.cli import main
 from artgen.errors import ParameterError, RenderError
-from artgen.studio import CategorySource, Session
+from artgen.studio import Session
 
 pytest.importorskip("viser", reason='viser is not installed: pip install "artgen[studio]"')
 
@@ -26,7 +26,7 @@ CRATE = Path(__file__).parent.parent / "support" / "crate.py"
 
 
 def crate() -> Session:
-    return Session(CategorySource(str(CRATE)), seed=1)
+    return Session(str(CRATE), seed=1)
 
 
 def until(what: Callable[[], Any], why: str, patience: float = 30.0) -> Any:
@@ -59,11 +59,11 @@ def test_it_serves_this_machine_only(studio: Studio) -> None:
 
 def test_a_joint_sends_poses_alone_and_a_limit_not_even_those(studio: Studio) -> None:
     sent = studio.stage.sent
-    studio.ask("move", lambda: studio.session.move("bolt_slide", 0.04))
-    studio.ask("swing", lambda: studio.set("swing", 1.4))
+    studio.requests.add("move", lambda: studio.session.move("bolt_slide", 0.04))
+    studio.requests.add("swing", lambda: studio.session.set("swing", 1.4))
     until(lambda: studio.session.asset.parameters["swing"] == 1.4, "the swing is taken")
     assert studio.stage.sent == sent
-    studio.ask("width", lambda: studio.set("width", 0.3))
+    studio.requests.add("width", lambda: studio.session.set("width", 0.3))
     until(lambda: studio.panel.python.content.count("width=0.3"), "the width is taken")
     assert studio.stage.sent == sent + 2, "bolt and flag are only carried along"
 
@@ -74,7 +74,7 @@ def test_of_many_wishes_the_last_is_granted(studio: Studio) -> None:
     held = threading.Event()
     studio.session.evaluate = lambda: made.append(1) or (held.wait(10.0), evaluate())[1]
     for step in range(50):
-        studio.ask("set width", lambda step=step: studio.set("width", 0.3 + 0.001 * step))
+        studio.requests.add("set width", lambda step=step: studio.session.set("width", 0.3 + 0.001 * step))
     held.set()
     until(lambda: studio.session.asset.parameters["width"] == pytest.approx(0.349), "the last is taken")
     assert len(made) <= 3
@@ -84,15 +84,15 @@ def test_whatever_goes_wrong_is_told_and_the_server_lives(studio: Studio) -> Non
     def fail() -> None:
         raise ZeroDivisionError("of no one's")
 
-    studio.ask("odd", fail)
+    studio.requests.add("odd", fail)
     until(lambda: "ZeroDivisionError: of no one's" in studio.session.fault, "it is told")
     assert f"{__file__}:" in html.unescape(studio.panel.fault.content)
-    studio.ask("unknown", lambda: studio.set("depth", 1.0))
+    studio.requests.add("unknown", lambda: studio.session.set("depth", 1.0))
     until(lambda: "has no parameter 'depth'" in html.unescape(studio.panel.fault.content), "it is told")
-    studio.ask("set width", lambda: studio.set("width", 0.7))
+    studio.requests.add("set width", lambda: studio.session.set("width", 0.7))
     until(lambda: "0.2 to 0.6 m is allowed" in studio.panel.fault.content, "it is told")
     assert studio.panel.fault.visible
-    studio.ask("set width", lambda: studio.set("width", 0.31))
+    studio.requests.add("set width", lambda: studio.session.set("width", 0.31))
     until(lambda: studio.session.asset.parameters["width"] == 0.31, "the next value is taken")
     until(lambda: not studio.panel.fault.visible, "there is nothing to tell")
 

@@ -14,7 +14,7 @@ from support.browser import Browser, Tab, started
 
 pytest.importorskip("viser", reason='viser is not installed: pip install "artgen[studio]"')
 
-from artgen.studio import CategorySource, Session
+from artgen.studio import Session
 from artgen.studio.app import Studio
 
 CRATE = Path(__file__).parent.parent / "support" / "crate.py"
@@ -32,7 +32,7 @@ def browser() -> Iterator[Browser]:
 def studio(tmp_path: Path) -> Iterator[Studio]:
     """A studio of a file that a test may edit, lit so that browsers without a GPU are quick."""
     file = shutil.copy(CRATE, tmp_path / "mine.py")
-    made = Studio(Session(CategorySource(str(file)), seed=1), port=0, rich_light=False)
+    made = Studio(Session(str(file), seed=1), port=0, rich_light=False)
     made.stage.textures = 0
     try:
         yield made
@@ -150,7 +150,7 @@ def test_a_parameter_rebuilds_it_and_what_cannot_be_is_told(browser: Browser, st
         tab.page.get_by_role("option", name=other).click()
         tab.page.locator("label", has_text=parameter).wait_for()
         # a fault in the file is told with its line, and gone when it is mended
-        file = studio.session.source.path
+        file = studio.session.path
         text = file.read_text()
         file.write_text(text.replace("plate = box(", "plate = bax("))
         number = 1 + next(index for index, line in enumerate(text.splitlines()) if "plate = box(" in line)
@@ -164,8 +164,8 @@ def test_the_worst_pose_is_one_click_away_and_a_closed_browser_harms_nothing(
     browser: Browser, studio: Studio
 ) -> None:
     until(lambda: studio.session.shown, "there is an asset")
-    studio.ask("wall", lambda: studio.set("wall", 0.05))
-    studio.ask("swing", lambda: studio.set("swing", 2.0))
+    studio.requests.add("wall", lambda: studio.session.set("wall", 0.05))
+    studio.requests.add("swing", lambda: studio.session.set("swing", 2.0))
     with browser.tab(680, 440) as tab:
         opened(tab, studio)
         turn(tab, "swing [rad]", "ArrowLeft")  # and is closed before it can be told what came of it

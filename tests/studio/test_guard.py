@@ -21,7 +21,7 @@ from websockets.sync.client import ClientConnection, connect
 
 from artgen.cli import main
 from artgen.errors import ParameterError, RenderError
-from artgen.studio import CategorySource, Session
+from artgen.studio import Session
 from artgen.studio.app import Studio
 from artgen.studio.guard import Guard
 
@@ -39,7 +39,7 @@ PAGE: dict[str, str] = {}
 
 @pytest.fixture
 def studio(tmp_path: Path) -> Iterator[Studio]:
-    made = Studio(Session(CategorySource(str(CRATE)), seed=1), port=0, out=tmp_path / "out")
+    made = Studio(Session(str(CRATE), seed=1), port=0, out=tmp_path / "out")
     try:
         yield made
     finally:
@@ -105,7 +105,7 @@ def test_the_page_sets_a_cookie_that_no_other_site_sends(studio: Studio) -> None
 
 
 def test_each_studio_has_a_token_of_its_own(studio: Studio) -> None:
-    other = Studio(Session(CategorySource(str(CRATE)), seed=1), port=0)
+    other = Studio(Session(str(CRATE), seed=1), port=0)
     try:
         assert status(other, secret(studio), UPGRADE) == 403
     finally:
@@ -113,7 +113,7 @@ def test_each_studio_has_a_token_of_its_own(studio: Studio) -> None:
 
 
 def test_of_every_interface_no_foreign_name_is_served() -> None:
-    everywhere = Studio(Session(CategorySource(str(CRATE)), seed=1), "0.0.0.0", 0)  # noqa: S104 - the case
+    everywhere = Studio(Session(str(CRATE), seed=1), "0.0.0.0", 0)  # noqa: S104 - the case
     try:
         for name, expected in (("127.0.0.1", 101), ("192.0.2.7", 101), ("evil.example", 403)):
             headers = UPGRADE | {"Host": f"{name}:{everywhere.port}"}
@@ -125,12 +125,12 @@ def test_of_every_interface_no_foreign_name_is_served() -> None:
 def test_a_viser_that_the_guard_does_not_fit_serves_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(Guard, "installing", lambda _: contextlib.nullcontext())
     with pytest.raises(RenderError, match=f"viser {viser.__version__} cannot be guarded"):
-        Studio(Session(CategorySource(str(CRATE)), seed=1), port=0)
+        Studio(Session(str(CRATE), seed=1), port=0)
 
 
 def test_loopback_of_ipv6_has_an_address_that_opens() -> None:
     try:
-        made = Studio(Session(CategorySource(str(CRATE)), seed=1), "::1", 0)
+        made = Studio(Session(str(CRATE), seed=1), "::1", 0)
     except ParameterError:
         pytest.skip("this machine has no IPv6")
     try:

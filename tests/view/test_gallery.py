@@ -1,7 +1,9 @@
 """The gallery: a page of many assets, in a real Chromium, and what it writes."""
 
+import base64
 import json
 import shutil
+import zlib
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -11,8 +13,8 @@ from PIL import Image
 
 import artgen
 from artgen.errors import RenderError
-from artgen.view.web import gallery as gallery_module
-from artgen.view.web.gallery import find_assets, write_gallery
+from artgen.view import gallery as gallery_module
+from artgen.view.gallery import find_assets, write_gallery
 from support.browser import Browser, Tab, started
 
 
@@ -42,7 +44,8 @@ def browser() -> Iterator[Browser]:
 @pytest.fixture
 def tab(browser: Browser, written: Path) -> Iterator[Tab]:
     with browser.tab(800, 600, offline=True) as tab:
-        yield tab.open(written)
+        tab.open(written).page.wait_for_selector(".card")
+        yield tab
         assert tab.problems == []
 
 
@@ -121,7 +124,8 @@ def test_where_nothing_can_draw_the_pictures_are_plain(folder: Path, tmp_path: P
         assert picture.size == (256, 256)
     assert not list(tmp_path.rglob("*_open.jpg"))
     data = path.read_text(encoding="utf-8").partition('id="data">')[2].partition("</script>")[0]
-    assert [entry.get("open") for entry in json.loads(data)] == [None]
+    entries = json.loads(zlib.decompress(base64.b64decode(data)))
+    assert [entry.get("open") for entry in entries] == [None]
 
 
 @pytest.mark.usefixtures("no_renderer")

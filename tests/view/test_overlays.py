@@ -5,7 +5,8 @@ import pytest
 
 import artgen
 from artgen.asset import Asset
-from artgen.view.overlays import PALETTE, axis_poses, label_colors, overlays
+from artgen.view.overlays import PALETTE, axis_poses, collider_mesh, joint_symbol, label_colors
+from artgen.view.viewer import viewer_data
 
 
 @pytest.fixture(scope="module", params=["plier", "drawer", "faucet"])
@@ -18,25 +19,21 @@ def carried(matrix: np.ndarray, point: np.ndarray) -> np.ndarray:
 
 
 def test_colliders_are_closed_and_as_large_as_the_pieces(asset: Asset) -> None:
-    signs = overlays(asset)
     for link in asset.links:
-        drawn = signs.links[link.name].colliders
-        assert [each.label for each in drawn] == [collider.label for collider in link.colliders]
-        for each, collider in zip(drawn, link.colliders, strict=True):
-            corners = each.vertices[each.triangles]
+        for collider in link.colliders:
+            vertices, triangles = collider_mesh(collider.convex)
+            corners = vertices[triangles]
             volume = np.einsum("ij,ij->", corners[:, 0], np.cross(corners[:, 1], corners[:, 2])) / 6.0
             assert collider.convex.volume * 0.999 <= volume <= 1.3 * collider.convex.volume
-            outer = [each.vertices.min(axis=0), each.vertices.max(axis=0)]
+            outer = [vertices.min(axis=0), vertices.max(axis=0)]
             assert np.abs(np.array(outer) - collider.convex.bounds()).max() < 0.0015
 
 
 def test_hands_of_joints_go_along_their_ranges(asset: Asset) -> None:
-    signs = overlays(asset)
-    assert set(signs.joints) == {joint.name for joint in asset.joints if not joint.locked}
     for joint in asset.free_joints:
         for number, position in enumerate(joint.limits or ()):
             q = {joint.name: position}
-            sign = signs.joints[joint.name]
+            sign = joint_symbol(asset, joint)
             pose = axis_poses(asset, q)[joint.name]
             tip = carried(pose @ joint.motion(position), sign.hand[1])
             assert np.abs(tip - carried(pose, sign.range[-number])).max() < 1e-9
@@ -54,12 +51,17 @@ def test_an_axis_moves_with_what_it_is_on(asset: Asset) -> None:
         assert np.abs(last - poses[child]).max() < 1e-12
 
 
-def test_centers_masses_and_holds_are_those_of_the_asset(asset: Asset) -> None:
-    signs = overlays(asset)
-    holds = [hold.name for link in signs.links.values() for hold in link.holds]
+def test_the_viewer_has_the_overlays_of_the_asset(asset: Asset) -> None:
+    data = viewer_data(asset)
+    for drawn, link in zip(data["links"], asset.links, strict=True):
+        assert drawn["mass"] == link.mass_properties.mass
+        assert [each["label"] for each in drawn["colliders"]] == [each.label for each in link.colliders]
+    total = sum(link["mass"] * np.array(link["center"]) for link in data["links"]) / asset.mass
+    assert np.abs(total - asset.mass_properties().center).max() < 1e-5  # centers have 5 decimals
+    holds = [hold["name"] for link in data["links"] for hold in link["holds"]]
     assert holds == [each.name for each in asset.affordances]
-    total = sum(link.mass * link.center for link in signs.links.values()) / asset.mass
-    assert np.abs(total - asset.mass_properties().center).max() < 1e-9
+    moving = [joint.name for joint in asset.joints if not joint.locked]
+    assert [joint["name"] for joint in data["joints"] if joint["sign"]] == moving
 
 
 def test_a_label_has_the_same_color_in_every_asset_of_a_category() -> None:

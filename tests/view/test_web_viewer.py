@@ -27,8 +27,8 @@ from artgen import (
     uniform,
 )
 from artgen.asset import Asset
-from artgen.view.web import page, page_of
-from artgen.view.web.record import exploded, viewer_data
+from artgen.view import page, page_of
+from artgen.view.viewer import exploded, viewer_data
 from support.browser import Browser, Tab, started
 
 CLOSE = 1e-9

@@ -82,7 +82,8 @@ def view(
     The page is one offline file.
     """
     from artgen.materials.textures import check_size
-    from artgen.view.web import check_page, page_of
+    from artgen.view.page import check_page
+    from artgen.view.viewer import page_of
 
     if texture_size != 0:
         check_size(texture_size)
@@ -122,7 +123,7 @@ def gallery(
     Each picture leads to the viewer of its asset. With artgen[sim], pictures are drawn by MuJoCo.
     """
     from artgen.materials.textures import check_size
-    from artgen.view.web.gallery import find_assets, write_gallery
+    from artgen.view.gallery import find_assets, write_gallery
 
     if texture_size != 0:
         check_size(texture_size)
@@ -167,7 +168,7 @@ def graph(
     The page shows value, time, state, author's line and geometry of each node.
     """
     from artgen.graph_view import graph_page
-    from artgen.view.web import check_page
+    from artgen.view.page import check_page
 
     if out is not None:
         check_page(out)
@@ -201,13 +202,13 @@ def studio(
 
     The studio loads the file of the category again when it is saved. Ctrl-C ends the studio.
     """
-    from artgen.studio import CategorySource, Session
+    from artgen.studio import Session
     from artgen.studio.app import Studio
 
-    session = Session(CategorySource(category), seed, parse_overrides(overrides or []))
+    session = Session(category, seed, parse_overrides(overrides or []))
     served = Studio(session, host, port, out=out)
     try:
-        typer.echo(f"{session.source.generator.name} in the studio: {served.address} (Ctrl-C ends it)")
+        typer.echo(f"{session.generator.name} in the studio: {served.address} (Ctrl-C ends it)")
         if opening:
             webbrowser.open(served.address)
         while True:

@@ -1,7 +1,5 @@
 """The node graph of a category as a web page: value, time, cache state and geometry of every node."""
 
-import html
-import json
 from collections import Counter
 from collections.abc import Mapping
 from functools import lru_cache
@@ -13,11 +11,10 @@ from artgen.generator import Generator
 from artgen.graph import Cache, Evaluation, Graph
 from artgen.graph.handle import handle_of
 from artgen.graph.node import PARAMETER, Node
-from artgen.graph_view.authors import Authors
-from artgen.graph_view.geometry import Gallery
-from artgen.graph_view.spelled import input_text, value_text
-from artgen.view.web.page import Page, filled, packed, three_js
-from artgen.view.web.page import read as read_viewer
+from artgen.graph_view.nodes import Authors, Geometry, input_text, value_text
+from artgen.view.page import Page, page_html, three_js
+
+__all__ = ["graph_page"]
 
 _ABSENT = object()
 _ALL = 10**7  # most values in the cache: unlimited
@@ -41,25 +38,35 @@ def graph_record(
     uses = Counter(child.key for node in nodes for child in dict.fromkeys(node.children))
     shown = {key: getattr(value, "name", value) for key, value in values.items()}
     distributions = {name: repr(each.distribution) for name, each in generator.parameters().items()}
-    gallery, authors = Gallery(), Authors()
+    geometry, authors = Geometry(), Authors()
     records = []
     for node in nodes:
-        value = shown[node.inputs["name"]] if node.op == PARAMETER else _value(node, evaluation, cache)
-        record = _described(node, number, authors) | _outcome(node, value, evaluation, gallery)
-        record["uses"] = uses[node.key]
-        if node.op == PARAMETER:
-            declared = distributions[_declared(node.inputs["name"], values)]
-            record["inputs"] = [["drawn from", [declared]]]
+        declared = node.op == PARAMETER
+        value = shown[node.inputs["name"]] if declared else cache.get(evaluation.keys[node.key], _ABSENT)
+        given = node.inputs.get("label") or node.inputs.get("name")
+        inputs = [[name, input_text(value, number)] for name, value in node.inputs.items()]
+        if declared:
+            inputs = [["drawn from", [distributions[_declared(node.inputs["name"], values)]]]]
+        record = {
+            "op": node.op,
+            "type": type(handle_of(node)).__name__,
+            "name": given if isinstance(given, str) else "",
+            **authors.describe(node),
+            "inputs": inputs,
+            "from": list(dict.fromkeys(number[child.key] for child in node.children)),
+            **_outcome(node, value, evaluation, geometry),
+            "uses": uses[node.key],
+        }
         records.append(record)
     data = {
         "name": generator.name,
         "seed": seed,
         "change": {name: repr(value) for name, value in change.items()},
         "nodes": records,
-        "meshes": gallery.meshes,
-        "items": gallery.items,
+        "meshes": geometry.meshes,
+        "items": geometry.items,
     }
-    return data, gallery.blob
+    return data, bytes(geometry.blob)
 
 
 def _declared(name: str, values: Mapping[str, Any]) -> str:
@@ -68,27 +75,7 @@ def _declared(name: str, values: Mapping[str, Any]) -> str:
     return f"{_declared(chooser, values)}.{values[chooser].name}.{last}" if chooser else name
 
 
-def _value(node: Node, evaluation: Evaluation, cache: Cache) -> Any:
-    return cache.get(evaluation.keys[node.key], _ABSENT)
-
-
-def _described(node: Node, number: Mapping[str, int], authors: Authors) -> dict[str, Any]:
-    """Return the operation of a node and the author's line."""
-    where, source = authors.line_of(node)
-    given = node.inputs.get("label") or node.inputs.get("name")
-    return {
-        "op": node.op,
-        "type": type(handle_of(node)).__name__,
-        "name": given if isinstance(given, str) else "",
-        "group": authors.group_of(node),
-        "where": where,
-        "source": source,
-        "inputs": [[name, input_text(value, number)] for name, value in node.inputs.items()],
-        "from": list(dict.fromkeys(number[child.key] for child in node.children)),
-    }
-
-
-def _outcome(node: Node, value: Any, evaluation: Evaluation, gallery: Gallery) -> dict[str, Any]:
+def _outcome(node: Node, value: Any, evaluation: Evaluation, geometry: Geometry) -> dict[str, Any]:
     """Return the value of a node, its cost, and its geometry."""
     if value is _ABSENT:  # in the other branch of a switch
         return {"state": "unused", "value": "", "ms": 0.0, "shape": []}
@@ -98,12 +85,14 @@ def _outcome(node: Node, value: Any, evaluation: Evaluation, gallery: Gallery) -
         "state": "given" if node.op == PARAMETER else ran,
         "value": value_text(value),
         "ms": round(1e3 * (seconds or 0.0), 4),
-        "shape": gallery.add(value),
+        "shape": geometry.add(value),
     }
 
 
-_OF_VIEWER = ("elements.js", "orbit.js", "signs.js")
-_SCRIPTS = ("visible.js", "drawing.js", "geometry.js", "details.js", "main.js")
+_SCRIPTS = (
+    *(f"view/web/{name}.js" for name in ("elements", "orbit", "signs")),
+    *(f"graph_view/{name}.js" for name in ("visible", "drawing", "geometry", "details", "main")),
+)
 _EXPORT = "export const { layout, Graph } = dagre;"  # end of dagre as a module
 
 
@@ -132,20 +121,13 @@ def graph_page(
     """
     layout = dagre_js()
     data, meshes = graph_record(generator, seed, overrides or {}, change or {})
-    parts = {
-        "TITLE": html.escape(f"Graph of {generator.name}, seed {seed}"),
-        "STYLE": _read("graph.css"),
-        "THREE": packed(three_js().encode()),
-        "DAGRE": packed(layout.encode()),
-        "MESHES": packed(meshes),
-        "DATA": packed(json.dumps(data, separators=(",", ":"), allow_nan=False).encode()),
-        "SCRIPT": "\n".join([*map(read_viewer, _OF_VIEWER), *map(_read, _SCRIPTS)]),
-    }
-    return Page(f"{generator.name}_{seed}_graph", filled(_read("graph.html"), parts), height)
+    title = f"Graph of {generator.name}, seed {seed}"
+    text = page_html("graph_view/graph", title, _SCRIPTS, data, three=three_js(), dagre=layout, meshes=meshes)
+    return Page(f"{generator.name}_{seed}_graph", text, height)
 
 
 @lru_cache(maxsize=1)
-def dagre_js() -> str:
+def dagre_js() -> bytes:
     """Return dagre, which lays out layered graphs, from Netron: a script that defines `dagre`."""
     try:
         script = files("netron").joinpath("dagre.js").read_text(encoding="utf-8")
@@ -157,12 +139,4 @@ def dagre_js() -> str:
         raise RenderError(
             "this version of Netron has another dagre; install the one that artgen[studio] asks for"
         )
-    return script.replace(_EXPORT, "")
-
-
-@lru_cache(maxsize=16)
-def _read(name: str) -> str:
-    return files("artgen.graph_view").joinpath(name).read_text(encoding="utf-8")
-
-
-__all__ = ["graph_page"]
+    return script.replace(_EXPORT, "").encode()

@@ -221,9 +221,8 @@ class GraphPage {
 }
 
 async function start() {
-  const text = async (id) => new TextDecoder().decode(await unpacked(id));
-  document.head.append(element("script", { textContent: await text("three") }));
-  const page = new GraphPage(JSON.parse(await text("data")), await unpacked("meshes"), await text("dagre"));
+  document.head.append(element("script", { textContent: await unpackedText("three") }));
+  const page = new GraphPage(JSON.parse(await unpackedText("data")), await unpacked("meshes"), await unpackedText("dagre"));
   window.page = page;
   await page.update({ fit: true });
 }

@@ -5,6 +5,5 @@
 """
 
 from artgen.studio.session import Session
-from artgen.studio.source import CategorySource
 
-__all__ = ["CategorySource", "Session"]
+__all__ = ["Session"]

@@ -1,4 +1,4 @@
-"""Parameters in use and free joints as data for any user interface."""
+"""Parameters in use and free joints as data for any user interface, and the motion of joints."""
 
 import math
 import typing
@@ -6,7 +6,8 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import Any, Literal
 
-from artgen.asset import Asset
+from artgen.asset import Asset, AssetCondition
+from artgen.export.frames import leader_of
 from artgen.generator import Generator, Parameter
 from artgen.generator.parameter import is_variant
 from artgen.materials import Material
@@ -19,6 +20,7 @@ Kind = Literal["slider", "number", "menu", "checkbox", "vector", "text"]
 
 _STEPS = 400  # least number of steps of a slider
 _ROOM = 0.5  # range of a joint without limits in each direction [m]
+_NUDGE = 1e-9  # distance beyond the threshold of a dependency [rad or m]
 
 
 @dataclass(frozen=True)
@@ -194,3 +196,64 @@ def joint_controls(asset: Asset, q: Mapping[str, float]) -> tuple[JointControl, 
             JointControl(joint.name, "rad" if turns else "m", low, high, value, step, hint, follows)
         )
     return tuple(result)
+
+
+def moved_joint(
+    asset: Asset, q: Mapping[str, float], joint: str, position: float
+) -> tuple[dict[str, float], tuple[str, ...]]:
+    """Move a free joint from its position towards another one, until a dependency stops it."""
+    start = asset.positions(q)[joint]
+    limits = asset.joint(joint).limits
+    end = position if limits is None else min(max(position, limits[0]), limits[1])
+    reached = start
+    for place in _places(asset, joint, start, end):
+        # a condition at the center of an interval holds up to the next threshold of a dependency
+        blocked = asset.blocked({**q, joint: (reached + place) / 2.0})
+        if blocked:
+            return {**q, joint: reached}, blocked
+        back = 0.0 if not asset.blocked({**q, joint: place}) else _NUDGE if end > start else -_NUDGE
+        reached = place - back
+    blocked = asset.blocked({**q, joint: end})
+    return {**q, joint: reached if blocked else end}, blocked
+
+
+def allowed_positions(asset: Asset, q: Mapping[str, float]) -> dict[str, float]:
+    """Return allowed positions near given ones, without a search."""
+    result = {}
+    for joint in asset.free_joints:
+        if joint.name in q:
+            low, high = joint.limits or (q[joint.name], q[joint.name])
+            result[joint.name] = min(max(q[joint.name], low), high)
+    for _ in asset.joints:  # closing one joint may block another
+        blocked = asset.blocked(result)
+        if not blocked:
+            break
+        leaders = [asset.joint(leader_of(asset, asset.joint(name))[0]) for name in blocked]
+        result |= {leader.name: leader.closed for leader in leaders if not leader.locked}
+    return result
+
+
+def _places(asset: Asset, joint: str, start: float, end: float) -> Iterator[float]:
+    """Yield the thresholds of dependencies on the path of a joint in order, and the end of the path."""
+    found = {end}
+    for other in asset.joints:
+        if other.needs is None:
+            continue
+        leader, ratio, offset = leader_of(asset, other)
+        if leader == joint and ratio:
+            bounds = (0.0, other.needs.until, other.needs.beyond)
+            values = [value for bound in bounds if bound is not None for value in (bound, -bound)]
+            found.update((value - offset) / ratio for value in values)
+        for name, value in _thresholds(other.needs.condition):
+            leader, ratio, offset = leader_of(asset, asset.joint(name))
+            if leader == joint and ratio:
+                found.add((value - offset) / ratio)
+    low, high = min(start, end), max(start, end)
+    yield from sorted((place for place in found if low <= place <= high), reverse=end < start)
+
+
+def _thresholds(condition: AssetCondition) -> Iterator[tuple[str, float]]:
+    if condition.joint:
+        yield condition.joint, condition.value
+    for term in condition.terms:
+        yield from _thresholds(term)

@@ -2,28 +2,52 @@
 
 import html
 import math
-from collections.abc import Callable, Mapping
+import threading
+from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 from pathlib import Path
 from typing import Any
 
+from artgen.errors import ArtgenError, ParameterError
 from artgen.export.layouts import DEFAULT_FORMATS, FORMATS
 from artgen.studio.controls import JointControl, ParameterControl
-from artgen.studio.session import Session
-from artgen.studio.signs import SIGNS, Sign
+from artgen.studio.session import Session, message_of
+from artgen.studio.signs import SIGNS
+from artgen.studio.stage import Viewport
+from artgen.view import opened
 
-Ask = Callable[[str, Callable[[], None]], None]
-"""Callback that queues a request by name; the latest request of a name wins."""
+
+class Requests:
+    """Requests of browsers by name; the latest of a name replaces those before."""
+
+    def __init__(self) -> None:
+        self._changed = threading.Condition()
+        self._waiting: dict[str, Callable[[], None]] = {}
+
+    def add(self, name: str, request: Callable[[], None]) -> None:
+        """Queue a request."""
+        with self._changed:
+            self._waiting.pop(name, None)
+            self._waiting[name] = request
+            self._changed.notify()
+
+    def __contains__(self, name: str) -> bool:
+        with self._changed:
+            return name in self._waiting
+
+    def take(self, seconds: float) -> list[Callable[[], None]]:
+        """Return the queued requests; without any, wait for the first one at most this long [s]."""
+        with self._changed:
+            if not self._waiting:
+                self._changed.wait(seconds)
+            found, self._waiting = [*self._waiting.values()], {}
+        return found
+
 
 _NONE = "(none)"  # menu text of an empty string
 _SET = "\N{BULLET} "  # prefix of the name of an overridden parameter
 _MAPS = ("0", "256", "512", "1024")
-_SIGN_NAMES = {
-    "colliders": "colliders",
-    "joints": "joint axes and limits",
-    "grasps": "grasp frames",
-    "masses": "centers of mass",
-}
-_WITNESSES = 6  # formats with buttons
+_WITNESSES = 6  # most buttons of colliding poses
 _BOX = (
     "margin:0.4em 0.4em 0.6em;padding:0.5em 0.7em;border-radius:4px;font-size:0.8em;overflow-wrap:anywhere;"
 )
@@ -32,40 +56,50 @@ _COLORS = {
     "held": "#fff4d6;color:#6b4e00",
     "plain": "#eef2f6;color:#23313f",
 }
+_Handles = dict[str, tuple[tuple[Any, ...], Any]]  # shape and handle of each control by name
 
 
 class Panel:
-    """The controls of a session in a viser server."""
+    """The controls of a session in a viser server, and their requests.
+
+    Attributes:
+        status: Summary of the asset.
+        fault: Error of the last request.
+        seed: Control of the seed.
+        verdict: Result of the certificate.
+        exported: Result of the last export.
+        python: Source of the asset.
+    """
 
     def __init__(
         self,
         server: Any,
         session: Session,
-        ask: Ask,
-        actions: Mapping[str, Callable[..., None]],
-        *,
+        stage: Viewport,
+        requests: Requests,
         out: Path,
-        waits: Callable[[str], bool],
+        *,
         rich_light: bool,
     ) -> None:
         self._gui = server.gui
         self._session = session
-        self._ask = ask
+        self._stage = stage
+        self._requests = requests
         self._out = out
-        self._waits = waits
-        self._actions = actions
-        self._controls: dict[str, tuple[tuple[Any, ...], Any]] = {}
+        self._controls: _Handles = {}
         self._folders: dict[str, Any] = {}
-        self._sliders: dict[str, tuple[tuple[Any, ...], Any]] = {}
+        self._sliders: _Handles = {}
         self._witnesses: list[Any] = []
-        self._gui.configure_theme(
+        self._suggested = ""
+        gui = self._gui
+        gui.configure_theme(
             show_logo=False, show_share_button=False, brand_color=(0, 114, 178), control_width="large"
         )
-        self._gui.set_panel_label("artgen studio")
-        self._gui.main_panel.dock_right()
-        self.status = self._gui.add_html("")
-        self.fault = self._gui.add_html("", visible=False)
-        tabs = self._gui.add_tab_group()
+        gui.set_panel_label("artgen studio")
+        gui.main_panel.dock_right()
+        self.status = gui.add_html("")
+        self.fault = gui.add_html("", visible=False)
+        tabs = gui.add_tab_group()
         self._parameters = tabs.add_tab("Parameters")
         self._joints = tabs.add_tab("Joints")
         with tabs.add_tab("View"):
@@ -74,199 +108,203 @@ class Panel:
         with tabs.add_tab("Export"):
             self._add_export()
         with self._parameters:
-            self.seed = self._gui.add_number(
+            self.seed = gui.add_number(
                 "seed", session.seed, min=0, step=1, hint="decides every draw", order=-2.0
             )
-            self.seed.on_update(self._by_person(lambda value: self._actions["seed"](int(value)), "seed"))
-            buttons = self._gui.add_button_group("draw", ("resample", "reset"), order=-1.0)
-            buttons.on_click(self._press)
+            self._on_update(self.seed, "seed", lambda value: session.resample(int(value)))
+            self._add_buttons("draw", {"resample": self._resample, "reset": session.reset}, order=-1.0)
         with self._joints:
-            self.held = self._gui.add_html("", visible=False)
-            buttons = self._gui.add_button_group("all", ("close", "open"))
-            buttons.on_click(self._press)
+            self.held = gui.add_html("", visible=False)
+            self._add_buttons(
+                "all", {"close": lambda: self._pose({}), "open": lambda: self._pose(opened(session.asset))}
+            )
         with self._proof:
-            self.verdict = self._gui.add_html("")
+            self.verdict = gui.add_html("")
 
-    def _add_view(self, *, rich_light: bool) -> None:
-        for kind in SIGNS:
-            box = self._gui.add_checkbox(_SIGN_NAMES[kind], initial_value=False)
-            box.on_update(self._sign(kind))
-        labels = self._gui.add_checkbox("semantic colors", initial_value=False)
-        labels.on_update(self._by_person(self._actions["labels"], "labels"))
-        maps = self._gui.add_dropdown(
-            "textures", _MAPS, initial_value="512", hint="texels on a side of the maps; 0 for colors alone"
-        )
-        maps.on_update(self._by_person(lambda value: self._actions["textures"](int(value)), "textures"))
-        light = self._gui.add_checkbox(
-            "reflections and shadows", rich_light, hint="slow where the browser has no GPU"
-        )
-        light.on_update(self._by_person(self._actions["light"], "light"))
+    def _add_buttons(self, name: str, actions: dict[str, Callable[[], None]], **options: Any) -> None:
+        def press(event: Any) -> None:
+            if event.target.value in actions:  # a malformed message names another one
+                self._requests.add(name, actions[event.target.value])
 
-    def _sign(self, kind: Sign) -> Callable[[Any], None]:
-        return self._by_person(lambda value: self._actions["sign"](kind, value), f"sign {kind}")
+        self._gui.add_button_group(name, tuple(actions), **options).on_click(press)
 
-    def _add_export(self) -> None:
-        self._folder = self._gui.add_text("folder", "", hint=f"below {self._out}; created if missing")
-        self._formats = {
-            name: self._gui.add_checkbox(name, initial_value=name in DEFAULT_FORMATS) for name in FORMATS
-        }
-        self._gui.add_button("export").on_click(
-            lambda _: self._ask("export", lambda: self._actions["export"](self._folder.value, self._chosen()))
-        )
-        self.exported = self._gui.add_html("", visible=False)
-        self._gui.add_markdown("**As Python**")
-        self.python = self._gui.add_html("")
-
-    def _press(self, event: Any) -> None:
-        """Run the action of the pressed button; a malformed message names another one."""
-        if event.target.value in event.target.options:
-            self._actions[event.target.value]()
-
-    def _chosen(self) -> tuple[str, ...]:
-        return tuple(name for name, box in self._formats.items() if box.value)
-
-    def _by_person(self, act: Callable[[Any], None], name: str) -> Callable[[Any], None]:
-        """Return a callback for values set by a user, not by this program."""
+    def _on_update(self, handle: Any, name: str, act: Callable[[Any], None]) -> None:
+        """Queue a request for each value set by a user, not by this program."""
 
         def changed(event: Any) -> None:
             if event.client is not None:
                 value = event.target.value
-                self._ask(name, lambda: act(value))
+                self._requests.add(name, lambda: act(value))
 
-        return changed
+        handle.on_update(changed)
+
+    def _add_view(self, *, rich_light: bool) -> None:
+        gui, stage = self._gui, self._stage
+        for kind, title in SIGNS.items():
+            box = gui.add_checkbox(title, initial_value=False)
+            self._on_update(box, f"sign {kind}", partial(stage.signs.switch, kind))
+        labels = gui.add_checkbox("semantic colors", initial_value=False)
+        self._on_update(labels, "labels", lambda value: stage.dress(by_label=value))
+        maps = gui.add_dropdown(
+            "textures", _MAPS, initial_value="512", hint="texels on a side of the maps; 0 for colors alone"
+        )
+        self._on_update(maps, "textures", lambda value: stage.dress(textures=int(value)))
+        light = gui.add_checkbox(
+            "reflections and shadows", rich_light, hint="slow where the browser has no GPU"
+        )
+        self._on_update(light, "light", lambda value: stage.light(rich=value))
+
+    def _add_export(self) -> None:
+        gui = self._gui
+        self._folder = gui.add_text("folder", "", hint=f"below {self._out}; created if missing")
+        self._formats = {name: gui.add_checkbox(name, name in DEFAULT_FORMATS) for name in FORMATS}
+        gui.add_button("export").on_click(lambda _: self._requests.add("export", self._export))
+        self.exported = gui.add_html("", visible=False)
+        gui.add_markdown("**As Python**")
+        self.python = gui.add_html("")
+
+    # requests
+
+    def _resample(self) -> None:
+        self._session.resample(self._session.seed + 1)
+        self.seed.value = self._session.seed
+
+    def _move(self, joint: str, position: float) -> None:
+        if joint in self._session.asset.positions():  # it may not exist any more
+            self._session.move(joint, position)
+            self._show_pose(joint)
+
+    def _pose(self, q: Mapping[str, float], red: Sequence[str] = ()) -> None:
+        self._session.pose(q)
+        self._show_pose(red=red)
+
+    def _show_pose(self, moving: str = "", red: Sequence[str] = ()) -> None:
+        self._stage.pose(self._session.q)
+        self._stage.dress(red=red)
+        self.show_positions(moving)
+
+    def _export(self) -> None:
+        folder = self._folder.value.strip()
+        formats = tuple(name for name, box in self._formats.items() if box.value)
+        try:
+            path = self._session.export(self._below(folder) if folder else "", formats)
+        except ArtgenError as error:
+            _tell(self.exported, message_of(error), "fault")
+        else:
+            _tell(self.exported, f"written to {path.resolve()}", "plain")
+
+    def _below(self, folder: str) -> Path:
+        """Return a folder below `out`, with links resolved."""
+        try:
+            path = (self._out / folder).resolve()
+        except (OSError, RuntimeError, ValueError):  # a loop of links, or a NUL character
+            path = None
+        if path is None or not path.is_relative_to(self._out):
+            raise ParameterError(
+                f"folder {folder!r} is not allowed: give one below {self._out}, "
+                "or start the studio with another --out"
+            )
+        return path
 
     # updates from the session
 
     def show(self) -> None:
         """Update the panel to a new asset: its parameters and joints, with their values."""
-        if self._session.shown is None:
-            return
         self._show_parameters(self._session.controls())
-        self._show_joints(self._session.joints())
-        if not self._folder.value or self._folder.value == getattr(self, "_suggested", ""):
-            self._suggested = self._session.asset.name
-            self._folder.value = self._suggested
+        self._renew(self._sliders, self._session.joints(), self._add_joint)
+        self.show_positions()
+        if self._folder.value in ("", self._suggested):
+            self._suggested = self._folder.value = self._session.asset.name
+
+    def _renew(
+        self,
+        handles: _Handles,
+        controls: Sequence[ParameterControl | JointControl],
+        add: Callable[[Any, float], Any],
+    ) -> None:
+        """Remove the controls that are gone, and add new ones and those with another shape."""
+        shapes = {control.name: control.shape for control in controls}
+        for name in [name for name, (shape, _) in handles.items() if shape != shapes.get(name)]:
+            handles.pop(name)[1].remove()
+        for order, control in enumerate(controls):
+            if control.name not in handles:
+                handles[control.name] = (control.shape, add(control, float(order)))
 
     def _show_parameters(self, controls: tuple[ParameterControl, ...]) -> None:
-        wanted = {control.name: control for control in controls}
-        for name in [name for name in self._controls if name not in wanted]:
-            self._controls.pop(name)[1].remove()
-        groups = {control.group for control in controls if control.group}
-        groups |= {
-            group.rsplit(".", 2 * depth)[0] for group in groups for depth in range(group.count(".") // 2)
-        }
-        for order, control in enumerate(controls):
-            is_set = self._session.is_set(control)
-            shape, handle = self._controls.get(control.name, ((), None))
-            if handle is not None and shape != control.shape:
-                handle.remove()
-                handle = None
-            if handle is None:
-                with self._folder_of(control.group, order):
-                    handle = self._add(control, float(order))
-                handle.on_update(self._changed(control.name))
-                self._controls[control.name] = (control.shape, handle)
-            elif not self._waits(_wish(control.name)):  # a user has moved it in the meantime
+        self._renew(self._controls, controls, self._add_parameter)
+        for control in controls:
+            handle = self._controls[control.name][1]
+            if _request(control.name) not in self._requests:  # a user has moved it in the meantime
                 handle.value = _displayed(control)
-            handle.label = _label(control, is_set=is_set)
-        used = {self._key(control.group) for control in controls}
-        for name in [name for name in self._folders if not any(each.startswith(name) for each in used)]:
+            handle.label = _label(control, is_set=self._session.is_set(control))
+        for name in [name for name in self._folders if not any(_in_folder(each, name) for each in controls)]:
             self._folders.pop(name).remove()
 
-    def _key(self, group: str) -> str:
-        return group + "."
-
-    def _folder_of(self, group: str, order: int) -> Any:
+    def _folder_of(self, group: str, order: float) -> Any:
         """Return the folder of a generator's parameters, inside the folders of its selecting generators."""
         if not group:
             return self._parameters
-        key = self._key(group)
-        if key not in self._folders:
+        if group not in self._folders:
             parent, _, generator = group.rpartition(".")
             owner, _, parameter = parent.rpartition(".")
             with self._folder_of(owner, order):
-                self._folders[key] = self._gui.add_folder(f"{parameter}: {generator}", order=order - 0.5)
-        return self._folders[key]
+                self._folders[group] = self._gui.add_folder(f"{parameter}: {generator}", order=order - 0.5)
+        return self._folders[group]
 
-    def _changed(self, name: str) -> Callable[[Any], None]:
-        def act(value: Any) -> None:
-            self._actions["set"](name, "" if value == _NONE else value)
+    def _add_parameter(self, control: ParameterControl, order: float) -> Any:
+        name = control.name
+        with self._folder_of(control.group, order):
+            handle = self._add_control(control, order)
+        self._on_update(
+            handle, _request(name), lambda value: self._session.set(name, "" if value == _NONE else value)
+        )
+        return handle
 
-        return self._by_person(act, _wish(name))
-
-    def _add(self, control: ParameterControl, order: float) -> Any:
-        label, value = _label(control, is_set=False), _displayed(control)
+    def _add_control(self, control: ParameterControl, order: float) -> Any:
+        gui, label, value = self._gui, _label(control, is_set=False), _displayed(control)
         common = {"hint": control.hint, "order": order}
         if control.kind == "checkbox":
-            return self._gui.add_checkbox(label, value, **common)
+            return gui.add_checkbox(label, value, **common)
         if control.kind == "menu":
             options = [option or _NONE for option in control.options]
-            return self._gui.add_dropdown(label, options, initial_value=value, **common)
+            return gui.add_dropdown(label, options, initial_value=value, **common)
         if control.kind == "vector":
-            return self._gui.add_vector3(label, value, step=control.step or 0.001, **common)
+            return gui.add_vector3(label, value, step=0.001, **common)
         if control.kind == "text":
-            return self._gui.add_text(label, value, **common)
+            return gui.add_text(label, value, **common)
+        low, high, step = (_as(value, each) for each in (control.low, control.high, control.step))
         if control.kind == "number":
-            return self._gui.add_number(
-                label, value, min=control.low, max=control.high, step=_as(value, control.step), **common
-            )
-        low, high = _as(value, control.low), _as(value, control.high)
-        return self._gui.add_slider(label, low, high, _as(value, control.step), value, **common)
-
-    def _show_joints(self, joints: tuple[JointControl, ...]) -> None:
-        wanted = {joint.name for joint in joints}
-        for name in [name for name in self._sliders if name not in wanted]:
-            self._sliders.pop(name)[1].remove()
-        for order, joint in enumerate(joints):
-            shape, handle = self._sliders.get(joint.name, ((), None))
-            if handle is not None and shape != joint.shape:
-                handle.remove()
-                handle = None
-            if handle is None:
-                handle = self._add_joint(joint, float(order))
-                self._sliders[joint.name] = (joint.shape, handle)
-            handle.value = _position(joint)
+            return gui.add_number(label, value, min=control.low, max=control.high, step=step, **common)
+        return gui.add_slider(label, low, high, step, value, **common)
 
     def _add_joint(self, joint: JointControl, order: float) -> Any:
+        label, value = f"{joint.name} [{joint.unit}]", _position(joint)
         with self._joints:
-            handle = self._gui.add_slider(
-                f"{joint.name} [{joint.unit}]",
-                joint.low,
-                joint.high,
-                joint.step,
-                _position(joint),
-                hint=joint.hint,
-                disabled=joint.follows,
-                order=1000.0 + order,
-            )
+            options = {"hint": joint.hint, "disabled": joint.follows, "order": 1000.0 + order}
+            handle = self._gui.add_slider(label, joint.low, joint.high, joint.step, value, **options)
         if not joint.follows:
-            name = joint.name
-            handle.on_update(
-                self._by_person(lambda value: self._actions["move"](name, value), f"move {name}")
-            )
+            self._on_update(handle, f"move {joint.name}", lambda value: self._move(joint.name, value))
         return handle
 
     def show_positions(self, moving: str = "") -> None:
         """Update the joints to the session; a joint held by a user only if it is blocked."""
         for joint in self._session.joints():
-            handle = self._sliders[joint.name][1]
             if joint.name != moving or self._session.held:
-                handle.value = _position(joint)
-        tell(self.held, self._session.held, "held")
+                self._sliders[joint.name][1].value = _position(joint)
+        _tell(self.held, self._session.held, "held")
 
     def show_fault(self) -> None:
         """Show the error of the last request, or the summary of the asset."""
-        session = self._session
-        tell(self.fault, session.fault, "fault")
-        if session.shown is None:
+        session, shown = self._session, self._session.shown
+        _tell(self.fault, session.fault, "fault")
+        if shown is None:
             return
-        asset, milliseconds = session.asset, 1e3 * session.shown.seconds
-        runs = sum(session.shown.evaluation.runs.values())
+        asset = shown.asset
         parts = [f"{asset.name}: {len(asset.links)} links, {len(asset.joints)} joints"]
         if session.certificate is not None:  # masses take a while: not while a slider is dragged
             parts[0] += f", {asset.mass:.3g} kg"
             parts.append("proven" if session.certificate.proven else "not proven")
-        parts.append(f"{runs} nodes in {milliseconds:.0f} ms")
+        parts.append(f"{sum(shown.evaluation.runs.values())} nodes in {1e3 * shown.seconds:.0f} ms")
         self.status.content = _text("; ".join(parts), "plain")
         self.python.content = _code(session.python())
 
@@ -284,18 +322,19 @@ class Panel:
             for number, pair in enumerate(self._session.collisions[:_WITNESSES]):
                 assert pair.witness is not None
                 depth = 1e3 * pair.witness.depth
-                what = "worst pose" if number == 0 else "pose"
-                button = self._gui.add_button(
-                    f"{what}: {pair.links[0]}, {pair.links[1]} ({depth:.2f} mm)", color="red"
-                )
-                button.on_click(
-                    lambda _, number=number: self._ask("pose", lambda: self._actions["worst"](number))
-                )
+                title = f"{'pose' if number else 'worst pose'}: {', '.join(pair.links)} ({depth:.2f} mm)"
+                button = self._gui.add_button(title, color="red")
+                show = partial(self._pose, pair.witness.pose, pair.links)
+                button.on_click(lambda _, show=show: self._requests.add("pose", show))
                 self._witnesses.append(button)
 
 
-def _wish(parameter: str) -> str:
+def _request(parameter: str) -> str:
     return f"set {parameter}"
+
+
+def _in_folder(control: ParameterControl, group: str) -> bool:
+    return f"{control.group}.".startswith(f"{group}.")
 
 
 def _label(control: ParameterControl, *, is_set: bool) -> str:
@@ -305,21 +344,18 @@ def _label(control: ParameterControl, *, is_set: bool) -> str:
 
 
 def _displayed(control: ParameterControl) -> Any:
-    value = control.value
     if control.kind == "menu":
-        return value or _NONE
+        return control.value or _NONE
     if control.kind in ("slider", "number"):
-        return _short(value, control.step, control.low, control.high)
-    return value
+        return _short(control.value, control.step, control.low, control.high)
+    return control.value
 
 
 def _short(value: Any, step: float, low: float | None, high: float | None) -> Any:
     """Return a number with the digits of its step, for a narrow box."""
-    digits = max(0, -math.floor(math.log10(step)))
-    rounded = round(value, digits)
-    lowest, highest = (_as(value, end) for end in (low, high))
-    rounded = rounded if lowest is None else max(rounded, lowest)
-    return rounded if highest is None else min(rounded, highest)
+    rounded = round(value, max(0, -math.floor(math.log10(step))))
+    rounded = rounded if low is None else max(rounded, _as(value, low))
+    return rounded if high is None else min(rounded, _as(value, high))
 
 
 def _position(joint: JointControl) -> float:
@@ -331,7 +367,7 @@ def _as(value: Any, number: float | None) -> Any:
     return None if number is None else type(value)(number)
 
 
-def tell(box: Any, text: str, style: str) -> None:
+def _tell(box: Any, text: str, style: str) -> None:
     """Show text in a box, which is hidden for an empty text."""
     box.content = _text(text, style) if text else ""
     box.visible = bool(text)

@@ -1,96 +1,29 @@
 """A session of the studio without a user interface: requests, the shown asset, joints, and errors."""
 
 import time
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
+from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
-from artgen.asset import Asset, AssetCondition
+from artgen.asset import Asset
 from artgen.asset.asset import remember
 from artgen.asset.certificate import Certificate, PairResult
-from artgen.catalog import is_file
+from artgen.catalog import find, is_file, load_file
 from artgen.errors import ArtgenError, InfeasibleError, ParameterError
-from artgen.export.frames import leader_of
+from artgen.generator import Generator
 from artgen.graph import Cache, Evaluation
 from artgen.sampling import Distribution
 from artgen.studio.controls import (
     JointControl,
     ParameterControl,
+    allowed_positions,
     joint_controls,
+    moved_joint,
     parameters_in_use,
     read_value,
 )
-from artgen.studio.prover import ProofTask
-from artgen.studio.source import CategorySource
-
-_NUDGE = 1e-9  # distance beyond the threshold of a dependency [rad or m]
-
-
-def moved(
-    asset: Asset, q: Mapping[str, float], joint: str, wanted: float
-) -> tuple[dict[str, float], tuple[str, ...]]:
-    """Move a free joint from its position towards another one, until a dependency stops it."""
-    start = asset.positions(q)[joint]
-    limits = asset.joint(joint).limits
-    end = wanted if limits is None else min(max(wanted, limits[0]), limits[1])
-    reached = start
-    for place in _places(asset, joint, start, end):
-        # a condition at the center of an interval holds up to the next threshold of a dependency
-        blocked = asset.blocked({**q, joint: (reached + place) / 2.0})
-        if blocked:
-            return {**q, joint: reached}, blocked
-        back = 0.0 if not asset.blocked({**q, joint: place}) else _NUDGE if end > start else -_NUDGE
-        reached = place - back
-    blocked = asset.blocked({**q, joint: end})
-    return {**q, joint: reached if blocked else end}, blocked
-
-
-def settled(asset: Asset, q: Mapping[str, float]) -> dict[str, float]:
-    """Return allowed positions near given ones, without a search."""
-    result = {}
-    for joint in asset.free_joints:
-        if joint.name in q:
-            low, high = joint.limits or (q[joint.name], q[joint.name])
-            result[joint.name] = min(max(q[joint.name], low), high)
-    for _ in asset.joints:  # closing one joint may block another
-        blocked = asset.blocked(result)
-        if not blocked:
-            break
-        result |= {name: asset.joint(name).closed for name in _leaders(asset, blocked)}
-    return result
-
-
-def _leaders(asset: Asset, joints: tuple[str, ...]) -> set[str]:
-    names = {leader_of(asset, asset.joint(name))[0] for name in joints}
-    return {name for name in names if not asset.joint(name).locked}
-
-
-def _places(asset: Asset, joint: str, start: float, end: float) -> Iterator[float]:
-    """Yield the thresholds of dependencies on the path of a joint in order, and the end of the path."""
-    found = {end}
-    for other in asset.joints:
-        if other.needs is None:
-            continue
-        leader, ratio, offset = leader_of(asset, other)
-        if leader == joint and ratio:
-            bounds = (0.0, other.needs.until, other.needs.beyond)
-            values = [value for bound in bounds if bound is not None for value in (bound, -bound)]
-            found.update((value - offset) / ratio for value in values)
-        for name, value in _thresholds(other.needs.condition):
-            leader, ratio, offset = leader_of(asset, asset.joint(name))
-            if leader == joint and ratio:
-                found.add((value - offset) / ratio)
-    low, high = min(start, end), max(start, end)
-    yield from sorted((place for place in found if low <= place <= high), reverse=end < start)
-
-
-def _thresholds(condition: AssetCondition) -> Iterator[tuple[str, float]]:
-    if condition.joint:
-        yield condition.joint, condition.value
-    for term in condition.terms:
-        yield from _thresholds(term)
-
 
 _ATTEMPTS = 100  # most draws for a new seed, as in `generate`
 _VALUES = 16384  # values in the cache: of the largest category, for several values of a slider
@@ -104,7 +37,32 @@ class Shown:
     evaluation: Evaluation  # cost of its evaluation
     seconds: float  # duration, including sampling and building [s]
     seed: int  # seed
-    overrides: Mapping[str, Any] = field(default_factory=dict)  # overrides by name
+    overrides: Mapping[str, Any]  # overrides by name
+    controls: tuple[ParameterControl, ...]  # a control for each parameter
+
+
+@dataclass(frozen=True)
+class ProofTask:
+    """The description of an asset for another process."""
+
+    reference: str  # category, as `artgen.catalog.find` takes it
+    revision: int  # number of reloads of its file
+    seed: int  # seed
+    attempts: int  # most draws
+    overrides: Mapping[str, Any] = field(hash=False)  # overrides
+
+
+@lru_cache(maxsize=1)
+def _category(reference: str, revision: int) -> Generator:
+    """Return the category, loaded again if its file was."""
+    return find(reference)
+
+
+def prove(task: ProofTask) -> Certificate:
+    """Generate the asset and certify it."""
+    generator = _category(task.reference, task.revision)
+    asset, _ = generator.evaluate(task.seed, attempts=task.attempts, certify=False, overrides=task.overrides)
+    return asset.certify()
 
 
 class Session:
@@ -113,9 +71,12 @@ class Session:
     If a request fails, `fault` has the message, and the previous asset stays.
 
     Attributes:
-        source: The category.
+        category: Name of the category, or its file, as given by the user.
+        generator: The category at its last load.
+        path: The file that defines it.
         seed: Seed of the draws.
         overrides: Values by name; those of unselected generators are kept for later.
+        stale: Whether the asset has to be evaluated again.
         shown: The last generated asset; None before the first.
         q: Positions of the free joints that are not at rest [rad or m].
         fault: Error of the last request; empty if it succeeded.
@@ -123,26 +84,30 @@ class Session:
         certificate: Certificate of the asset; None while it is unknown.
     """
 
-    def __init__(
-        self, source: CategorySource, seed: int = 0, overrides: Mapping[str, Any] | None = None
-    ) -> None:
-        """Start a session; `evaluate` generates the asset.
+    def __init__(self, category: str, seed: int = 0, overrides: Mapping[str, Any] | None = None) -> None:
+        """Load the category; `evaluate` generates the asset.
 
         Raises:
-            ParameterError: The seed is negative, or an override is unknown or not allowed.
+            ParameterError: There is no such category or file, the seed is negative, or an override is unknown
+                or not allowed.
+            BuildError: The file has an error, or defines no category.
         """
-        source.generator.sample(seed, overrides=overrides)
-        self.source = source
+        self.category = category
+        self.generator: Generator = find(category)
+        self.generator.sample(seed, overrides=overrides)
+        self.path = Path(self.generator.function.__code__.co_filename)
         self.seed = seed
         self.overrides: dict[str, Any] = dict(overrides or {})
+        self.stale = True
         self.shown: Shown | None = None
         self.q: dict[str, float] = {}
         self.fault = ""
         self.held = ""
         self.certificate: Certificate | None = None
+        self._revision = 0
+        self._saved_at = self._file_state()
         self._cache = Cache(_VALUES)
         self._attempts = _ATTEMPTS
-        self._controls: tuple[ParameterControl, ...] = ()
 
     @property
     def asset(self) -> Asset:
@@ -152,53 +117,72 @@ class Session:
             ParameterError: No asset could be generated yet.
         """
         if self.shown is None:
-            raise ParameterError(self.fault or f"{self.source.text} is not evaluated yet")
+            raise ParameterError(self.fault or f"{self.category} is not evaluated yet")
         return self.shown.asset
 
     # requests
 
     def set(self, name: str, value: Any) -> None:
         """Set a parameter by its full name, even to its drawn value."""
-        control, known = self._control(name), self.source.generator.parameters()
+        known = self.generator.parameters()
         if name not in known:  # a browser may not have received a change yet
-            raise ParameterError(f"{self.source.text} has no parameter {name!r}")
+            raise ParameterError(f"{self.category} has no parameter {name!r}")
+        control = next((each for each in self.controls() if each.name == name), None)
         if control is not None:
             self.overrides.pop(control.short, None)
             value = read_value(control, known[name].kind, value)
         self.overrides[name] = value
-
-    def unset(self, name: str) -> None:
-        """Remove the override of a parameter."""
-        control = self._control(name)
-        self.overrides.pop(name, None)
-        if control is not None:
-            self.overrides.pop(control.short, None)
+        self.stale = True
 
     def reset(self) -> None:
         """Remove all overrides."""
         self.overrides.clear()
-        self._attempts = _ATTEMPTS
+        self.resample(self.seed)
 
     def resample(self, seed: int) -> None:
         """Use another seed; overrides stay."""
         self.seed = seed
         self._attempts = _ATTEMPTS
+        self.stale = True
+
+    def saved(self) -> bool:
+        """Tell whether the file of the category was saved since the last call."""
+        state = self._file_state()
+        if state is None or state == self._saved_at:  # editors replace a file: for a moment there is none
+            return False
+        self._saved_at = state
+        return True
 
     def reload(self) -> bool:
         """Load the category again after its file was saved; return whether that succeeded."""
         try:
-            self.source.reload()
+            self.generator = load_file(self._reference(reloaded=True))
         except ArtgenError as error:
             self.fault = message_of(error)
             return False
-        known = self.source.generator.parameters()
-        short = {".".join(name.split(".")[::2]) for name in known}
+        self._revision += 1
+        known = self.generator.parameters()
+        short = {_without_generators(name) for name in known}
         self.overrides = {
             name: value for name, value in self.overrides.items() if name in known or name in short
         }
         self._cache = Cache(_VALUES)  # the file may define operations with changed results
-        self._attempts = _ATTEMPTS
+        self.resample(self.seed)
         return True
+
+    def _file_state(self) -> tuple[int, int] | None:
+        """Return time and size of the file of the category; None if there is none."""
+        try:
+            found = self.path.stat()
+        except OSError:
+            return None
+        return found.st_mtime_ns, found.st_size
+
+    def _reference(self, *, reloaded: bool) -> str:
+        """Return the category for `artgen.catalog`: by its file if it was loaded again."""
+        return (
+            f"{self.path}:{self.generator.name}" if reloaded and not is_file(self.category) else self.category
+        )
 
     # results
 
@@ -208,15 +192,12 @@ class Session:
         A new seed is drawn as often as `generate` would. Later overrides are not drawn again, so that an
         infeasible value is an error instead of another asset.
         """
+        self.stale = False
         overrides = self._applicable()
         start = time.perf_counter()
         try:
-            asset, evaluation = self.source.generator.evaluate(
-                self.seed,
-                cache=self._cache,
-                attempts=self._attempts,
-                certify=False,
-                overrides=overrides,
+            asset, evaluation = self.generator.evaluate(
+                self.seed, cache=self._cache, attempts=self._attempts, certify=False, overrides=overrides
             )
         except Exception as error:  # noqa: BLE001 - whatever an author's file raises is a message
             self.fault = message_of(error)
@@ -225,16 +206,17 @@ class Session:
             return False
         self.fault = ""
         self._attempts = asset.attempt + 1
-        self._controls = parameters_in_use(self.source.generator, asset)
-        self.shown = Shown(asset, evaluation, time.perf_counter() - start, self.seed, overrides)
+        controls = parameters_in_use(self.generator, asset)
+        seconds = time.perf_counter() - start
+        self.shown = Shown(asset, evaluation, seconds, self.seed, overrides, controls)
         self.certificate = None
-        self.q = settled(asset, self.q)
+        self.q = allowed_positions(asset, self.q)
         self.held = ""
         return True
 
     def controls(self) -> tuple[ParameterControl, ...]:
         """Return a control for each parameter of the asset."""
-        return self._controls
+        return () if self.shown is None else self.shown.controls
 
     def is_set(self, control: ParameterControl) -> bool:
         """Tell whether a user set a parameter."""
@@ -246,12 +228,12 @@ class Session:
         """Return a control for each joint that can move."""
         return joint_controls(self.asset, self.q) if self.shown is not None else ()
 
-    def move(self, joint: str, wanted: float) -> float:
+    def move(self, joint: str, position: float) -> float:
         """Move a free joint as far as dependencies allow, and return its position [rad or m].
 
         `held` has the reason if it stops early.
         """
-        self.q, blocked = moved(self.asset, self.q, joint, wanted)
+        self.q, blocked = moved_joint(self.asset, self.q, joint, position)
         reasons = []
         for name in blocked:
             needs = self.asset.joint(name).needs
@@ -270,9 +252,9 @@ class Session:
         """Return the task for certifying the asset in another process; None without an asset."""
         if self.shown is None or self.fault:
             return None
-        source, shown = self.source, self.shown
-        attempts = shown.asset.attempt + 1
-        return ProofTask(source.reference, source.revision, shown.seed, attempts, dict(shown.overrides))
+        reference = self._reference(reloaded=self._revision > 0)
+        attempts = self.shown.asset.attempt + 1
+        return ProofTask(reference, self._revision, self.shown.seed, attempts, dict(self.shown.overrides))
 
     def certified(self, certificate: Certificate) -> None:
         """Attach a certificate to the shown asset."""
@@ -283,14 +265,15 @@ class Session:
     def collisions(self) -> tuple[PairResult, ...]:
         """The pairs of links that collide somewhere, the deepest first."""
         pairs = self.certificate.failures if self.certificate is not None else ()
-        found = [pair for pair in pairs if pair.witness is not None]
-        return tuple(sorted(found, key=lambda pair: (pair.verdict != "collision", -_depth(pair))))
+        found = [(pair, pair.witness.depth) for pair in pairs if pair.witness is not None]
+        found.sort(key=lambda each: (each[0].verdict != "collision", -each[1]))
+        return tuple(pair for pair, _ in found)
 
     # output
 
     def python(self) -> str:
         """Return Python source that generates the shown asset."""
-        asset, shown, generator = self.asset, self.shown, self.source.generator
+        asset, shown = self.asset, self.shown
         assert shown is not None
         lines = ["import artgen", ""]
         arguments = [f"seed={shown.seed}"]
@@ -302,11 +285,11 @@ class Session:
             arguments.append("certify=False")
         elif not self.certificate.proven:
             arguments.append('on_collision="keep"')
-        if is_file(self.source.text):
+        if is_file(self.category):
             lines[0] = "from artgen import catalog"
-            made = f"catalog.load_file({self.source.text!r}).generate({', '.join(arguments)})"
+            made = f"catalog.load_file({self.category!r}).generate({', '.join(arguments)})"
         else:
-            made = f'artgen.generate("{generator.name}", {", ".join(arguments)})'
+            made = f'artgen.generate("{self.generator.name}", {", ".join(arguments)})'
         note = f"  # the draw {asset.attempt + 1} of that seed" if asset.attempt else ""
         return "\n".join([*lines, f"asset = {made}{note}"])
 
@@ -323,9 +306,6 @@ class Session:
             raise ParameterError("choose a format to export")
         return self.asset.export(folder, formats=formats)
 
-    def _control(self, name: str) -> ParameterControl | None:
-        return next((control for control in self.controls() if control.name == name), None)
-
     def _applicable(self) -> dict[str, Any]:
         """Return the overrides without those of generators other than the selected one."""
         chosen = {self._short(name): value for name, value in self.overrides.items()}
@@ -339,16 +319,13 @@ class Session:
 
     def _short(self, name: str) -> str:
         """Return the name of a parameter without the generators; short names stay."""
-        known = name in self.source.generator.parameters()
-        return ".".join(name.split(".")[::2]) if known else name
+        return _without_generators(name) if name in self.generator.parameters() else name
+
+
+def _without_generators(name: str) -> str:
+    return ".".join(name.split(".")[::2])
 
 
 def message_of(error: BaseException) -> str:
     """Return the message of an error; for errors of other packages with their type."""
-    if isinstance(error, ArtgenError):
-        return str(error)
-    return f"{type(error).__name__}: {error}"
-
-
-def _depth(pair: PairResult) -> float:
-    return pair.witness.depth if pair.witness is not None else 0.0
+    return str(error) if isinstance(error, ArtgenError) else f"{type(error).__name__}: {error}"

@@ -1,19 +1,24 @@
 """Symbols over an asset in the studio: colliders, joints, grasp frames, centers of mass."""
 
 from collections.abc import Callable, Mapping
-from typing import Any, Literal, get_args
+from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from artgen._arrays import Array
+from artgen._arrays import Array, Indices
 from artgen.asset import Asset
 from artgen.export.frames import quaternion
-from artgen.view.overlays import ColliderFaces, Overlays, axis_poses, overlays
+from artgen.view.overlays import axis_poses, collider_mesh, joint_symbol
 
-Sign = Literal["colliders", "joints", "grasps", "masses"]
-SIGNS: tuple[Sign, ...] = get_args(Sign)
-"""Kinds of symbols."""
+Color = tuple[int, int, int]
+
+SIGNS = {
+    "colliders": "colliders",
+    "joints": "joint axes and limits",
+    "grasps": "grasp frames",
+    "masses": "centers of mass",
+}
+"""Titles of the kinds of symbols."""
 
 _AXIS, _RANGE, _HAND, _PUSH, _COLLIDER = (
     (213, 94, 0),
@@ -29,74 +34,68 @@ _FRAME = 0.04  # length of the axes of a grasp frame, as a share of the asset's 
 
 
 class Signs:
-    """Overlays in the scene of a viser server; each kind is created on first use.
+    """Symbols over an asset: colliders, joints, grasp frames, centers of mass."""
 
-    Attributes:
-        kinds: The enabled kinds.
-    """
-
-    def __init__(self, server: Any) -> None:
-        self._scene = server.scene
-        self.kinds: set[Sign] = set()
+    def __init__(self, scene: Any) -> None:
+        self._scene = scene
         self._asset: Asset | None = None
-        self._found: Overlays | None = None
-        self._nodes: dict[Sign, list[Any]] = {}
+        self._q: Mapping[str, float] = {}
+        self._kinds: set[str] = set()
+        self._nodes: dict[str, list[Any]] = {}
         self._hands: dict[str, tuple[Any, Any]] = {}  # frames of the axis and of the hand of each joint
 
     def clear(self) -> None:
-        """Remove everything; the display options stay."""
-        for kind in list(self._nodes):
+        """Remove all symbols; the display options stay."""
+        for kind in SIGNS:
             self._remove(kind)
-        self._found = None
 
     def show(self, asset: Asset, q: Mapping[str, float]) -> None:
         """Draw the enabled kinds over an asset whose links are in the scene."""
-        if asset is not self._asset:
-            self.clear()
-            self._asset = asset
-        makers: Mapping[Sign, Callable[[Overlays], list[Any]]] = {
-            "colliders": self._colliders,
-            "joints": self._joints,
-            "grasps": self._grasps,
-            "masses": self._masses,
-        }
-        for kind in SIGNS:
-            if kind not in self.kinds:
-                self._remove(kind)
-            elif kind not in self._nodes:
-                self._found = self._found or overlays(asset)
-                self._nodes[kind] = makers[kind](self._found)
-        self.pose(q)
+        self._asset, self._q = asset, q
+        for kind in self._kinds:
+            self._draw(asset, kind)
+
+    def switch(self, kind: str, shown: bool) -> None:  # noqa: FBT001 - a checkbox says so
+        """Show or hide a kind."""
+        (self._kinds.add if shown else self._kinds.discard)(kind)
+        self._remove(kind)
+        if shown and self._asset is not None:
+            self._draw(self._asset, kind)
 
     def pose(self, q: Mapping[str, float]) -> None:
         """Move the axes of joints to joint positions; other symbols move with the links."""
+        self._q = q
         if not self._hands or self._asset is None:
             return
         positions, axes = self._asset.positions(q), axis_poses(self._asset, q)
         for name, (axis, hand) in self._hands.items():
-            _place(axis, axes[name])
-            _place(hand, axes[name] @ self._asset.joint(name).motion(positions[name]))
+            place(axis, axes[name])
+            place(hand, axes[name] @ self._asset.joint(name).motion(positions[name]))
 
-    def _remove(self, kind: Sign) -> None:
+    def _draw(self, asset: Asset, kind: str) -> None:
+        draw: Callable[[Asset, float], list[Any]] = getattr(self, f"_{kind}")
+        self._nodes[kind] = draw(asset, float(np.linalg.norm(np.ptp(asset.bounds(), axis=0))))
+        self.pose(self._q)
+
+    def _remove(self, kind: str) -> None:
         for node in self._nodes.pop(kind, []):
             node.remove()
         if kind == "joints":
             self._hands.clear()
 
-    def _colliders(self, found: Overlays) -> list[Any]:
+    def _colliders(self, asset: Asset, size: float) -> list[Any]:
         nodes = []
-        for name, link in found.links.items():
-            if not link.colliders:
+        for link in asset.links:
+            meshes = [_enlarged(*collider_mesh(each.convex), _APART * size) for each in link.colliders]
+            if not meshes:
                 continue
-            meshes = [_apart(faces, _APART * found.size) for faces in link.colliders]
             first = np.cumsum([0, *(len(vertices) for vertices, _ in meshes[:-1])])
+            triangles = [faces + at for (_, faces), at in zip(meshes, first, strict=True)]
             nodes.append(
                 self._scene.add_mesh_simple(
-                    f"/asset/{name}/colliders",
+                    f"/asset/{link.name}/colliders",
                     np.concatenate([vertices for vertices, _ in meshes]).astype(np.float32),
-                    np.concatenate([faces + at for (_, faces), at in zip(meshes, first, strict=True)]).astype(
-                        np.uint32
-                    ),
+                    np.concatenate(triangles).astype(np.uint32),
                     color=_COLLIDER,
                     opacity=0.25,
                     flat_shading=True,
@@ -105,75 +104,77 @@ class Signs:
                 )
             )
             edges = np.concatenate([_edges(vertices, faces) for vertices, faces in meshes])
-            nodes.append(self._lines(f"/asset/{name}/collider_edges", edges, _COLLIDER, 1.5))
+            nodes.append(self._lines(f"/asset/{link.name}/collider_edges", edges, _COLLIDER, 1.5))
         return nodes
 
-    def _joints(self, found: Overlays) -> list[Any]:
+    def _joints(self, asset: Asset, size: float) -> list[Any]:
         nodes: list[Any] = []
-        for name, joint in found.joints.items():
+        for joint in asset.joints:
+            if joint.locked:
+                continue
+            name, symbol = joint.name, joint_symbol(asset, joint)
             axis = self._scene.add_frame(f"/joints/{name}", show_axes=False)
             hand = self._scene.add_frame(f"/hands/{name}", show_axes=False)
             self._hands[name] = (axis, hand)
-            ways = np.stack([joint.range[:-1], joint.range[1:]], axis=1)
+            path = np.stack([symbol.range[:-1], symbol.range[1:]], axis=1)
             nodes += [
-                self._lines(f"/joints/{name}/axis", joint.axis[None], _AXIS, _WIDTH),
-                self._lines(f"/joints/{name}/range", ways, _RANGE, _WIDTH),
+                self._lines(f"/joints/{name}/axis", symbol.axis[None], _AXIS, _WIDTH),
+                self._lines(f"/joints/{name}/range", path, _RANGE, _WIDTH),
                 self._scene.add_label(
-                    f"/joints/{name}/name", name, position=joint.axis[1], font_screen_scale=0.9
+                    f"/joints/{name}/name", name, position=symbol.axis[1], font_screen_scale=0.9
                 ),
-                self._lines(f"/hands/{name}/hand", joint.hand[None], _HAND, _WIDTH),
+                self._lines(f"/hands/{name}/hand", symbol.hand[None], _HAND, _WIDTH),
                 axis,
                 hand,
             ]
         return nodes
 
-    def _grasps(self, found: Overlays) -> list[Any]:
-        length = _FRAME * found.size
+    def _grasps(self, asset: Asset, size: float) -> list[Any]:
         return [
             self._scene.add_frame(
-                f"/asset/{name}/hold_{hold.name}",
-                axes_length=length,
-                axes_radius=length / 16.0,
+                f"/asset/{hold.link}/hold_{hold.name}",
+                axes_length=_FRAME * size,
+                axes_radius=_FRAME * size / 16.0,
                 origin_color=_PUSH if hold.kind == "push" else _HAND,
                 wxyz=quaternion(hold.frame),
                 position=hold.frame[:3, 3],
             )
-            for name, link in found.links.items()
-            for hold in link.holds
+            for hold in asset.affordances
         ]
 
-    def _masses(self, found: Overlays) -> list[Any]:
+    def _masses(self, asset: Asset, size: float) -> list[Any]:
         # solids hide objects inside, but not labels
         return [
             self._scene.add_label(
-                f"/asset/{name}/mass",
-                f"\N{BLACK CIRCLE} {name} {link.mass:.3g} kg",
-                position=link.center,
+                f"/asset/{link.name}/mass",
+                f"\N{BLACK CIRCLE} {link.name} {link.mass_properties.mass:.3g} kg",
+                position=link.mass_properties.center,
                 anchor="center-left",
                 font_screen_scale=0.9,
             )
-            for name, link in found.links.items()
+            for link in asset.links
         ]
 
-    def _lines(self, name: str, segments: Array, color: tuple[int, int, int], width: float) -> Any:
+    def _lines(self, name: str, segments: Array, color: Color, width: float) -> Any:
         return self._scene.add_line_segments(
             name, segments.astype(np.float32), color, thickness=width, thickness_units="screen"
         )
 
 
-def _place(node: Any, matrix: Array) -> None:
+def place(node: Any, matrix: Array) -> None:
+    """Set the pose of a node, shape (4, 4)."""
     node.wxyz, node.position = quaternion(matrix), matrix[:3, 3]
 
 
-def _apart(faces: ColliderFaces, distance: float) -> tuple[Array, NDArray[np.int64]]:
+def _enlarged(vertices: Array, triangles: Indices, distance: float) -> tuple[Array, Indices]:
     """Return a slightly enlarged collider, which does not flicker against its solid."""
-    middle = (faces.vertices.min(axis=0) + faces.vertices.max(axis=0)) / 2.0
-    offsets = faces.vertices - middle
+    middle = (vertices.min(axis=0) + vertices.max(axis=0)) / 2.0
+    offsets = vertices - middle
     length = np.linalg.norm(offsets, axis=1, keepdims=True)
-    return middle + offsets * (1.0 + distance / np.maximum(length, distance)), faces.triangles
+    return middle + offsets * (1.0 + distance / np.maximum(length, distance)), triangles
 
 
-def _edges(vertices: Array, triangles: NDArray[np.int64]) -> Array:
+def _edges(vertices: Array, triangles: Indices) -> Array:
     """Return the sharp edges of a convex piece, shape (k, 2, 3)."""
     import trimesh
 

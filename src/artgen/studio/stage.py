@@ -4,7 +4,7 @@ Unchanged data are not sent again: a joint only sets poses, and a link with the 
 """
 
 import time
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -14,12 +14,11 @@ from artgen._arrays import Array
 from artgen.asset import Asset, Link
 from artgen.asset.link import MovedLink
 from artgen.asset.shape import ComposedShape, MovedShape, Shape
-from artgen.export.frames import quaternion
 from artgen.export.glb.buffer import Buffer
 from artgen.export.glb.materials import Looks
 from artgen.export.glb.meshes import primitive
 from artgen.materials.textures import Kind
-from artgen.studio.signs import Signs
+from artgen.studio.signs import Color, Signs, place
 from artgen.view.overlays import Rgb, label_colors
 
 Key = tuple[Any, ...]
@@ -66,20 +65,7 @@ def _shape_key(shape: Shape) -> Key:
         return (shape.matrix.tobytes(), _shape_key(shape.source))
     if isinstance(shape, ComposedShape):
         return tuple(_shape_key(each) for each in shape.shapes)
-    return (_Same(shape),)
-
-
-class _Same:
-    """Equal only to wrappers of the same object, which it keeps alive."""
-
-    def __init__(self, held: Any) -> None:
-        self._held = held
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, _Same) and self._held is other._held
-
-    def __hash__(self) -> int:
-        return id(self._held)
+    return (shape,)
 
 
 def link_glb(link: Link, textures: int) -> bytes:
@@ -103,10 +89,8 @@ def link_glb(link: Link, textures: int) -> bytes:
     return buffer.glb(scene)
 
 
-Color = tuple[int, int, int]
-
 _GHOST = 0.25  # delay before replaced objects are removed: browsers need time to read the new ones [s]
-_REDS = ((222, 36, 27), (255, 122, 92))  # colors of the first and the second of two colliding links
+_REDS: tuple[Color, Color] = ((222, 36, 27), (255, 122, 92))  # colors of two colliding links
 _FLOOR = (0.02, 0.1, 0.5)  # sizes of the cells of the floor [m]
 _VIEW = (0.45, -0.82, 0.35)  # direction of the first view
 _DISTANCE = 1.75  # distance of the first view, relative to the asset's size
@@ -118,7 +102,7 @@ class _Shown:
     """A link in the scene."""
 
     frame: Any  # node for its pose
-    looks: tuple[Any, ...] = ()  # key that determines the fields below
+    looks: tuple[Any, ...] = ()  # key that determines the nodes
     nodes: list[Any] = field(default_factory=list)  # visible nodes
     pose: Array = field(default_factory=lambda: np.full((4, 4), np.nan))  # place of the frame
 
@@ -127,6 +111,7 @@ class Viewport:
     """The scene of a viser server.
 
     Attributes:
+        signs: Symbols over the asset.
         sent: Number of links sent since the server started; measures the cost of a change.
         by_label: Whether links are colored by their semantic labels.
         textures: Texels per side of the material maps; 0 for colors only.
@@ -139,8 +124,7 @@ class Viewport:
         self._number = 0
         self._asset: Asset | None = None
         self._placed: dict[str, Placed] = {}
-        self._red: tuple[str, ...] = ()
-        self.signs = Signs(server)
+        self.signs = Signs(server.scene)
         self.sent = 0
         self.by_label = False
         self.textures = 512
@@ -160,75 +144,69 @@ class Viewport:
         """Replace the shown asset; unchanged links stay."""
         first = self._asset is None
         self._asset = asset
-        self._red = ()
         self._placed = {link.name: placed(link) for link in asset.links}
         self.signs.clear()
         for name in self._links.keys() - self._placed.keys():
             self._remove(name)
-        self._dress()
+        self.dress()
         self.pose(q)
         self.signs.show(asset, q)
         if first:
-            self.frame_camera()
+            self._frame_camera(asset)
 
     def frame(self, link: str) -> Any:
         """Return the node for the pose of a link."""
         return self._links[link].frame
 
-    def dress(self, red: tuple[str, ...] = ()) -> None:
-        """Update the materials of the links after a change of `by_label` or `textures`."""
-        self._red = tuple(red)
-        if self._asset is not None:
-            self._dress()
-
-    def _dress(self) -> None:
-        assert self._asset is not None
+    def dress(
+        self, *, red: Sequence[str] = (), by_label: bool | None = None, textures: int | None = None
+    ) -> None:
+        """Update the materials of the links; two links may be red, and options stay without a new value."""
+        self.by_label = self.by_label if by_label is None else by_label
+        self.textures = self.textures if textures is None else textures
+        if self._asset is None:
+            return
         colors = label_colors(self._asset) if self.by_label else {}
         for link in self._asset.links:
-            red = _REDS[self._red.index(link.name)] if link.name in self._red else None
-            shown = self._links.get(link.name)
-            if shown is None:
+            color = _REDS[red.index(link.name)] if link.name in red else None
+            if link.name not in self._links:
                 frame = self._server.scene.add_frame(f"/asset/{link.name}", show_axes=False)
-                shown = self._links[link.name] = _Shown(frame)
+                self._links[link.name] = _Shown(frame)
+            shown, look = self._links[link.name], self._placed[link.name]
+            plain = color is not None or self.by_label
             palette = tuple(colors.get(label) for label in link.labels)
-            plain = red is not None or self.by_label
-            place = self._placed[link.name]
-            looks = (place.key, red, palette, 0 if plain else self.textures)
+            looks = (look.key, color, palette, 0 if plain else self.textures)
             if looks == shown.looks:
                 for node in shown.nodes:
-                    _put(node, place.offset)
+                    if not np.array_equal(node.position, look.offset):
+                        node.position = look.offset
                 continue
-            made = self._plain(place, colors, red=red) if plain else [self._glb(place)]
-            self._bury(link.name, shown.nodes)
-            shown.looks, shown.nodes = looks, made
+            nodes = self._plain(look, colors, color) if plain else [self._glb(look)]
+            end = time.monotonic() + _GHOST
+            self._ghosts += [(end, link.name, node) for node in shown.nodes]
+            shown.looks, shown.nodes = looks, nodes
             self.sent += 1
 
-    def _glb(self, place: Placed) -> Any:
-        content = link_glb(place.link, self.textures)
-        return self._server.scene.add_glb(self._name(place.link.name), content, position=place.offset)
+    def _glb(self, look: Placed) -> Any:
+        content = link_glb(look.link, self.textures)
+        return self._server.scene.add_glb(self._name(look.link.name), content, position=look.offset)
 
-    def _plain(self, place: Placed, colors: Mapping[str, Rgb], *, red: Color | None) -> list[Any]:
-        made = []
-        for surface in place.link.surfaces:
-            opacity = surface.material.opacity
-            node = self._server.scene.add_mesh_simple(
-                self._name(place.link.name),
+    def _plain(self, look: Placed, colors: Mapping[str, Rgb], color: Color | None) -> list[Any]:
+        return [
+            self._server.scene.add_mesh_simple(
+                self._name(look.link.name),
                 surface.mesh.vertices.astype(np.float32),
                 surface.mesh.triangles.astype(np.uint32),
-                color=red or colors[surface.label],
-                opacity=None if opacity == 1.0 else opacity,
-                position=place.offset,
+                color=color or colors[surface.label],
+                opacity=None if surface.material.opacity == 1.0 else surface.material.opacity,
+                position=look.offset,
             )
-            made.append(node)
-        return made
+            for surface in look.link.surfaces
+        ]
 
     def _name(self, link: str) -> str:
         self._number += 1
         return f"/asset/{link}/looks_{self._number}"
-
-    def _bury(self, link: str, nodes: list[Any]) -> None:
-        end = time.monotonic() + _GHOST
-        self._ghosts += [(end, link, node) for node in nodes]
 
     def tidy(self, *, gone: str = "") -> None:
         """Remove objects that were replaced a while ago, and replaced objects of removed links."""
@@ -247,26 +225,20 @@ class Viewport:
         for node in (*shown.nodes, shown.frame):
             node.remove()
 
-    def pose(self, q: Mapping[str, float]) -> int:
-        """Move the links to joint positions; return the number of moved links."""
+    def pose(self, q: Mapping[str, float]) -> None:
+        """Move the links to joint positions."""
         if self._asset is None:
-            return 0
-        moved = 0
+            return
         for name, matrix in self._asset.pose(q).items():
             shown = self._links[name]
-            if np.array_equal(shown.pose, matrix):
-                continue
-            shown.pose = matrix
-            shown.frame.wxyz = quaternion(matrix)
-            shown.frame.position = matrix[:3, 3]
-            moved += 1
+            if not np.array_equal(shown.pose, matrix):
+                shown.pose = matrix
+                place(shown.frame, matrix)
         self.signs.pose(q)
-        return moved
 
-    def frame_camera(self) -> None:
+    def _frame_camera(self, asset: Asset) -> None:
         """Let new browsers start with the whole asset from the front, and set the floor."""
-        assert self._asset is not None
-        low, high = self._asset.bounds()
+        low, high = asset.bounds()
         size = float(np.linalg.norm(high - low))
         middle = (low + high) / 2.0
         camera = self._server.initial_camera
@@ -288,8 +260,3 @@ class Viewport:
             shadow_opacity=0.2,
             position=(float(middle[0]), float(middle[1]), min(0.0, float(low[2])) - 0.0005),
         )
-
-
-def _put(node: Any, position: Array) -> None:
-    if not np.array_equal(node.position, position):
-        node.position = position

@@ -3,9 +3,10 @@
 from artgen.errors import RenderError
 from artgen.view.camera import VIEWS, Camera, View
 from artgen.view.opening import opened
+from artgen.view.page import Page
 from artgen.view.picture import Picture, Segmentation
 from artgen.view.rendering import close, render
-from artgen.view.web import Page, page_of
+from artgen.view.viewer import page_of
 
 __all__ = [
     "VIEWS",

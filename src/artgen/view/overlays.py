@@ -1,14 +1,13 @@
-"""Overlays of viewers: colliders, joints, grasp frames, centers of mass, colors of labels.
+"""Overlays of viewers: colliders, symbols of joints, and colors of labels.
 
-All overlays are plain data in asset coordinates at rest [m]. A viewer moves those of a link by
-`asset.pose(q)[link]`, and those of a joint by `axis_poses(asset, q)[joint]`.
+All overlays are in asset coordinates at rest [m]. A viewer moves those of a link by `asset.pose(q)[link]`,
+and those of a joint by `axis_poses(asset, q)[joint]`.
 """
 
 import math
 import zlib
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Literal
 
 import numpy as np
 
@@ -17,8 +16,8 @@ from artgen.asset import Asset, AssetJoint, rotation
 from artgen.colliders import Convex
 from artgen.view.camera import box_corners
 
-Rgb = tuple[float, float, float]
-"""A color in sRGB, each component from 0 to 1."""
+Rgb = tuple[float, ...]
+"""A color in sRGB: red, green and blue from 0 to 1."""
 
 _FACETS = 0.001  # largest distance of facets from round colliders [m]
 _MARGIN = 0.06  # share of a link's size by which the axis of its joint extends beyond both ends
@@ -40,88 +39,26 @@ _HUES: tuple[Rgb, ...] = (
 )
 _SHADES = ((0.0, 1.0), (0.0, 0.55), (1.0, 0.45), (0.0, 0.78))  # grey, and the remaining share of the color
 PALETTE: tuple[Rgb, ...] = tuple(
-    (
-        round(keep * red + (1.0 - keep) * grey, 4),
-        round(keep * green + (1.0 - keep) * grey, 4),
-        round(keep * blue + (1.0 - keep) * grey, 4),
-    )
+    tuple(round(keep * part + (1.0 - keep) * grey, 4) for part in hue)
     for grey, keep in _SHADES
-    for red, green, blue in _HUES
+    for hue in _HUES
 )
 """Colors of labels, the most distinct first."""
 
 
 @dataclass(frozen=True, eq=False)
-class ColliderFaces:
-    """A collider as triangles."""
-
-    label: str  # semantic label of the covered solid
-    kind: str  # `box`, `cylinder`, `sphere`, `capsule` or `hull`
-    vertices: Array  # vertices, shape (n, 3) [m]
-    triangles: Indices  # counter-clockwise seen from outside, shape (m, 3)
-
-
-@dataclass(frozen=True, eq=False)
-class HoldFrame:
-    """Frame of a hand: z along its approach, x along the closing direction of a gripper."""
-
-    name: str  # name of the grasp or push
-    kind: Literal["grasp", "push"]  # `grasp` or `push`
-    frame: Array  # pose, shape (4, 4) [m]
-    width: float  # opening of the fingers; 0 for a push [m]
-
-
-@dataclass(frozen=True, eq=False)
-class LinkOverlay:
-    """Overlay of a link, which moves with it."""
-
-    link: str  # name
-    label: str  # semantic label
-    mass: float  # mass [kg]
-    center: Array  # center of mass, shape (3,) [m]
-    colliders: tuple[ColliderFaces, ...]  # convex pieces
-    holds: tuple[HoldFrame, ...]  # grasps and pushes
-
-
-@dataclass(frozen=True, eq=False)
-class JointOverlay:
-    """Overlay of a joint.
+class JointSymbol:
+    """Axis, range and hand of a joint.
 
     `axis` and `range` stay with the joint (`axis_poses`); `hand` moves like the hand of a clock, by
     `axis_poses(asset, q)[joint] @ asset.joint(joint).motion(position)`: its end then lies on `range`.
     """
 
-    joint: str  # name
-    kind: str  # `revolute` or `prismatic`
-    parent: str  # name of the link that carries the axis
-    child: str  # name of the moving link
     axis: Array  # ends of a segment on the axis, in its direction, shape (2, 3) [m]
     # path of the end of `hand`, from the lowest position to the highest: an arc, or the two ends of a line; a
     # full circle for an unlimited rotation, shape (k, 3) [m]
     range: Array
     hand: Array  # segment from the axis to the path at position 0, shape (2, 3) [m]
-    limited: bool  # whether the ends of `range` are limits
-
-
-@dataclass(frozen=True, eq=False)
-class Overlays:
-    """All overlays of an asset."""
-
-    links: Mapping[str, LinkOverlay]  # by link name
-    joints: Mapping[str, JointOverlay]  # by joint name; without locked joints
-    colors: Mapping[str, Rgb]  # color of each semantic label
-    size: float  # diagonal of the asset's bounding box, for the size of symbols [m]
-
-
-def overlays(asset: Asset) -> Overlays:
-    """Return the overlays of an asset."""
-    low, high = asset.bounds()
-    return Overlays(
-        links={name: _of_link(asset, name) for name in (link.name for link in asset.links)},
-        joints={joint.name: _of_joint(asset, joint) for joint in asset.joints if not joint.locked},
-        colors=label_colors(asset),
-        size=float(np.linalg.norm(high - low)),
-    )
 
 
 def axis_poses(asset: Asset, q: Mapping[str, float] | None = None) -> dict[str, Array]:
@@ -143,7 +80,9 @@ def label_colors(asset: Asset) -> dict[str, Rgb]:
 
     The first labels that a category names have the most distinct colors.
     """
-    labels = [*asset.labels, *sorted(_used(asset).difference(asset.labels))]
+    used = {label for link in asset.links for label in link.labels}
+    used |= {surface.label for link in asset.links for surface in link.surfaces}
+    labels = [*asset.labels, *sorted(used.difference(asset.labels))]
     result: dict[str, Rgb] = {}
     for number, label in enumerate(dict.fromkeys(labels)):
         if number % len(_HUES) == 0:
@@ -155,41 +94,14 @@ def label_colors(asset: Asset) -> dict[str, Rgb]:
     return result
 
 
-def _used(asset: Asset) -> set[str]:
-    """Return the labels of the links and solids of an asset."""
-    found: set[str] = set()
-    for link in asset.links:
-        found.update(link.labels, (surface.label for surface in link.surfaces))
-    return found
-
-
-def _of_link(asset: Asset, name: str) -> LinkOverlay:
-    link, properties = asset.link(name), asset.link(name).mass_properties
-    return LinkOverlay(
-        link=name,
-        label=link.label,
-        mass=properties.mass,
-        center=properties.center,
-        colliders=tuple(_collider_faces(collider.label, collider.convex) for collider in link.colliders),
-        holds=tuple(
-            HoldFrame(each.name, each.kind, each.frame, each.width)
-            for each in asset.affordances
-            if each.link == name
-        ),
-    )
-
-
-def _collider_faces(label: str, convex: Convex) -> ColliderFaces:
+def collider_mesh(convex: Convex) -> tuple[Array, Indices]:
+    """Return a collider as triangles, counter-clockwise seen from outside: vertices (n, 3) [m] and (m, 3)."""
     mesh = convex.manifold(_FACETS).to_mesh64()
-    return ColliderFaces(
-        label,
-        convex.kind,
-        np.asarray(mesh.vert_properties)[:, :3],
-        np.asarray(mesh.tri_verts).astype(np.int64),
-    )
+    return np.asarray(mesh.vert_properties)[:, :3], np.asarray(mesh.tri_verts).astype(np.int64)
 
 
-def _of_joint(asset: Asset, joint: AssetJoint) -> JointOverlay:
+def joint_symbol(asset: Asset, joint: AssetJoint) -> JointSymbol:
+    """Return the symbol of a joint."""
     bounds = asset.link(joint.child).bounds()
     corners, middle = box_corners(bounds, np.eye(4)), bounds.mean(axis=0)
     if joint.kind == "revolute":
@@ -199,20 +111,18 @@ def _of_joint(asset: Asset, joint: AssetJoint) -> JointOverlay:
         along = (corners - middle) @ joint.axis
         foot = middle
     half = max((along.max() - along.min()) * (0.5 + _MARGIN), _SHORTEST / 2.0)
-    axis = np.array([foot - half * joint.axis, foot + half * joint.axis])
     if joint.kind == "revolute":
-        hand, way = _turn(joint, foot, corners)
+        hand, path = _turn(joint, foot, corners)
     else:
-        hand, way = _slide(joint, foot, half)
-    return JointOverlay(
-        joint.name, joint.kind, joint.parent, joint.child, axis, way, hand, joint.limits is not None
-    )
+        first, last = joint.limits or (-half, half)
+        hand = np.array([foot, foot])  # a point
+        path = np.array([foot + first * joint.axis, foot + last * joint.axis])
+    return JointSymbol(np.array([foot - half * joint.axis, foot + half * joint.axis]), path, hand)
 
 
-def _turn(joint: AssetJoint, foot: Array, corners: Iterable[Array]) -> tuple[Array, Array]:
+def _turn(joint: AssetJoint, foot: Array, corners: Array) -> tuple[Array, Array]:
     """Return the hand of a revolute joint, to the farthest of several corners, and the arc of its end."""
-    offsets = [corner - foot for corner in corners]
-    across = [offset - (offset @ joint.axis) * joint.axis for offset in offsets]
+    across = [offset - (offset @ joint.axis) * joint.axis for offset in corners - foot]
     arm = max(across, key=lambda offset: round(float(np.linalg.norm(offset)), 9))
     # a part that rotates about its own center has corners all around: any of them is suitable
     length = float(np.linalg.norm(arm))
@@ -224,12 +134,5 @@ def _turn(joint: AssetJoint, foot: Array, corners: Iterable[Array]) -> tuple[Arr
         arm = arm / length * _SHORTEST
     first, last = joint.limits or (-math.pi, math.pi)
     angles = np.linspace(first, last, max(2, math.ceil((last - first) / _STEP) + 1))
-    way = np.array([foot + rotation(joint.axis, float(angle)) @ arm for angle in angles])
-    return np.array([foot, foot + arm]), way
-
-
-def _slide(joint: AssetJoint, foot: Array, half: float) -> tuple[Array, Array]:
-    """Return the hand of a prismatic joint, a point, and the line of its motion."""
-    first, last = joint.limits or (-half, half)
-    way = np.array([foot + first * joint.axis, foot + last * joint.axis])
-    return np.array([foot, foot]), way
+    path = np.array([foot + rotation(joint.axis, float(angle)) @ arm for angle in angles])
+    return np.array([foot, foot + arm]), path

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from io import BytesIO
 from pathlib import Path
 
 import numpy as np
@@ -97,14 +98,23 @@ class Picture:
         return save_image(self.color, path)
 
 
-def save_image(pixels: Pixels, path: str | Path, quality: int = 92) -> Path:
+def jpeg(pixels: Pixels, quality: int) -> bytes:
+    """Return sRGB pixels, shape (height, width, 3), as a JPEG file."""
+    from PIL import Image
+
+    file = BytesIO()
+    Image.fromarray(pixels).save(file, "JPEG", quality=quality, optimize=True)
+    return file.getvalue()
+
+
+def save_image(pixels: Pixels, path: str | Path) -> Path:
     """Write sRGB pixels, shape (height, width, 3), to a PNG or JPEG file."""
     from PIL import Image
 
     path = Path(path)
     check_suffix(path)
     try:
-        Image.fromarray(pixels).save(path, _SUFFIXES[path.suffix.lower()], quality=quality)
+        Image.fromarray(pixels).save(path, _SUFFIXES[path.suffix.lower()], quality=92)
     except OSError as error:
         raise ExportError(f"cannot write {path}: {error.strerror or error}") from error
     return path

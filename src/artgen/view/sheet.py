@@ -1,6 +1,5 @@
 """Contact sheets: many samples of a category on one page, closed and open, with their main features."""
 
-import io
 import math
 import re
 from collections.abc import Callable, Mapping, Sequence
@@ -10,15 +9,13 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from artgen.asset import Asset
 from artgen.errors import ExportError, ParameterError
 from artgen.view.camera import View, box_corners
 from artgen.view.opening import opened
+from artgen.view.picture import Pixels, check_suffix, jpeg, save_image
 from artgen.view.rendering import close, render
-
-Pixels = NDArray[np.uint8]
 
 ASIDE = 0.5
 """Largest angle from the front or back at which a sample is seen [rad]."""
@@ -140,23 +137,17 @@ def words(asset: Asset) -> str:
 
 def save_sheet(pixels: Pixels, path: str | Path) -> Path:
     """Write a sheet to a PNG file, or to a JPEG file of at most 350 kB if a quality allows it."""
-    from PIL import Image
-
-    from artgen.view.picture import check_suffix, save_image
-
     path = Path(path)
     check_suffix(path)
     if path.suffix.lower() == ".png":
         return save_image(pixels, path)
-    image, data = Image.fromarray(pixels), b""
+    content = b""
     for quality in _QUALITIES:
-        file = io.BytesIO()
-        image.save(file, "JPEG", quality=quality, optimize=True)
-        data = file.getvalue()
-        if len(data) <= _BYTES:
+        content = jpeg(pixels, quality)
+        if len(content) <= _BYTES:
             break
     try:
-        path.write_bytes(data)
+        path.write_bytes(content)
     except OSError as error:
         raise ExportError(f"cannot write {path}: {error.strerror}") from error
     return path

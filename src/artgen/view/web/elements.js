@@ -17,3 +17,8 @@ async function unpacked(id) {
   const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"));
   return new Response(stream).arrayBuffer();
 }
+
+/** Returns the text that a script element of the page holds. */
+async function unpackedText(id) {
+  return new TextDecoder().decode(await unpacked(id));
+}

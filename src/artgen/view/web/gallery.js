@@ -100,4 +100,4 @@ class Gallery {
   }
 }
 
-new Gallery(JSON.parse(find("data").textContent));
+new Gallery(JSON.parse(await unpackedText("data")));

@@ -203,8 +203,7 @@ function cornersOf([low, high]) {
 }
 
 async function start() {
-  const text = async (id) => new TextDecoder().decode(await unpacked(id));
-  const [three, data, glb] = await Promise.all([text("three"), text("data"), unpacked("model")]);
+  const [three, data, glb] = await Promise.all([unpackedText("three"), unpackedText("data"), unpacked("model")]);
   document.head.append(element("script", { textContent: three }));
   const nodes = await nodesOf(glb);
   const viewer = new Viewer(JSON.parse(data), nodes, document.getElementById("stage"));

@@ -1,10 +1,11 @@
-"""The viewer of an asset as one offline HTML page."""
+"""Offline HTML pages: one shell for the viewer of an asset, the gallery and the graph of a category."""
 
 import base64
 import html
 import json
 import zipfile
 import zlib
+from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from functools import lru_cache
@@ -14,34 +15,17 @@ from io import BytesIO
 from pathlib import Path
 from typing import Any
 
-from artgen.asset import Asset
 from artgen.errors import AssetError, ExportError
-from artgen.export import write_glb
-from artgen.materials.textures import check_size
-from artgen.view.web.record import viewer_data
 
-TEXTURES = 512
-"""Default texels per side of the maps of a page."""
-
-_SCRIPTS = (
-    "elements.js",
-    "kinematics.js",
-    "studio.js",
-    "model.js",
-    "signs.js",
-    "orbit.js",
-    "panel.js",
-    "main.js",
-)
 _OWN_VIEWER = "var camera,controls,scene"  # end of three.js and start of trimesh's viewer in trimesh's page
 
 
 @dataclass(frozen=True)
 class Page:
-    """An asset in a viewer: a notebook shows it; otherwise save it and open it in a browser.
+    """A page: a notebook shows it; otherwise save it and open it in a browser.
 
     Attributes:
-        name: Name of the asset.
+        name: Name of what it shows.
         html: The page.
         height: Height of the notebook cell [pixels].
     """
@@ -65,60 +49,48 @@ class Page:
         """Write the page to a file, and return its path.
 
         Raises:
-            ExportError: The file is not a page written by artgen, or cannot be written.
+            ExportError: The name has another suffix than `.html`, or the file cannot be written.
         """
         path = Path(path)
         check_page(path)
         return write_file(path, self.html.encode())
 
 
-def page_of(asset: Asset, *, textures: int = TEXTURES, height: int = 600) -> Page:
-    """Make the viewer of an asset.
+def page_html(kind: str, title: str, scripts: Sequence[str], data: Any, **blobs: bytes) -> str:
+    """Return a page.
 
     Args:
-        asset: The asset.
-        textures: Texels per side of the material maps; 0 for colors only.
-        height: Height of the notebook cell [pixels].
-
-    Raises:
-        ParameterError: The size of maps is not allowed.
-        AssetError: The asset was read from files that have no surfaces.
+        kind: Path in the package of its body and style, without suffix, such as `view/web/viewer`.
+        title: Title of the page.
+        scripts: Paths in the package of its scripts.
+        data: JSON data, which a script reads by `unpackedText("data")`.
+        blobs: Other data, which a script reads by `unpacked(name)`.
     """
-    if textures:
-        check_size(textures)
-    (model,) = write_glb(asset, textures).files.values()
-    data = json.dumps(viewer_data(asset), separators=(",", ":"), allow_nan=False)
+    blobs |= {"data": json.dumps(data, separators=(",", ":"), allow_nan=False).encode()}
+    packed = {name: base64.b64encode(zlib.compress(blob, 9)).decode() for name, blob in blobs.items()}
     parts = {
-        "TITLE": html.escape(asset.name),
-        "STYLE": read("viewer.css"),
-        "THREE": packed(three_js().encode()),
-        "MODEL": packed(model),
-        "DATA": packed(data.encode()),
-        "VIEWER": "\n".join(read(name) for name in _SCRIPTS),
+        "KIND": kind.rpartition("/")[2],
+        "STYLE": _read(f"{kind}.css"),
+        "BODY": _read(f"{kind}.html"),
+        "TITLE": html.escape(title),
+        "DATA": "\n".join(
+            f'<script type="text/plain" id="{name}">{text}</script>' for name, text in packed.items()
+        ),
+        "SCRIPT": "\n".join(_read(script) for script in scripts),
     }
-    return Page(asset.name, filled(read("viewer.html"), parts), height)
-
-
-def filled(template: str, parts: dict[str, str]) -> str:
-    """Return a page with `{{NAME}}` replaced by its parts."""
-    for name, text in parts.items():
-        template = template.replace(f"{{{{{name}}}}}", text)
-    return template
-
-
-def packed(content: bytes) -> str:
-    """Return bytes as text for a page: compressed, in base64."""
-    return base64.b64encode(zlib.compress(content, 9)).decode()
+    text = _read("view/web/page.html")
+    for name, part in parts.items():
+        text = text.replace(f"{{{{{name}}}}}", part)
+    return text
 
 
 @lru_cache(maxsize=32)
-def read(name: str) -> str:
-    """Return a file of the viewer."""
-    return files("artgen.view.web").joinpath(name).read_text(encoding="utf-8")
+def _read(path: str) -> str:
+    return files("artgen").joinpath(path).read_text(encoding="utf-8")
 
 
 @lru_cache(maxsize=1)
-def three_js() -> str:
+def three_js() -> bytes:
     """Return three.js with its glTF loader from trimesh: a script that defines `THREE`."""
     content = files("trimesh").joinpath("resources/templates/viewer.zip").read_bytes()
     with zipfile.ZipFile(BytesIO(content)) as archive:
@@ -129,12 +101,7 @@ def three_js() -> str:
             f"the viewer needs the three.js that comes with trimesh, and trimesh {version('trimesh')} has "
             "another one; install the version of trimesh that artgen asks for"
         )
-    return script
-
-
-def script_data(value: Any) -> str:
-    """Return data as JSON that is safe in a script of a page."""
-    return json.dumps(value, separators=(",", ":"), allow_nan=False).replace("<", "\\u003c")
+    return script.encode()
 
 
 def check_page(path: Path) -> None:

@@ -1,29 +1,25 @@
 """The gallery: a page of many assets with pictures and filters, with links to their viewers."""
 
-import html
-import io
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-from numpy.typing import NDArray
-
 from artgen.asset import Asset
 from artgen.asset.files import ASSET_FILE
+from artgen.asset.record import plain
 from artgen.errors import ArtgenError, AssetError, ExportError, RenderError
 from artgen.export.layouts.simready.thumbnail import thumbnail
+from artgen.view.page import page_html, write_file
+from artgen.view.picture import jpeg
 from artgen.view.rendering import close, render
 from artgen.view.sheet import shots, words
-from artgen.view.web.page import filled, page_of, read, script_data, write_file
-from artgen.view.web.record import plain_value
-
-Pixels = NDArray[np.uint8]
+from artgen.view.viewer import page_of
 
 INDEX = "index.html"
 """File name of the gallery's page."""
 
 _MARK = '<meta name="generator" content="artgen gallery">'  # marks in the page the files that belong to it
+_SCRIPTS = ("view/web/elements.js", "view/web/gallery.js")
 _PICTURE = 288  # pixels per side
 _SAMPLES = 8  # quality of shadows and edges
 _QUALITY = 84  # of JPEG
@@ -64,7 +60,8 @@ def write_gallery(
         except ArtgenError as error:
             failed.append(f"{directory} is left out: {error}")
         else:
-            page.save(_ready(target / f"{place}.html"))
+            _make_folder((target / place).parent)
+            page.save(target / f"{place}.html")
             names = {"closed": f"{place}.jpg", "open": f"{place}_open.jpg"}
             for (state, name), picture in zip(names.items(), pictures, strict=False):
                 write_file(target / name, picture)
@@ -74,7 +71,8 @@ def write_gallery(
             progress(number + 1)
     if not entries:
         raise AssetError(f"none of {len(assets)} assets can be shown; the first: {failed[0]}")
-    return write_file(target / INDEX, _index(source.name, entries).encode()), failed
+    text = page_html("view/web/gallery", source.name, _SCRIPTS, entries)
+    return write_file(target / INDEX, text.encode()), failed
 
 
 class _Pictures:
@@ -89,7 +87,7 @@ class _Pictures:
                 return self._drawn(asset)
             except RenderError:
                 self._draws = False
-        return [_jpeg(thumbnail(asset))]
+        return [jpeg(thumbnail(asset), _QUALITY)]
 
     @staticmethod
     def _drawn(asset: Asset) -> list[bytes]:
@@ -98,15 +96,7 @@ class _Pictures:
             for q, view in shots(asset)[:2]
         ]
         close()  # a gallery may be long, and no asset is drawn twice
-        return [_jpeg(picture) for picture in pictures]
-
-
-def _jpeg(pixels: Pixels) -> bytes:
-    from PIL import Image
-
-    file = io.BytesIO()
-    Image.fromarray(pixels).save(file, "JPEG", quality=_QUALITY, optimize=True)
-    return file.getvalue()
+        return [jpeg(picture, _QUALITY) for picture in pictures]
 
 
 def _entry(asset: Asset) -> dict[str, Any]:
@@ -121,19 +111,8 @@ def _entry(asset: Asset) -> dict[str, Any]:
         "links": len(asset.links),
         "joints": [joint.kind for joint in asset.joints if not joint.locked],
         "proven": None if certificate is None else certificate.proven,
-        "parameters": {name: plain_value(value) for name, value in asset.parameters.items()},
+        "parameters": plain(asset.parameters),
     }
-
-
-def _index(title: str, entries: Sequence[Mapping[str, Any]]) -> str:
-    parts = {
-        "MARK": _MARK,
-        "TITLE": html.escape(title),
-        "STYLE": read("gallery.css"),
-        "DATA": script_data(entries),
-        "GALLERY": read("elements.js") + read("gallery.js"),
-    }
-    return filled(read("gallery.html"), parts)
 
 
 def _check_target(target: Path) -> None:
@@ -147,10 +126,8 @@ def _check_target(target: Path) -> None:
         raise ExportError(f"{target} holds something else than a gallery; choose another --out")
 
 
-def _ready(path: Path) -> Path:
-    """Return a path and create its folder."""
+def _make_folder(path: Path) -> None:
     try:
-        path.parent.mkdir(parents=True, exist_ok=True)
+        path.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         raise ExportError(f"cannot write {path}: {error.strerror}") from error
-    return path
