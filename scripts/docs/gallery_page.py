@@ -8,9 +8,8 @@ from PIL import Image
 from artgen import _disk_cache as disk_cache
 from artgen.asset import Asset
 from artgen.catalog import categories, find
-from artgen.view import close, render
+from artgen.view import close, page_of, render
 from artgen.view.sheet import shots
-from artgen.view import page_of
 
 SEEDS = {"box": 2, "lamp": 9, "trashcan": 6, "window": 6}
 """The seeds of those that are shown; 0 where none is named."""
