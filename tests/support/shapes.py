@@ -11,7 +11,7 @@ Array = NDArray[np.float64]
 
 X, Y, Z = np.eye(3)
 _THIN = 1e-7  # [m]: slivers lower than this have no normal to speak of
-_FILM = 5e-7  # mean thickness of the films that pieces may leave out [m]
+_FILM = 1e-6  # mean thickness of the films that pieces may leave out [m]
 
 
 def check_shape(shape: Shape, *, least_agreement: float = 0.7, covered: bool = True) -> None:
